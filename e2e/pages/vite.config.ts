@@ -1,0 +1,17 @@
+import { readdirSync } from 'node:fs';
+import { defineConfig } from 'vite';
+
+/** Pages of the browser tests' own: each .html here is one, served beside the two apps. */
+const folder = new URL('.', import.meta.url).pathname;
+
+export default defineConfig({
+  base: './',
+  publicDir: '../../public',
+  assetsInclude: ['**/*.ply.gz'],
+  resolve: { dedupe: ['three'] },
+  build: {
+    target: 'es2022',
+    chunkSizeWarningLimit: 2000,
+    rolldownOptions: { input: readdirSync(folder).filter((name) => name.endsWith('.html')) },
+  },
+});

@@ -1,0 +1,45 @@
+import { findBrowser } from '@farol/tools/findBrowser';
+import { gpuFlags, softwareFlags } from '@farol/tools/browserFlags';
+import { defineConfig } from '@playwright/test';
+
+/**
+ * Browser tests. The servers start in support/globalSetup.ts on free ports, from source, or from the built apps with
+ * FAROL_E2E=built (as `npm test` does). FAROL_GPU=1 leaves the software rasteriser out.
+ *
+ * A page of the project `editor` resolves `page.goto('./')` to the editor, of `viewer` and `render` to the viewer.
+ */
+const browser = findBrowser();
+if (!browser) throw new Error('No Chromium found: run npm test once, which installs one, or set CHROMIUM_PATH.');
+
+export default defineConfig({
+  testDir: '.',
+  globalSetup: './support/globalSetup.ts',
+  outputDir: '../.cache/browser-tests',
+  workers: 2,
+  fullyParallel: false,
+  retries: 0,
+  forbidOnly: Boolean(process.env.CI),
+  timeout: 60_000,
+  expect: { timeout: 10_000 },
+  reporter: process.env.PLAYWRIGHT_JSON_OUTPUT_NAME ? [['list'], ['json']] : [['list']],
+  use: {
+    viewport: { width: 640, height: 360 },
+    trace: 'off',
+    video: 'off',
+    screenshot: 'only-on-failure',
+    launchOptions: {
+      executablePath: browser.path,
+      args: [...(process.env.FAROL_GPU ? gpuFlags : softwareFlags)],
+    },
+  },
+  projects: [
+    { name: 'viewer', testDir: './viewer', use: { baseURL: process.env.FAROL_VIEWER_URL } },
+    { name: 'render', testDir: './render', use: { baseURL: process.env.FAROL_VIEWER_URL } },
+    { name: 'perf', testDir: './perf', use: { baseURL: process.env.FAROL_VIEWER_URL } },
+    {
+      name: 'editor',
+      testDir: './editor',
+      use: { baseURL: process.env.FAROL_EDITOR_URL, viewport: { width: 1280, height: 720 } },
+    },
+  ],
+});

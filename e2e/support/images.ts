@@ -1,0 +1,71 @@
+/** An image of linear floats. */
+export interface FloatImage {
+  width: number;
+  height: number;
+  /** [height, width, 4], linear RGBA, bottom row first. */
+  data: ArrayLike<number>;
+}
+
+/** How far two images are apart. */
+export interface Difference {
+  /** Largest absolute difference of a linear channel. Infinity where one is not a number. */
+  largest: number;
+  /** Peak signal-to-noise ratio after sRGB encoding, peak 1 (dB); Infinity when equal. */
+  psnr: number;
+  /** Share of pixels, 0 to 1, with a channel off by more than `steps`/255 after sRGB encoding. */
+  share: number;
+}
+
+/** The sRGB transfer function, input clamped to 0..1. @see IEC 61966-2-1 */
+export function encodeSRGB(linear: number): number {
+  if (!(linear > 0)) return 0;
+  if (linear >= 1) return 1;
+  return linear <= 0.0031308 ? linear * 12.92 : 1.055 * linear ** (1 / 2.4) - 0.055;
+}
+
+/**
+ * Compares red, green and blue of two images; alpha is left out.
+ *
+ * @param steps how many 1/255 a pixel may be off before it counts in `share`; default 2
+ * @throws RangeError when the sizes differ
+ */
+export function compareImages(a: FloatImage, b: FloatImage, steps = 2): Difference {
+  if (a.width !== b.width || a.height !== b.height || a.data.length !== b.data.length) {
+    throw new RangeError(`Images of ${a.width}×${a.height} and ${b.width}×${b.height} cannot be compared.`);
+  }
+  let largest = 0;
+  let squares = 0;
+  let off = 0;
+  for (let pixel = 0; pixel < a.data.length; pixel += 4) {
+    let worst = 0;
+    for (let channel = pixel; channel < pixel + 3; channel++) {
+      const linear = Math.abs(a.data[channel] - b.data[channel]);
+      largest = Math.max(largest, Number.isNaN(linear) ? Infinity : linear);
+      const encoded = Math.abs(encodeSRGB(a.data[channel]) - encodeSRGB(b.data[channel]));
+      squares += encoded * encoded;
+      worst = Math.max(worst, Number.isNaN(linear) ? Infinity : encoded);
+    }
+    if (worst > (steps + 1e-6) / 255) off++;
+  }
+  const pixels = a.data.length / 4;
+  return { largest, psnr: squares === 0 ? Infinity : -10 * Math.log10(squares / (pixels * 3)), share: off / pixels };
+}
+
+/**
+ * Whether an image shows nothing: all of its pixels are within `tolerance` of each other, or one is not finite.
+ *
+ * @param tolerance linear; default 1/512
+ */
+export function isFlat(image: FloatImage, tolerance = 1 / 512): boolean {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let pixel = 0; pixel < image.data.length; pixel += 4) {
+    for (let channel = 0; channel < 3; channel++) {
+      const value = image.data[pixel + channel];
+      if (!Number.isFinite(value)) return true;
+      low[channel] = Math.min(low[channel], value);
+      high[channel] = Math.max(high[channel], value);
+    }
+  }
+  return low.every((value, channel) => high[channel] - value <= tolerance);
+}

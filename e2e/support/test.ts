@@ -1,0 +1,63 @@
+import { test as base } from '@playwright/test';
+
+export { expect } from '@playwright/test';
+
+/** The browser's remarks that say nothing about our code. */
+const harmless = [
+  // Chromium itself, when pixels are read back: the read is what the test asks for.
+  /GPU stall due to ReadPixels/,
+  /Automatic fallback to software WebGL/,
+];
+
+export interface Watch {
+  /** Problems seen so far: console errors and warnings, page errors, lost WebGL contexts. */
+  readonly problems: string[];
+  /** Takes the seen problems that match away, for a test that provokes them. Gives how many there were. */
+  forgive(pattern: RegExp): number;
+}
+
+/**
+ * Playwright's `test`, where any console error or warning, error of the page or loss of a WebGL context fails the test.
+ *
+ * - `watch`: the problems seen; a test that provokes one calls `watch.forgive(/…/)`.
+ * - `pagesURL`: where the tests' own pages (e2e/pages) are served, with a slash at its end.
+ */
+export const test = base.extend<{ watch: Watch; pagesURL: string }>({
+  // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures from the pattern
+  pagesURL: async ({}, use) => use(process.env.FAROL_PAGES_URL ?? ''),
+
+  watch: [
+    async ({ page }, use) => {
+      const problems: string[] = [];
+      page.on('console', (message) => {
+        if (message.type() !== 'error' && message.type() !== 'warning') return;
+        if (harmless.some((pattern) => pattern.test(message.text()))) return;
+        problems.push(`console ${message.type()}: ${message.text()} (${message.location().url})`);
+      });
+      page.on('pageerror', (error) => problems.push(`page error: ${error.stack ?? error.message}`));
+      await page.addInitScript(() => {
+        const reportLoss = () => console.error('a WebGL context was lost');
+        addEventListener('webglcontextlost', reportLoss, { capture: true });
+        const getContext = HTMLCanvasElement.prototype.getContext;
+        HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: unknown[]) {
+          // A canvas outside of the document sends the window nothing.
+          if (String(args[0]).startsWith('webgl') && !this.isConnected) {
+            this.addEventListener('webglcontextlost', reportLoss);
+          }
+          return (getContext as (...all: unknown[]) => RenderingContext | null).apply(this, args);
+        } as typeof getContext;
+      });
+      await use({
+        problems,
+        forgive(pattern) {
+          const kept = problems.filter((problem) => !pattern.test(problem));
+          const count = problems.length - kept.length;
+          problems.splice(0, problems.length, ...kept);
+          return count;
+        },
+      });
+      base.expect(problems, 'console errors and warnings, page errors, lost contexts').toEqual([]);
+    },
+    { auto: true },
+  ],
+});

@@ -1,0 +1,27 @@
+/**
+ * `npm run build`: types and bundles of the packages, then the apps on top of them; the size of the renderer is held.
+ * With `--tests`, the browser tests' own pages too.
+ */
+import { join } from 'node:path';
+import { bundleSize, rendererLimit } from './bundleSize.mjs';
+import { ensureInstalled } from './ensureInstalled.mjs';
+import { root } from './root.mjs';
+import { runTool } from './runTool.mjs';
+
+ensureInstalled();
+const folders = ['packages/renderer', 'packages/engine', 'apps/viewer', 'apps/editor'];
+if (process.argv.includes('--tests')) folders.push('e2e/pages');
+
+if (runTool('typescript', 'tsc', ['-b', 'packages']) !== 0) process.exit(1);
+const { build } = await import('vite');
+for (const folder of folders) {
+  await build({ root: join(root, folder), configFile: join(root, folder, 'vite.config.ts'), logLevel: 'warn' });
+  console.log(`built ${folder}/dist`);
+}
+
+const bytes = bundleSize(join(root, 'packages/renderer/dist'));
+console.log(`@farol/renderer: ${(bytes / 1000).toFixed(1)} kB of ${rendererLimit / 1000} kB, minified and gzipped`);
+if (bytes > rendererLimit) {
+  console.error('@farol/renderer is too large: see what grew, or leave something out. The limit is in bundleSize.mjs.');
+  process.exit(1);
+}

@@ -1,0 +1,61 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { importViolations } from './importDirection.mjs';
+import { root } from './root.mjs';
+
+const workspaces = ['packages/renderer', 'packages/engine', 'packages/tools', 'apps/viewer', 'apps/editor'];
+const manifests = new Map(
+  ['', ...workspaces].map((folder) => [
+    folder,
+    JSON.parse(readFileSync(join(root, folder, 'package.json'), 'utf8')) as { dependencies?: object },
+  ]),
+);
+
+function sources(): Map<string, string> {
+  const files = new Map<string, string>();
+  for (const top of ['packages', 'apps', 'e2e']) {
+    for (const name of readdirSync(join(root, top), { recursive: true, encoding: 'utf8' })) {
+      const path = `${top}/${name.replaceAll('\\', '/')}`;
+      if (!/\.tsx?$/.test(path) || /\/(node_modules|dist)\//.test(path)) continue;
+      files.set(path, readFileSync(join(root, path), 'utf8'));
+    }
+  }
+  return files;
+}
+
+describe('the direction of imports', () => {
+  it('holds in every source file', () => {
+    const files = sources();
+    expect(files.size).toBeGreaterThan(20);
+    expect(importViolations(files, manifests)).toEqual([]);
+  });
+
+  it.each([
+    ['packages/renderer/src/microshaders/X.ts', "import { P } from '../passes/P';", /may import/],
+    ['packages/renderer/src/X.ts', "import type { Scene } from '@farol/engine';", /may import/],
+    ['packages/renderer/src/X.ts', "export * from '../../engine/src/Scene';", /may import/],
+    ['packages/engine/src/X.ts', "const lazy = () => import('react');", /may import/],
+    ['packages/engine/src/X.ts', "import { readFileSync } from 'node:fs';", /no Node modules/],
+    ['packages/engine/src/X.ts', "import { G } from '@farol/renderer/src/gbuffer/GBuffer';", /published entry/],
+    ['apps/editor/src/X.tsx', "import { gui } from '@farol/viewer'; const a = <b>c</b>;", /nothing imports an app/],
+    ['apps/editor/src/X.ts', "import '../../viewer/src/main';", /may import/],
+    ['apps/viewer/src/X.ts', "import React from 'react';", /does not declare react/],
+    ['e2e/render/x.spec.ts', "import { Scene } from '../../packages/engine/src/Scene';", /may import/],
+    ['e2e/render/x.spec.ts', "import x from 'lil-gui';", /does not declare lil-gui/],
+  ])('is broken by %s: %s', (path, source, why) => {
+    const found = importViolations(new Map([[path, source]]), manifests);
+    expect(found).toHaveLength(1);
+    expect(found[0]).toMatch(why);
+  });
+
+  it.each([
+    ['packages/renderer/src/passes/X.ts', "import text from '../microshaders/x.glsl?raw'; import 'three';"],
+    ['packages/engine/src/X.test.ts', "import { it } from 'vitest'; import { Scene } from './Scene';"],
+    ['packages/engine/src/X.ts', "// import 'react'\nconst text = \"import 'react'\";"],
+    ['apps/viewer/src/X.ts', "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';"],
+    ['e2e/pages/x.ts', "import { techniques } from '@farol/renderer';"],
+  ])('allows %s: %s', (path, source) => {
+    expect(importViolations(new Map([[path, source]]), manifests)).toEqual([]);
+  });
+});

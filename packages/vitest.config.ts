@@ -1,0 +1,12 @@
+import { defineConfig } from 'vitest/config';
+
+/** One run over the unit tests of all workspaces, in Node. */
+export default defineConfig({
+  root: new URL('..', import.meta.url).pathname,
+  test: {
+    include: ['packages/*/**/*.test.ts', 'apps/*/src/**/*.test.{ts,tsx}', 'e2e/support/*.test.ts'],
+    exclude: ['**/node_modules/**', '**/dist/**'],
+    environment: 'node',
+    passWithNoTests: false,
+  },
+});
