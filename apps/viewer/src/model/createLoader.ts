@@ -1,0 +1,35 @@
+import type { LoadingManager, WebGLRenderer } from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+
+/**
+ * A GLTFLoader with the decoders that a file asks for: Draco, meshopt and KTX2 (Basis Universal) are fetched only when
+ * a file uses them.
+ *
+ * @param extensions `extensionsUsed` of the file
+ * @returns the loader, and what gives the decoders' workers back
+ */
+export async function createLoader(
+  extensions: readonly string[],
+  manager: LoadingManager,
+  renderer: WebGLRenderer,
+): Promise<{ loader: GLTFLoader; dispose: () => void }> {
+  const loader = new GLTFLoader(manager);
+  const disposables: { dispose(): unknown }[] = [];
+  if (extensions.includes('KHR_draco_mesh_compression')) {
+    const { DRACOLoader } = await import('three/addons/loaders/DRACOLoader.js');
+    const draco = new DRACOLoader();
+    disposables.push(draco);
+    loader.setDRACOLoader(draco);
+  }
+  if (extensions.includes('KHR_texture_basisu')) {
+    const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js');
+    const ktx2 = new KTX2Loader().detectSupport(renderer);
+    disposables.push(ktx2);
+    loader.setKTX2Loader(ktx2);
+  }
+  if (extensions.some((name) => name.endsWith('_meshopt_compression'))) {
+    const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
+    loader.setMeshoptDecoder(MeshoptDecoder);
+  }
+  return { loader, dispose: () => disposables.forEach((each) => each.dispose()) };
+}

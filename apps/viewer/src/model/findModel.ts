@@ -1,0 +1,44 @@
+import type { FileMap } from './collectFiles';
+import type { GltfJson } from './readGltfJson';
+
+/**
+ * Path of the model among dropped files: the .glb or .gltf that is nearest to the top.
+ *
+ * @throws Error that names what was dropped when there is none
+ */
+export function findModel(files: FileMap): string {
+  const models = [...files.keys()].filter((path) => /\.(glb|gltf)$/i.test(path));
+  models.sort((a, b) => a.split('/').length - b.split('/').length || a.localeCompare(b));
+  if (models.length > 0) return models[0];
+  const names = [...files.keys()].slice(0, 5).join(', ') || 'nothing that is a file';
+  throw new Error(`no .glb or .gltf was dropped, but ${names}.`);
+}
+
+/** Where a glTF at `modelPath` points with `uri`: a path as in the file map, or null for data inside the file. */
+export function resolveUri(modelPath: string, uri: string): string | null {
+  if (/^(data|blob):/i.test(uri)) return null;
+  const parts = modelPath.split('/').slice(0, -1);
+  for (const part of decodeURIComponent(uri).replaceAll('\\', '/').split('/')) {
+    if (part === '..') parts.pop();
+    else if (part !== '.' && part !== '') parts.push(part);
+  }
+  return parts.join('/');
+}
+
+/**
+ * The dropped file that a path means. Files dropped one by one have lost their folder, so that the name alone decides
+ * where the whole path is not there.
+ */
+export function lookUp(files: FileMap, path: string): File | null {
+  const exact = files.get(path);
+  if (exact) return exact;
+  const name = path.split('/').pop();
+  return files.get(name ?? '') ?? null;
+}
+
+/** Paths that a glTF needs and that were not dropped with it. */
+export function missingFiles(files: FileMap, modelPath: string, json: GltfJson): string[] {
+  const uris = [...(json.buffers ?? []), ...(json.images ?? [])].flatMap(({ uri }) => (uri === undefined ? [] : [uri]));
+  const paths = uris.flatMap((uri) => resolveUri(modelPath, uri) ?? []);
+  return [...new Set(paths)].filter((path) => !lookUp(files, path));
+}

@@ -1,0 +1,59 @@
+import { LoadingManager, type WebGLRenderer } from 'three';
+import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
+import type { FileMap } from './collectFiles';
+import { createLoader } from './createLoader';
+import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
+import { readGltfJson } from './readGltfJson';
+
+/** A model that was read whole. */
+export interface LoadedModel {
+  /** Name of its file. */
+  name: string;
+  gltf: GLTF;
+}
+
+/**
+ * Reads the glTF among some files, with the buffers and textures that it names.
+ *
+ * @throws Error that names the file and the reason; nothing is shown half then
+ */
+export async function loadModel(files: FileMap, renderer: WebGLRenderer): Promise<LoadedModel> {
+  const path = findModel(files);
+  const file = files.get(path)!;
+  try {
+    const bytes = await file.arrayBuffer();
+    const json = readGltfJson(bytes);
+    const missing = missingFiles(files, path, json);
+    if (missing.length > 0) {
+      throw new Error(`it needs ${missing.join(', ')}: drop the whole folder, or all of its files together.`);
+    }
+    return { name: file.name, gltf: await parse(bytes, json.extensionsUsed ?? [], path, files, renderer) };
+  } catch (error) {
+    throw new Error(`${path}: ${error instanceof Error ? error.message : String(error)}`, { cause: error });
+  }
+}
+
+async function parse(
+  bytes: ArrayBuffer,
+  extensions: readonly string[],
+  path: string,
+  files: FileMap,
+  renderer: WebGLRenderer,
+): Promise<GLTF> {
+  const manager = new LoadingManager();
+  const blobs = new Map<File, string>();
+  manager.setURLModifier((url) => {
+    const target = resolveUri(path, url);
+    const file = target === null ? null : lookUp(files, target);
+    if (!file) return url;
+    if (!blobs.has(file)) blobs.set(file, URL.createObjectURL(file));
+    return blobs.get(file)!;
+  });
+  const { loader, dispose } = await createLoader(extensions, manager, renderer);
+  try {
+    return await loader.parseAsync(bytes, '');
+  } finally {
+    dispose();
+    for (const url of blobs.values()) URL.revokeObjectURL(url);
+  }
+}

@@ -1,0 +1,59 @@
+import { describe, expect, it } from 'vitest';
+import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
+import { readGltfJson } from './readGltfJson';
+
+const files = (...paths: string[]) => new Map(paths.map((path) => [path, new File([path], path.split('/').pop()!)]));
+const bytes = (text: string) => new TextEncoder().encode(text).buffer as ArrayBuffer;
+
+/** A GLB of one JSON chunk. */
+function glb(json: string, over: { version?: number; length?: number; cut?: number } = {}): ArrayBuffer {
+  const body = new TextEncoder().encode(json);
+  const buffer = new ArrayBuffer(20 + body.length);
+  const view = new DataView(buffer);
+  const words = [0x46546c67, over.version ?? 2, over.length ?? buffer.byteLength, body.length, 0x4e4f534a];
+  words.forEach((word, index) => view.setUint32(index * 4, word, true));
+  new Uint8Array(buffer, 20).set(body);
+  return buffer.slice(0, over.cut ?? buffer.byteLength);
+}
+
+describe('readGltfJson', () => {
+  const json = '{"asset":{"version":"2.0"},"extensionsUsed":["KHR_draco_mesh_compression"]}';
+
+  it('reads the JSON of both kinds of file', () => {
+    expect(readGltfJson(bytes(json)).extensionsUsed).toEqual(['KHR_draco_mesh_compression']);
+    expect(readGltfJson(glb(json))).toEqual(readGltfJson(bytes(json)));
+  });
+
+  it.each([
+    [bytes('hello'), /JSON cannot be read/],
+    [bytes(''), /JSON cannot be read/],
+    [bytes('[1]'), /no glTF/],
+    [bytes('{"asset":{"version":"1.0"}}'), /glTF 1\.0/],
+    [glb(json, { cut: 16 }), /cut short: 16 bytes/],
+    [glb(json, { cut: 60 }), /cut short: its header says \d+ bytes, and it has 60/],
+    [glb(json, { version: 1 }), /GLB version 1/],
+    [glb('{'), /JSON cannot be read/],
+    [glb(json, { length: 24, cut: 40 }), /first chunk/],
+  ])('says what is wrong (%#)', (broken, message) => {
+    expect(() => readGltfJson(broken)).toThrow(message);
+  });
+});
+
+describe('the files of a model', () => {
+  it('takes the model nearest to the top', () => {
+    expect(findModel(files('room/old/a.gltf', 'room/b.glb', 'room/a.png'))).toBe('room/b.glb');
+    expect(() => findModel(files('a.png', 'b.txt'))).toThrow(/a\.png, b\.txt/);
+  });
+
+  it('resolves a URI from the folder of the model', () => {
+    expect(resolveUri('room/scene.gltf', './textures/../maps/a%20b.png')).toBe('room/maps/a b.png');
+    expect(resolveUri('scene.gltf', 'data:image/png;base64,AA')).toBeNull();
+  });
+
+  it('finds files that lost their folder, and names those that are missing', () => {
+    const dropped = files('scene.gltf', 'wall.png');
+    expect(lookUp(dropped, 'textures/wall.png')?.name).toBe('wall.png');
+    const json = { buffers: [{ uri: 'scene.bin' }, {}], images: [{ uri: 'textures/wall.png' }, { uri: 'data:,' }] };
+    expect(missingFiles(dropped, 'scene.gltf', json)).toEqual(['scene.bin']);
+  });
+});

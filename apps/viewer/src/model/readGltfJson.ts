@@ -1,0 +1,53 @@
+/** What the viewer reads of a glTF file before the loader does. @see glTF 2.0, 3.1 */
+export interface GltfJson {
+  asset?: { version?: string };
+  extensionsUsed?: string[];
+  buffers?: { uri?: string }[];
+  images?: { uri?: string }[];
+}
+
+const glbMagic = 0x46546c67;
+const jsonChunk = 0x4e4f534a;
+
+/**
+ * Takes the JSON out of a .glb or .gltf file.
+ *
+ * @throws Error that says what is wrong with the bytes
+ * @see glTF 2.0, 4.4: header of 12 bytes, then chunks of length, type and data
+ */
+export function readGltfJson(bytes: ArrayBuffer): GltfJson {
+  const view = new DataView(bytes);
+  const isBinary = bytes.byteLength >= 4 && view.getUint32(0, true) === glbMagic;
+  const json = parseJson(isBinary ? binaryJson(view) : bytes);
+  if (typeof json !== 'object' || json === null || !('asset' in json)) {
+    throw new Error("it is no glTF: the entry 'asset' is missing.");
+  }
+  const version = String((json as GltfJson).asset?.version);
+  if (!version.startsWith('2.')) throw new Error(`it is glTF ${version}, and only glTF 2.x can be read: convert it.`);
+  return json as GltfJson;
+}
+
+function binaryJson(view: DataView): ArrayBuffer {
+  if (view.byteLength < 20) throw new Error(`it is cut short: ${view.byteLength} bytes are no whole GLB header.`);
+  const version = view.getUint32(4, true);
+  if (version !== 2) throw new Error(`it is GLB version ${version}, and only version 2 can be read: convert it.`);
+  const length = view.getUint32(8, true);
+  if (length > view.byteLength) {
+    throw new Error(`it is cut short: its header says ${length} bytes, and it has ${view.byteLength}.`);
+  }
+  const chunkLength = view.getUint32(12, true);
+  if (view.getUint32(16, true) !== jsonChunk || 20 + chunkLength > view.byteLength) {
+    throw new Error('its first chunk is not whole JSON.');
+  }
+  return (view.buffer as ArrayBuffer).slice(20, 20 + chunkLength);
+}
+
+function parseJson(bytes: ArrayBuffer): unknown {
+  try {
+    return JSON.parse(new TextDecoder().decode(bytes));
+  } catch (error) {
+    throw new Error(`its JSON cannot be read: ${error instanceof Error ? error.message : String(error)}`, {
+      cause: error,
+    });
+  }
+}

@@ -1,0 +1,30 @@
+import type { FieldTable, FieldValue } from '@farol/engine';
+
+/** What the viewer shows. All of it stands in the URL. */
+export interface ViewerState {
+  /** Key of the engine's `scenes`. */
+  scene: string;
+  /** Key of the renderer's `techniques`, or 'auto'. */
+  technique: string;
+  view: string;
+  /** Given values of parameters of scenes, such as lights, n, m and seed; those of other scenes are kept, unused. */
+  parameters: Record<string, FieldValue>;
+  /** Fixed simulated time (s), drawn once and not moving; null lets it run. */
+  time: number | null;
+  /** Size of the picture (CSS pixels); null follows the window. */
+  width: number | null;
+  height: number | null;
+  /** Device pixels a CSS pixel; null takes the screen's, 2 at most. */
+  dpr: number | null;
+  /** Whether the menu is shown. */
+  gui: boolean;
+}
+
+/** What a state may name. */
+export interface KnownNames {
+  scenes: Readonly<Record<string, { readonly parameters: FieldTable }>>;
+  techniques: readonly string[];
+  views: readonly string[];
+  /** State of a URL without parameters. */
+  defaults: ViewerState;
+}

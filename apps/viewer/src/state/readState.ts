@@ -1,0 +1,96 @@
+import type { Field, FieldValue } from '@farol/engine';
+import type { KnownNames, ViewerState } from './ViewerState';
+
+/** A value that a URL cannot have: what it is and what is allowed. */
+class BadValue extends Error {}
+
+/**
+ * Reads the state of a URL. A value that is wrong gives its default and a problem, a line that names the parameter, the
+ * value and what is allowed; nothing throws.
+ *
+ * @param search query of the URL, with or without its '?'
+ */
+export function readState(search: string, known: KnownNames): { state: ViewerState; problems: string[] } {
+  const query = new URLSearchParams(search);
+  const state: ViewerState = { ...known.defaults, parameters: { ...known.defaults.parameters } };
+  const problems: string[] = [];
+
+  const readers: Record<string, (text: string) => void> = {
+    scene: (text) => void (state.scene = oneOf(text, Object.keys(known.scenes))),
+    technique: (text) => void (state.technique = oneOf(text, known.techniques)),
+    view: (text) => void (state.view = oneOf(text, known.views)),
+    time: (text) => void (state.time = number(text, { min: 0 })),
+    width: (text) => void (state.width = number(text, { min: 1, max: 8192, integer: true })),
+    height: (text) => void (state.height = number(text, { min: 1, max: 8192, integer: true })),
+    dpr: (text) => void (state.dpr = number(text, { min: 0.1, max: 8 })),
+    gui: (text) => void (state.gui = boolean(text)),
+  };
+  const attempt = (name: string, text: string, read: (text: string) => void) => {
+    try {
+      read(text);
+    } catch (error) {
+      if (!(error instanceof BadValue)) throw error;
+      problems.push(`${name}=${text} in the address: ${error.message} The default is used.`);
+    }
+  };
+
+  for (const [name, read] of Object.entries(readers)) {
+    const text = query.get(name);
+    if (text !== null) attempt(name, text, read);
+  }
+  // Parameters come after the scene is known: two scenes may give one name two ranges.
+  const fieldOf = (name: string): Field | undefined =>
+    known.scenes[state.scene]?.parameters[name] ??
+    Object.values(known.scenes).find(({ parameters }) => name in parameters)?.parameters[name];
+  const names = [
+    ...new Set([...Object.keys(readers), ...Object.values(known.scenes).flatMap((s) => Object.keys(s.parameters))]),
+  ];
+  for (const [name, text] of query) {
+    if (name in readers) continue;
+    const field = fieldOf(name);
+    if (field) attempt(name, text, () => void (state.parameters[name] = fieldValue(field, text)));
+    else problems.push(`${name} in the address is unknown and left out. Known are ${names.join(', ')}.`);
+  }
+  return { state, problems };
+}
+
+function oneOf(text: string, allowed: readonly string[]): string {
+  if (!allowed.includes(text)) throw new BadValue(`it is unknown. Known are ${allowed.join(', ')}.`);
+  return text;
+}
+
+function number(text: string, { min = -Infinity, max = Infinity, integer = false }): number {
+  const value = text.trim() === '' ? NaN : Number(text);
+  if (Number.isFinite(value) && value >= min && value <= max && (!integer || Number.isInteger(value))) return value;
+  const range = max < Infinity ? ` from ${min} to ${max}` : min > -Infinity ? ` of ${min} or more` : '';
+  throw new BadValue(`a ${integer ? 'whole ' : ''}number${range} is needed.`);
+}
+
+function boolean(text: string): boolean {
+  if (text === '1' || text === 'true') return true;
+  if (text === '0' || text === 'false') return false;
+  throw new BadValue('1 or 0 is needed.');
+}
+
+function fieldValue(field: Field, text: string): FieldValue {
+  switch (field.kind) {
+    case 'number':
+    case 'angle':
+      return number(text, field);
+    case 'boolean':
+      return boolean(text);
+    case 'choice':
+      return oneOf(text, field.options);
+    case 'string':
+    case 'asset':
+    case 'object':
+      return text;
+    case 'vector3':
+    case 'euler':
+    case 'colour': {
+      const values = text.split(',').map((part) => number(part, field.kind === 'vector3' ? field : {}));
+      if (values.length !== 3) throw new BadValue('three numbers with commas between are needed.');
+      return [values[0], values[1], values[2]];
+    }
+  }
+}

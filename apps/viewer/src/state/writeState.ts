@@ -1,0 +1,33 @@
+import type { FieldValue } from '@farol/engine';
+import type { KnownNames, ViewerState } from './ViewerState';
+
+/**
+ * The query of a URL that gives this state back: scene, technique and view always, the rest where it differs from its
+ * default. `readState(writeState(state))` is `state`, less parameters that the scene does not have.
+ *
+ * @returns the query with its '?'
+ */
+export function writeState(state: ViewerState, { scenes, defaults }: KnownNames): string {
+  const entries: [string, FieldValue][] = [
+    ['scene', state.scene],
+    ['technique', state.technique],
+    ['view', state.view],
+  ];
+  const fields = scenes[state.scene]?.parameters ?? {};
+  for (const [name, field] of Object.entries(fields)) {
+    const value = state.parameters[name];
+    if (value !== undefined && String(value) !== String(field.default)) entries.push([name, value]);
+  }
+  for (const name of ['time', 'width', 'height', 'dpr'] as const) {
+    if (state[name] !== defaults[name]) entries.push([name, state[name]]);
+  }
+  if (state.gui !== defaults.gui) entries.push(['gui', state.gui ? 1 : 0]);
+  return `?${entries.map(([name, value]) => `${name}=${encodeURIComponent(text(value))}`).join('&')}`.replaceAll(
+    '%2C',
+    ',',
+  );
+}
+
+function text(value: FieldValue): string {
+  return typeof value === 'boolean' ? (value ? '1' : '0') : String(value);
+}

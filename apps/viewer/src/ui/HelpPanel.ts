@@ -1,0 +1,97 @@
+import type { Field } from '@farol/engine';
+import type { KnownNames } from '../state/ViewerState';
+
+const keys: [string, string][] = [
+  ['W A S D, arrows', 'fly forward, left, back, right; with Shift faster'],
+  ['E, Q', 'rise, sink'],
+  ['Drag', 'look round'],
+  ['Touch', 'orbit with one finger, zoom and pan with two'],
+  ['Space', 'stop and go'],
+  ['H', 'show or hide the menu'],
+  ['?', 'this help'],
+  ['Drop a .glb, .gltf or folder', 'show that model'],
+];
+
+/** The help over the picture: keys, and every parameter of the address. Opened by its button, F1 or `?`. */
+export class HelpPanel {
+  private readonly dialog = document.createElement('dialog');
+
+  constructor(parent: HTMLElement, known: KnownNames) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'help-button';
+    button.textContent = '?';
+    button.title = 'Keys and address parameters (?)';
+    button.setAttribute('aria-label', 'Help');
+    button.addEventListener('click', () => this.toggle());
+
+    this.dialog.className = 'help';
+    this.dialog.setAttribute('aria-label', 'Help');
+    const close = document.createElement('button');
+    close.type = 'button';
+    close.textContent = 'Close';
+    close.addEventListener('click', () => this.dialog.close());
+    this.dialog.append(
+      heading('Keys'),
+      table(keys),
+      heading('Address'),
+      table(addressHelp(known).map(([name, text]) => [`?${name}=`, text])),
+      close,
+    );
+    parent.append(button, this.dialog);
+  }
+
+  toggle(): void {
+    if (this.dialog.open) this.dialog.close();
+    else this.dialog.showModal();
+  }
+}
+
+/** Every parameter of the address with what it does, those of the scenes from their declaration. */
+export function addressHelp({ scenes, techniques, views }: KnownNames): [string, string][] {
+  const parameters = new Map<string, { help: string; range: string; scenes: string[] }>();
+  for (const [scene, definition] of Object.entries(scenes)) {
+    for (const [name, field] of Object.entries(definition.parameters)) {
+      const entry = parameters.get(name) ?? { help: field.help, range: allowed(field), scenes: [] };
+      entry.scenes.push(scene);
+      parameters.set(name, entry);
+    }
+  }
+  return [
+    ['scene', Object.keys(scenes).join(', ')],
+    ['technique', techniques.join(', ')],
+    ['view', views.join(', ')],
+    ...[...parameters].map(([name, { help, range, scenes: of }]): [string, string] => {
+      return [name, `${help} ${range}(${of.join(', ')})`];
+    }),
+    ['time', 'Draws the scene once, as it is at this time (s), and does not move it.'],
+    ['width, height', 'Size of the picture (CSS pixels); the window by default.'],
+    ['dpr', 'Device pixels for each CSS pixel; those of the screen by default, 2 at most.'],
+    ['gui', '0 hides the menu.'],
+  ];
+}
+
+function allowed(field: Field): string {
+  if (field.kind === 'choice') return `${field.options.join(', ')}. `;
+  if (field.kind !== 'number') return '';
+  if (field.min !== undefined && field.max !== undefined) return `${field.min} to ${field.max}. `;
+  return field.min !== undefined ? `${field.min} or more. ` : '';
+}
+
+function heading(text: string): HTMLElement {
+  const element = document.createElement('h2');
+  element.textContent = text;
+  return element;
+}
+
+function table(rows: readonly (readonly [string, string])[]): HTMLElement {
+  const list = document.createElement('dl');
+  for (const [term, text] of rows) {
+    const name = document.createElement('dt');
+    name.textContent = term;
+    const meaning = document.createElement('dd');
+    meaning.textContent = text;
+    list.append(name, meaning);
+  }
+  return list;
+}

@@ -1,0 +1,35 @@
+/** Messages over the picture: each stays until it is closed, or until its subject is told anew. */
+export class Messages {
+  private readonly list = document.createElement('div');
+  private readonly bySubject = new Map<string, HTMLElement>();
+
+  constructor(parent: HTMLElement) {
+    this.list.className = 'messages';
+    this.list.setAttribute('role', 'alert');
+    parent.append(this.list);
+  }
+
+  /**
+   * Shows a message in place of the last one on the same subject; an empty text takes that away.
+   *
+   * @param subject what it is about, such as 'file'
+   */
+  show(subject: string, text: string): void {
+    this.bySubject.get(subject)?.remove();
+    this.bySubject.delete(subject);
+    if (!text) return;
+    const message = document.createElement('div');
+    message.className = 'message';
+    message.dataset.subject = subject;
+    const words = document.createElement('span');
+    words.textContent = text;
+    const close = document.createElement('button');
+    close.type = 'button';
+    close.textContent = '×';
+    close.setAttribute('aria-label', 'Close this message');
+    close.addEventListener('click', () => this.show(subject, ''));
+    message.append(words, close);
+    this.bySubject.set(subject, message);
+    this.list.append(message);
+  }
+}

@@ -1,0 +1,58 @@
+import type { FarolInfo } from '@farol/renderer';
+
+/** Frames and passes in figures. Told of every frame; writes to the page about 4 times a second. */
+export class StatisticsPanel {
+  readonly element = document.createElement('div');
+
+  private readonly summary = document.createElement('div');
+  private readonly rows = document.createElement('tbody');
+  private frames = 0;
+  private since = performance.now();
+
+  /** @param period time between two updates of the page (ms) */
+  constructor(private readonly period = 250) {
+    this.element.className = 'statistics';
+    const table = document.createElement('table');
+    const head = table.createTHead().insertRow();
+    for (const title of ['pass', 'draws', 'CPU ms', 'GPU ms']) {
+      const cell = document.createElement('th');
+      cell.textContent = title;
+      head.append(cell);
+    }
+    table.append(this.rows);
+    this.element.append(this.summary, table);
+  }
+
+  /** @param now time of the frame (ms), as of `performance.now()` */
+  frameDrawn(info: FarolInfo, now: number): void {
+    this.frames++;
+    const elapsed = now - this.since;
+    if (elapsed < this.period) return;
+    this.show(info, (this.frames * 1000) / elapsed);
+    this.frames = 0;
+    this.since = now;
+  }
+
+  /** Writes the figures now. @param fps frames a second; null when no frames follow one another */
+  show(info: FarolInfo, fps: number | null): void {
+    this.summary.textContent = [
+      fps === null ? 'stopped' : `${fps.toFixed(0)} FPS`,
+      `${info.lights.visible} of ${info.lights.total} lights in view`,
+      `${info.drawCalls} draws, ${info.triangles.toLocaleString('en')} triangles`,
+      `${info.programs} programs, ${(info.targetBytes / 2 ** 20).toFixed(1)} MiB of targets`,
+      ...(info.reason ? [`${info.technique}: ${info.reason}`] : []),
+    ].join('\n');
+    while (this.rows.rows.length > info.passes.length) this.rows.deleteRow(-1);
+    info.passes.forEach((pass, index) => {
+      const row = this.rows.rows[index] ?? this.newRow();
+      const texts = [pass.name, String(pass.drawCalls), pass.cpuMs.toFixed(2), pass.gpuMs?.toFixed(2) ?? '–'];
+      texts.forEach((text, cell) => (row.cells[cell].textContent = text));
+    });
+  }
+
+  private newRow(): HTMLTableRowElement {
+    const row = this.rows.insertRow();
+    for (let i = 0; i < 4; i++) row.insertCell();
+    return row;
+  }
+}
