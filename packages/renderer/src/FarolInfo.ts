@@ -1,0 +1,32 @@
+/** What one pass did in the last frame. */
+export interface PassInfo {
+  readonly name: string;
+  drawCalls: number;
+  triangles: number;
+  /** Time in the pass's JavaScript (ms). */
+  cpuMs: number;
+  /** GPU time (ms) a few frames ago; null without EXT_disjoint_timer_query_webgl2 or with `timing` off. */
+  gpuMs: number | null;
+}
+
+/** Figures of the last frame. The same object and the same pass objects every frame: read, do not keep. */
+export interface FarolInfo {
+  /** Key of the technique that drew. */
+  technique: string;
+  /** Why it was chosen. */
+  reason: string;
+  readonly passes: PassInfo[];
+  drawCalls: number;
+  triangles: number;
+  /** Whole `render` call (ms). */
+  cpuMs: number;
+  /** Sum of the passes (ms), or null. */
+  gpuMs: number | null;
+  lights: { total: number; visible: number };
+  /** Programs alive in the WebGLRenderer. */
+  programs: number;
+  /** Bytes of render targets and light data that Farol holds on the GPU. */
+  targetBytes: number;
+  /** Bytes of light data uploaded in this frame. */
+  uploadBytes: number;
+}

@@ -1,0 +1,244 @@
+import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
+import { checkDevice } from './checkDevice';
+import { collectLights } from './collectLights';
+import { compileByDrawing } from './compileByDrawing';
+import { type View, isSurfaceView, views } from './debug/views';
+import { unknownName } from './errors';
+import type { FarolInfo } from './FarolInfo';
+import { Frame } from './Frame';
+import { InfoRecorder } from './InfoRecorder';
+import { LightTable } from './lights/LightTable';
+import { type ForwardTwins, forwardTwins } from './materials/forwardTwin';
+import { TwinCache } from './materials/TwinCache';
+import { createRegistry, type MicroShaderRegistry } from './microshaders/createRegistry';
+import { OverdrawPass } from './passes/OverdrawPass';
+import type { Pass } from './passes/Pass';
+import { SurfaceViewPass } from './passes/SurfaceViewPass';
+import { validatePasses } from './passes/validatePasses';
+import { refuseArrays } from './refuseArrays';
+import { SceneView } from './SceneView';
+import { type TechniqueName, techniques } from './techniques';
+import type { Technique } from './techniques/Technique';
+
+export interface FarolOptions {
+  /** Key of `techniques`. Default 'deferred'. */
+  technique?: TechniqueName;
+  /** Default 'final'. */
+  view?: View;
+  /** Times each pass on the GPU where the device can. Default false: a host may time with a query of its own. */
+  timing?: boolean;
+}
+
+/**
+ * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
+ * lights, render target and picture.
+ *
+ * @example
+ * const farol = new FarolRenderer(webglRenderer, { technique: 'deferred' });
+ * farol.render(scene, camera);
+ */
+export class FarolRenderer {
+  /** The shader pieces everything is drawn with; replace one and the picture follows. */
+  readonly microshaders: MicroShaderRegistry;
+  /** Times each pass on the GPU (EXT_disjoint_timer_query_webgl2). */
+  timing: boolean;
+  /** Lights a pixel (or draws a pixel) that the count views show hottest. Default 32, above 0. */
+  heatMapMaximum = 32;
+  private readonly frame: Frame;
+  private readonly lights = new LightTable();
+  private readonly twins: TwinCache;
+  private readonly recorder: InfoRecorder;
+  private readonly uniforms = {
+    farol_lightTable: { value: null as unknown },
+    farol_lightCounts: { value: [0, 0, 0, 0] },
+    farol_ambient: { value: this.lights.ambient },
+    farol_lightIndex: { value: 0 },
+    farol_heatScale: { value: 1 / 32 },
+  };
+  private readonly sceneViews = new WeakMap<Object3D, SceneView>();
+  private readonly passLists = new Map<TechniqueName, Pass[]>();
+  private readonly loops = new Map<string, (view: View) => ForwardTwins>();
+  private readonly overdraw = new OverdrawPass();
+  private readonly surfaceView = new SurfaceViewPass();
+  private readonly found: Light[] = [];
+  private readonly nested: Light[] = [];
+  private techniqueName: TechniqueName = 'deferred';
+  private viewName: View = 'final';
+  private sceneView!: SceneView;
+  private disposed = false;
+  private readonly draw = () => this.drawFrame();
+
+  /**
+   * @param webgl the host's renderer; it stays the host's, and other code may draw with it
+   * @throws Error when the device has no WebGL 2 or lacks what the technique needs, or an option is unknown
+   */
+  constructor(
+    readonly webgl: WebGLRenderer,
+    options: FarolOptions = {},
+  ) {
+    checkDevice(webgl, false);
+    this.microshaders = createRegistry(webgl);
+    this.twins = new TwinCache({
+      uniforms: this.uniforms,
+      header: (chunks) => this.microshaders.header([...chunks]),
+      revision: (chunks) => this.microshaders.revision([...chunks]),
+    });
+    this.frame = new Frame(webgl, this.lights, this.twins, this.uniforms, this.microshaders);
+    this.recorder = new InfoRecorder(webgl);
+    this.timing = options.timing ?? false;
+    this.technique = options.technique ?? 'deferred';
+    this.view = options.view ?? 'final';
+  }
+
+  /** Key of the technique; takes effect on the next frame. @throws Error when unknown, or the device cannot run it */
+  get technique(): TechniqueName {
+    return this.techniqueName;
+  }
+
+  set technique(name: TechniqueName) {
+    if (!Object.hasOwn(techniques, name)) throw unknownName('technique', name, Object.keys(techniques));
+    checkDevice(this.webgl, (techniques[name] as Technique).needsFloatTargets);
+    this.techniqueName = name;
+  }
+
+  /** What is shown; takes effect on the next frame. @throws Error when unknown */
+  get view(): View {
+    return this.viewName;
+  }
+
+  set view(name: View) {
+    if (!views.includes(name)) throw unknownName('view', name, views);
+    if (name !== 'final') checkDevice(this.webgl, true);
+    this.viewName = name;
+  }
+
+  /** Figures of the last frame. */
+  get info(): FarolInfo {
+    return this.recorder.info;
+  }
+
+  /**
+   * Draws to the current render target, viewport and scissor of the WebGLRenderer, as its own `render` would.
+   * @param scene a Scene, or any object
+   * @param camera perspective or orthographic; its world matrix is updated if it has no parent
+   * @throws Error for an array camera or while an XR session presents
+   */
+  render(scene: Object3D, camera: Camera): void {
+    if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
+    if (this.webgl.getContext().isContextLost()) return;
+    refuseArrays(this.webgl, camera);
+    this.recorder.begin(this.timing);
+    if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
+    if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
+    collectLights(scene, camera, this.webgl, this.found, this.nested);
+    this.lights.update(this.found, camera);
+    this.setUniforms();
+    this.frame.begin(scene, camera, this.viewName);
+    this.sceneView = this.viewOf(scene);
+    this.sceneView.render(camera, this.nested, this.frame.queue, this.draw);
+    this.recorder.end(this.techniqueName, this.lights, this.targetBytes());
+  }
+
+  /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */
+  setSize(width: number, height: number): void {
+    this.webgl.setSize(width, height, false);
+  }
+
+  /**
+   * Compiles what the next frame of this scene needs, so that it does not hitch: draws a frame of one pixel, and waits
+   * until the device has linked its programs.
+   */
+  async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
+    await compileByDrawing(this, scene, camera);
+  }
+
+  /** Frees all GPU resources of Farol; the host's stay. */
+  dispose(): void {
+    if (this.disposed) return;
+    this.disposed = true;
+    for (const passes of this.passLists.values()) for (const pass of passes) pass.dispose();
+    this.passLists.clear();
+    this.overdraw.dispose();
+    this.surfaceView.dispose();
+    this.twins.dispose();
+    this.lights.dispose();
+    this.recorder.dispose();
+  }
+
+  private setUniforms(): void {
+    const { lights, uniforms } = this;
+    lights.table.upload(this.webgl);
+    uniforms.farol_lightTable.value = lights.table.texture;
+    const counts = uniforms.farol_lightCounts.value;
+    counts[0] = lights.directional;
+    counts[1] = lights.unbounded;
+    counts[2] = lights.bounded;
+    uniforms.farol_heatScale.value = 1 / this.heatMapMaximum;
+  }
+
+  /** Called inside three's render, for the host's target, and before that for three's transmission target if needed. */
+  private drawFrame(): void {
+    const { frame } = this;
+    const technique: Technique = techniques[this.techniqueName];
+    if (this.webgl.getRenderTarget() !== frame.target) {
+      for (const item of frame.queue.opaque) frame.drawForward(item, this.twinsOf(technique.loop)('final'));
+      return;
+    }
+    this.sceneView.dropTransmissive();
+    frame.overdraw = null;
+    if (isSurfaceView(frame.view)) {
+      this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
+      frame.bindTarget();
+      return;
+    }
+    if (frame.view === 'overdraw') this.run(this.overdraw.name, () => this.overdraw.render(frame));
+    const grid = frame.view === 'grid';
+    if (grid) frame.quarter();
+    for (const pass of this.passesOf(this.techniqueName)) {
+      this.recorder.beginPass(pass.name);
+      pass.render(frame);
+      this.recorder.endPass();
+    }
+    if (frame.view === 'overdraw' && technique.loop !== undefined && !this.hasOutput()) this.overdraw.show(frame);
+    if (grid) this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
+    frame.bindTarget();
+  }
+
+  private run(name: string, render: () => void): void {
+    this.recorder.beginPass(name);
+    render();
+    this.recorder.endPass();
+  }
+
+  private hasOutput(): boolean {
+    return this.passesOf(this.techniqueName).some((pass) => pass.name === 'output');
+  }
+
+  private passesOf(name: TechniqueName): Pass[] {
+    let passes = this.passLists.get(name);
+    if (passes === undefined) {
+      passes = techniques[name].passes({ lightIndex: this.uniforms.farol_lightIndex });
+      validatePasses(name, passes);
+      this.passLists.set(name, passes);
+    }
+    return passes;
+  }
+
+  private twinsOf(loop: string): (view: View) => ForwardTwins {
+    let twins = this.loops.get(loop);
+    if (twins === undefined) this.loops.set(loop, (twins = forwardTwins(loop)));
+    return twins;
+  }
+
+  private viewOf(scene: Object3D): SceneView {
+    let view = this.sceneViews.get(scene);
+    if (view === undefined) this.sceneViews.set(scene, (view = new SceneView(this.webgl, scene)));
+    return view;
+  }
+
+  private targetBytes(): number {
+    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.table.bytes;
+    for (const passes of this.passLists.values()) for (const pass of passes) bytes += pass.bytes;
+    return bytes;
+  }
+}

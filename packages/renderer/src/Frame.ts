@@ -1,0 +1,179 @@
+import {
+  type Camera,
+  DoubleSide,
+  type BufferGeometry,
+  type Material,
+  Mesh,
+  type Object3D,
+  type RawShaderMaterial,
+  type Scene,
+  type ShaderMaterial,
+  type Texture,
+  Vector2,
+  Vector4,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
+import type { View } from './debug/views';
+import type { LightTable } from './lights/LightTable';
+import type { ForwardTwins } from './materials/forwardTwin';
+import { plainBack, plainFront } from './materials/plainTwins';
+import type { TwinCache } from './materials/TwinCache';
+import type { TwinKind } from './materials/TwinKind';
+import type { MicroShaderRegistry } from './microshaders';
+import type { GeometryGroup, RenderItem } from './RenderItem';
+import { RenderQueue } from './RenderQueue';
+
+/** Uniforms that every twin and pass of one renderer shares, by reference. */
+export interface FrameUniforms {
+  readonly [name: string]: { value: unknown };
+}
+
+type Draw = (camera: Camera, scene: Scene, geometry: BufferGeometry, material: Material, object: Object3D, group: GeometryGroup | null) => void;
+type MaterialCallback = (r: WebGLRenderer, s: Scene, c: Camera, g: BufferGeometry, o: Object3D, p: GeometryGroup | null) => void;
+
+const TRANSPARENT = new Vector4(0, 0, 0, 0);
+const size = new Vector2();
+
+/** What the passes of one frame see: the scene, the target, the lists, the lights, and how to draw. Made once. */
+export class Frame {
+  readonly gl: WebGL2RenderingContext;
+  readonly queue = new RenderQueue();
+  scene!: Scene;
+  camera!: Camera;
+  view: View = 'final';
+  /** The host's render target, null for the canvas, and the part of it that is drawn to (pixels: x, y, width, height). */
+  target: WebGLRenderTarget | null = null;
+  readonly viewport = new Vector4();
+  width = 1;
+  height = 1;
+  /** Counts of the view 'overdraw' in this frame. */
+  overdraw: Texture | null = null;
+  private face = 0;
+  private level = 0;
+  private readonly draw: Draw;
+
+  constructor(
+    readonly webgl: WebGLRenderer,
+    readonly lights: LightTable,
+    readonly twins: TwinCache,
+    readonly uniforms: FrameUniforms,
+    readonly microshaders: MicroShaderRegistry,
+  ) {
+    this.gl = webgl.getContext() as WebGL2RenderingContext;
+    this.draw = webgl.renderBufferDirect as unknown as Draw;
+  }
+
+  /** Takes over the host's target, viewport, scene and camera. */
+  begin(scene: Object3D, camera: Camera, view: View): void {
+    const { webgl } = this;
+    this.scene = scene as Scene;
+    this.camera = camera;
+    this.view = view;
+    this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
+    this.face = webgl.getActiveCubeFace();
+    this.level = webgl.getActiveMipmapLevel();
+    webgl.getCurrentViewport(this.viewport);
+    this.resize();
+  }
+
+  /** Takes the size from the viewport. */
+  resize(): void {
+    const { viewport } = this;
+    if (viewport.z < 1 || viewport.w < 1) {
+      this.webgl.getDrawingBufferSize(size);
+      viewport.set(0, 0, size.x, size.y);
+    }
+    this.width = Math.max(1, Math.round(viewport.z));
+    this.height = Math.max(1, Math.round(viewport.w));
+  }
+
+  /** Draws to the host's target from here on. */
+  bindTarget(): void {
+    this.webgl.setRenderTarget(this.target, this.face, this.level);
+    this.webgl.state.viewport(this.viewport);
+  }
+
+  /** Draws to a target of Farol's own from here on. */
+  bind(target: WebGLRenderTarget): void {
+    this.webgl.setRenderTarget(target);
+  }
+
+  /** Clears attachments of the bound target to a value and its depth to 1, without touching the host's clear colour. */
+  clear(attachments: number, depth: boolean, value: Vector4 = TRANSPARENT): void {
+    const { gl, webgl } = this;
+    webgl.state.buffers.color.setMask(true);
+    const v = clearValue;
+    v[0] = value.x;
+    v[1] = value.y;
+    v[2] = value.z;
+    v[3] = value.w;
+    for (let i = 0; i < attachments; i++) gl.clearBufferfv(gl.COLOR, i, v);
+    if (depth) {
+      webgl.state.buffers.depth.setTest(true);
+      webgl.state.buffers.depth.setMask(true);
+      gl.clearBufferfv(gl.DEPTH, 0, farDepth);
+    }
+  }
+
+  /** Draws only to the lower right quarter from here on. */
+  quarter(): void {
+    const { viewport } = this;
+    const width = Math.max(1, viewport.z >> 1);
+    const height = Math.max(1, viewport.w >> 1);
+    viewport.set(viewport.x + viewport.z - width, viewport.y, width, height);
+    this.resize();
+  }
+
+  /** Copies depth between targets of one size, both with a depth texture of the same format. */
+  copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget): void {
+    const { gl } = this;
+    const { properties, state } = this.webgl;
+    const framebuffer = (target: WebGLRenderTarget) => (properties.get(target) as { __webglFramebuffer: WebGLFramebuffer }).__webglFramebuffer;
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer(from));
+    state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, framebuffer(to));
+    gl.blitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, gl.DEPTH_BUFFER_BIT, gl.NEAREST);
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer(to));
+  }
+
+  /** Draws an item with a twin of its material. */
+  drawTwin(item: RenderItem, kind: TwinKind): void {
+    this.drawItem(item, this.twins.get(item.material, kind));
+  }
+
+  /** Draws an item forward: lit ones by a twin, the others as they are. */
+  drawForward(item: RenderItem, twins: ForwardTwins): void {
+    const { material } = item;
+    const twoPasses = material.transparent && material.side === DoubleSide && !material.forceSinglePass;
+    if (!item.lit) {
+      if (!twoPasses) this.drawItem(item, material);
+      else {
+        this.drawItem(item, this.twins.get(material, plainBack));
+        this.drawItem(item, this.twins.get(material, plainFront));
+      }
+    } else if (!twoPasses) this.drawTwin(item, twins.whole);
+    else {
+      this.drawTwin(item, twins.back);
+      this.drawTwin(item, twins.front);
+    }
+  }
+
+  /** Draws a mesh of Farol's own. */
+  drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
+    this.draw(this.camera, this.scene, mesh.geometry, material, mesh, null);
+  }
+
+  private drawItem(item: RenderItem, material: Material): void {
+    const { object, geometry, group } = item;
+    const { webgl, scene, camera } = this;
+    (object.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, material as never, group);
+    object.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, object.matrixWorld);
+    object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
+    (material.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);
+    this.draw(camera, scene, geometry, material, object, group);
+    (object.onAfterRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, material as never, group);
+  }
+}
+
+const clearValue = new Float32Array(4);
+const farDepth = new Float32Array([1]);

@@ -1,0 +1,66 @@
+interface Pending {
+  readonly name: string;
+  readonly query: WebGLQuery;
+}
+
+/** The extension's constants; lib.dom does not have them. */
+interface TimerExtension {
+  readonly TIME_ELAPSED_EXT: number;
+  readonly GPU_DISJOINT_EXT: number;
+}
+
+/**
+ * GPU time of named passes by EXT_disjoint_timer_query_webgl2, read frames later, so that nothing waits.
+ * Does nothing where the extension is missing, or while the host times with a query of its own.
+ */
+export class GpuTimer {
+  /** Last known GPU time of each pass (ms). */
+  readonly times = new Map<string, number>();
+  private readonly extension: TimerExtension | null;
+  private readonly pending: Pending[] = [];
+  private readonly free: WebGLQuery[] = [];
+  private running = false;
+
+  constructor(private readonly gl: WebGL2RenderingContext) {
+    this.extension = gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
+  }
+
+  get available(): boolean {
+    return this.extension !== null;
+  }
+
+  begin(name: string): void {
+    const { extension, gl } = this;
+    if (extension === null || this.pending.length > 256) return;
+    if (gl.getQuery(extension.TIME_ELAPSED_EXT, gl.CURRENT_QUERY) !== null) return;
+    const query = this.free.pop() ?? gl.createQuery();
+    gl.beginQuery(extension.TIME_ELAPSED_EXT, query);
+    this.pending.push({ name, query });
+    this.running = true;
+  }
+
+  end(): void {
+    if (!this.running) return;
+    this.gl.endQuery(this.extension!.TIME_ELAPSED_EXT);
+    this.running = false;
+  }
+
+  /** Takes the results that are there. */
+  poll(): void {
+    const { gl, extension, pending } = this;
+    if (extension === null || pending.length === 0) return;
+    const disjoint = gl.getParameter(extension.GPU_DISJOINT_EXT) as boolean;
+    while (pending.length > 0 && gl.getQueryParameter(pending[0].query, gl.QUERY_RESULT_AVAILABLE)) {
+      const { name, query } = pending.shift()!;
+      const nanoseconds = gl.getQueryParameter(query, gl.QUERY_RESULT) as number;
+      if (!disjoint) this.times.set(name, nanoseconds / 1e6);
+      this.free.push(query);
+    }
+  }
+
+  dispose(): void {
+    for (const { query } of this.pending) this.gl.deleteQuery(query);
+    for (const query of this.free) this.gl.deleteQuery(query);
+    this.pending.length = this.free.length = 0;
+  }
+}

@@ -1,0 +1,94 @@
+import type { WebGLRenderer } from 'three';
+import type { FarolInfo, PassInfo } from './FarolInfo';
+import { GpuTimer } from './GpuTimer';
+import type { LightTable } from './lights/LightTable';
+
+/** Fills `FarolInfo`: counts from the WebGLRenderer, CPU time from the clock, GPU time from queries read later. */
+export class InfoRecorder {
+  readonly info: FarolInfo = {
+    technique: '',
+    reason: '',
+    passes: [],
+    drawCalls: 0,
+    triangles: 0,
+    cpuMs: 0,
+    gpuMs: null,
+    lights: { total: 0, visible: 0 },
+    programs: 0,
+    targetBytes: 0,
+    uploadBytes: 0,
+  };
+  private readonly timer: GpuTimer;
+  private readonly known = new Map<string, PassInfo>();
+  private timing = false;
+  private started = 0;
+  private passStarted = 0;
+  private calls = 0;
+  private triangles = 0;
+  private pass: PassInfo | null = null;
+
+  constructor(private readonly webgl: WebGLRenderer) {
+    this.timer = new GpuTimer(webgl.getContext() as WebGL2RenderingContext);
+  }
+
+  begin(timing: boolean): void {
+    this.timing = timing && this.timer.available;
+    this.started = performance.now();
+    this.info.passes.length = 0;
+    if (this.timing) this.timer.poll();
+  }
+
+  beginPass(name: string): void {
+    let pass = this.known.get(name);
+    if (pass === undefined) {
+      pass = { name, drawCalls: 0, triangles: 0, cpuMs: 0, gpuMs: null };
+      this.known.set(name, pass);
+    }
+    this.pass = pass;
+    this.info.passes.push(pass);
+    const { render } = this.webgl.info;
+    this.calls = render.calls;
+    this.triangles = render.triangles;
+    if (this.timing) this.timer.begin(name);
+    this.passStarted = performance.now();
+  }
+
+  endPass(): void {
+    const { pass } = this;
+    if (pass === null) return;
+    pass.cpuMs = performance.now() - this.passStarted;
+    if (this.timing) this.timer.end();
+    const { render } = this.webgl.info;
+    pass.drawCalls = render.calls - this.calls;
+    pass.triangles = render.triangles - this.triangles;
+    pass.gpuMs = this.timing ? (this.timer.times.get(pass.name) ?? null) : null;
+    this.pass = null;
+  }
+
+  end(technique: string, lights: LightTable, targetBytes: number): void {
+    const { info } = this;
+    info.technique = technique;
+    info.drawCalls = info.triangles = 0;
+    let gpu = 0;
+    let timed = false;
+    for (const pass of info.passes) {
+      info.drawCalls += pass.drawCalls;
+      info.triangles += pass.triangles;
+      if (pass.gpuMs !== null) {
+        gpu += pass.gpuMs;
+        timed = true;
+      }
+    }
+    info.gpuMs = timed ? gpu : null;
+    info.lights.total = lights.total;
+    info.lights.visible = lights.visible;
+    info.programs = this.webgl.info.programs?.length ?? 0;
+    info.targetBytes = targetBytes;
+    info.uploadBytes = lights.table.uploadedBytes;
+    info.cpuMs = performance.now() - this.started;
+  }
+
+  dispose(): void {
+    this.timer.dispose();
+  }
+}

@@ -1,0 +1,28 @@
+import type { BufferGeometry, Material, Object3D } from 'three';
+
+/** The range of a geometry that one material draws. */
+export interface GeometryGroup {
+  start: number;
+  count: number;
+  materialIndex?: number;
+}
+
+/** One draw as three's traversal gives it. Pooled: valid for the frame only. */
+export interface RenderItem {
+  id: number;
+  object: Object3D;
+  geometry: BufferGeometry;
+  /** The host's material (or the scene's override). */
+  material: Material;
+  materialVariant: number;
+  group: GeometryGroup | null;
+  groupOrder: number;
+  renderOrder: number;
+  z: number;
+  /** Lit one light at a time by three. */
+  lit: boolean;
+  /** Drawn as opaque things are by default, so that any pass may draw it in its own order. */
+  plain: boolean;
+  /** A technique's pass has drawn it this frame; the forward pass leaves it out. */
+  drawn: boolean;
+}

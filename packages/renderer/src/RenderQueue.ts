@@ -1,0 +1,86 @@
+import type { BufferGeometry, Material, Object3D } from 'three';
+import { isPlainOpaque } from './gbuffer/shadingModel';
+import { isLit } from './materials/isLit';
+import type { GeometryGroup, RenderItem } from './RenderItem';
+
+export type RenderItemSort = (a: RenderItem, b: RenderItem) => number;
+
+/** three's default order of opaque items: by group, render order, material, then front to back. */
+function byState(a: RenderItem, b: RenderItem): number {
+  return (
+    a.groupOrder - b.groupOrder ||
+    a.renderOrder - b.renderOrder ||
+    a.material.id - b.material.id ||
+    a.materialVariant - b.materialVariant ||
+    a.z - b.z ||
+    a.id - b.id
+  );
+}
+
+/** three's default order of transparent items: by group, render order, then back to front. */
+function backToFront(a: RenderItem, b: RenderItem): number {
+  return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
+}
+
+/** What a frame draws, in the three lists of three.js. Items are pooled. */
+export class RenderQueue {
+  readonly opaque: RenderItem[] = [];
+  readonly transmissive: RenderItem[] = [];
+  readonly transparent: RenderItem[] = [];
+  private readonly pool: RenderItem[] = [];
+  private used = 0;
+
+  clear(): void {
+    this.used = 0;
+    this.opaque.length = this.transmissive.length = this.transparent.length = 0;
+  }
+
+  push(
+    object: Object3D,
+    geometry: BufferGeometry,
+    material: Material,
+    groupOrder: number,
+    z: number,
+    group: GeometryGroup | null,
+    override: Material | null,
+  ): void {
+    const list =
+      ((material as Material & { transmission?: number }).transmission ?? 0) > 0
+        ? this.transmissive
+        : material.transparent
+          ? this.transparent
+          : this.opaque;
+    if (override !== null && material.allowOverride) material = override;
+    let item = this.pool[this.used];
+    if (item === undefined) this.pool.push((item = {} as RenderItem));
+    this.used++;
+    const o = object as Object3D & { isInstancedMesh?: boolean; isSkinnedMesh?: boolean };
+    item.id = object.id;
+    item.object = object;
+    item.geometry = geometry;
+    item.material = material;
+    item.materialVariant = (o.isInstancedMesh ? 2 : 0) + (o.isSkinnedMesh ? 1 : 0);
+    item.group = group;
+    item.groupOrder = groupOrder;
+    item.renderOrder = object.renderOrder;
+    item.z = z;
+    item.lit = isLit(material);
+    item.plain = list === this.opaque && isPlainOpaque(material);
+    item.drawn = false;
+    list.push(item);
+  }
+
+  /** Lets go of objects of earlier, larger frames. */
+  trim(): void {
+    for (let i = this.used; i < this.pool.length && this.pool[i].object !== null; i++) {
+      const item = this.pool[i] as { -readonly [K in keyof RenderItem]: RenderItem[K] | null };
+      item.object = item.geometry = item.material = item.group = null;
+    }
+  }
+
+  sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void {
+    if (this.opaque.length > 1) this.opaque.sort(opaque ?? byState);
+    if (this.transmissive.length > 1) this.transmissive.sort(transparent ?? backToFront);
+    if (this.transparent.length > 1) this.transparent.sort(transparent ?? backToFront);
+  }
+}

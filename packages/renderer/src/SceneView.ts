@@ -1,0 +1,170 @@
+import {
+  BufferGeometry,
+  type Camera,
+  type Light,
+  type Material,
+  Mesh,
+  Object3D,
+  RawShaderMaterial,
+  type Scene,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
+import { isManagedLight } from './lights/isManagedLight';
+import type { GeometryGroup } from './RenderItem';
+import type { RenderItemSort, RenderQueue } from './RenderQueue';
+
+/** three's WebGLRenderList as far as it is used here. */
+interface RenderList {
+  opaque: unknown[];
+  transmissive: unknown[];
+  push(object: Object3D, geometry: BufferGeometry, material: Material, groupOrder: number, z: number, group: GeometryGroup | null, camera: Camera): void;
+  sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void;
+  finish(): void;
+}
+
+/** Render lists are kept by nesting depth of render calls; a render inside a render inside a render is the most met. */
+const NESTING = 3;
+
+/**
+ * A host's scene as three's own `render` is shown it: the same objects, but three's traversal, culling, geometry updates,
+ * background and shadow maps run while its draws of the scene's objects and its managed lights are taken from it.
+ * The host's scene is only read. `draw` is called back inside `render`, where `renderBufferDirect` works.
+ */
+export class SceneView {
+  private readonly view: Object3D & { overrideMaterial?: Material | null };
+  private readonly children: Object3D[] = [];
+  private readonly hidden: Light[] = [];
+  private readonly masks: number[] = [];
+  private readonly driver: Mesh;
+  private lists: RenderList[] = [];
+  private queue: RenderQueue | null = null;
+  private draw: (() => void) | null = null;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly source: Object3D,
+  ) {
+    const scene = source as Scene;
+    if (scene.isScene === true) {
+      this.view = Object.create(scene) as Scene;
+      this.own('onBeforeRender', (r: WebGLRenderer, _: Scene, camera: Camera, target: WebGLRenderTarget) =>
+        (scene.onBeforeRender as unknown as (...a: unknown[]) => void)(r, scene, camera, target));
+      this.own('onAfterRender', (r: WebGLRenderer, _: Scene, camera: Camera) =>
+        (scene.onAfterRender as unknown as (...a: unknown[]) => void)(r, scene, camera));
+    } else {
+      this.view = new Object3D();
+    }
+    this.own('children', this.children);
+    this.own('matrixWorldAutoUpdate', false);
+    this.driver = this.makeDriver();
+    this.takeLists();
+  }
+
+  /**
+   * Runs three's `render`.
+   * @param lights the lights to hide that three's traversal would meet below the root
+   * @param queue gets the items in three's order
+   * @param draw does the drawing; called once more for three's transmission target if something transmits
+   */
+  render(camera: Camera, lights: readonly Light[], queue: RenderQueue, draw: () => void): void {
+    this.queue = queue;
+    this.draw = draw;
+    queue.clear();
+    this.gatherChildren();
+    this.hide(lights);
+    try {
+      this.webgl.render(this.view as Object3D, camera);
+    } finally {
+      this.restore();
+      this.queue = this.draw = null;
+    }
+  }
+
+  /** Leaves out what three still has to draw of the transmissive list: Farol draws it. */
+  dropTransmissive(): void {
+    for (const list of this.lists) list.transmissive.length = 0;
+  }
+
+  dispose(): void {
+    (this.driver.material as Material).dispose();
+    this.driver.geometry.dispose();
+  }
+
+  private own(name: string, value: unknown): void {
+    Object.defineProperty(this.view, name, { value, writable: true, configurable: true });
+  }
+
+  private gatherChildren(): void {
+    const { source, children, webgl } = this;
+    children.length = 0;
+    if ((source as Scene).isScene !== true) {
+      children.push(source);
+      return;
+    }
+    for (const child of source.children) {
+      const light = child as Light;
+      if (light.isLight === true && child.children.length === 0 && isManagedLight(light, webgl)) continue;
+      children.push(child);
+    }
+  }
+
+  private hide(lights: readonly Light[]): void {
+    for (const light of lights) {
+      this.hidden.push(light);
+      this.masks.push(light.layers.mask);
+      light.layers.mask = 0;
+    }
+  }
+
+  /** Gives the lights their layers back; the traversal is over before any callback of the host runs. */
+  private restore(): void {
+    for (let i = 0; i < this.hidden.length; i++) this.hidden[i].layers.mask = this.masks[i];
+    this.hidden.length = this.masks.length = 0;
+  }
+
+  /** A mesh that draws nothing, whose callback is the place where Farol draws. */
+  private makeDriver(): Mesh {
+    const material = new RawShaderMaterial({
+      name: 'Farol driver',
+      depthTest: false,
+      depthWrite: false,
+      vertexShader: 'void main() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }',
+      fragmentShader: 'precision mediump float; void main() { gl_FragColor = vec4(0.0); }',
+    });
+    material.allowOverride = false;
+    const geometry = new BufferGeometry();
+    geometry.setDrawRange(0, 0);
+    const driver = new Mesh(geometry, material);
+    driver.layers.enableAll();
+    driver.onBeforeRender = () => this.draw?.();
+    return driver;
+  }
+
+  private takeLists(): void {
+    for (let depth = 0; depth < NESTING; depth++) {
+      const list = this.webgl.renderLists.get(this.view as Scene, depth) as unknown as RenderList;
+      const { push, finish } = list;
+      const { driver } = this;
+      list.push = (object, geometry, material, groupOrder, z, group, camera) => {
+        const override = this.view.overrideMaterial ?? null;
+        if (camera.reversedDepth === true) z = -z;
+        this.queue?.push(object, geometry, material, groupOrder, z, group, override);
+        // three then fills its transmission target, through the driver
+        if (((material as Material & { transmission?: number }).transmission ?? 0) > 0) {
+          push(object, geometry, material, groupOrder, z, group, camera);
+        }
+      };
+      list.finish = () => {
+        this.restore();
+        this.queue?.trim();
+        push(driver, driver.geometry, driver.material as Material, 0, 0, null, this.anyCamera);
+        finish();
+      };
+      list.sort = (opaque, transparent) => this.queue?.sort(opaque, transparent);
+      this.lists.push(list);
+    }
+  }
+
+  private readonly anyCamera = { reversedDepth: false } as unknown as Camera;
+}

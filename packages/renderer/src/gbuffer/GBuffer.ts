@@ -1,0 +1,62 @@
+import { DepthTexture, FloatType, NearestFilter, type WebGLRenderer } from 'three';
+import { gbufferLayout } from './gbufferLayout';
+import { WebGLMultipleRenderTargets } from './WebGLMultipleRenderTargets';
+
+/** Geometry buffer: the attachments of `gbufferLayout` and a depth texture. */
+export class GBuffer {
+  readonly target: WebGLMultipleRenderTargets;
+
+  /** @throws Error when the device has fewer draw buffers than the layout has attachments */
+  constructor(webgl: WebGLRenderer) {
+    const gl = webgl.getContext() as WebGL2RenderingContext;
+    const most = gl.getParameter(gl.MAX_DRAW_BUFFERS) as number;
+    if (most < gbufferLayout.length) {
+      throw new Error(
+        `Farol: the G-buffer has ${gbufferLayout.length} attachments and this device draws to ${most} at once; use a technique without a G-buffer, such as 'forward'.`,
+      );
+    }
+    this.target = new WebGLMultipleRenderTargets(1, 1, gbufferLayout.length, {
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      depthTexture: new DepthTexture(1, 1, FloatType),
+    });
+    gbufferLayout.forEach(({ name, format, type }, i) => {
+      const texture = this.target.textures[i];
+      texture.name = `G-buffer ${name}`;
+      texture.format = format;
+      texture.type = type;
+    });
+  }
+
+  get accumulation() {
+    return this.target.textures[0];
+  }
+  get normal() {
+    return this.target.textures[1];
+  }
+  get albedo() {
+    return this.target.textures[2];
+  }
+  get material() {
+    return this.target.textures[3];
+  }
+  get depth(): DepthTexture {
+    return this.target.depthTexture!;
+  }
+
+  /** Bytes of all attachments and depth. */
+  get bytes(): number {
+    const perPixel = gbufferLayout.reduce((sum, a) => sum + a.bytes, 4);
+    return this.target.width * this.target.height * perPixel;
+  }
+
+  /** @param width pixels @param height pixels */
+  setSize(width: number, height: number): void {
+    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
+  }
+
+  dispose(): void {
+    this.target.depthTexture?.dispose();
+    this.target.dispose();
+  }
+}

@@ -1,0 +1,48 @@
+import {
+  HalfFloatType,
+  RGBAFormat,
+  RGFormat,
+  UnsignedByteType,
+  type PixelFormat,
+  type TextureDataType,
+} from 'three';
+
+/** One colour attachment of the G-buffer. */
+export interface GBufferAttachment {
+  readonly name: string;
+  readonly format: PixelFormat;
+  readonly type: TextureDataType;
+  readonly bytes: number;
+  /** What each channel holds, by shading model where it differs. */
+  readonly holds: string;
+}
+
+/**
+ * The G-buffer, 20 bytes a pixel and 32-bit float depth. Position is rebuilt from depth. Four attachments, WebGL2's least.
+ * The encoding is microshaders/builtin/gbufferWrite.glsl and gbufferRead.glsl.
+ */
+export const gbufferLayout = [
+  {
+    name: 'accumulation',
+    format: RGBAFormat,
+    type: HalfFloatType,
+    bytes: 8,
+    holds: 'rgb: emissive, ambient, environment, light maps (linear); a: Phong shininess',
+  },
+  { name: 'normal', format: RGFormat, type: HalfFloatType, bytes: 4, holds: 'view-space normal, octahedral' },
+  {
+    name: 'albedo',
+    format: RGBAFormat,
+    type: UnsignedByteType,
+    bytes: 4,
+    holds: 'rgb: square root of the albedo; a: flags (shading model, fog, tone mapped) / 255',
+  },
+  {
+    name: 'material',
+    format: RGBAFormat,
+    type: UnsignedByteType,
+    bytes: 4,
+    holds:
+      'standard: roughness, metalness, square root of F0, F90; Phong: rgb square root of specular colour, a specular strength',
+  },
+] as const satisfies readonly GBufferAttachment[];

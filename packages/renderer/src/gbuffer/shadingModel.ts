@@ -1,0 +1,79 @@
+import type { Color, Material, MeshPhongMaterial, MeshPhysicalMaterial, MeshStandardMaterial } from 'three';
+import { LessEqualDepth, NormalBlending } from 'three';
+
+/** Which of three's lighting models a pixel of the G-buffer is lit by; the low two bits of its flags. */
+export const shadingModels = { unlit: 0, standard: 1, phong: 2, lambert: 3 } as const;
+export type ShadingModel = keyof typeof shadingModels;
+
+/** Flag bits above the shading model. */
+export const FLAG_FOG = 4;
+export const FLAG_TONE_MAPPED = 8;
+
+type AnyMaterial = Material & {
+  isMeshStandardMaterial?: boolean;
+  isMeshPhysicalMaterial?: boolean;
+  isMeshLambertMaterial?: boolean;
+  isMeshPhongMaterial?: boolean;
+  fog?: boolean;
+  color?: Color;
+  combine?: number;
+  envMap?: unknown;
+};
+
+/** True for a material drawn as stock three draws opaque things by default: any pass may draw it in its own order. */
+export function isPlainOpaque(material: Material): boolean {
+  return (
+    !material.transparent &&
+    material.blending === NormalBlending &&
+    !material.alphaToCoverage &&
+    material.depthTest &&
+    material.depthWrite &&
+    material.depthFunc === LessEqualDepth &&
+    material.colorWrite &&
+    !material.stencilWrite &&
+    !(material as AnyMaterial & { wireframe?: boolean }).wireframe
+  );
+}
+
+/**
+ * The shading model by which the G-buffer can hold a material without loss that shows, or null: then it is drawn
+ * forward. A cube map blended into the lit colour, albedo above 1 and the lobes of MeshPhysicalMaterial do not fit.
+ */
+export function shadingModelOf(material: Material): ShadingModel | null {
+  const m = material as AnyMaterial;
+  if (m.color !== undefined && exceedsOne(m.color)) return null;
+  if (m.isMeshStandardMaterial) return m.isMeshPhysicalMaterial && !isPlainPhysical(m as MeshPhysicalMaterial) ? null : 'standard';
+  if (m.isMeshPhongMaterial) return m.envMap || exceedsOne((m as MeshPhongMaterial).specular) ? null : 'phong';
+  if (m.isMeshLambertMaterial) return m.envMap ? null : 'lambert';
+  return null;
+}
+
+/** The flags of a material, 0 to 15, as the G-buffer keeps them. */
+export function flagsOf(material: Material, model: ShadingModel): number {
+  return shadingModels[model] + ((material as AnyMaterial).fog === false ? 0 : FLAG_FOG) + (material.toneMapped ? FLAG_TONE_MAPPED : 0);
+}
+
+function exceedsOne(color: Color): boolean {
+  return color.r > 1 || color.g > 1 || color.b > 1;
+}
+
+type Lobes = MeshPhysicalMaterial & { dispersion?: number; retroreflectivity?: number; diffuseRoughness?: number };
+
+/** Physical materials whose extra is only index of refraction and a grey specular. */
+function isPlainPhysical(material: MeshPhysicalMaterial & MeshStandardMaterial): boolean {
+  const m = material as Lobes;
+  const { specularColor: s } = m;
+  return (
+    m.clearcoat === 0 &&
+    m.sheen === 0 &&
+    m.iridescence === 0 &&
+    m.anisotropy === 0 &&
+    m.transmission === 0 &&
+    !m.dispersion &&
+    !m.retroreflectivity &&
+    !m.diffuseRoughness &&
+    s.r === s.g &&
+    s.g === s.b &&
+    m.specularColorMap === null
+  );
+}

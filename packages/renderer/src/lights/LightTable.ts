@@ -1,0 +1,286 @@
+import type { Camera, DirectionalLight, HemisphereLight, Light, Matrix4, PointLight, SpotLight } from 'three';
+import { Color, Vector3 } from 'three';
+import { DataTable } from './DataTable';
+import { FLOATS_PER_RECORD, RECORDS_PER_ROW } from './lightRecord';
+import type { FarolAttenuation, FarolLightData } from './FarolLightData';
+import { viewFrustumPlanes } from './viewFrustumPlanes';
+import { sphereOutsidePlanes } from './sphereOutsidePlanes';
+import { coneBoundingSphere } from './coneBoundingSphere';
+
+const NO_DATA: FarolLightData = {};
+/** Cones wider than this are drawn and culled as spheres (rad). */
+const WIDEST_CONE = 1.05;
+
+const position = new Vector3();
+const target = new Vector3();
+const colour = new Color();
+const planes = new Float64Array(24);
+const coneSphere = new Float64Array(4);
+const skyColour: [number, number, number] = [0, 0, 0];
+const groundColour: [number, number, number] = [0, 0, 0];
+
+/**
+ * All managed lights of a frame as one float texture, in view space, in four runs: directional, local without a range,
+ * spheres, cones. Local lights that cannot reach what the camera sees are left out. No limit but the texture's size
+ * (RECORDS_PER_ROW × MAX_TEXTURE_SIZE records).
+ */
+export class LightTable {
+  readonly table = new DataTable(RECORDS_PER_ROW * (FLOATS_PER_RECORD / 4));
+  /** Directional lights, unbounded local lights, sphere lights, cone lights. */
+  directional = 0;
+  unbounded = 0;
+  spheres = 0;
+  cones = 0;
+  /** Managed lights in the scene, and those kept for this frame (ambient and hemisphere lights included). */
+  total = 0;
+  visible = 0;
+  /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
+  readonly ambient = new Float32Array(12);
+  /** View-space sphere [x, y, z, r] (m) of each local light with a range, spheres then cones. */
+  bounds = new Float32Array(64);
+  /** View-space [axis to the light, cos cutoff] of each local light with a range; cos -1 for a sphere. */
+  axes = new Float32Array(64);
+  private readonly directionals: DirectionalLight[] = [];
+  private readonly unboundeds: Light[] = [];
+  private readonly sphereLights: Light[] = [];
+  private readonly coneLights: SpotLight[] = [];
+  private readonly warned = new WeakSet<Light>();
+  private extensions = 0;
+  private firstExtension = 0;
+
+  /** Lights with a range. */
+  get bounded(): number {
+    return this.spheres + this.cones;
+  }
+
+  /** Local lights, with and without a range. */
+  get local(): number {
+    return this.unbounded + this.spheres + this.cones;
+  }
+
+  /** Record of the first local light with a range. */
+  get firstBounded(): number {
+    return this.directional + this.unbounded;
+  }
+
+  /**
+   * Fills the table. World matrices must be up to date.
+   * @param lights the managed lights that are visible to the camera's layers
+   * @param camera gives view space; its frustum drops lights that reach nothing it sees
+   */
+  update(lights: readonly Light[], camera: Camera): void {
+    const view = camera.matrixWorldInverse;
+    viewFrustumPlanes(camera.projectionMatrix.elements, planes);
+    this.classify(lights, view);
+    this.directional = this.directionals.length;
+    this.unbounded = this.unboundeds.length;
+    this.spheres = this.sphereLights.length;
+    this.cones = this.coneLights.length;
+    this.visible += this.directional + this.local;
+    this.reserve();
+    this.firstExtension = this.directional + this.local;
+    this.extensions = 0;
+    let record = 0;
+    for (const light of this.directionals) this.writeDirectional(record++, light, view);
+    for (const light of this.unboundeds) this.writeLocal(record++, light, view);
+    for (const light of this.sphereLights) this.writeLocal(record++, light, view);
+    for (const light of this.coneLights) this.writeLocal(record++, light, view);
+    this.table.used((record + this.extensions) * FLOATS_PER_RECORD);
+  }
+
+  dispose(): void {
+    this.table.dispose();
+  }
+
+  private classify(lights: readonly Light[], view: Matrix4): void {
+    this.directionals.length = this.unboundeds.length = this.sphereLights.length = this.coneLights.length = 0;
+    this.ambient.fill(0);
+    this.total = lights.length;
+    this.visible = 0;
+    for (const light of lights) {
+      if (!this.isFinite(light)) continue;
+      if ('isAmbientLight' in light) {
+        this.addAmbient(light);
+      } else if ('isHemisphereLight' in light) {
+        this.addHemisphere(light as HemisphereLight, view);
+      } else if ('isDirectionalLight' in light) {
+        if (isBlack(light)) continue;
+        this.directionals.push(light as DirectionalLight);
+      } else if (!isBlack(light)) {
+        const range = rangeOf(light as PointLight);
+        if (range <= 0) {
+          this.unboundeds.push(light);
+          continue;
+        }
+        position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
+        if (sphereOutsidePlanes(planes, position.x, position.y, position.z, range)) continue;
+        const spot = light as SpotLight;
+        if (spot.isSpotLight === true && spot.angle < WIDEST_CONE) {
+          this.axisOf(spot, view);
+          coneBoundingSphere(position.x, position.y, position.z, -target.x, -target.y, -target.z, range, spot.angle, coneSphere);
+          if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) continue;
+          this.coneLights.push(spot);
+        } else this.sphereLights.push(light);
+      }
+    }
+  }
+
+  private addAmbient(light: Light): void {
+    this.visible++;
+    colour.copy(light.color).multiplyScalar(light.intensity);
+    this.ambient[0] += colour.r;
+    this.ambient[1] += colour.g;
+    this.ambient[2] += colour.b;
+  }
+
+  /** mix(ground, sky, 0.5 n·up + 0.5) = 0.5 (sky + ground) + n · 0.5 (sky - ground) up. */
+  private addHemisphere(light: HemisphereLight, view: Matrix4): void {
+    this.visible++;
+    const up = position.setFromMatrixPosition(light.matrixWorld).transformDirection(view);
+    light.color.toArray(skyColour);
+    light.groundColor.toArray(groundColour);
+    for (let c = 0; c < 3; c++) {
+      const sky = skyColour[c] * light.intensity;
+      const ground = groundColour[c] * light.intensity;
+      this.ambient[c] += 0.5 * (sky + ground);
+      const slope = 0.5 * (sky - ground);
+      this.ambient[3 + c] += slope * up.x;
+      this.ambient[6 + c] += slope * up.y;
+      this.ambient[9 + c] += slope * up.z;
+    }
+  }
+
+  private reserve(): void {
+    const records = this.directional + this.local;
+    // every light may need an extension record
+    this.table.reserve(records * 2 * FLOATS_PER_RECORD);
+    if (this.bounds.length < this.bounded * 4) {
+      this.bounds = new Float32Array(this.bounded * 8);
+      this.axes = new Float32Array(this.bounded * 8);
+    }
+  }
+
+  private writeDirectional(record: number, light: DirectionalLight, view: Matrix4): void {
+    const { table } = this;
+    const at = record * FLOATS_PER_RECORD;
+    this.axisOf(light, view);
+    const extension = this.writeExtension(light);
+    const { r, g, b } = light.color;
+    const i = light.intensity;
+    table.set4(at, target.x, target.y, target.z, 0);
+    if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, 1);
+    else table.set4(at + 4, r * i, g * i, b * i, 0);
+    table.set4(at + 12, 0, 0, 0, extension);
+  }
+
+  private writeLocal(record: number, light: Light, view: Matrix4): void {
+    const { table } = this;
+    const at = record * FLOATS_PER_RECORD;
+    const point = light as PointLight;
+    const spot = (light as SpotLight).isSpotLight === true ? (light as SpotLight) : null;
+    const range = rangeOf(point);
+    position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
+    const extension = this.writeExtension(light);
+    const plain = spot === null && extension === 0;
+    const i = light.intensity;
+    table.set4(at, position.x, position.y, position.z, range);
+    if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, -1 - point.decay);
+    else table.set4(at + 4, light.color.r * i, light.color.g * i, light.color.b * i, plain ? point.decay : -1 - point.decay);
+    let cosine = -1;
+    if (spot !== null) {
+      this.axisOf(spot, view);
+      cosine = Math.cos(spot.angle);
+      table.set4(at + 8, target.x, target.y, target.z, cosine);
+      const exponent = (spot.userData.farol as FarolLightData | undefined)?.spotExponent ?? -1;
+      table.set4(at + 12, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, 0, extension);
+    } else if (!plain) {
+      table.set4(at + 8, 0, 0, 1, -3);
+      table.set4(at + 12, -2, -1, 0, extension);
+    }
+    const k = (record - this.directional - this.unbounded) * 4;
+    if (k >= 0) {
+      const isCone = spot !== null && spot.angle < WIDEST_CONE;
+      this.bounds[k] = position.x;
+      this.bounds[k + 1] = position.y;
+      this.bounds[k + 2] = position.z;
+      this.bounds[k + 3] = range;
+      this.axes[k] = isCone ? target.x : 0;
+      this.axes[k + 1] = isCone ? target.y : 0;
+      this.axes[k + 2] = isCone ? target.z : 1;
+      this.axes[k + 3] = isCone ? cosine : -1;
+    }
+  }
+
+  /** Writes the extension record, if the light needs one, and leaves in `colour` what to put in place of its colour. */
+  private writeExtension(light: Light): number {
+    const data = (light.userData.farol as FarolLightData | undefined) ?? NO_DATA;
+    const { specular, ambient, attenuation } = data;
+    if (specular === undefined && ambient === undefined && attenuation === undefined) return 0;
+    const { table } = this;
+    const record = this.firstExtension + this.extensions++;
+    const at = record * FLOATS_PER_RECORD;
+    const i = light.intensity;
+    const d = light.color;
+    const s0 = specular ? specular[0] : d.r;
+    const s1 = specular ? specular[1] : d.g;
+    const s2 = specular ? specular[2] : d.b;
+    const c0 = Math.max(d.r, s0);
+    const c1 = Math.max(d.g, s1);
+    const c2 = Math.max(d.b, s2);
+    table.set4(at, ratio(d.r, c0), ratio(d.g, c1), ratio(d.b, c2), 0);
+    table.set4(at + 4, ratio(s0, c0), ratio(s1, c1), ratio(s2, c2), 0);
+    table.set4(at + 8, ambient ? ambient[0] * i : 0, ambient ? ambient[1] * i : 0, ambient ? ambient[2] * i : 0, 0);
+    this.writeAttenuation(at + 12, attenuation);
+    colour.setRGB(c0 * i, c1 * i, c2 * i);
+    return record;
+  }
+
+  private writeAttenuation(at: number, attenuation: FarolAttenuation | undefined): void {
+    if (attenuation === undefined) this.table.set4(at, 0, 0, 0, 0);
+    else if (attenuation.kind === 'near-far') this.table.set4(at, attenuation.near, attenuation.far, 0, 1);
+    else this.table.set4(at, attenuation.constant, attenuation.linear, attenuation.quadratic, 2);
+  }
+
+  /** Leaves in `target` the unit vector from the light's target to the light, in view space. */
+  private axisOf(light: DirectionalLight | SpotLight, view: Matrix4): void {
+    axisOrigin.setFromMatrixPosition(light.matrixWorld);
+    target.setFromMatrixPosition(light.target.matrixWorld);
+    target.subVectors(axisOrigin, target).transformDirection(view);
+  }
+
+  private isFinite(light: Light): boolean {
+    const e = light.matrixWorld.elements;
+    const l = light as PointLight & SpotLight;
+    let sum = e[12] + e[13] + e[14] + light.color.r + light.color.g + light.color.b + light.intensity;
+    if (l.distance !== undefined) sum += l.distance + l.decay;
+    if (l.angle !== undefined) sum += l.angle + l.penumbra;
+    if (Number.isFinite(sum)) return true;
+    if (!this.warned.has(light)) {
+      this.warned.add(light);
+      console.warn(
+        `Farol: light "${light.name || light.type}" (id ${light.id}) has a value that is not a finite number ` +
+          `(position, colour, intensity, distance, decay or angle) and is left out; set a finite value to light with it.`,
+      );
+    }
+    return false;
+  }
+}
+
+const axisOrigin = new Vector3();
+
+function ratio(part: number, whole: number): number {
+  return whole > 0 ? part / whole : 1;
+}
+
+function isBlack(light: Light): boolean {
+  const { r, g, b } = light.color;
+  const data = light.userData.farol as FarolLightData | undefined;
+  return light.intensity === 0 || (r === 0 && g === 0 && b === 0 && data?.ambient === undefined && data?.specular === undefined);
+}
+
+/** Distance from which the light gives exactly nothing (m); 0 when there is none. */
+function rangeOf(light: PointLight): number {
+  const attenuation = (light.userData.farol as FarolLightData | undefined)?.attenuation;
+  if (attenuation === undefined) return light.distance;
+  return attenuation.kind === 'near-far' ? attenuation.far : attenuation.range;
+}

@@ -1,0 +1,18 @@
+import type { Material, WebGLProgramParametersWithUniforms } from 'three';
+
+/** What a twin's shader is made from; the object of `Material.onBeforeCompile`. */
+export type TwinShader = Pick<WebGLProgramParametersWithUniforms, 'uniforms' | 'vertexShader' | 'fragmentShader'>;
+
+/** One way in which a pass draws three's materials; a twin is made for each source material and kind. */
+export interface TwinKind {
+  /** Part of the program's cache key: one kind, one key. */
+  readonly key: string;
+  /** Microshaders whose headers the fragment shader gets; a live edit of any compiles the twins anew. */
+  readonly chunks: readonly string[];
+  /** Values the twin owns in place of its source's, such as blending. */
+  readonly properties?: Partial<Material> & { fog?: boolean };
+  /** More of the cache key, from what the patch reads of the source. */
+  variant?(source: Material): string;
+  /** Rewrites the fragment shader; `header` is the resolved text of `chunks`. Must not touch the source. */
+  patch(shader: TwinShader, source: Material, header: string): void;
+}

@@ -1,0 +1,35 @@
+import { type Material, Material as BaseMaterial, type WebGLRenderer } from 'three';
+import type { TwinKind, TwinShader } from './TwinKind';
+
+/** What twins of one renderer share. */
+export interface TwinContext {
+  /** Uniforms given to every twin, by reference. */
+  readonly uniforms: Record<string, { value: unknown }>;
+  /** Resolved microshader headers. */
+  header(chunks: readonly string[]): string;
+  /** Grows when a microshader of the list is replaced. */
+  revision(chunks: readonly string[]): number;
+}
+
+/**
+ * A twin inherits every property of its source, live, and has programs of its own. Nothing is written to the source.
+ */
+export function createTwin(source: Material, kind: TwinKind, context: TwinContext): Material {
+  const twin = Object.create(source) as Material;
+  const own = (name: string, value: unknown) =>
+    Object.defineProperty(twin, name, { value, writable: true, configurable: true, enumerable: true });
+  Object.defineProperty(twin, 'id', { value: new BaseMaterial().id });
+  Object.defineProperty(twin, 'version', {
+    get: () => source.version + context.revision(kind.chunks),
+    set: () => undefined,
+  });
+  own('_listeners', undefined);
+  own('customProgramCacheKey', () => `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.revision(kind.chunks)}:${source.customProgramCacheKey()}`);
+  own('onBeforeCompile', (shader: TwinShader, webgl: WebGLRenderer) => {
+    source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);
+    shader.uniforms = { ...shader.uniforms, ...context.uniforms } as TwinShader['uniforms'];
+    kind.patch(shader, source, context.header(kind.chunks));
+  });
+  for (const [name, value] of Object.entries(kind.properties ?? {})) own(name, value);
+  return twin;
+}

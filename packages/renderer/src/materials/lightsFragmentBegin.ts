@@ -1,0 +1,27 @@
+import { ShaderChunk } from 'three';
+import { replaceOnce } from './replaceOnce';
+
+const CHUNK = 'three\'s lights_fragment_begin';
+const MULTISCATTERING_GATE = '#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )';
+const FIRST_LOOP = '#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )';
+const INDIRECT = '#if defined( RE_IndirectDiffuse )';
+const AMBIENT = 'vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );';
+const LOOP = `float farol_lightsEvaluated = 0.0;
+#ifdef RE_Direct
+FAROL_FOR_EACH_LIGHT(geometryPosition)
+#endif
+`;
+
+/**
+ * three's `lights_fragment_begin` with Farol's light loop put before three's own loops.
+ * @param withThreeLights false leaves three's own loops out (for the passes of single lights)
+ */
+export function lightsFragmentBegin(withThreeLights: boolean): string {
+  // the compensation is also needed when only Farol's lights are there
+  let text = replaceOnce(ShaderChunk.lights_fragment_begin, MULTISCATTERING_GATE, '#if 1', CHUNK);
+  text = replaceOnce(text, AMBIENT, `${AMBIENT}\nirradiance += farol_ambientIrradiance(geometryNormal);`, CHUNK);
+  const start = text.indexOf(FIRST_LOOP);
+  const end = text.indexOf(INDIRECT);
+  if (start < 0 || end < start) throw new Error(`Farol: the light loops were not found in ${CHUNK}; Farol is made for three 0.187.`);
+  return text.slice(0, start) + LOOP + (withThreeLights ? text.slice(start, end) : '') + text.slice(end);
+}

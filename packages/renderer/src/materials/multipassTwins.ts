@@ -1,0 +1,66 @@
+import { AddEquation, CustomBlending, LessEqualDepth, OneFactor, ShaderChunk } from 'three';
+import type { View } from '../debug/views';
+import { isCountView } from '../debug/views';
+import { litTwin } from './litTwin';
+import { replaceOnce } from './replaceOnce';
+import type { TwinKind } from './TwinKind';
+
+const NOTHING = 'gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);';
+
+/** Ambient, environment, emissive and what three itself lights: the first pass of multipass lighting. */
+const base = litTwin({ key: 'base', loop: 'lightLoopNone' });
+const baseDark = litTwin({ key: 'base-dark', loop: 'lightLoopNone', atEnd: NOTHING });
+
+export function baseTwin(view: View): TwinKind {
+  return view === 'final' || view === 'grid' ? base : baseDark;
+}
+
+const ADDITIVE = {
+  blending: CustomBlending,
+  blendEquation: AddEquation,
+  blendSrc: OneFactor,
+  blendDst: OneFactor,
+  blendEquationAlpha: null,
+  blendSrcAlpha: null,
+  blendDstAlpha: null,
+  depthFunc: LessEqualDepth,
+  depthWrite: false,
+} as const;
+
+/** An environment map that is mixed in is affine in the light: a light's own pass takes only the linear part. */
+const ENVIRONMENT = `#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_CUBE ) && defined( ENVMAP_BLENDING_MIX )
+  outgoingLight *= 1.0 - specularStrength * reflectivity;
+#elif !defined( USE_ENVMAP ) || !defined( ENVMAP_BLENDING_ADD )
+  #include <envmap_fragment>
+#endif`;
+
+function onlyThisLight(text: string): string {
+  // fog fades this light's part; its colour came with the base pass
+  const fog = replaceOnce(ShaderChunk.fog_fragment, 'fogColor', 'vec3(0.0)', "three's fog_fragment");
+  return `#define OPAQUE\n${text}`
+    .replace('#include <lights_fragment_end>', 'totalEmissiveRadiance = vec3(0.0);')
+    .replace('#include <envmap_fragment>', ENVIRONMENT)
+    .replace('#include <fog_fragment>', () => fog)
+    .replace('#include <dithering_fragment>', '');
+}
+
+const additive = (count: boolean) =>
+  litTwin({
+    // slots share one program; the change of slot makes three send the light's index
+    key: count ? 'additive-count' : 'additive',
+    loop: 'lightLoopOne',
+    withThreeLights: false,
+    properties: { ...ADDITIVE },
+    rewrite: onlyThisLight,
+    atEnd: count ? 'gl_FragColor = vec4(farol_lightsEvaluated, 0.0, 0.0, 0.0);' : 'gl_FragColor.a = 0.0;',
+  });
+const additives = [additive(false), additive(false)];
+const counters = [additive(true), additive(true)];
+
+/**
+ * One light, added to what is there. Two kinds of one program, to be used in turns light by light: three sends a
+ * material's uniforms only when the material changes.
+ */
+export function additiveTwin(view: View, slot: 0 | 1): TwinKind {
+  return (isCountView(view) ? counters : additives)[slot];
+}

@@ -1,0 +1,19 @@
+// Writes what the passes of multipass lighting summed, where they drew anything (alpha above 0), with its depth.
+// Farol
+#include "output"
+#include "heatMap"
+#include "heatScale"
+uniform highp sampler2D farol_accumulated;
+uniform highp sampler2D farol_accumulatedDepth;
+uniform highp sampler2D farol_overdrawMap;
+uniform int farol_view; // 0 final, 1 lighting, 2 counts
+//# main
+ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
+vec4 sum = texelFetch(farol_accumulated, pixel, 0);
+if (farol_view == 2) {
+  gl_FragColor = vec4(farol_heatMap((sum.r + texelFetch(farol_overdrawMap, pixel, 0).r) * farol_heatScale), 1.0);
+} else {
+  if (sum.a <= 0.0) discard;
+  gl_FragColor = farol_output(sum.rgb, 0.0, true, false);
+}
+gl_FragDepth = texelFetch(farol_accumulatedDepth, pixel, 0).r;

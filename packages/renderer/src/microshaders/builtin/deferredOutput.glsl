@@ -1,0 +1,24 @@
+// Joins the G-buffer's accumulation with the lighting buffer and writes the picture with its depth.
+// Farol
+#include "gbufferRead"
+#include "output"
+#include "heatMap"
+#include "heatScale"
+uniform highp sampler2D farol_lightingMap;
+uniform highp sampler2D farol_overdrawMap;
+uniform vec2 farol_size;
+uniform int farol_view; // 0 final, 1 lighting, 2 counts
+//# main
+ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
+float depth = texelFetch(farol_gDepth, pixel, 0).r;
+vec3 lighting = texelFetch(farol_lightingMap, pixel, 0).rgb;
+if (farol_view == 2) {
+  gl_FragColor = vec4(farol_heatMap((lighting.r + texelFetch(farol_overdrawMap, pixel, 0).r) * farol_heatScale), 1.0);
+} else {
+  if (depth >= 1.0) discard;
+  int flags = int(texelFetch(farol_gAlbedo, pixel, 0).a * 255.0 + 0.5);
+  vec3 radiance = farol_view == 1 ? lighting : lighting + texelFetch(farol_gAccumulation, pixel, 0).rgb;
+  vec3 positionVS = farol_positionFromDepth((vec2(pixel) + 0.5) / farol_size, depth, projectionMatrixInverse);
+  gl_FragColor = farol_output(radiance, -positionVS.z, (flags & 8) != 0, (flags & 4) != 0);
+}
+gl_FragDepth = depth;

@@ -1,0 +1,19 @@
+// Directional lights and lights without a range over every pixel of the G-buffer.
+// Thesis 3.2.3.2
+#include "shadeSurface"
+uniform vec2 farol_size;
+layout(location = 0) out highp vec4 farol_lighting;
+//# main
+ivec2 pixel = ivec2(gl_FragCoord.xy);
+float depth = texelFetch(farol_gDepth, pixel, 0).r;
+if (depth >= 1.0) discard;
+int farol_last = farol_lightCounts.x + farol_lightCounts.y;
+#ifdef FAROL_COUNT
+farol_lighting = vec4(float(farol_last), 0.0, 0.0, 0.0);
+#else
+FarolShading shading = farol_beginShading(farol_readSurface(pixel, depth, farol_size));
+ReflectedLight reflectedLight = ReflectedLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+for (int i = 0; i < farol_lightCounts.x; i++) farol_shade(shading, farol_directionalLight(i), reflectedLight);
+for (int i = farol_lightCounts.x; i < farol_last; i++) farol_shade(shading, farol_localLight(i, shading.positionVS), reflectedLight);
+farol_lighting = vec4(reflectedLight.directDiffuse + reflectedLight.directSpecular, 0.0);
+#endif

@@ -1,0 +1,3 @@
+// Scale of the heat map views: one over the count that is drawn hottest.
+// Farol
+uniform float farol_heatScale;

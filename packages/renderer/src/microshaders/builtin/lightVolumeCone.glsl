@@ -1,0 +1,27 @@
+// The vertices of a cone for each spot light of a run, instanced, made from gl_VertexID: 72 a light.
+// Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
+#include "lightTable"
+uniform highp mat4 projectionMatrix;
+uniform highp int farol_firstRecord;
+flat out highp int farol_record;
+//# main
+const int SEGMENTS = 12;
+farol_record = farol_firstRecord + gl_InstanceID;
+vec4 apex = farol_lightTexel(farol_record, 0);
+vec4 towards = farol_lightTexel(farol_record, 2);
+vec3 axis = -towards.xyz;
+vec3 side = normalize(abs(axis.y) < 0.9 ? cross(axis, vec3(0.0, 1.0, 0.0)) : cross(axis, vec3(1.0, 0.0, 0.0)));
+vec3 up = cross(axis, side);
+// 1.04: the flat faces stay outside the cone
+float radius = apex.w * 1.04 * sqrt(1.0 - towards.w * towards.w) / towards.w;
+int triangle = gl_VertexID / 3;
+int corner = gl_VertexID - triangle * 3;
+bool cap = triangle >= SEGMENTS;
+vec3 offset = cap ? axis * apex.w : vec3(0.0);
+if (corner > 0) {
+  float angle = float(triangle + ((corner == 1) == cap ? 0 : 1)) * 6.28318531 / float(SEGMENTS);
+  offset = axis * apex.w + radius * (cos(angle) * side + sin(angle) * up);
+}
+gl_Position = projectionMatrix * vec4(apex.xyz + offset, 1.0);
+// what lies beyond the far plane still covers its pixels
+if (gl_Position.w > 0.0) gl_Position.z = min(gl_Position.z, gl_Position.w);

@@ -1,0 +1,21 @@
+// One light over the pixels of its volume, added to the lighting buffer.
+// Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
+#include "shadeSurface"
+uniform vec2 farol_size;
+flat in highp int farol_record;
+layout(location = 0) out highp vec4 farol_lighting;
+//# main
+ivec2 pixel = ivec2(gl_FragCoord.xy);
+float depth = texelFetch(farol_gDepth, pixel, 0).r;
+if (depth >= 1.0) discard;
+vec3 positionVS = farol_positionFromDepth(gl_FragCoord.xy / farol_size, depth, projectionMatrixInverse);
+#ifdef FAROL_COUNT
+farol_lighting = vec4(1.0, 0.0, 0.0, 0.0);
+#else
+FarolLight light = farol_localLight(farol_record, positionVS);
+if (light.attenuation <= 0.0) discard;
+FarolShading shading = farol_beginShading(farol_readSurface(pixel, depth, farol_size));
+ReflectedLight reflectedLight = ReflectedLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+farol_shade(shading, light, reflectedLight);
+farol_lighting = vec4(reflectedLight.directDiffuse + reflectedLight.directSpecular, 0.0);
+#endif

@@ -1,0 +1,22 @@
+// The vertices of a sphere round each light of a run, instanced, made from gl_VertexID: LIGHT_VOLUME_SPHERE_VERTICES a light.
+// Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
+#include "lightTable"
+uniform highp mat4 projectionMatrix;
+uniform highp int farol_firstRecord;
+flat out highp int farol_record;
+//# main
+const int SEGMENTS = 12;
+const int RINGS = 8;
+farol_record = farol_firstRecord + gl_InstanceID;
+vec4 centre = farol_lightTexel(farol_record, 0);
+int quad = gl_VertexID / 6;
+int corner = gl_VertexID - quad * 6;
+float east = float(quad - quad / SEGMENTS * SEGMENTS) + (corner == 1 || corner == 2 || corner == 4 ? 1.0 : 0.0);
+float south = float(quad / SEGMENTS) + (corner == 2 || corner == 4 || corner == 5 ? 1.0 : 0.0);
+float longitude = east * 6.28318531 / float(SEGMENTS);
+float latitude = south * 3.14159265 / float(RINGS);
+// 1.06: the flat faces stay outside the sphere
+vec3 offset = centre.w * 1.06 * vec3(sin(latitude) * cos(longitude), cos(latitude), sin(latitude) * sin(longitude));
+gl_Position = projectionMatrix * vec4(centre.xyz + offset, 1.0);
+// what lies beyond the far plane still covers its pixels
+if (gl_Position.w > 0.0) gl_Position.z = min(gl_Position.z, gl_Position.w);

@@ -1,0 +1,33 @@
+// FAROL_SHADE for three's lit materials: fills IncidentLight, calls RE_Direct, applies the light's own specular and ambient.
+// Farol; three's lights_fragment_begin
+#ifdef STANDARD
+  #define FAROL_DIFFUSE_COLOR material.diffuseContribution
+#else
+  #define FAROL_DIFFUSE_COLOR material.diffuseColor
+#endif
+#ifdef USE_CLEARCOAT
+  #define FAROL_SAVE_CLEARCOAT vec3 farol_clearcoat = clearcoatSpecularDirect;
+  #define FAROL_SCALE_CLEARCOAT clearcoatSpecularDirect = mix(farol_clearcoat, clearcoatSpecularDirect, farol_specular.rgb);
+#else
+  #define FAROL_SAVE_CLEARCOAT
+  #define FAROL_SCALE_CLEARCOAT
+#endif
+#ifdef USE_SHEEN
+  #define FAROL_SAVE_SHEEN vec3 farol_sheen = sheenSpecularDirect;
+  #define FAROL_SCALE_SHEEN sheenSpecularDirect = mix(farol_sheen, sheenSpecularDirect, farol_specular.rgb);
+#else
+  #define FAROL_SAVE_SHEEN
+  #define FAROL_SCALE_SHEEN
+#endif
+#define FAROL_SHADE(light) \
+  farol_lightsEvaluated += 1.0; \
+  directLight.direction = light.direction; directLight.color = light.color; directLight.visible = true; \
+  ReflectedLight farol_before = reflectedLight; FAROL_SAVE_CLEARCOAT FAROL_SAVE_SHEEN \
+  RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight); \
+  if (light.extension > 0) { \
+    vec4 farol_diffuse = farol_lightTexel(light.extension, 0); vec4 farol_specular = farol_lightTexel(light.extension, 1); \
+    reflectedLight.directDiffuse = mix(farol_before.directDiffuse, reflectedLight.directDiffuse, farol_diffuse.rgb) \
+      + farol_lightTexel(light.extension, 2).rgb * light.attenuation * BRDF_Lambert(FAROL_DIFFUSE_COLOR); \
+    reflectedLight.directSpecular = mix(farol_before.directSpecular, reflectedLight.directSpecular, farol_specular.rgb); \
+    FAROL_SCALE_CLEARCOAT FAROL_SCALE_SHEEN \
+  }

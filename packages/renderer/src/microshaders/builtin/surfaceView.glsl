@@ -1,0 +1,31 @@
+// Shows one thing of the G-buffer.
+// Thesis 4.1, figure of the G-buffer
+#include "gbufferRead"
+uniform vec2 farol_offset;
+uniform vec2 farol_size;
+uniform vec3 farol_depthRange; // nearest, farthest (m), 1 if logarithmic
+uniform mat4 farol_viewInverse;
+uniform int farol_view; // 0 albedo, 1 normal, 2 depth, 3 position, 4 roughness, 5 metalness, 6 emissive
+//# main
+ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
+float depth = texelFetch(farol_gDepth, pixel, 0).r;
+gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);
+if (depth < 1.0) {
+  FarolSurface surface = farol_readSurface(pixel, depth, farol_size);
+  int model = surface.flags & 3;
+  if (farol_view == 0) gl_FragColor = linearToOutputTexel(vec4(surface.albedo, 1.0));
+  else if (farol_view == 1) gl_FragColor.rgb = model == 0 ? vec3(0.5) : surface.normalVS * 0.5 + 0.5;
+  else if (farol_view == 2) {
+    float distanceVS = -surface.positionVS.z;
+    gl_FragColor.rgb = vec3(farol_depthRange.z > 0.0
+      ? log(distanceVS / farol_depthRange.x) / log(farol_depthRange.y / farol_depthRange.x)
+      : (distanceVS - farol_depthRange.x) / (farol_depthRange.y - farol_depthRange.x));
+  } else if (farol_view == 3) {
+    // a metre is a tenth of the colour, so that walls show a grid of ten
+    gl_FragColor.rgb = fract((farol_viewInverse * vec4(surface.positionVS, 1.0)).xyz * 0.1);
+  } else if (farol_view == 4) {
+    // Blinn-Phong's roughness by its shininess: alpha² = 2 / (shininess + 2)
+    gl_FragColor.rgb = vec3(model == 1 ? surface.material.r : model == 2 ? sqrt(sqrt(2.0 / (surface.accumulation.a + 2.0))) : 1.0);
+  } else if (farol_view == 5) gl_FragColor.rgb = vec3(model == 1 ? surface.material.g : 0.0);
+  else gl_FragColor = linearToOutputTexel(vec4(surface.accumulation.rgb, 1.0));
+}

@@ -1,0 +1,59 @@
+import { AlwaysDepth, LessEqualDepth, Vector2, type IUniform, type Texture } from 'three';
+import { isCountView } from '../debug/views';
+import type { Frame } from '../Frame';
+import { FullscreenMesh } from './FullscreenMesh';
+import type { MultipassLightsPass } from './MultipassLightsPass';
+import { OUTPUT_COUNTS, OUTPUT_FINAL, OUTPUT_LIGHTING } from './outputUniforms';
+import type { Pass } from './Pass';
+import { OutputMaterial } from './PassMaterial';
+
+/** Writes the sum of multipass lighting to the host's target, with depth. */
+export class AccumulatedOutputPass implements Pass {
+  readonly name = 'output';
+  readonly reads = ['lighting'] as const;
+  readonly writes = ['target'] as const;
+  readonly bytes = 0;
+  private readonly view = { value: OUTPUT_FINAL };
+  private readonly sum: IUniform<Texture | null> = { value: null };
+  private readonly depth: IUniform<Texture | null> = { value: null };
+  private readonly overdraw: IUniform<Texture | null> = { value: null };
+  private readonly offset = { value: new Vector2() };
+  private readonly triangle = new FullscreenMesh();
+  private material: OutputMaterial | null = null;
+
+  constructor(private readonly source: MultipassLightsPass) {}
+
+  render(frame: Frame): void {
+    const { view } = frame;
+    const target = this.source.target!;
+    this.view.value = isCountView(view) ? OUTPUT_COUNTS : view === 'lighting' ? OUTPUT_LIGHTING : OUTPUT_FINAL;
+    this.sum.value = target.texture;
+    this.depth.value = target.depthTexture;
+    this.overdraw.value = frame.overdraw;
+    this.offset.value.set(frame.viewport.x, frame.viewport.y);
+    this.material ??= new OutputMaterial(frame.microshaders, {
+      name: 'Farol multipass output',
+      vertex: ['fullscreen'],
+      fragment: ['accumulatedOutput'],
+      uniforms: {
+        ...frame.uniforms,
+        farol_view: this.view,
+        farol_accumulated: this.sum,
+        farol_accumulatedDepth: this.depth,
+        farol_overdrawMap: this.overdraw,
+        farol_offset: this.offset,
+      },
+      toneMapped: true,
+      depthTest: true,
+      depthWrite: true,
+    });
+    this.material.depthFunc = isCountView(view) ? AlwaysDepth : LessEqualDepth;
+    frame.bindTarget();
+    frame.drawMesh(this.triangle, this.material);
+  }
+
+  dispose(): void {
+    this.material?.dispose();
+    this.material = null;
+  }
+}

@@ -1,0 +1,46 @@
+import { forwardTwins } from '../materials/forwardTwin';
+import type { ForwardTwins } from '../materials/forwardTwin';
+import type { Frame } from '../Frame';
+import type { RenderItem } from '../RenderItem';
+import type { Pass, Resource } from './Pass';
+
+export interface ForwardPassOptions {
+  readonly name: string;
+  readonly list: 'opaque' | 'transmissive' | 'transparent';
+  /** Microshader that loops over the lights. */
+  readonly loop: string;
+  readonly reads?: readonly Resource[];
+}
+
+/** Draws what is left of one of three's lists into the host's target, each lit item once, by the lights of the loop. */
+export class ForwardPass implements Pass {
+  readonly name: string;
+  readonly reads: readonly Resource[];
+  readonly writes = ['target'] as const;
+  readonly bytes = 0;
+  private readonly list: ForwardPassOptions['list'];
+  private readonly twins: ReturnType<typeof forwardTwins>;
+
+  constructor(options: ForwardPassOptions) {
+    this.name = options.name;
+    this.list = options.list;
+    this.reads = options.reads ?? [];
+    this.twins = forwardTwins(options.loop);
+  }
+
+  render(frame: Frame): void {
+    const items = frame.queue[this.list];
+    if (items.length === 0 || frame.view === 'overdraw') return;
+    frame.bindTarget();
+    const twins = this.twins(frame.view);
+    const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
+    for (const item of items) this.draw(frame, item, twins, onlyLit);
+  }
+
+  dispose(): void {}
+
+  private draw(frame: Frame, item: RenderItem, twins: ForwardTwins, onlyLit: boolean): void {
+    if (item.drawn || (onlyLit && !item.lit)) return;
+    frame.drawForward(item, twins);
+  }
+}

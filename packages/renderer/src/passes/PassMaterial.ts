@@ -1,0 +1,76 @@
+import { GLSL3, RawShaderMaterial, ShaderMaterial, type IUniform, type ShaderMaterialParameters } from 'three';
+import type { MicroShaderRegistry } from '../microshaders';
+
+export interface PassMaterialOptions extends Pick<
+  ShaderMaterialParameters,
+  'blending' | 'blendSrc' | 'blendDst' | 'depthTest' | 'depthWrite' | 'depthFunc' | 'side' | 'fog' | 'toneMapped' | 'defines'
+> {
+  readonly name: string;
+  /** Microshaders whose mains make the vertex shader. */
+  readonly vertex: readonly string[];
+  /** Microshaders whose mains make the fragment shader. */
+  readonly fragment: readonly string[];
+  readonly uniforms: Record<string, IUniform>;
+}
+
+const PRECISION = 'precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp usampler2D;\n';
+// three's chunks are written for GLSL 1
+const GLSL1_NAMES = '#define texture2D texture\n#define varying in\n';
+
+/** Composes from the registry, and again after a live edit. */
+function compose(material: ShaderMaterial, registry: MicroShaderRegistry, options: PassMaterialOptions): void {
+  const raw = (material as RawShaderMaterial).isRawShaderMaterial === true;
+  const { vertexShader, fragmentShader } = registry.compose(options.vertex, options.fragment);
+  material.vertexShader = (raw ? PRECISION : '') + vertexShader;
+  material.fragmentShader = (raw ? PRECISION + GLSL1_NAMES : '') + fragmentShader;
+  material.needsUpdate = true;
+}
+
+function follow(material: ShaderMaterial, registry: MicroShaderRegistry, options: PassMaterialOptions): () => void {
+  compose(material, registry, options);
+  const names = [...options.vertex, ...options.fragment];
+  let revision = registry.revision(names);
+  return registry.onChange(() => {
+    const now = registry.revision(names);
+    if (now === revision) return;
+    revision = now;
+    compose(material, registry, options);
+  });
+}
+
+function parameters(options: PassMaterialOptions): ShaderMaterialParameters {
+  const { vertex: _v, fragment: _f, ...rest } = options;
+  return { transparent: false, depthTest: false, depthWrite: false, fog: false, toneMapped: false, ...rest };
+}
+
+/** Material of a pass into a target of Farol's own, composed of microshaders: nothing of three's state changes its program. */
+export class PassMaterial extends RawShaderMaterial {
+  private readonly unfollow: () => void;
+
+  constructor(registry: MicroShaderRegistry, options: PassMaterialOptions) {
+    super({ glslVersion: GLSL3, ...parameters(options) });
+    this.allowOverride = false;
+    this.unfollow = follow(this, registry, options);
+  }
+
+  override dispose(): void {
+    this.unfollow();
+    super.dispose();
+  }
+}
+
+/** Material of a pass into the host's target, with three's tone mapping, colour space and fog for that target. */
+export class OutputMaterial extends ShaderMaterial {
+  private readonly unfollow: () => void;
+
+  constructor(registry: MicroShaderRegistry, options: PassMaterialOptions) {
+    super(parameters(options));
+    this.allowOverride = false;
+    this.unfollow = follow(this, registry, options);
+  }
+
+  override dispose(): void {
+    this.unfollow();
+    super.dispose();
+  }
+}

@@ -1,0 +1,40 @@
+import { Matrix4, Vector2, type IUniform, type Texture } from 'three';
+import type { Frame } from '../Frame';
+import type { GBuffer } from '../gbuffer/GBuffer';
+
+/** Uniforms of gbufferRead.glsl and of where the picture lies. */
+export interface GBufferUniforms extends Record<string, IUniform> {
+  farol_gAccumulation: IUniform<Texture | null>;
+  farol_gNormal: IUniform<Texture | null>;
+  farol_gAlbedo: IUniform<Texture | null>;
+  farol_gMaterial: IUniform<Texture | null>;
+  farol_gDepth: IUniform<Texture | null>;
+  projectionMatrixInverse: IUniform<Matrix4>;
+  farol_size: IUniform<Vector2>;
+  farol_offset: IUniform<Vector2>;
+}
+
+export function gbufferUniforms(): GBufferUniforms {
+  return {
+    farol_gAccumulation: { value: null },
+    farol_gNormal: { value: null },
+    farol_gAlbedo: { value: null },
+    farol_gMaterial: { value: null },
+    farol_gDepth: { value: null },
+    projectionMatrixInverse: { value: new Matrix4() },
+    farol_size: { value: new Vector2() },
+    farol_offset: { value: new Vector2() },
+  };
+}
+
+/** Points the uniforms at a G-buffer and at this frame's camera and size. */
+export function setGBufferUniforms(uniforms: GBufferUniforms, gbuffer: GBuffer, frame: Frame): void {
+  uniforms.farol_gAccumulation.value = gbuffer.accumulation;
+  uniforms.farol_gNormal.value = gbuffer.normal;
+  uniforms.farol_gAlbedo.value = gbuffer.albedo;
+  uniforms.farol_gMaterial.value = gbuffer.material;
+  uniforms.farol_gDepth.value = gbuffer.depth;
+  uniforms.projectionMatrixInverse.value.copy(frame.camera.projectionMatrixInverse);
+  uniforms.farol_size.value.set(frame.width, frame.height);
+  uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
+}

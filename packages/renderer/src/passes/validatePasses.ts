@@ -1,0 +1,24 @@
+import type { Pass, Resource } from './Pass';
+
+/**
+ * Checks that each pass reads only what an earlier one wrote, none reads what it writes (but the target), and the last
+ * result is the target.
+ * @throws Error that names the pass and the resource
+ */
+export function validatePasses(technique: string, passes: readonly Pick<Pass, 'name' | 'reads' | 'writes'>[]): void {
+  const written = new Set<Resource>(['target']);
+  for (const pass of passes) {
+    for (const resource of pass.reads) {
+      if (!written.has(resource)) {
+        throw new Error(`Technique "${technique}": pass "${pass.name}" reads "${resource}", which no earlier pass writes.`);
+      }
+      if (resource !== 'target' && pass.writes.includes(resource)) {
+        throw new Error(`Technique "${technique}": pass "${pass.name}" reads and writes "${resource}".`);
+      }
+    }
+    for (const resource of pass.writes) written.add(resource);
+  }
+  if (!passes.some((pass) => pass.writes.includes('target'))) {
+    throw new Error(`Technique "${technique}": no pass writes "target".`);
+  }
+}

@@ -1,0 +1,20 @@
+import type { Pass } from '../passes/Pass';
+
+/** What a technique's passes are made with. */
+export interface TechniqueContext {
+  /** Uniform of the record that a single-light pass draws. */
+  readonly lightIndex: { value: number };
+}
+
+/** A way of drawing: an array of passes. */
+export interface Technique {
+  /** Name in menus. */
+  readonly label: string;
+  /** One line of help. */
+  readonly help: string;
+  /** Microshader by which forward draws of this technique loop over the lights. */
+  readonly loop: string;
+  /** True if it draws to float colour targets. */
+  readonly needsFloatTargets: boolean;
+  passes(context: TechniqueContext): Pass[];
+}

@@ -1,0 +1,21 @@
+import { DeferredOutputPass } from '../passes/DeferredOutputPass';
+import { GBufferPass } from '../passes/GBufferPass';
+import { LightVolumesPass } from '../passes/LightVolumesPass';
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/**
+ * Deferred shading: the surfaces into a G-buffer once, then each light over the pixels of its volume.
+ * @see Deering et al. 1988; Hargreaves and Harris 2004; thesis 2.2.3.3.1 and 3.2.3.2
+ */
+export const deferred: Technique = {
+  label: 'Deferred shading',
+  help: 'Surfaces into a G-buffer once, then each light over the pixels of its volume.',
+  loop: 'lightLoopAll',
+  needsFloatTargets: true,
+  passes() {
+    const gbuffer = new GBufferPass();
+    const lights = new LightVolumesPass(gbuffer);
+    return [gbuffer, lights, new DeferredOutputPass(gbuffer, lights), ...forwardTail('lightLoopAll')];
+  },
+};

@@ -1,0 +1,19 @@
+import { AccumulatedOutputPass } from '../passes/AccumulatedOutputPass';
+import { MultipassLightsPass } from '../passes/MultipassLightsPass';
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/**
+ * Multipass forward rendering: ambient and emissive once, then one additive pass a light over what it reaches.
+ * @see thesis 2.2.2 and 3.2.3.1
+ */
+export const forward: Technique = {
+  label: 'Forward, multipass',
+  help: 'Ambient and emissive once, then one additive pass for each light over the objects it reaches.',
+  loop: 'lightLoopAll',
+  needsFloatTargets: true,
+  passes({ lightIndex }) {
+    const lights = new MultipassLightsPass(lightIndex);
+    return [lights, new AccumulatedOutputPass(lights), ...forwardTail('lightLoopAll')];
+  },
+};

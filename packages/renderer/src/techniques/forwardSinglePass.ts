@@ -1,0 +1,14 @@
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/**
+ * Forward rendering with all lights looped in one shader, without culling.
+ * @see thesis 2.2.1.3, several lights per shader
+ */
+export const forwardSinglePass: Technique = {
+  label: 'Forward, single pass',
+  help: 'Each object once; its shader loops over all lights.',
+  loop: 'lightLoopAll',
+  needsFloatTargets: false,
+  passes: () => forwardTail('lightLoopAll'),
+};

@@ -1,0 +1,13 @@
+import { deferred } from './deferred';
+import { forward } from './forward';
+import { forwardSinglePass } from './forwardSinglePass';
+import type { Technique } from './Technique';
+
+/** All techniques by key. A new one is a file and a line here. */
+export const techniques = {
+  forward,
+  'forward-single-pass': forwardSinglePass,
+  deferred,
+} as const satisfies Record<string, Technique>;
+
+export type TechniqueName = keyof typeof techniques;
