@@ -1,0 +1,11 @@
+/** An asset that is unknown, of another type, not loaded yet, or that failed to load. */
+export class AssetError extends Error {
+  constructor(
+    readonly asset: string,
+    readonly problem: string,
+    options?: ErrorOptions,
+  ) {
+    super(`The asset '${asset}' ${problem}`, options);
+    this.name = 'AssetError';
+  }
+}

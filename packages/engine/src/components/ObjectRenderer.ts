@@ -1,0 +1,163 @@
+import { type BufferGeometry, type Material, Mesh } from 'three';
+import { creaseAngleField, materialFields } from '../assets/materialFields';
+import type { FieldValue } from '../fields/Field';
+import { component } from '../fields/component';
+import { asset, boolean } from '../fields/fields';
+import type { Scene } from '../core/Scene';
+
+/** Fields that only choose flags of the mesh. */
+const flags = new Set(['render', 'castShadow', 'receiveShadow']);
+
+/**
+ * Gives a GameObject a visible shape: a mesh and a material. The material is made from the fields and shared with other
+ * renderers of equal values; or it is an asset, `material` or `shader`, used as it is.
+ */
+export class ObjectRenderer extends component({
+  mesh: asset('mesh', 'box', { help: 'Shape of the object.' }),
+  render: boolean(true, { help: 'Whether the shape is drawn.' }),
+  creaseAngle: creaseAngleField,
+  castShadow: boolean(false, { help: 'Whether it throws shadows.', label: 'Cast shadow' }),
+  receiveShadow: boolean(false, { help: 'Whether shadows fall on it.', label: 'Receive shadow' }),
+  instanced: boolean(false, {
+    help: 'Draw it in one call with all others of the same mesh and material: for many small things. Colours may differ.',
+  }),
+  shader: asset('shader', null, { help: "A shader of the library, in place of three's materials." }),
+  material: asset('material', null, {
+    help: 'A material of the library, such as one of an imported model.',
+    visibleWhen: { field: 'shader', equals: [null] },
+  }),
+  ...materialFields,
+}) {
+  static override readonly typeName: string = 'ObjectRenderer';
+  static override readonly unique: boolean = true;
+  static override readonly help: string = 'A mesh with a material.';
+
+  private mesh3D: Mesh | null = null;
+  private geometryInUse: BufferGeometry | null = null;
+  private ownMaterial: Material | null = null;
+  private inGroup = false;
+
+  /** The three mesh below the GameObject's object3D; null outside a scene, before its asset is loaded, or when instanced. */
+  get three(): Mesh | null {
+    return this.mesh3D;
+  }
+
+  /** The geometry that is drawn, with normals; null as long as there is none. */
+  get geometry(): BufferGeometry | null {
+    return this.geometryInUse;
+  }
+
+  override onEnterScene(): void {
+    this.refreshGeometry();
+  }
+
+  override onLeaveScene(scene: Scene): void {
+    this.clear(scene);
+  }
+
+  override onFieldChanged(name: string): void {
+    if (!this.scene) return;
+    if (name === 'mesh' || name === 'creaseAngle') this.refreshGeometry();
+    else if (flags.has(name) && !this.inGroup) this.applyFlags();
+    else this.refreshMaterial();
+  }
+
+  override onActiveChanged(): void {
+    this.applyFlags();
+  }
+
+  protected override checkField(name: string, value: FieldValue): string | null {
+    const field = this.fields[name];
+    if (!this.scene || field.kind !== 'asset' || typeof value !== 'string') return null;
+    return this.scene.assets.problemWith(field.assetType, value);
+  }
+
+  /** Takes the geometry of the present fields, at once or when its asset is loaded. */
+  private refreshGeometry(): void {
+    const { scene, mesh } = this;
+    if (!scene) return;
+    if (mesh !== null && !scene.assets.isReady('mesh', mesh)) {
+      this.clear(scene);
+      scene.assets.whenReady('mesh', mesh, () => {
+        if (this.scene === scene && this.mesh === mesh) this.refreshGeometry();
+      });
+      return;
+    }
+    const geometry = mesh === null ? null : scene.assets.mesh(mesh, this.creaseAngle);
+    if (geometry === this.geometryInUse && geometry) return;
+    if (geometry) scene.assets.uses.acquire(geometry);
+    this.clear(scene);
+    this.geometryInUse = geometry;
+    this.refreshMaterial();
+  }
+
+  /** Takes the material of the present fields, and makes or changes what is drawn. */
+  private refreshMaterial(): void {
+    const { scene, geometryInUse: geometry } = this;
+    if (!scene || !geometry) return;
+    if (this.inGroup) scene.instances.remove(this);
+    this.inGroup = false;
+    const material = this.takeMaterial(scene);
+    if (this.instanced) {
+      this.mesh3D?.removeFromParent();
+      this.mesh3D = null;
+      this.inGroup = true;
+      scene.instances.add(this, geometry, material);
+    } else if (this.mesh3D) {
+      this.mesh3D.material = material;
+    } else {
+      this.mesh3D = new Mesh(geometry, material);
+      this.mesh3D.name = this.gameObject.name;
+      this.mesh3D.matrixAutoUpdate = false;
+      this.gameObject.object3D.add(this.mesh3D);
+    }
+    this.applyFlags();
+  }
+
+  private takeMaterial(scene: Scene): Material {
+    const { assets } = scene;
+    const given =
+      this.shader !== null
+        ? assets.shader(this.shader)
+        : this.material !== null
+          ? assets.material(this.material)
+          : null;
+    if (given) {
+      this.releaseMaterial(scene);
+      return given;
+    }
+    const values = this.instanced ? Object.assign(this.materialValues(), { colour: [1, 1, 1] as const }) : this;
+    this.ownMaterial = this.ownMaterial
+      ? assets.materials.change(this.ownMaterial, values)
+      : assets.materials.acquire(values);
+    return this.ownMaterial;
+  }
+
+  private materialValues(): Pick<this, keyof typeof materialFields> {
+    const names = Object.keys(materialFields);
+    return Object.fromEntries(names.map((name) => [name, this.get(name)])) as Pick<this, keyof typeof materialFields>;
+  }
+
+  private applyFlags(): void {
+    const mesh = this.mesh3D;
+    if (!mesh) return;
+    mesh.visible = this.enabled && this.render;
+    mesh.castShadow = this.castShadow;
+    mesh.receiveShadow = this.receiveShadow;
+  }
+
+  private releaseMaterial(scene: Scene): void {
+    if (this.ownMaterial) scene.assets.materials.release(this.ownMaterial);
+    this.ownMaterial = null;
+  }
+
+  private clear(scene: Scene): void {
+    if (this.inGroup) scene.instances.remove(this);
+    this.inGroup = false;
+    this.mesh3D?.removeFromParent();
+    this.mesh3D = null;
+    this.releaseMaterial(scene);
+    if (this.geometryInUse) scene.assets.uses.release(this.geometryInUse);
+    this.geometryInUse = null;
+  }
+}

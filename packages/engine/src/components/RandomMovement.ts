@@ -1,0 +1,70 @@
+import { component } from '../fields/component';
+import { number, vector3 } from '../fields/fields';
+import { createRandom } from '../core/createRandom';
+import type { Vector3Tuple } from '../fields/Field';
+
+/** Shares of the two waves of each axis; together 1, so that the object stays within its extent. */
+const SHARES = [0.65, 0.35];
+
+/**
+ * Keeps a GameObject in motion round the place where it was put (its authored position). Where it is depends on the seed
+ * and the scene's time alone, so it is the same in every run; at time 0 it is at its place. Its motion is simulation,
+ * not an edit, and is not saved.
+ */
+export class RandomMovement extends component({
+  seed: number(1, { integer: true, min: 0, max: 2 ** 31 - 1, help: 'Another number, another path.' }),
+  extent: vector3([2, 0.5, 2], {
+    unit: 'm',
+    min: 0,
+    step: 0.1,
+    help: 'How far it goes from its place along each axis.',
+  }),
+  speed: number(1, { unit: 'm/s', min: 0, step: 0.1, help: 'Greatest speed along any one axis.' }),
+}) {
+  static override readonly typeName: string = 'RandomMovement';
+  static override readonly unique: boolean = true;
+  static override readonly help: string = 'Perpetual motion round a place, the same in every run.';
+
+  /** For each axis the angular speeds of its two waves at 1 m/s and an extent of 1 m, sign and all. */
+  private readonly rates = new Float64Array(6);
+
+  override onAttach(): void {
+    this.chooseRates();
+  }
+
+  override onFieldChanged(name: string): void {
+    if (name === 'seed') this.chooseRates();
+  }
+
+  override onDetach(): void {
+    this.gameObject.transform.restoreAuthored();
+  }
+
+  override onActiveChanged(): void {
+    if (!this.isActive) this.gameObject.transform.restoreAuthored();
+  }
+
+  /** Distance from its place along an axis (0 x, 1 y, 2 z) at a time in seconds; 0 at time 0. */
+  offset(axis: number, time: number): number {
+    const extent = this.extent[axis];
+    if (extent === 0) return 0;
+    const phase = (this.speed * time) / extent;
+    const { rates } = this;
+    return extent * (SHARES[0] * Math.sin(rates[axis * 2] * phase) + SHARES[1] * Math.sin(rates[axis * 2 + 1] * phase));
+  }
+
+  override update(_deltaSeconds: number, time: number): void {
+    const { transform, object3D } = this.gameObject;
+    const place = transform.getAuthored('position') as Vector3Tuple;
+    object3D.position.set(
+      place[0] + this.offset(0, time),
+      place[1] + this.offset(1, time),
+      place[2] + this.offset(2, time),
+    );
+  }
+
+  private chooseRates(): void {
+    const random = createRandom(this.seed);
+    for (let i = 0; i < 6; i++) this.rates[i] = (random() < 0.5 ? -1 : 1) * (0.45 + 0.55 * random());
+  }
+}

@@ -1,0 +1,172 @@
+import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
+import type { FieldValue, Vector3Tuple } from '../fields/Field';
+import { component } from '../fields/component';
+import { euler, vector3 } from '../fields/fields';
+import { toVector3, type Vector3Input } from '../core/toVector3';
+
+const matrix = new Matrix4();
+const parentInverse = new Matrix4();
+const quaternion = new Quaternion();
+const parentQuaternion = new Quaternion();
+const turned = new Euler();
+const position = new Vector3();
+const scale = new Vector3();
+const UP: Vector3Tuple = [0, 1, 0];
+
+/**
+ * Where a GameObject is. Every GameObject has exactly one. The fields are relative to the parent; `get` answers with
+ * where the object is now, `getAuthored` with where it was put before simulation moved it. Its methods are edits: they
+ * change the authored values. Front is the object's -Z axis, as of three's cameras and spot lights.
+ */
+export class Transform extends component({
+  position: vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Place relative to the parent.' }),
+  rotation: euler([0, 0, 0], { help: 'Turn about x, then y, then z, relative to the parent.' }),
+  scale: vector3([1, 1, 1], { step: 0.1, help: 'Factor of size along the own axes.' }),
+}) {
+  static override readonly typeName: string = 'Transform';
+  static override readonly unique: boolean = true;
+  static override readonly help: string = 'Position, rotation and scale.';
+
+  override get(name: string): FieldValue {
+    if (!this.isAttached) return super.get(name);
+    const { object3D } = this.gameObject;
+    if (name === 'position') return object3D.position.toArray();
+    if (name === 'rotation') return [object3D.rotation.x, object3D.rotation.y, object3D.rotation.z];
+    if (name === 'scale') return object3D.scale.toArray();
+    return super.get(name);
+  }
+
+  override onAttach(): void {
+    this.restoreAuthored();
+  }
+
+  override onFieldChanged(name: string): void {
+    this.restore(name);
+  }
+
+  /** Puts the object back to where it was authored, undoing what simulation did. */
+  restoreAuthored(): void {
+    this.restore('position');
+    this.restore('rotation');
+    this.restore('scale');
+  }
+
+  /** The matrix from the object's space to the world's: a copy, up to date. */
+  get modelMatrix(): Matrix4 {
+    const { object3D } = this.gameObject;
+    object3D.updateWorldMatrix(true, false);
+    return object3D.matrixWorld.clone();
+  }
+
+  set modelMatrix(value: Matrix4) {
+    const { parent } = this.gameObject.object3D;
+    matrix.copy(value);
+    if (parent) {
+      parent.updateWorldMatrix(true, false);
+      matrix.premultiply(parentInverse.copy(parent.matrixWorld).invert());
+    }
+    matrix.decompose(position, quaternion, scale);
+    this.set('position', position.toArray());
+    this.setQuaternion(quaternion);
+    this.set('scale', scale.toArray());
+  }
+
+  /** Unit vector to the object's right (+X) in the world. */
+  get right(): Vector3 {
+    return this.axis(0, 1);
+  }
+
+  /** Unit vector to the object's top (+Y) in the world. */
+  get top(): Vector3 {
+    return this.axis(1, 1);
+  }
+
+  /** Unit vector to the object's front (-Z) in the world. */
+  get front(): Vector3 {
+    return this.axis(2, -1);
+  }
+
+  /** Where the object is in the world, in metres. */
+  get worldPosition(): Vector3 {
+    return new Vector3().setFromMatrixPosition(this.modelMatrix);
+  }
+
+  /** Moves by a vector along the axes of the world, in metres. */
+  translate(offset: Vector3Input): void {
+    const { object3D } = this.gameObject;
+    const world = this.worldPosition.add(toVector3(offset, position));
+    if (object3D.parent) object3D.parent.worldToLocal(world);
+    this.set('position', world.toArray());
+  }
+
+  /** Moves by a vector along the object's own axes, in metres of its parent's space (its scale does not count). */
+  translateLocal(offset: Vector3Input): void {
+    const { object3D } = this.gameObject;
+    this.set(
+      'position',
+      toVector3(offset, position).applyQuaternion(object3D.quaternion).add(object3D.position).toArray(),
+    );
+  }
+
+  /** Turns about an axis of the world through the object's own place, by radians, anticlockwise seen against the axis. */
+  rotate(radians: number, axis: Vector3Input): void {
+    const { object3D } = this.gameObject;
+    const inverse = this.parentRotation(parentQuaternion).invert();
+    toVector3(axis, position).normalize().applyQuaternion(inverse);
+    this.setQuaternion(quaternion.setFromAxisAngle(position, radians).multiply(object3D.quaternion));
+  }
+
+  /** Turns about one of the object's own axes, by radians. */
+  rotateLocal(radians: number, axis: Vector3Input): void {
+    quaternion.setFromAxisAngle(toVector3(axis, position).normalize(), radians);
+    this.setQuaternion(quaternion.premultiply(this.gameObject.object3D.quaternion));
+  }
+
+  /** Turns the front to a point of the world. */
+  lookAt(target: Vector3Input): void;
+  /**
+   * Puts the object at `eye` (in the world) and turns its front to `target`.
+   * @param up - the direction that shall be its top, as far as it can; [0, 1, 0] when absent
+   */
+  lookAt(eye: Vector3Input, target: Vector3Input, up?: Vector3Input): void;
+  lookAt(first: Vector3Input, second?: Vector3Input, up: Vector3Input = UP): void {
+    const { object3D } = this.gameObject;
+    const target = toVector3(second ?? first, new Vector3());
+    const eye = second ? toVector3(first, new Vector3()) : this.worldPosition;
+    matrix.lookAt(eye, target, toVector3(up, position));
+    const inverse = this.parentRotation(parentQuaternion).invert();
+    if (second) {
+      if (object3D.parent) object3D.parent.worldToLocal(eye);
+      this.set('position', eye.toArray());
+    }
+    this.setQuaternion(quaternion.setFromRotationMatrix(matrix).premultiply(inverse));
+  }
+
+  /** Sets the rotation from a quaternion relative to the parent. */
+  setQuaternion(value: Quaternion): void {
+    turned.setFromQuaternion(value, 'XYZ');
+    this.set('rotation', [turned.x, turned.y, turned.z]);
+  }
+
+  private restore(name: string): void {
+    const { object3D } = this.gameObject;
+    const [x, y, z] = this.getAuthored(name) as Vector3Tuple;
+    if (name === 'position') object3D.position.set(x, y, z);
+    else if (name === 'rotation') object3D.rotation.set(x, y, z, 'XYZ');
+    else if (name === 'scale') object3D.scale.set(x, y, z);
+  }
+
+  private axis(column: number, sign: number): Vector3 {
+    return new Vector3().setFromMatrixColumn(this.modelMatrix, column).normalize().multiplyScalar(sign);
+  }
+
+  private parentRotation(target: Quaternion): Quaternion {
+    const { parent } = this.gameObject.object3D;
+    if (!parent) return target.identity();
+    parent.updateWorldMatrix(true, false);
+    return target.setFromRotationMatrix(matrixRotation(parent.matrixWorld));
+  }
+}
+
+const rotation = new Matrix4();
+const matrixRotation = (world: Matrix4): Matrix4 => rotation.extractRotation(world);

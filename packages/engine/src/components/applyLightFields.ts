@@ -1,0 +1,80 @@
+import {
+  DirectionalLight,
+  HemisphereLight,
+  type Light as ThreeLight,
+  PointLight,
+  SpotLight,
+  type OrthographicCamera,
+} from 'three';
+import type { FarolLightData } from '@farol/renderer';
+import type { ValuesOf, Vector3Tuple } from '../fields/Field';
+import type { lightFields } from './lightFields';
+
+type LightValues = Readonly<ValuesOf<typeof lightFields>>;
+
+const isBlack = (colour: Vector3Tuple): boolean => colour.every((channel) => channel === 0);
+const times = (colour: Vector3Tuple, factor: number): [number, number, number] => [
+  colour[0] * factor,
+  colour[1] * factor,
+  colour[2] * factor,
+];
+
+/** What three's light cannot say; undefined when it says all. */
+function extraData(values: LightValues): FarolLightData | undefined {
+  const data: FarolLightData = {};
+  if (!isBlack(values.ambient)) data.ambient = times(values.ambient, values.intensity);
+  if (values.ownSpecular) data.specular = times(values.specular, values.intensity);
+  if (values.type === 'spot' && values.exponent > 0) data.spotExponent = values.exponent;
+  if (values.type !== 'directional' && values.attenuation === 'near-far') {
+    const { near, far } = values;
+    data.attenuation = { kind: 'near-far', near: Math.min(near, far * 0.999), far };
+  }
+  if (values.type !== 'directional' && values.attenuation === 'polynomial') {
+    const { constant, linear, quadratic, range } = values;
+    data.attenuation = { kind: 'polynomial', constant, linear, quadratic, range: range > 0 ? range : 1e4 };
+  }
+  return Object.keys(data).length > 0 ? data : undefined;
+}
+
+/** Distance and decay for three: exact for 'physical', the nearest that stock three can do for the others. */
+function fallOff(values: LightValues): { distance: number; decay: number } {
+  if (values.attenuation === 'near-far') return { distance: values.far, decay: 0 };
+  if (values.attenuation === 'physical') return { distance: values.range, decay: values.decay };
+  return { distance: values.range, decay: values.quadratic > 0 ? 2 : values.linear > 0 ? 1 : 0 };
+}
+
+function applyShadow(values: LightValues, light: DirectionalLight | PointLight | SpotLight): void {
+  light.castShadow = values.castShadow;
+  const { shadow } = light;
+  if (shadow.mapSize.x !== values.shadowMapSize) {
+    shadow.mapSize.setScalar(values.shadowMapSize);
+    shadow.map?.dispose();
+    shadow.map = null;
+  }
+  shadow.bias = values.shadowBias;
+  shadow.normalBias = values.shadowNormalBias;
+  if (!(light instanceof DirectionalLight)) return;
+  const camera: OrthographicCamera = light.shadow.camera;
+  camera.left = camera.bottom = -values.shadowExtent;
+  camera.right = camera.top = values.shadowExtent;
+  camera.near = -4 * values.shadowExtent;
+  camera.far = 4 * values.shadowExtent;
+  camera.updateProjectionMatrix();
+}
+
+/** Writes the fields of a Light to the three light of its type. */
+export function applyLightFields(values: LightValues, light: ThreeLight): void {
+  light.color.setRGB(...values.diffuse);
+  light.intensity = values.intensity;
+  delete light.userData.farol;
+  if (light instanceof HemisphereLight) light.groundColor.setRGB(...values.groundColour);
+  if (!(light instanceof DirectionalLight || light instanceof PointLight || light instanceof SpotLight)) return;
+  const extra = extraData(values);
+  if (extra) light.userData.farol = extra;
+  if (!(light instanceof DirectionalLight)) Object.assign(light, fallOff(values));
+  if (light instanceof SpotLight) {
+    light.angle = values.cutoff;
+    light.penumbra = values.penumbra;
+  }
+  applyShadow(values, light);
+}

@@ -1,0 +1,298 @@
+import { Object3D } from 'three';
+import { builtinComponents } from '../components/builtinComponents';
+import { Transform } from '../components/Transform';
+import type { FieldValue } from '../fields/Field';
+import type { Component, ComponentClass } from './Component';
+import { createId } from './createId';
+import { setGameObjectOf } from './gameObjectOf';
+import { moveGameObject, type GameObjectContainer, type MoveOptions } from './moveGameObject';
+import type { Scene } from './Scene';
+
+type Values = Readonly<Record<string, FieldValue>>;
+
+/** How a component is put on a GameObject. */
+export interface AddComponentOptions {
+  /** Place among the components; at the end when absent. Place 0 is the Transform's. */
+  index?: number;
+  /** Id in place of one made from the object's. */
+  id?: string;
+  enabled?: boolean;
+}
+
+/**
+ * A thing of the scene. By itself it does nothing: it holds children and components, and passes updates, events and
+ * calls on to them. It owns one three object, `object3D`; its front is that object's -Z axis.
+ */
+export class GameObject implements GameObjectContainer {
+  readonly id: string;
+  readonly object3D = new Object3D();
+  /** Always there, always the first component. */
+  readonly transform: Transform;
+  /** @internal */
+  readonly childList: GameObject[] = [];
+  /** @internal What it is directly in. */
+  container: GameObjectContainer | null = null;
+  /** @internal */
+  sceneOf: Scene | null = null;
+
+  private readonly componentList: Component[] = [];
+  private ownName: string;
+  private ownTags: readonly string[] = [];
+  private isActive = true;
+  private activeWithParents = true;
+
+  /** @param options - `id`: unique in its scene, random when absent */
+  constructor(name = 'Object', options: { id?: string } = {}) {
+    this.id = options.id ?? createId();
+    this.ownName = name;
+    this.object3D.name = name;
+    setGameObjectOf(this.object3D, this);
+    this.transform = this.addComponent(Transform);
+  }
+
+  get name(): string {
+    return this.ownName;
+  }
+
+  set name(value: string) {
+    if (value === this.ownName) return;
+    this.ownName = value;
+    this.object3D.name = value;
+    this.scene?.notify({ kind: 'object', gameObject: this, property: 'name' });
+  }
+
+  get tags(): readonly string[] {
+    return this.ownTags;
+  }
+
+  set tags(value: readonly string[]) {
+    this.ownTags = Object.freeze([...value]);
+    this.scene?.notify({ kind: 'object', gameObject: this, property: 'tags' });
+  }
+
+  /** False hides the object and its children, and stops their updates and events. */
+  get active(): boolean {
+    return this.isActive;
+  }
+
+  set active(value: boolean) {
+    if (value === this.isActive) return;
+    this.isActive = value;
+    this.object3D.visible = value;
+    this.refreshActive();
+    this.scene?.notify({ kind: 'object', gameObject: this, property: 'active' });
+  }
+
+  /** Active, and so are all its ancestors. */
+  get activeInHierarchy(): boolean {
+    return this.activeWithParents;
+  }
+
+  get parent(): GameObject | null {
+    return this.container === this.sceneOf ? null : (this.container as GameObject | null);
+  }
+
+  get children(): readonly GameObject[] {
+    return this.childList;
+  }
+
+  get components(): readonly Component[] {
+    return this.componentList;
+  }
+
+  get scene(): Scene | null {
+    return this.sceneOf;
+  }
+
+  /** @internal */
+  get threeParent(): Object3D {
+    return this.object3D;
+  }
+
+  /** Adds a child, or moves one that is elsewhere; its local transform stays. @throws Error for a cycle */
+  add(child: GameObject, index?: number): this {
+    moveGameObject(child, this, index, { keepWorld: false });
+    return this;
+  }
+
+  /** Takes a child out, with all below it; it may be added again. @throws Error when it is no child of this object */
+  remove(child: GameObject): this {
+    if (child.container !== this) throw new Error(`'${child.name}' is no child of '${this.name}'.`);
+    moveGameObject(child, null, undefined, { keepWorld: false });
+    return this;
+  }
+
+  /**
+   * Moves the object below another, or to the top of a scene.
+   * @param index - place among the new siblings; at the end when absent
+   * @param options - `keepWorld` (default true): it stays where it is in the world. Under a parent with unequal scales
+   * a rotated object would need shear, which a Transform cannot hold: it then comes as near as it can.
+   * @throws Error when the new parent is the object itself or below it; nothing has changed then
+   */
+  reparent(parent: GameObject | Scene, index?: number, options: MoveOptions = {}): void {
+    moveGameObject(this, parent, index, { keepWorld: options.keepWorld ?? true });
+  }
+
+  /**
+   * Puts a component on the object.
+   * @param type - class, type name, or a component that is on no object
+   * @param values - field values in place of the defaults
+   * @throws Error for an unknown type name or a second component of a unique type; FieldError for a wrong value
+   */
+  addComponent<T extends Component>(type: ComponentClass<T> | T, values?: Values, options?: AddComponentOptions): T;
+  addComponent(type: string, values?: Values, options?: AddComponentOptions): Component;
+  addComponent(
+    type: string | ComponentClass | Component,
+    values: Values = {},
+    options: AddComponentOptions = {},
+  ): Component {
+    const registry = this.scene?.registry ?? builtinComponents;
+    const component = typeof type === 'string' ? registry.create(type) : typeof type === 'function' ? new type() : type;
+    if (component.isAttached)
+      throw new Error(`This ${component.typeName} is already on '${component.gameObject.name}'.`);
+    if (component.componentClass.unique && this.getComponent(component.typeName)) {
+      throw new Error(`'${this.name}' has a ${component.typeName} already, and can have one only.`);
+    }
+    for (const name of Object.keys(values)) component.set(name, values[name]);
+    if (options.enabled === false) component.enabled = false;
+    this.scene?.checkComponent(component);
+    const least = this.componentList.length === 0 ? 0 : 1;
+    const index = Math.min(Math.max(options.index ?? Infinity, least), this.componentList.length);
+    this.componentList.splice(index, 0, component);
+    component.attachTo(this, options.id ?? (component.id || this.componentId(component.typeName)));
+    this.scene?.componentEntered(component);
+    this.scene?.notify({ kind: 'component-add', gameObject: this, component });
+    return component;
+  }
+
+  /** Takes a component off; it may be added again, or disposed. @throws Error for the Transform or a stranger */
+  removeComponent(component: Component): void {
+    const index = this.componentList.indexOf(component);
+    if (index < 0) throw new Error(`This ${component.typeName} is not on '${this.name}'.`);
+    if (component === this.transform) throw new Error('The Transform cannot be removed.');
+    this.scene?.componentLeaves(component);
+    component.detach();
+    this.componentList.splice(index, 1);
+    this.scene?.notify({ kind: 'component-remove', gameObject: this, component });
+  }
+
+  /** Moves a component to another place in the list; the Transform stays first. */
+  moveComponent(component: Component, index: number): void {
+    const from = this.componentList.indexOf(component);
+    if (from < 1) throw new Error(`This ${component.typeName} cannot be moved within '${this.name}'.`);
+    this.componentList.splice(from, 1);
+    this.componentList.splice(Math.min(Math.max(index, 1), this.componentList.length), 0, component);
+    this.scene?.notify({ kind: 'component-move', gameObject: this, component });
+  }
+
+  /** The first component of a class (or of one derived from it), or of a type name; null when there is none. */
+  getComponent<T extends Component>(type: ComponentClass<T>): T | null;
+  getComponent(type: string): Component | null;
+  getComponent(type: string | ComponentClass): Component | null {
+    for (const component of this.componentList) {
+      if (typeof type === 'string' ? component.typeName === type : component instanceof type) return component;
+    }
+    return null;
+  }
+
+  /** All components of a class, or of a type name. */
+  getComponents<T extends Component>(type: ComponentClass<T>): T[];
+  getComponents(type: string): Component[];
+  getComponents(type: string | ComponentClass): Component[] {
+    return this.componentList.filter((component) =>
+      typeof type === 'string' ? component.typeName === type : component instanceof type,
+    );
+  }
+
+  /** Updates its active components, then its children. A Scene does the same from flat lists. */
+  update(deltaSeconds: number, time: number): void {
+    if (!this.isActive) return;
+    for (const component of this.componentList) if (component.enabled) component.update(deltaSeconds, time);
+    for (const child of this.childList) child.update(deltaSeconds, time);
+  }
+
+  /**
+   * Calls a method of every component that has it, here and in all children (thesis 3.2.4), active or not.
+   * @returns how many components received the call
+   */
+  callMethod(name: string, ...args: unknown[]): number {
+    if (name in Object.prototype) throw new Error(`'${name}' is a method of every object: it cannot be propagated.`);
+    let receivers = 0;
+    for (const component of [...this.componentList]) {
+      const method = (component as unknown as Record<string, unknown>)[name];
+      if (typeof method !== 'function') continue;
+      method.apply(component, args);
+      receivers++;
+    }
+    for (const child of [...this.childList]) receivers += child.callMethod(name, ...args);
+    return receivers;
+  }
+
+  /** Visits the object and all below it, parents first. */
+  traverse(visit: (gameObject: GameObject) => void): void {
+    visit(this);
+    for (const child of this.childList) child.traverse(visit);
+  }
+
+  /** The first object with this id, else with this name, among this one and all below it; null when there is none. */
+  find(nameOrId: string): GameObject | null {
+    let byName: GameObject | null = null;
+    let byId: GameObject | null = null;
+    this.traverse((gameObject) => {
+      if (gameObject.id === nameOrId) byId ??= gameObject;
+      if (gameObject.name === nameOrId) byName ??= gameObject;
+    });
+    return byId ?? byName;
+  }
+
+  /** A copy with all below it, with new ids, in no scene. References to objects inside the copy follow it. */
+  clone(): GameObject {
+    const newIds = new Map<string, string>();
+    this.traverse((gameObject) => newIds.set(gameObject.id, createId()));
+    return this.copyWithIds(newIds);
+  }
+
+  /** Takes the object out of its parent or scene, and gives back what it and all below it hold. */
+  dispose(): void {
+    if (this.container) moveGameObject(this, null, undefined, { keepWorld: false });
+    for (const child of [...this.childList]) child.dispose();
+    for (const component of [...this.componentList].reverse()) {
+      component.detach();
+      component.dispose();
+    }
+    this.componentList.length = 0;
+  }
+
+  /** @internal Called when `active` changed here or above. */
+  refreshActive(): void {
+    const active = this.isActive && (this.parent?.activeWithParents ?? true);
+    if (active === this.activeWithParents) return;
+    this.activeWithParents = active;
+    for (const component of this.componentList) component.onActiveChanged();
+    for (const child of this.childList) child.refreshActive();
+  }
+
+  private componentId(typeName: string): string {
+    const base = `${this.id}:${typeName}`;
+    let id = base;
+    for (let n = 2; this.componentList.some((component) => component.id === id); n++) id = `${base}${n}`;
+    return id;
+  }
+
+  private copyWithIds(newIds: ReadonlyMap<string, string>): GameObject {
+    const copy = new GameObject(this.name, { id: newIds.get(this.id) });
+    copy.tags = this.tags;
+    for (const component of this.componentList) {
+      const values = component.authoredValues();
+      for (const [name, field] of Object.entries(component.fields)) {
+        const value = values[name];
+        if (field.kind === 'object' && typeof value === 'string') values[name] = newIds.get(value) ?? value;
+      }
+      if (component === this.transform) for (const name in values) copy.transform.set(name, values[name]);
+      else copy.addComponent(component.componentClass, values, { enabled: component.enabled });
+    }
+    for (const child of this.childList) copy.add(child.copyWithIds(newIds));
+    copy.active = this.active;
+    return copy;
+  }
+}

@@ -1,0 +1,88 @@
+import { type BufferGeometry, Color, DynamicDrawUsage, InstancedMesh, type Material } from 'three';
+import type { ObjectRenderer } from '../components/ObjectRenderer';
+import type { GameObject } from './GameObject';
+import type { InstanceOwner } from './gameObjectOf';
+import { IndexedList } from './IndexedList';
+
+/** The three mesh of a group; a ray that hits one of its instances finds the GameObject by `gameObjectOf`. */
+class GroupMesh extends InstancedMesh implements InstanceOwner {
+  readonly drawn: GameObject[] = [];
+
+  gameObjectAt(instanceId: number): GameObject | null {
+    return this.drawn[instanceId] ?? null;
+  }
+}
+
+const colour = new Color();
+
+/** ObjectRenderers of one geometry and one material, drawn in one call. */
+export class InstanceGroup {
+  readonly members = new IndexedList<ObjectRenderer>();
+
+  private mesh: GroupMesh | null = null;
+
+  constructor(
+    private readonly geometry: BufferGeometry,
+    private readonly material: Material,
+    private readonly shadows: { readonly cast: boolean; readonly receive: boolean },
+  ) {}
+
+  /** The three mesh as of the last `update`; it is replaced when the group outgrows it. */
+  get three(): InstancedMesh | null {
+    return this.mesh;
+  }
+
+  /** Copies where the members are, and their colours, once their world matrices are up to date. */
+  update(): InstancedMesh {
+    const members = this.members.array;
+    const mesh = this.meshFor(members.length);
+    const colours = mesh.instanceColor!;
+    let count = 0;
+    let recoloured = false;
+    for (let i = 0; i < members.length; i++) {
+      const member = members[i];
+      if (!member.isActive || !member.render) continue;
+      mesh.setMatrixAt(count, member.gameObject.object3D.matrixWorld);
+      const [r, g, b] = member.colour;
+      if (
+        colours.getX(count) !== Math.fround(r) ||
+        colours.getY(count) !== Math.fround(g) ||
+        colours.getZ(count) !== Math.fround(b)
+      ) {
+        mesh.setColorAt(count, colour.setRGB(r, g, b));
+        recoloured = true;
+      }
+      mesh.drawn[count++] = member.gameObject;
+    }
+    mesh.drawn.length = count;
+    mesh.count = count;
+    mesh.instanceMatrix.needsUpdate = true;
+    if (recoloured) colours.needsUpdate = true;
+    mesh.boundingBox = null;
+    mesh.boundingSphere = null;
+    return mesh;
+  }
+
+  dispose(): void {
+    this.mesh?.removeFromParent();
+    this.mesh?.dispose();
+    this.mesh = null;
+  }
+
+  private meshFor(count: number): GroupMesh {
+    if (this.mesh && this.mesh.instanceMatrix.count >= count) return this.mesh;
+    const { parent } = this.mesh ?? {};
+    this.dispose();
+    const mesh = new GroupMesh(this.geometry, this.material, Math.max(16, 2 ** Math.ceil(Math.log2(count))));
+    mesh.name = 'Instances';
+    mesh.instanceMatrix.setUsage(DynamicDrawUsage);
+    mesh.setColorAt(0, colour.setRGB(1, 1, 1));
+    mesh.castShadow = this.shadows.cast;
+    mesh.receiveShadow = this.shadows.receive;
+    mesh.frustumCulled = false;
+    mesh.matrixAutoUpdate = false;
+    parent?.add(mesh);
+    this.mesh = mesh;
+    return mesh;
+  }
+}

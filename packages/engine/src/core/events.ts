@@ -1,0 +1,37 @@
+/** A pointer event as components see it; positions in CSS pixels from the canvas's top left corner. */
+export interface EnginePointerEvent {
+  readonly type: 'down' | 'move' | 'up' | 'wheel';
+  readonly x: number;
+  readonly y: number;
+  /** Movement since the last event, in CSS pixels. */
+  readonly dx: number;
+  readonly dy: number;
+  /** Normalised device coordinates, -1 to 1, y up. */
+  readonly ndcX: number;
+  readonly ndcY: number;
+  /** The button that changed: 0 left, 1 middle, 2 right, -1 none. */
+  readonly button: number;
+  /** Bit mask of the buttons held: 1 left, 2 right, 4 middle. */
+  readonly buttons: number;
+  readonly pointerId: number;
+  /** Wheel movement in CSS pixels, positive towards the user; 0 for other types. */
+  readonly wheel: number;
+  readonly shiftKey: boolean;
+  readonly ctrlKey: boolean;
+  readonly altKey: boolean;
+  readonly metaKey: boolean;
+}
+
+/** A keyboard event as components see it. */
+export interface EngineKeyEvent {
+  readonly type: 'down' | 'up';
+  /** Physical key, such as 'KeyW' or 'ArrowUp' (KeyboardEvent.code). */
+  readonly code: string;
+  /** What the key types, such as 'w'. */
+  readonly key: string;
+  readonly repeat: boolean;
+  readonly shiftKey: boolean;
+  readonly ctrlKey: boolean;
+  readonly altKey: boolean;
+  readonly metaKey: boolean;
+}

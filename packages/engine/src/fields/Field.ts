@@ -1,0 +1,129 @@
+/** Three numbers, never changed in place: [x, y, z] or [r, g, b]. */
+export type Vector3Tuple = readonly [number, number, number];
+
+/** A field is shown only while another field of the same owner, itself shown, has one of these values. */
+export interface FieldCondition {
+  readonly field: string;
+  readonly equals: readonly unknown[];
+}
+
+interface FieldBase {
+  /** One line of help, shown as a tooltip. */
+  readonly help: string;
+  /** Shown in place of the field's name. */
+  readonly label?: string;
+  readonly visibleWhen?: FieldCondition;
+  /** Shown, but not to be edited by hand. */
+  readonly readOnly?: boolean;
+}
+
+export interface NumberField extends FieldBase {
+  readonly kind: 'number';
+  readonly default: number;
+  /** SI unit, such as 'm' or 'm/s'; none for a pure number. */
+  readonly unit?: string;
+  /** Smallest value allowed. */
+  readonly min?: number;
+  /** Largest value allowed. */
+  readonly max?: number;
+  /** What one notch of a number scrub adds. */
+  readonly step?: number;
+  readonly integer?: boolean;
+}
+
+/** Radians; the apps show degrees. */
+export interface AngleField extends FieldBase {
+  readonly kind: 'angle';
+  readonly default: number;
+  readonly unit: 'rad';
+  readonly min?: number;
+  readonly max?: number;
+  readonly step?: number;
+}
+
+export interface BooleanField extends FieldBase {
+  readonly kind: 'boolean';
+  readonly default: boolean;
+}
+
+export interface StringField extends FieldBase {
+  readonly kind: 'string';
+  readonly default: string;
+}
+
+export interface ChoiceField<Option extends string = string> extends FieldBase {
+  readonly kind: 'choice';
+  readonly default: Option;
+  readonly options: readonly Option[];
+}
+
+export interface Vector3Field extends FieldBase {
+  readonly kind: 'vector3';
+  readonly default: Vector3Tuple;
+  readonly unit?: string;
+  /** Smallest value of each coordinate. */
+  readonly min?: number;
+  /** Largest value of each coordinate. */
+  readonly max?: number;
+  readonly step?: number;
+}
+
+/** Three angles in radians, applied in three's order 'XYZ'. */
+export interface EulerField extends FieldBase {
+  readonly kind: 'euler';
+  readonly default: Vector3Tuple;
+  readonly unit: 'rad';
+}
+
+/** Linear sRGB primaries; each channel 0 or more, above 1 allowed. */
+export interface ColourField extends FieldBase {
+  readonly kind: 'colour';
+  readonly default: Vector3Tuple;
+}
+
+export type AssetType = 'mesh' | 'texture' | 'material' | 'shader';
+
+/** The name of an asset of the scene's AssetLibrary, or null. */
+export interface AssetField extends FieldBase {
+  readonly kind: 'asset';
+  readonly default: string | null;
+  readonly assetType: AssetType;
+}
+
+/** The id of a GameObject of the same scene, or null. */
+export interface ObjectField extends FieldBase {
+  readonly kind: 'object';
+  readonly default: string | null;
+}
+
+export type Field =
+  | NumberField
+  | AngleField
+  | BooleanField
+  | StringField
+  | ChoiceField
+  | Vector3Field
+  | EulerField
+  | ColourField
+  | AssetField
+  | ObjectField;
+
+export type FieldKind = Field['kind'];
+export type FieldTable = Readonly<Record<string, Field>>;
+export type FieldValue = number | boolean | string | null | Vector3Tuple;
+
+/** The type of a field's value. */
+export type ValueOf<F extends Field> = F extends { kind: 'number' | 'angle' }
+  ? number
+  : F extends { kind: 'boolean' }
+    ? boolean
+    : F extends ChoiceField<infer Option>
+      ? Option
+      : F extends { kind: 'string' }
+        ? string
+        : F extends { kind: 'vector3' | 'euler' | 'colour' }
+          ? Vector3Tuple
+          : string | null;
+
+/** The values of a table of fields, as typed properties. */
+export type ValuesOf<F extends FieldTable> = { -readonly [K in keyof F]: ValueOf<F[K]> };

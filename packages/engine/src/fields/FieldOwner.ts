@@ -1,0 +1,77 @@
+import { checkFieldValue } from './checkFieldValue';
+import type { FieldTable, FieldValue } from './Field';
+import { FieldError } from './FieldError';
+
+/** A copy that nobody can change in place; -0 becomes 0, which JSON cannot tell apart. */
+function own(value: FieldValue): FieldValue {
+  if (typeof value === 'number') return value + 0;
+  if (Array.isArray(value)) return Object.freeze([value[0] + 0, value[1] + 0, value[2] + 0] as const);
+  return value;
+}
+
+/** Whether two field values are the same value. */
+export function sameValue(a: FieldValue, b: FieldValue): boolean {
+  if (Array.isArray(a) && Array.isArray(b)) return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
+  return a === b;
+}
+
+/** Something with declared fields: a component, or the settings of a scene. */
+export abstract class FieldOwner {
+  private readonly values: Record<string, FieldValue> = Object.create(null);
+
+  constructor() {
+    for (const name in this.fields) this.values[name] = own(this.fields[name].default);
+  }
+
+  /** The declaration of every field, by name. */
+  get fields(): FieldTable {
+    return (this.constructor as unknown as { fields: FieldTable }).fields;
+  }
+
+  /** Name used in messages, such as 'Light'. */
+  abstract get ownerName(): string;
+
+  /**
+   * The value now. A Transform that is being simulated answers with where it is at present.
+   * @throws FieldError when there is no such field
+   */
+  get(name: string): FieldValue {
+    return this.getAuthored(name);
+  }
+
+  /**
+   * The value that was last set: what is saved in a file, untouched by simulation.
+   * @throws FieldError when there is no such field
+   */
+  getAuthored(name: string): FieldValue {
+    if (!(name in this.values)) throw this.unknownField(name);
+    return this.values[name];
+  }
+
+  /**
+   * Sets a field; arrays are copied. Nothing happens when the value is the same as before.
+   * @throws FieldError naming owner, field, the value and what is allowed; nothing has changed then
+   */
+  set(name: string, value: FieldValue): void {
+    const field = this.fields[name];
+    if (!(name in this.values)) throw this.unknownField(name);
+    const problem = checkFieldValue(field, value) ?? this.checkField(name, value);
+    if (problem) throw new FieldError(this.ownerName, name, problem);
+    const before = this.values[name];
+    if (sameValue(before, value) && sameValue(this.get(name), value)) return;
+    this.values[name] = own(value);
+    this.fieldChanged(name);
+  }
+
+  /** What else is wrong with a value of the right kind, such as an asset nobody knows; null when nothing is. */
+  protected checkField(_name: string, _value: FieldValue): string | null {
+    return null;
+  }
+
+  /** Called after a field got another value. */
+  protected abstract fieldChanged(name: string): void;
+
+  private unknownField(name: string): FieldError {
+    return new FieldError(this.ownerName, name, `is unknown; the fields are ${Object.keys(this.fields).join(', ')}`);
+  }
+}

@@ -1,0 +1,90 @@
+import type {
+  AngleField,
+  AssetField,
+  AssetType,
+  BooleanField,
+  ChoiceField,
+  ColourField,
+  EulerField,
+  NumberField,
+  ObjectField,
+  StringField,
+  Vector3Field,
+  Vector3Tuple,
+} from './Field';
+
+type Options<F> = Omit<F, 'kind' | 'default' | 'options' | 'assetType'>;
+type WithoutUnit<F> = Omit<F, 'unit'>;
+
+/** A number; `options` gives unit, min, max, step and integer. */
+export const number = (value: number, options: Options<NumberField>): NumberField => ({
+  kind: 'number',
+  default: value,
+  ...options,
+});
+
+/** An angle in radians. */
+export const angle = (radians: number, options: WithoutUnit<Options<AngleField>>): AngleField => ({
+  kind: 'angle',
+  default: radians,
+  unit: 'rad',
+  ...options,
+});
+
+/** True or false. */
+export const boolean = (value: boolean, options: Options<BooleanField>): BooleanField => ({
+  kind: 'boolean',
+  default: value,
+  ...options,
+});
+
+/** Free text. */
+export const string = (value: string, options: Options<StringField>): StringField => ({
+  kind: 'string',
+  default: value,
+  ...options,
+});
+
+/** One of `options`. */
+export const choice = <const Option extends string>(
+  value: NoInfer<Option>,
+  options: readonly Option[],
+  rest: Options<ChoiceField>,
+): ChoiceField<Option> => ({ kind: 'choice', default: value, options, ...rest });
+
+/** Three coordinates. */
+export const vector3 = (value: Vector3Tuple, options: Options<Vector3Field>): Vector3Field => ({
+  kind: 'vector3',
+  default: value,
+  ...options,
+});
+
+/** Three angles in radians, order XYZ. */
+export const euler = (value: Vector3Tuple, options: WithoutUnit<Options<EulerField>>): EulerField => ({
+  kind: 'euler',
+  default: value,
+  unit: 'rad',
+  ...options,
+});
+
+/** A linear colour. */
+export const colour = (value: Vector3Tuple, options: Options<ColourField>): ColourField => ({
+  kind: 'colour',
+  default: value,
+  ...options,
+});
+
+/** The name of an asset, or null for none. */
+export const asset = (assetType: AssetType, value: string | null, options: Options<AssetField>): AssetField => ({
+  kind: 'asset',
+  default: value,
+  assetType,
+  ...options,
+});
+
+/** The id of a GameObject of the scene, or null for none. */
+export const object = (value: string | null, options: Options<ObjectField>): ObjectField => ({
+  kind: 'object',
+  default: value,
+  ...options,
+});

@@ -1,0 +1,46 @@
+export * from './fields/Field';
+export * from './fields/fields';
+export { checkFieldValue, describeField } from './fields/checkFieldValue';
+export { component } from './fields/component';
+export { FieldError } from './fields/FieldError';
+export { FieldOwner, sameValue } from './fields/FieldOwner';
+export { isFieldVisible } from './fields/isFieldVisible';
+
+export { Component, type ComponentClass } from './core/Component';
+export { createId } from './core/createId';
+export { createRandom } from './core/createRandom';
+export type { EngineKeyEvent, EnginePointerEvent } from './core/events';
+export { type AddComponentOptions, GameObject } from './core/GameObject';
+export { gameObjectOf } from './core/gameObjectOf';
+export type { MoveOptions } from './core/moveGameObject';
+export { Scene, type SceneOptions } from './core/Scene';
+export type { SceneChange } from './core/SceneChange';
+export { SceneSettings } from './core/SceneSettings';
+export type { Vector3Input } from './core/toVector3';
+
+export { ComponentRegistry } from './components/ComponentRegistry';
+export { builtinComponents, componentTypes, createComponent } from './components/builtinComponents';
+export { Camera } from './components/Camera';
+export { KeyController } from './components/KeyController';
+export { Light } from './components/Light';
+export { MouseController } from './components/MouseController';
+export { ObjectRenderer } from './components/ObjectRenderer';
+export { RandomMovement } from './components/RandomMovement';
+export { Transform } from './components/Transform';
+
+export { type Asset, type AssetChange } from './assets/Asset';
+export { AssetError } from './assets/AssetError';
+export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';
+export type { FetchBytes } from './assets/loadAsset';
+export { computeCreaseNormals } from './geometry/computeCreaseNormals';
+export { MeshBuilder } from './geometry/MeshBuilder';
+export { parsePly } from './geometry/parsePly';
+
+export {
+  defineScene,
+  type SceneBuildOptions,
+  type SceneDefinition,
+  type SceneParameters,
+} from './scenes/SceneDefinition';
+export { scenes } from './scenes/index';
+export { temple } from './scenes/temple/temple';

@@ -1,0 +1,51 @@
+import type { AssetLibrary } from '../assets/AssetLibrary';
+import type { Scene } from '../core/Scene';
+import { checkFieldValue } from '../fields/checkFieldValue';
+import type { FieldTable, FieldValue } from '../fields/Field';
+import { FieldError } from '../fields/FieldError';
+
+/** What every function that makes a scene takes besides its own parameters. */
+export interface SceneBuildOptions {
+  /** Where meshes and textures come from; a library of the scene's own when absent. */
+  assets?: AssetLibrary;
+  /** Another seed, other places and colours; 1 when absent. */
+  seed?: number;
+}
+
+export type SceneParameters = Readonly<Record<string, FieldValue>>;
+
+/** A scene that the apps offer. */
+export interface SceneDefinition {
+  /** Key in `scenes` and in URLs. */
+  readonly name: string;
+  readonly label: string;
+  readonly help: string;
+  readonly parameters: FieldTable;
+  /**
+   * Makes the scene; the same one for the same parameters.
+   * @param params - values of the parameters; the default for those that are absent
+   * @throws FieldError for a parameter that is unknown or out of range
+   */
+  build(params?: SceneParameters, assets?: AssetLibrary): Promise<Scene>;
+}
+
+/** Describes a scene; `make` gets every parameter, checked. */
+export function defineScene<const F extends FieldTable>(definition: {
+  name: string;
+  label: string;
+  help: string;
+  parameters: F;
+  make(get: <K extends keyof F & string>(name: K) => FieldValue, assets?: AssetLibrary): Promise<Scene>;
+}): SceneDefinition {
+  const { name, label, help, parameters, make } = definition;
+  const build = async (params: SceneParameters = {}, assets?: AssetLibrary): Promise<Scene> => {
+    for (const key of Object.keys(params)) {
+      const problem = Object.hasOwn(parameters, key)
+        ? checkFieldValue(parameters[key], params[key])
+        : `is unknown; the parameters are ${Object.keys(parameters).join(', ')}`;
+      if (problem) throw new FieldError(name, key, problem);
+    }
+    return make((key) => params[key] ?? parameters[key].default, assets);
+  };
+  return { name, label, help, parameters, build };
+}

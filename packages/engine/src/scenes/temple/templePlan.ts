@@ -1,0 +1,28 @@
+/** Measures of the temple in metres. It stands along z; its front is at +z. */
+export const templePlan = {
+  columnsAcross: 6,
+  columnsAlong: 9,
+  /** Between the axes of two columns. */
+  spacing: 2.7,
+  columnHeight: 6.2,
+  columnRadius: 0.56,
+  steps: 3,
+  stepHeight: 0.32,
+  stepDepth: 0.42,
+  architraveHeight: 0.7,
+  friezeHeight: 0.75,
+  corniceHeight: 0.3,
+  /** How far the cornice juts out. */
+  cornice: 0.55,
+  /** Rise of the roof over half its width. */
+  pitch: 0.27,
+} as const;
+
+const { columnsAcross, columnsAlong, spacing, steps, stepHeight } = templePlan;
+
+/** Half the distance between the outer columns' axes across and along, and the height of the floor, in metres. */
+export const templeSize = {
+  halfWidth: ((columnsAcross - 1) * spacing) / 2,
+  halfLength: ((columnsAlong - 1) * spacing) / 2,
+  floor: steps * stepHeight,
+} as const;

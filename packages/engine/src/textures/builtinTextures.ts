@@ -1,0 +1,45 @@
+import type { AssetSource } from '../assets/Asset';
+import { makeColourTexture, makeNormalTexture } from './makeTexture';
+import { blocks, checker, cloth, grass, marble, type Pattern, plaster, tiles, wood } from './patterns';
+
+interface Look {
+  readonly pattern: () => Pattern;
+  /** Height of the bumps as a part of the texture's width; none: no normal map. */
+  readonly depth?: number;
+}
+
+const looks: Readonly<Record<string, Look>> = {
+  checker: { pattern: () => checker([235, 235, 235], [40, 40, 44], 8) },
+  marble: { pattern: () => marble([232, 226, 214], 11), depth: 0.02 },
+  stone: { pattern: () => blocks([206, 196, 178], 4, 8, 23), depth: 0.02 },
+  brick: { pattern: () => blocks([178, 118, 92], 6, 12, 37), depth: 0.018 },
+  tiles: { pattern: () => tiles([196, 186, 168], [128, 96, 84], 4, 41), depth: 0.012 },
+  plaster: { pattern: () => plaster([214, 200, 176], 53), depth: 0.02 },
+  wood: { pattern: () => wood([140, 98, 62], 6, 67), depth: 0.02 },
+  grass: { pattern: () => grass([92, 150, 58], 71), depth: 0.03 },
+  'cloth-red': { pattern: () => cloth([180, 42, 40], 6, 83), depth: 0.006 },
+  'cloth-green': { pattern: () => cloth([48, 130, 70], 6, 89), depth: 0.006 },
+  'cloth-blue': { pattern: () => cloth([52, 74, 172], 6, 97), depth: 0.006 },
+};
+
+/** Sizes in texels of the generated textures; the first one has the plain name, 'stone'; the others 'stone@128'. */
+export const textureSizes = [256, 512, 128] as const;
+
+/** Name of a generated texture at a size. */
+export const textureName = (name: string, size: number): string =>
+  size === textureSizes[0] ? name : `${name}@${size}`;
+
+/** The generated textures: a colour map 'stone' and a normal map 'stone-normal' for each look, at each size. */
+export const builtinTextures: Readonly<Record<string, AssetSource>> = Object.fromEntries(
+  textureSizes.flatMap((size) =>
+    Object.entries(looks).flatMap(([name, { pattern, depth }]): [string, AssetSource][] => {
+      const colour: AssetSource = { type: 'texture', make: () => makeColourTexture(pattern(), size) };
+      if (depth === undefined) return [[textureName(name, size), colour]];
+      const normal: AssetSource = { type: 'texture', make: () => makeNormalTexture(pattern(), size, depth) };
+      return [
+        [textureName(name, size), colour],
+        [textureName(`${name}-normal`, size), normal],
+      ];
+    }),
+  ),
+);

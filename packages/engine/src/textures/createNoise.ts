@@ -1,0 +1,31 @@
+import { createRandom } from '../core/createRandom';
+
+/** Smooth noise from 0 to below 1 that repeats with period 1 in x and y; `cells` lattice points over a period. */
+export function createNoise(cells: number, seed: number): (x: number, y: number) => number {
+  const random = createRandom(seed);
+  const lattice = Float32Array.from({ length: cells * cells }, random);
+  const wrap = (i: number): number => ((i % cells) + cells) % cells;
+  return (x, y) => {
+    const [fx, fy] = [x * cells, y * cells];
+    const [ix, iy] = [Math.floor(fx), Math.floor(fy)];
+    const ease = (t: number): number => t * t * (3 - 2 * t);
+    const [tx, ty] = [ease(fx - ix), ease(fy - iy)];
+    const [x0, x1] = [wrap(ix), wrap(ix + 1)];
+    const [y0, y1] = [wrap(iy) * cells, wrap(iy + 1) * cells];
+    const top = lattice[y0 + x0] * (1 - tx) + lattice[y0 + x1] * tx;
+    const bottom = lattice[y1 + x0] * (1 - tx) + lattice[y1 + x1] * tx;
+    return top * (1 - ty) + bottom * ty;
+  };
+}
+
+/** Octaves of noise, each of half the size and `gain` the height of the one before; from 0 to below 1. */
+export function createFractalNoise(
+  cells: number,
+  octaves: number,
+  seed: number,
+  gain = 0.5,
+): (x: number, y: number) => number {
+  const layers = Array.from({ length: octaves }, (_, i) => createNoise(cells * 2 ** i, seed + i * 101));
+  const total = layers.reduce((sum, _, i) => sum + gain ** i, 0);
+  return (x, y) => layers.reduce((sum, layer, i) => sum + layer(x, y) * gain ** i, 0) / total;
+}
