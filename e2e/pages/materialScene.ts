@@ -72,8 +72,12 @@ function morphed(material: THREE.Material): THREE.Mesh {
   const target = new Float32Array(position.count * 3);
   const colours = new Float32Array(position.count * 3);
   for (let i = 0; i < position.count; i++) {
-    new THREE.Vector3().fromBufferAttribute(position, i).normalize().multiplyScalar(0.8).toArray(target, i * 3);
-    for (let c = 0; c < 3; c++) colours[i * 3 + c] = ((i * 3 + c) * 37 % 100) / 100;
+    new THREE.Vector3()
+      .fromBufferAttribute(position, i)
+      .normalize()
+      .multiplyScalar(0.8)
+      .toArray(target, i * 3);
+    for (let c = 0; c < 3; c++) colours[i * 3 + c] = (((i * 3 + c) * 37) % 100) / 100;
   }
   geometry.morphAttributes.position = [new THREE.Float32BufferAttribute(target, 3)];
   geometry.setAttribute('color', new THREE.Float32BufferAttribute(colours, 3));
@@ -155,7 +159,10 @@ export function materialScene(width: number, height: number, options: MaterialSc
     new THREE.Mesh(sphere, new THREE.MeshStandardMaterial({ map, normalMap, roughness: 0.5, metalness: 0.2 })),
     new THREE.Mesh(sphere, new THREE.MeshStandardMaterial({ color: 0xffcc66, roughness: 0.25, metalness: 1 })),
     new THREE.Mesh(sphere, new THREE.MeshLambertMaterial({ color: 0x66ff88, map })),
-    new THREE.Mesh(sphere, new THREE.MeshPhongMaterial({ color: 0x6688ff, specular: 0x888888, shininess: 60, normalMap })),
+    new THREE.Mesh(
+      sphere,
+      new THREE.MeshPhongMaterial({ color: 0x6688ff, specular: 0x888888, shininess: 60, normalMap }),
+    ),
     new THREE.Mesh(sphere, new THREE.MeshPhysicalMaterial({ color: 0x99bbaa, roughness: 0.35, ior: 1.8 })),
     new THREE.Mesh(
       new THREE.BoxGeometry(1.2, 1.2, 1.2),
@@ -183,7 +190,13 @@ export function materialScene(width: number, height: number, options: MaterialSc
       ),
       new THREE.Mesh(
         sphere,
-        new THREE.MeshPhysicalMaterial({ color: 0xaaaaaa, metalness: 0.9, roughness: 0.3, anisotropy: 0.7, iridescence: 1 }),
+        new THREE.MeshPhysicalMaterial({
+          color: 0xaaaaaa,
+          metalness: 0.9,
+          roughness: 0.3,
+          anisotropy: 0.7,
+          iridescence: 1,
+        }),
       ),
       new THREE.Mesh(sphere, new THREE.MeshToonMaterial({ color: 0xff66aa })),
       new THREE.Mesh(sphere, new THREE.MeshBasicMaterial({ map, color: 0xffeecc })),

@@ -1,0 +1,267 @@
+import {
+  App,
+  AssetLibrary,
+  Camera,
+  type FieldValue,
+  KeyController,
+  MouseController,
+  type Scene,
+  scenes,
+} from '@farol/engine';
+import { type FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
+import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
+import { collectFiles } from './model/collectFiles';
+import { loadModel, type LoadedModel } from './model/loadModel';
+import { disposeModel, modelParameters, modelScene } from './model/modelScene';
+import { type Pixels, readPixels } from './readPixels';
+import { withDefaults } from './state/withDefaults';
+import { readState } from './state/readState';
+import type { KnownNames, ViewerState } from './state/ViewerState';
+import { writeState } from './state/writeState';
+import { Messages } from './ui/Messages';
+
+/** What the address may name, and what it means when it says nothing. */
+export const known: KnownNames = {
+  scenes,
+  techniques: Object.keys(techniques),
+  views,
+  defaults: {
+    ...{ scene: 'temple', technique: 'deferred', view: 'final', parameters: {} },
+    ...{ time: null, width: null, height: null, dpr: null, gui: true },
+  },
+};
+
+/**
+ * The thesis's App: a scene over the whole page, drawn by any technique. Its state stands in the address of the page, and
+ * is changed from there, from the menu, or by these methods, which tests and benchmarks call as `window.viewer`.
+ *
+ * With a fixed time (`?time=`) nothing moves and no loop runs: each call draws what it says and no more.
+ */
+export class Viewer {
+  /** Fulfilled when the first scene is loaded and drawn. */
+  readonly ready: Promise<void>;
+  readonly app: App;
+  /** Meshes and textures that all scenes share. */
+  readonly assets: AssetLibrary;
+  readonly messages: Messages;
+  readonly state: ViewerState;
+  /** Every scene, technique and view that may be chosen. */
+  readonly known = known;
+
+  private model: LoadedModel | null = null;
+  private loads = 0;
+  private readonly listeners = new Set<() => void>();
+
+  /**
+   * @param parent what the canvas is put into
+   * @param search query of the page's address
+   * @param urls addresses of assets that are files, by name
+   * @throws Error when the browser has no WebGL 2
+   */
+  constructor(parent: HTMLElement, search: string, urls: Record<string, string> = {}) {
+    this.messages = new Messages(parent);
+    const { state, problems } = readState(search, known);
+    this.state = state;
+    this.messages.show('address', problems.join('\n'));
+    this.assets = new AssetLibrary({ urls });
+    this.app = new App({ parent });
+    this.setTechnique(state.technique);
+    this.setView(state.view);
+    this.resize();
+    new ResizeObserver(() => this.resize()).observe(parent);
+    this.ready = this.chooseScene(state.scene);
+    this.ready.catch(() => {}); // told by a message; who waits for it hears of it too
+  }
+
+  get farol(): FarolRenderer {
+    return this.app.renderer;
+  }
+
+  /** three's renderer, which Farol draws with. */
+  get three(): WebGLRenderer {
+    return this.app.webgl;
+  }
+
+  get scene(): ThreeScene {
+    return this.app.scene.three;
+  }
+
+  get camera(): ThreeCamera {
+    return this.cameraComponent.three;
+  }
+
+  /** The engine's scene, whose GameObjects made `scene`. */
+  get engineScene(): Scene {
+    return this.app.scene;
+  }
+
+  /** Name of the dropped model on show, or null. */
+  get modelName(): string | null {
+    return this.model?.name ?? null;
+  }
+
+  /** @throws Error naming the known ones when there is no such technique */
+  setTechnique(name: string): void {
+    this.farol.technique = name as TechniqueName;
+    this.changed({ technique: name });
+  }
+
+  /** @throws Error naming the known ones when there is no such view */
+  setView(name: string): void {
+    this.farol.view = name as View;
+    this.changed({ view: name });
+  }
+
+  /**
+   * Shows a scene of the engine's, when it is loaded. Of several calls that run at once the last one counts.
+   *
+   * @param parameters values of its parameters; the rest have their defaults
+   * @param keepCamera look from where the present camera is
+   * @throws Error (as a rejection) when there is no such scene or a parameter is wrong; the present scene stays
+   */
+  async loadScene(name: string, parameters: Record<string, FieldValue> = {}, keepCamera = false): Promise<void> {
+    if (!Object.hasOwn(scenes, name)) {
+      throw new Error(`Scene ${name} is unknown: known are ${Object.keys(scenes).join(', ')}.`);
+    }
+    const load = ++this.loads;
+    const scene = await scenes[name].build(parameters, this.assets);
+    if (load !== this.loads) return scene.dispose();
+    this.replaceScene(scene, keepCamera);
+    this.dropModel();
+    this.changed({ scene: name, parameters: { ...this.state.parameters, ...parameters } });
+  }
+
+  /** Shows a scene with those of the state's parameters that it has; a message tells when it cannot be shown. */
+  async chooseScene(name: string, keepCamera = false): Promise<void> {
+    const fields = scenes[name]?.parameters ?? {};
+    const own = Object.entries(this.state.parameters).filter(([parameter]) => parameter in fields);
+    try {
+      await this.loadScene(name, Object.fromEntries(own), keepCamera);
+      this.messages.show('scene', '');
+    } catch (error) {
+      this.messages.show('scene', `Scene ${name}: ${error instanceof Error ? error.message : String(error)}`);
+      throw error;
+    }
+  }
+
+  /** Shows the model among some files. A message tells of files that cannot be shown; the present scene stays then. */
+  async loadFiles(transfer: DataTransfer): Promise<void> {
+    const load = ++this.loads;
+    try {
+      const model = await loadModel(await collectFiles(transfer), this.three);
+      if (load !== this.loads) return disposeModel(model.gltf.scene);
+      this.showModel(model, false);
+      this.messages.show('file', '');
+    } catch (error) {
+      this.messages.show('file', error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  /** Changes parameters of the scene on show, and looks from where one looked before. */
+  async setParameters(parameters: Record<string, FieldValue>): Promise<void> {
+    this.changed({ parameters: { ...this.state.parameters, ...parameters } });
+    if (this.model) this.showModel(this.model, true);
+    else await this.chooseScene(this.state.scene, true);
+  }
+
+  /** Fixes the time (s) and draws the scene as it is then; null lets time run on from where it is. */
+  setTime(seconds: number | null): void {
+    this.changed({ time: seconds });
+    this.run();
+  }
+
+  /** Stops time where it is (to a millisecond), or lets it run on. */
+  toggleTime(): void {
+    this.setTime(this.state.time === null ? Math.round(this.app.scene.time * 1000) / 1000 : null);
+  }
+
+  /** Shows or hides the menu. */
+  setGui(shown: boolean): void {
+    this.changed({ gui: shown });
+  }
+
+  /** Draws exactly one frame, as the scene is at a time (s). */
+  renderAt(seconds: number): void {
+    this.app.renderAt(seconds);
+  }
+
+  /** Draws the scene once more as it is and reads the picture: linear light, without tone mapping. */
+  readPixels(): Pixels {
+    return readPixels(this.three, () => this.farol.render(this.scene, this.camera));
+  }
+
+  /** The same by three's own `render`, to compare with. */
+  readStockPixels(): Pixels {
+    return readPixels(this.three, () => this.three.render(this.scene, this.camera));
+  }
+
+  /** Calls `listener` after each change of the state. */
+  onChange(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+
+  /** Makes the canvas as large as the state says, or as the page. Draws anew when no loop does. */
+  resize(): void {
+    const { width, height, dpr } = this.state;
+    const parent = this.app.canvas.parentElement!;
+    this.app.resize(
+      width ?? Math.max(1, parent.clientWidth),
+      height ?? Math.max(1, parent.clientHeight),
+      dpr ?? Math.min(devicePixelRatio, 2),
+    );
+    this.redraw();
+  }
+
+  /** Draws once when no loop runs. */
+  redraw(): void {
+    if (this.state.time !== null && this.app.scene.activeCamera) this.app.renderAt(this.state.time);
+  }
+
+  private get cameraComponent(): Camera {
+    const camera = this.app.scene.activeCamera;
+    if (!camera) throw new Error('The scene has no camera: wait for viewer.ready.');
+    return camera;
+  }
+
+  private showModel(model: LoadedModel, keepCamera: boolean): void {
+    const scene = modelScene(model, withDefaults(modelParameters, this.state.parameters), this.assets);
+    this.replaceScene(scene, keepCamera);
+    if (model !== this.model) this.dropModel();
+    this.model = model;
+    this.changed({});
+  }
+
+  private replaceScene(scene: Scene, keepCamera: boolean): void {
+    const before = this.app.scene;
+    const pose = keepCamera ? before.activeCamera?.gameObject.object3D : null;
+    const camera = scene.activeCamera?.gameObject;
+    if (!camera) throw new Error(`The scene ${scene.name} has no camera.`);
+    if (!camera.getComponent(KeyController)) camera.addComponent(KeyController);
+    if (!camera.getComponent(MouseController)) camera.addComponent(MouseController);
+    if (pose) camera.transform.modelMatrix = pose.matrixWorld;
+    this.app.scene = scene;
+    before.dispose();
+    this.run();
+  }
+
+  private dropModel(): void {
+    if (this.model) disposeModel(this.model.gltf.scene);
+    this.model = null;
+  }
+
+  private run(): void {
+    if (this.state.time === null) {
+      this.app.start();
+    } else {
+      this.app.stop();
+      this.redraw();
+    }
+  }
+
+  private changed(changes: Partial<ViewerState>): void {
+    Object.assign(this.state, changes);
+    history.replaceState(history.state, '', `${location.pathname}${writeState(this.state, known)}`);
+    for (const listener of this.listeners) listener();
+    this.redraw();
+  }
+}

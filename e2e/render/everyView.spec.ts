@@ -1,0 +1,48 @@
+import { isFlat } from '../support/images';
+import { expect, test } from '../support/test';
+import { openViewer, readImage, still } from '../support/viewer';
+
+/** Views that are rightly one colour where a scene has nothing of the kind: no glow, no metal, no fewer lights. */
+const mayBeFlat = new Set(['emissive', 'metalness', 'roughness']);
+
+test.describe.configure({ mode: 'parallel' });
+
+/**
+ * Every scene by every technique in every view draws something, and without a word from the console. The names are read
+ * from the page's registries, so that a new scene, technique or view is in. Two tests share the scenes, for two workers.
+ */
+for (const half of [0, 1]) {
+  test(`every technique and view draws every scene, ${half === 0 ? 'first' : 'second'} half`, async ({
+    page,
+    watch,
+  }) => {
+    test.setTimeout(240_000);
+    await openViewer(page, still);
+    const { scenes, techniques, views } = await page.evaluate(() => {
+      const { scenes, techniques, views } = window.viewer.known;
+      return { scenes: Object.keys(scenes), techniques: [...techniques], views: [...views] };
+    });
+    expect(scenes.length * techniques.length * views.length).toBeGreaterThan(0);
+    for (const scene of scenes.filter((_, index) => index % 2 === half)) {
+      await page.evaluate((name) => window.viewer.loadScene(name), scene);
+      for (const technique of techniques) {
+        const flat: string[] = [];
+        for (const view of views) {
+          const image = await page
+            .evaluate(
+              ([technique, view]) => {
+                window.viewer.setTechnique(technique);
+                window.viewer.setView(view);
+              },
+              [technique, view] as const,
+            )
+            .then(() => readImage(page));
+          expect(image.width * image.height, 'pixels').toBe(160 * 90);
+          if (isFlat(image) && !mayBeFlat.has(view)) flat.push(view);
+          expect(watch.problems, `${scene}, ${technique}, ${view}`).toEqual([]);
+        }
+        expect(flat, `views of ${scene} by ${technique} that show one colour only, or NaN`).toEqual([]);
+      }
+    }
+  });
+}

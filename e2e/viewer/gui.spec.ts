@@ -1,0 +1,121 @@
+import { compareImages } from '../support/images';
+import { expect, test } from '../support/test';
+import { openViewer, readImage, still } from '../support/viewer';
+
+const withMenu = { ...still, gui: 1 };
+const query = (address: string) => Object.fromEntries(new URL(address).searchParams);
+
+test('the menu offers every technique, view and scene, and writes them into the address', async ({ page }) => {
+  await openViewer(page, withMenu);
+  const known = await page.evaluate(() => {
+    const { scenes, techniques, views } = window.viewer.known;
+    return { scenes: Object.keys(scenes), techniques: [...techniques], views: [...views] };
+  });
+  const row = (name: string) => page.locator('.lil-controller', { hasText: name });
+  const types = row('Render Type').locator('select');
+  const views = row('View').locator('select');
+  await expect(types.locator('option')).toHaveCount(known.techniques.length);
+  await expect(views.locator('option')).toHaveText([...known.views]);
+  await expect(
+    page.locator('.lil-gui', { hasText: 'Scenes' }).last().locator('button.lil-title ~ * button'),
+  ).toHaveCount(known.scenes.length);
+
+  for (const [index, technique] of known.techniques.entries()) {
+    await types.selectOption({ index });
+    await expect.poll(() => query(page.url()).technique).toBe(technique);
+    expect(await page.evaluate(() => window.viewer.farol.technique)).toBe(technique);
+  }
+  await views.selectOption('normal');
+  await expect.poll(() => query(page.url()).view).toBe('normal');
+  expect(await page.evaluate(() => window.viewer.farol.view)).toBe('normal');
+});
+
+test('the address that the menu wrote opens the same picture', async ({ page }) => {
+  await openViewer(page, withMenu);
+  const before = await readImage(page);
+  await page.getByRole('button', { name: 'Benchmark lights', exact: false }).first().click();
+  await expect.poll(() => query(page.url()).scene).toBe('benchmarkLights');
+  const chosen = await readImage(page);
+  expect(compareImages(before, chosen).largest).toBeGreaterThan(0.05);
+
+  await page.goto(page.url());
+  await page.evaluate(() => window.viewer.ready);
+  expect(compareImages(chosen, await readImage(page)).largest).toBe(0);
+});
+
+test('a number of lights set in the menu is in the scene and the address, and the camera stays', async ({ page }) => {
+  await openViewer(page, { ...withMenu, scene: 'temple' });
+  const place = await page.evaluate(() => {
+    const { object3D } = window.viewer.engineScene.activeCamera!.gameObject;
+    object3D.position.x += 1;
+    window.viewer.renderAt(1);
+    return object3D.position.toArray();
+  });
+  const input = page
+    .locator('.lil-controller', { hasText: /lights/i })
+    .locator('input[type=text]')
+    .first();
+  await input.fill('7');
+  await input.press('Enter');
+  await expect.poll(() => query(page.url()).lights).toBe('7');
+  await expect
+    .poll(() => page.evaluate(() => window.viewer.engineScene.lights.filter((l) => l.type === 'point').length))
+    .toBe(7);
+  const after = await page.evaluate(() =>
+    window.viewer.engineScene.activeCamera!.gameObject.object3D.position.toArray(),
+  );
+  for (const axis of [0, 1, 2]) expect(after[axis]).toBeCloseTo(place[axis], 4);
+});
+
+test('keys fly and dragging turns the camera', async ({ page }) => {
+  await openViewer(page, { width: 160, height: 90, dpr: 1, gui: 0 });
+  const pose = () =>
+    page.evaluate(() => {
+      const { object3D } = window.viewer.engineScene.activeCamera!.gameObject;
+      return { position: object3D.position.toArray(), turn: object3D.quaternion.toArray() };
+    });
+  const before = await pose();
+  await page.locator('canvas').click();
+  await page.keyboard.down('KeyW');
+  await expect.poll(async () => (await pose()).position).not.toEqual(before.position);
+  await page.keyboard.up('KeyW');
+  await page.mouse.move(80, 45);
+  await page.mouse.down();
+  await page.mouse.move(120, 50, { steps: 3 });
+  await page.mouse.up();
+  expect((await pose()).turn).not.toEqual(before.turn);
+});
+
+test('figures of each pass are shown and kept up', async ({ page }) => {
+  await openViewer(page, { width: 160, height: 90, dpr: 1 });
+  const rows = page.locator('.statistics tbody tr');
+  await expect(rows).not.toHaveCount(0);
+  await expect(page.locator('.statistics')).toContainText(/\d+ FPS/);
+  const names = await page.evaluate(() => window.viewer.farol.info.passes.map((pass) => pass.name));
+  expect(await rows.locator('td:first-child').allTextContents()).toEqual(names);
+});
+
+test('the help lists keys and address parameters', async ({ page }) => {
+  await openViewer(page, still);
+  await page.keyboard.press('?');
+  const help = page.getByRole('dialog', { name: 'Help' });
+  await expect(help).toBeVisible();
+  for (const text of ['W A S D', '?technique=', '?lights=', '?dpr=']) await expect(help).toContainText(text);
+  await page.keyboard.press('Escape');
+  await expect(help).toBeHidden();
+});
+
+test('a lost graphics device is told of, and the picture comes back', async ({ page, watch }) => {
+  await openViewer(page, still);
+  const before = await readImage(page);
+  await page.evaluate(() => {
+    const extension = window.viewer.three.getContext().getExtension('WEBGL_lose_context')!;
+    Object.assign(window, { losing: extension });
+    extension.loseContext();
+  });
+  await expect(page.locator('.message')).toContainText('graphics device was lost');
+  await page.evaluate(() => (window as unknown as { losing: WEBGL_lose_context }).losing.restoreContext());
+  await expect(page.locator('.message')).toHaveCount(0);
+  expect(compareImages(before, await readImage(page)).largest).toBe(0);
+  expect(watch.forgive(/context/i)).toBeGreaterThan(0);
+});

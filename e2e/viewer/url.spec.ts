@@ -1,0 +1,94 @@
+import { isFlat } from '../support/images';
+import { expect, test } from '../support/test';
+import { openViewer, readImage, still } from '../support/viewer';
+
+const small = { width: 160, height: 90, dpr: 1 };
+
+test('scene, technique, view and the parameters of the scene come from the address', async ({ page }) => {
+  await openViewer(page, { ...still, scene: 'benchmarkLights', technique: 'forward', view: 'albedo', n: 3, m: 2 });
+  const seen = await page.evaluate(() => ({
+    ...window.viewer.state,
+    technique: window.viewer.farol.technique,
+    view: window.viewer.farol.view,
+    lights: window.viewer.engineScene.lights.filter(({ type }) => type === 'point').length,
+  }));
+  expect(seen).toMatchObject({ scene: 'benchmarkLights', technique: 'forward', view: 'albedo', lights: 4 });
+});
+
+test('the number of lights follows the address', async ({ page }) => {
+  for (const lights of [3, 17]) {
+    await openViewer(page, { ...still, scene: 'temple', lights });
+    const points = await page.evaluate(() => window.viewer.engineScene.lights.filter((l) => l.type === 'point').length);
+    expect(points).toBe(lights);
+  }
+});
+
+test('width, height and dpr give the size of the picture', async ({ page }) => {
+  await openViewer(page, { ...still, width: 120, height: 80, dpr: 1.5 });
+  const image = await readImage(page);
+  expect([image.width, image.height]).toEqual([180, 120]);
+  expect(await page.locator('canvas').boundingBox()).toMatchObject({ width: 120, height: 80 });
+});
+
+test('without a size the picture fills the window and follows it', async ({ page }) => {
+  await openViewer(page, { time: 0, gui: 0 });
+  expect(await page.locator('canvas').boundingBox()).toMatchObject({ width: 640, height: 360 });
+  await page.setViewportSize({ width: 320, height: 200 });
+  await expect.poll(() => page.locator('canvas').boundingBox()).toMatchObject({ width: 320, height: 200 });
+});
+
+test('a fixed time stands still: one frame is drawn, and none more', async ({ page }) => {
+  await openViewer(page, { ...small, time: 1.5, gui: 0 });
+  const { before, after, time } = await page.evaluate(async () => {
+    const { viewer } = window;
+    const before = viewer.three.info.render.frame;
+    for (let i = 0; i < 5; i++) await new Promise(requestAnimationFrame);
+    const after = viewer.three.info.render.frame;
+    return { before, after, time: viewer.engineScene.time };
+  });
+  expect(time).toBe(1.5);
+  expect(after).toBe(before);
+  expect(isFlat(await readImage(page))).toBe(false);
+});
+
+test('renderAt draws exactly one frame', async ({ page }) => {
+  await openViewer(page, still);
+  const calls = await page.evaluate(() => {
+    const { farol } = window.viewer;
+    const render = farol.render.bind(farol);
+    let calls = 0;
+    farol.render = (...args) => {
+      calls++;
+      render(...args);
+    };
+    window.viewer.renderAt(3);
+    return calls;
+  });
+  expect(calls).toBe(1);
+});
+
+test('without a time the scene moves', async ({ page }) => {
+  await openViewer(page, { ...small, gui: 0 });
+  await expect.poll(() => page.evaluate(() => window.viewer.engineScene.time)).toBeGreaterThan(0.05);
+});
+
+test('gui=0 hides the menu', async ({ page }) => {
+  await openViewer(page, { ...still, gui: 1 });
+  await expect(page.locator('.lil-gui.lil-root')).toBeVisible();
+  await openViewer(page, { ...still, gui: 0 });
+  await expect(page.locator('.lil-gui.lil-root')).toBeHidden();
+});
+
+test('wrong values are named on the page with the known ones, and the defaults are used', async ({ page }) => {
+  await openViewer(page, { ...still, scene: 'palace', technique: 'magic', lights: 'many' });
+  const message = page.locator('.message');
+  await expect(message).toContainText('palace');
+  await expect(message).toContainText('temple');
+  await expect(message).toContainText('magic');
+  await expect(message).toContainText('deferred');
+  await expect(message).toContainText('lights=many');
+  const state = await page.evaluate(() => window.viewer.state);
+  expect(state).toMatchObject({ scene: 'temple', technique: 'deferred' });
+  await message.getByRole('button').click();
+  await expect(message).toBeHidden();
+});
