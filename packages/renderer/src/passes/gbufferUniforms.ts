@@ -1,15 +1,15 @@
-import { Matrix4, Vector2, type IUniform, type Texture } from 'three';
+import { Vector2, type IUniform, type Texture } from 'three';
 import type { Frame } from '../Frame';
 import type { GBuffer } from '../gbuffer/GBuffer';
+import { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from './unprojectUniforms';
 
 /** Uniforms of gbufferRead.glsl and of where the picture lies. */
-export interface GBufferUniforms extends Record<string, IUniform> {
+export interface GBufferUniforms extends UnprojectUniforms {
   farol_gAccumulation: IUniform<Texture | null>;
   farol_gNormal: IUniform<Texture | null>;
   farol_gAlbedo: IUniform<Texture | null>;
   farol_gMaterial: IUniform<Texture | null>;
   farol_gDepth: IUniform<Texture | null>;
-  projectionMatrixInverse: IUniform<Matrix4>;
   farol_size: IUniform<Vector2>;
   farol_offset: IUniform<Vector2>;
 }
@@ -21,7 +21,7 @@ export function gbufferUniforms(): GBufferUniforms {
     farol_gAlbedo: { value: null },
     farol_gMaterial: { value: null },
     farol_gDepth: { value: null },
-    projectionMatrixInverse: { value: new Matrix4() },
+    ...unprojectUniforms(),
     farol_size: { value: new Vector2() },
     farol_offset: { value: new Vector2() },
   };
@@ -34,7 +34,7 @@ export function setGBufferUniforms(uniforms: GBufferUniforms, gbuffer: GBuffer, 
   uniforms.farol_gAlbedo.value = gbuffer.albedo;
   uniforms.farol_gMaterial.value = gbuffer.material;
   uniforms.farol_gDepth.value = gbuffer.depth;
-  uniforms.projectionMatrixInverse.value.copy(frame.camera.projectionMatrixInverse);
+  setUnprojectUniforms(uniforms, frame.camera);
   uniforms.farol_size.value.set(frame.width, frame.height);
   uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
 }

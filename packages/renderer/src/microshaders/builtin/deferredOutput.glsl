@@ -18,7 +18,7 @@ if (farol_view == 2) {
   if (depth >= 1.0) discard;
   int flags = int(texelFetch(farol_gAlbedo, pixel, 0).a * 255.0 + 0.5);
   vec3 radiance = farol_view == 1 ? lighting : lighting + texelFetch(farol_gAccumulation, pixel, 0).rgb;
-  vec3 positionVS = farol_positionFromDepth((vec2(pixel) + 0.5) / farol_size, depth, projectionMatrixInverse);
+  vec3 positionVS = farol_unproject((vec2(pixel) + 0.5) / farol_size, depth);
   gl_FragColor = farol_output(radiance, -positionVS.z, (flags & 8) != 0, (flags & 4) != 0);
 }
 gl_FragDepth = depth;

@@ -1,13 +1,12 @@
 // Reads a pixel of the G-buffer; layout in gbuffer/gbufferLayout.ts.
 // Farol
 #include "octahedralNormal"
-#include "positionFromDepth"
+#include "unproject"
 uniform highp sampler2D farol_gAccumulation;
 uniform highp sampler2D farol_gNormal;
 uniform lowp sampler2D farol_gAlbedo;
 uniform lowp sampler2D farol_gMaterial;
 uniform highp sampler2D farol_gDepth;
-uniform highp mat4 projectionMatrixInverse;
 
 struct FarolSurface {
   vec3 positionVS; // m
@@ -26,6 +25,6 @@ FarolSurface farol_readSurface(const in ivec2 pixel, const in float depth, const
   surface.normalVS = farol_decodeNormal(texelFetch(farol_gNormal, pixel, 0).xy);
   surface.material = texelFetch(farol_gMaterial, pixel, 0);
   surface.accumulation = texelFetch(farol_gAccumulation, pixel, 0);
-  surface.positionVS = farol_positionFromDepth((vec2(pixel) + 0.5) / size, depth, projectionMatrixInverse);
+  surface.positionVS = farol_unproject((vec2(pixel) + 0.5) / size, depth);
   return surface;
 }

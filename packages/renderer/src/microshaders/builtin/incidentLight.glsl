@@ -26,7 +26,7 @@ FarolLight farol_localLight(const in int index, const in vec3 positionVS) {
   vec4 color = farol_lightTexel(index, 1);
   vec3 toLight = centre.xyz - positionVS;
   float lightDistance = length(toLight);
-  light.direction = toLight / lightDistance;
+  light.direction = normalize(toLight);
   light.extension = 0;
   if (color.w >= 0.0) { // a plain point light: w is its decay
     light.attenuation = farol_distanceAttenuation(lightDistance, centre.w, color.w);

@@ -8,7 +8,7 @@ layout(location = 0) out highp vec4 farol_lighting;
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 float depth = texelFetch(farol_gDepth, pixel, 0).r;
 if (depth >= 1.0) discard;
-vec3 positionVS = farol_positionFromDepth(gl_FragCoord.xy / farol_size, depth, projectionMatrixInverse);
+vec3 positionVS = farol_unproject(gl_FragCoord.xy / farol_size, depth);
 #ifdef FAROL_COUNT
 farol_lighting = vec4(1.0, 0.0, 0.0, 0.0);
 #else
