@@ -44,3 +44,10 @@ export {
 } from './scenes/SceneDefinition';
 export { scenes } from './scenes/index';
 export { temple } from './scenes/temple/temple';
+
+export { assetUses, type AssetUse } from './file/assetUses';
+export { deserialize, type DeserializeOptions, makeObjects } from './file/deserialize';
+export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type FileObject } from './file/FarolFile';
+export { FileError, type FileProblem } from './file/FileError';
+export { parseFile, type ParseOptions } from './file/parseFile';
+export { serialize, serializeObject, type SerializeOptions } from './file/serialize';

@@ -13,17 +13,12 @@ import type { lightFields } from './lightFields';
 type LightValues = Readonly<ValuesOf<typeof lightFields>>;
 
 const isBlack = (colour: Vector3Tuple): boolean => colour.every((channel) => channel === 0);
-const times = (colour: Vector3Tuple, factor: number): [number, number, number] => [
-  colour[0] * factor,
-  colour[1] * factor,
-  colour[2] * factor,
-];
 
 /** What three's light cannot say; undefined when it says all. */
 function extraData(values: LightValues): FarolLightData | undefined {
   const data: FarolLightData = {};
-  if (!isBlack(values.ambient)) data.ambient = times(values.ambient, values.intensity);
-  if (values.ownSpecular) data.specular = times(values.specular, values.intensity);
+  if (!isBlack(values.ambient)) data.ambient = values.ambient;
+  if (values.ownSpecular) data.specular = values.specular;
   if (values.type === 'spot' && values.exponent > 0) data.spotExponent = values.exponent;
   if (values.type !== 'directional' && values.attenuation === 'near-far') {
     const { near, far } = values;
@@ -31,7 +26,7 @@ function extraData(values: LightValues): FarolLightData | undefined {
   }
   if (values.type !== 'directional' && values.attenuation === 'polynomial') {
     const { constant, linear, quadratic, range } = values;
-    data.attenuation = { kind: 'polynomial', constant, linear, quadratic, range: range > 0 ? range : 1e4 };
+    data.attenuation = { kind: 'polynomial', constant, linear, quadratic, range };
   }
   return Object.keys(data).length > 0 ? data : undefined;
 }

@@ -1,0 +1,30 @@
+import type { Field, FieldValue } from './Field';
+
+/** A value that a field allows, other than its default wherever that is possible; for tests. */
+export function randomFieldValue(field: Field, random: () => number, assetNames: readonly string[] = []): FieldValue {
+  const between = (min = -100, max = min + 200): number => {
+    const value = min + random() * (max - min);
+    return 'integer' in field && field.integer ? Math.round(value) : value;
+  };
+  switch (field.kind) {
+    case 'number':
+    case 'angle':
+      return between(field.min, field.max);
+    case 'boolean':
+      return !field.default;
+    case 'string':
+      return `text ${Math.floor(random() * 1e6)}`;
+    case 'choice':
+      return field.options[Math.floor(random() * field.options.length)];
+    case 'vector3':
+      return [between(field.min, field.max), between(field.min, field.max), between(field.min, field.max)];
+    case 'euler':
+      return [between(-3, 3), between(-3, 3), between(-3, 3)];
+    case 'colour':
+      return [random() * 2, random(), random()];
+    case 'asset':
+      return assetNames.length > 0 ? assetNames[Math.floor(random() * assetNames.length)] : null;
+    case 'object':
+      return null;
+  }
+}

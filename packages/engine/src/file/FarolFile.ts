@@ -1,0 +1,47 @@
+import type { AssetType, FieldValue } from '../fields/Field';
+
+/** Version of the file format. Raise it, and add to `fileMigrations`, when the shape below changes. */
+export const FILE_VERSION = 1;
+
+/** A component in a file. Fields that have their default are left out. */
+export interface FileComponent {
+  type: string;
+  /** Version of the component's class that wrote it. */
+  version: number;
+  id: string;
+  /** True when absent. */
+  enabled?: boolean;
+  values: Record<string, FieldValue>;
+}
+
+/** A GameObject in a file. */
+export interface FileObject {
+  id: string;
+  name: string;
+  /** Id of the object above, or null at the top. */
+  parent: string | null;
+  /** True when absent. */
+  active?: boolean;
+  tags?: string[];
+  components: FileComponent[];
+}
+
+/** An asset that is read from an address. */
+export interface FileAsset {
+  name: string;
+  type: AssetType;
+  url: string;
+}
+
+/** A scene as versioned JSON. Objects are in tree order, so siblings keep their order. */
+export interface FarolFile {
+  format: 'farol-scene';
+  version: number;
+  name: string;
+  /** Scene.fields that differ from their defaults. */
+  settings: Record<string, FieldValue>;
+  /** Id of the GameObject whose Camera is looked through, or null. */
+  activeCamera: string | null;
+  assets: FileAsset[];
+  objects: FileObject[];
+}

@@ -1,0 +1,37 @@
+import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { sceneFields } from '../core/SceneSettings';
+import type { AssetType, FieldTable, FieldValue } from '../fields/Field';
+import type { FarolFile } from './FarolFile';
+
+/** A place in a file that names an asset. */
+export interface AssetUse {
+  readonly path: string;
+  readonly type: AssetType;
+  readonly name: string;
+}
+
+function usesIn(
+  values: Readonly<Record<string, FieldValue>>,
+  fields: FieldTable,
+  path: string,
+  list: AssetUse[],
+): void {
+  for (const [name, field] of Object.entries(fields)) {
+    const value = Object.hasOwn(values, name) ? values[name] : field.default;
+    if (field.kind === 'asset' && typeof value === 'string') {
+      list.push({ path: `${path}.${name}`, type: field.assetType, name: value });
+    }
+  }
+}
+
+/** Every place of a checked file that names an asset, defaults included. */
+export function assetUses(file: FarolFile, registry: ComponentRegistry): AssetUse[] {
+  const list: AssetUse[] = [];
+  usesIn(file.settings, sceneFields, 'settings', list);
+  file.objects.forEach((object, i) => {
+    object.components.forEach(({ type, values }, j) => {
+      usesIn(values, registry.get(type).fields, `objects[${i}].components[${j}].values`, list);
+    });
+  });
+  return list;
+}

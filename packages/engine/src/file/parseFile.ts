@@ -1,0 +1,103 @@
+import type { AssetLibrary } from '../assets/AssetLibrary';
+import { builtinComponents } from '../components/builtinComponents';
+import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { sceneFields } from '../core/SceneSettings';
+import { describeValue } from '../fields/checkFieldValue';
+import { assetUses } from './assetUses';
+import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from './FarolFile';
+import { FileError } from './FileError';
+import { isRecord, join, type JsonRecord, ProblemList } from './ProblemList';
+import { readValues } from './readComponent';
+import { readObjects } from './readObjects';
+
+export interface ParseOptions {
+  /** Known components; the built-in ones when absent. */
+  registry?: ComponentRegistry;
+  /** When given, every asset that the file names must be in it, or among the file's own. */
+  assets?: AssetLibrary;
+}
+
+function parseJson(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch (cause) {
+    const problem = `is no JSON: ${(cause as Error).message}. Choose a scene that was saved by Farol.`;
+    throw new FileError([{ path: '', problem: `The file ${problem}` }], { cause });
+  }
+}
+
+function checkHead(file: unknown): JsonRecord {
+  const fail = (path: string, problem: string): never => {
+    throw new FileError([{ path, problem }]);
+  };
+  if (!isRecord(file)) return fail('', `The file must hold an object, not ${describeValue(file)}.`);
+  if (file.format !== 'farol-scene') fail('format', `must be "farol-scene", not ${describeValue(file.format)}.`);
+  const { version } = file;
+  if (typeof version !== 'number' || !Number.isInteger(version) || version < 1) {
+    fail('version', `must be a whole number of at least 1, not ${describeValue(version)}.`);
+  } else if (version > FILE_VERSION) {
+    fail('version', `is ${version}, but this Farol reads files up to version ${FILE_VERSION}: update Farol.`);
+  }
+  return file;
+}
+
+function readAssets(value: unknown, path: string, problems: ProblemList): FileAsset[] {
+  const names = new Set<string>();
+  return problems.array(value, path).map((each, i) => {
+    const at = join(path, i);
+    const record = problems.record(each, at);
+    problems.onlyKeys(record, at, ['name', 'type', 'url']);
+    const name = problems.text(record.name, join(at, 'name'));
+    if (names.has(name)) problems.add(join(at, 'name'), `'${name}' is there twice. Remove one.`);
+    names.add(name);
+    const { type } = record;
+    if (type !== 'mesh' && type !== 'texture') {
+      problems.add(join(at, 'type'), `must be "mesh" or "texture", not ${describeValue(type)}.`);
+    }
+    return { name, type: type === 'texture' ? 'texture' : 'mesh', url: problems.text(record.url, join(at, 'url')) };
+  });
+}
+
+function checkCamera(id: unknown, objects: readonly FileObject[], problems: ProblemList): string | null {
+  if (id === null) return null;
+  const camera = objects.find((object) => object.id === id)?.components.some(({ type }) => type === 'Camera');
+  if (!camera)
+    problems.add('activeCamera', `must be the id of an object with a Camera, or null, not ${describeValue(id)}.`);
+  return id as string;
+}
+
+/**
+ * Reads and checks a scene file, and brings older components up to date. Makes nothing but a copy of the data.
+ * @param input - JSON text, or what JSON.parse made of it
+ * @throws FileError listing everything that is wrong: no JSON, another format, a newer version, unknown components and
+ * fields, newer component versions, values of another type or out of range, duplicate ids, missing parents, cycles, and,
+ * when `options.assets` is given, missing assets
+ */
+export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile {
+  const raw = checkHead(typeof input === 'string' ? parseJson(input) : input);
+  const registry = options.registry ?? builtinComponents;
+  const problems = new ProblemList();
+  problems.onlyKeys(raw, '', ['format', 'version', 'name', 'settings', 'activeCamera', 'assets', 'objects']);
+  const objects = readObjects(raw.objects, 'objects', registry, problems);
+  const file: FarolFile = {
+    format: 'farol-scene',
+    version: FILE_VERSION,
+    name: problems.text(raw.name, 'name', true),
+    settings: readValues(raw.settings ?? {}, sceneFields, 'settings', problems),
+    activeCamera: checkCamera(raw.activeCamera ?? null, objects, problems),
+    assets: readAssets(raw.assets ?? [], 'assets', problems),
+    objects,
+  };
+  if (options.assets) checkAssets(file, registry, options.assets, problems);
+  if (problems.problems.length > 0) throw new FileError(problems.problems);
+  return file;
+}
+
+function checkAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary, problems: ProblemList): void {
+  for (const use of assetUses(file, registry)) {
+    const own = file.assets.find(({ name }) => name === use.name);
+    if (own && own.type === use.type && !assets.has(use.name)) continue;
+    const problem = assets.problemWith(use.type, use.name);
+    if (problem) problems.add(use.path, problem);
+  }
+}

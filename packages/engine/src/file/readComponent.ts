@@ -1,0 +1,84 @@
+import type { ComponentRegistry } from '../components/ComponentRegistry';
+import type { ComponentClass } from '../core/Component';
+import { checkFieldValue, describeValue } from '../fields/checkFieldValue';
+import type { FieldTable, FieldValue } from '../fields/Field';
+import type { FileComponent } from './FarolFile';
+import { isRecord, join, type JsonRecord, type ProblemList } from './ProblemList';
+
+/** Reads field values: those that a table declares, each of its kind and in its range. */
+export function readValues(
+  value: unknown,
+  fields: FieldTable,
+  path: string,
+  problems: ProblemList,
+): Record<string, FieldValue> {
+  const values: Record<string, FieldValue> = {};
+  for (const [name, each] of Object.entries(problems.record(value, path))) {
+    const known = Object.hasOwn(fields, name);
+    const problem = known
+      ? checkFieldValue(fields[name], each)
+      : `is no field; the fields are ${Object.keys(fields).join(', ')}. Remove it.`;
+    if (problem) problems.add(join(path, name), problem);
+    else values[name] = each as FieldValue;
+  }
+  return values;
+}
+
+/** Values written by an older version of the component, brought up to date; null, and a problem, when that fails. */
+function migrate(type: ComponentClass, record: JsonRecord, path: string, problems: ProblemList): unknown {
+  const { version, values } = record;
+  const at = join(path, 'version');
+  if (typeof version !== 'number' || !Number.isInteger(version) || version < 1) {
+    problems.add(at, `must be a whole number of at least 1, not ${describeValue(version)}.`);
+    return null;
+  }
+  if (version === type.version) return values;
+  if (version > type.version) {
+    problems.add(
+      at,
+      `is ${version}, but this Farol knows ${type.typeName} up to version ${type.version}: update Farol.`,
+    );
+    return null;
+  }
+  if (!type.migrate) {
+    problems.add(at, `is ${version}, and ${type.typeName} has no migration to version ${type.version}: give it one.`);
+    return null;
+  }
+  try {
+    return type.migrate({ ...problems.record(values, join(path, 'values')) }, version);
+  } catch (error) {
+    problems.add(at, `is ${version}, and its migration to version ${type.version} failed: ${String(error)}`);
+    return null;
+  }
+}
+
+/** Reads a component; null, and the problems, when it cannot be read. */
+export function readComponent(
+  value: unknown,
+  path: string,
+  registry: ComponentRegistry,
+  problems: ProblemList,
+): FileComponent | null {
+  if (!isRecord(value)) {
+    problems.record(value, path);
+    return null;
+  }
+  problems.onlyKeys(value, path, ['type', 'version', 'id', 'enabled', 'values']);
+  const typeName = problems.text(value.type, join(path, 'type'));
+  const type = registry.types.get(typeName);
+  if (!type) {
+    const known = [...registry.types.keys()].join(', ');
+    if (typeName)
+      problems.add(
+        join(path, 'type'),
+        `names the unknown component '${typeName}' (known: ${known}): register its class.`,
+      );
+    return null;
+  }
+  const id = problems.text(value.id, join(path, 'id'));
+  const enabled = problems.flag(value.enabled, join(path, 'enabled'), true);
+  const upToDate = migrate(type, value, path, problems);
+  if (upToDate === null) return null;
+  const values = readValues(upToDate, type.fields, join(path, 'values'), problems);
+  return { type: typeName, version: type.version, id, ...(enabled ? {} : { enabled }), values };
+}

@@ -1,0 +1,129 @@
+import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { describeValue } from '../fields/checkFieldValue';
+import type { FileComponent, FileObject } from './FarolFile';
+import { isRecord, join, type ProblemList } from './ProblemList';
+import { readComponent } from './readComponent';
+
+interface ReadObject extends FileObject {
+  readonly path: string;
+}
+
+function readComponents(
+  value: unknown,
+  path: string,
+  registry: ComponentRegistry,
+  problems: ProblemList,
+): FileComponent[] {
+  const components: FileComponent[] = [];
+  problems.array(value, path).forEach((each, i) => {
+    const component = readComponent(each, join(path, i), registry, problems);
+    if (!component) return;
+    const isSecond = components.some((other) => other.type === component.type);
+    if (isSecond && registry.types.get(component.type)?.unique) {
+      problems.add(join(path, i), `is a second ${component.type}, and an object can have one only. Remove it.`);
+    }
+    components.push(component);
+  });
+  return components;
+}
+
+function readObject(
+  value: unknown,
+  path: string,
+  registry: ComponentRegistry,
+  problems: ProblemList,
+): ReadObject | null {
+  if (!isRecord(value)) {
+    problems.record(value, path);
+    return null;
+  }
+  problems.onlyKeys(value, path, ['id', 'name', 'parent', 'active', 'tags', 'components']);
+  const id = problems.text(value.id, join(path, 'id'));
+  const name = problems.text(value.name, join(path, 'name'), true);
+  const parent = value.parent === null ? null : problems.text(value.parent, join(path, 'parent'));
+  const active = problems.flag(value.active, join(path, 'active'), true);
+  const listed = value.tags === undefined ? [] : problems.array(value.tags, join(path, 'tags'));
+  const tags = listed.map((tag, i) => problems.text(tag, join(join(path, 'tags'), i)));
+  const components = readComponents(value.components, join(path, 'components'), registry, problems);
+  return { id, name, parent, ...(active ? {} : { active }), ...(tags.length > 0 ? { tags } : {}), components, path };
+}
+
+function checkIds(objects: readonly ReadObject[], problems: ProblemList): Map<string, ReadObject> {
+  const byId = new Map<string, ReadObject>();
+  const componentPaths = new Map<string, string>();
+  for (const object of objects) {
+    const other = byId.get(object.id);
+    if (other && object.id)
+      problems.add(join(object.path, 'id'), `'${object.id}' is the id of ${other.path} too: ids must differ.`);
+    else byId.set(object.id, object);
+    for (const { id, type } of object.components) {
+      const path = `${object.path} ${type}`;
+      const taken = componentPaths.get(id);
+      if (taken && id) problems.add(path, `has the id '${id}', which is that of ${taken} too: ids must differ.`);
+      else componentPaths.set(id, path);
+    }
+  }
+  return byId;
+}
+
+function checkParents(
+  objects: readonly ReadObject[],
+  byId: ReadonlyMap<string, ReadObject>,
+  problems: ProblemList,
+): void {
+  for (const object of objects) {
+    if (object.parent === null || object.parent === '') continue;
+    const path = join(object.path, 'parent');
+    if (!byId.has(object.parent)) {
+      problems.add(
+        path,
+        `names the object ${describeValue(object.parent)}, which is not in the file: use null for none.`,
+      );
+      continue;
+    }
+    const seen = new Set<ReadObject>();
+    let above: ReadObject | undefined = object;
+    while (above && !seen.has(above)) {
+      seen.add(above);
+      above = above.parent === null ? undefined : byId.get(above.parent);
+    }
+    if (above === object) {
+      const ring = [...seen].map(({ id }) => id).join(' below ');
+      problems.add(path, `makes a cycle: ${ring} below ${object.id}. Give one of them another parent.`);
+    }
+  }
+}
+
+function checkReferences(
+  objects: readonly ReadObject[],
+  byId: ReadonlyMap<string, ReadObject>,
+  registry: ComponentRegistry,
+  problems: ProblemList,
+): void {
+  for (const object of objects) {
+    for (const { type, values } of object.components) {
+      const fields = registry.types.get(type)?.fields ?? {};
+      for (const [name, value] of Object.entries(values)) {
+        if (fields[name].kind !== 'object' || typeof value !== 'string' || byId.has(value)) continue;
+        problems.add(`${object.path} ${type}.${name}`, `names the object '${value}', which is not in the file.`);
+      }
+    }
+  }
+}
+
+/** Reads the objects of a file, and checks ids, parents and references among them. */
+export function readObjects(
+  value: unknown,
+  path: string,
+  registry: ComponentRegistry,
+  problems: ProblemList,
+): FileObject[] {
+  const objects = problems
+    .array(value, path)
+    .map((each, i) => readObject(each, join(path, i), registry, problems))
+    .filter((object) => object !== null);
+  const byId = checkIds(objects, problems);
+  checkParents(objects, byId, problems);
+  checkReferences(objects, byId, registry, problems);
+  return objects.map(({ path: _, ...object }) => object);
+}

@@ -1,0 +1,67 @@
+import type { AssetLibrary } from '../assets/AssetLibrary';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
+import type { FieldOwner } from '../fields/FieldOwner';
+import { sameValue } from '../fields/FieldOwner';
+import type { FieldValue } from '../fields/Field';
+import { assetUses } from './assetUses';
+import { type FarolFile, FILE_VERSION, type FileObject } from './FarolFile';
+
+export interface SerializeOptions {
+  /** Where the addresses of assets come from; the scene's own library when absent. */
+  assets?: AssetLibrary;
+}
+
+/** Authored values that are not the default; a reference to an object that is gone becomes null. */
+function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, FieldValue> {
+  const values: Record<string, FieldValue> = {};
+  for (const [name, field] of Object.entries(owner.fields)) {
+    let value = owner.getAuthored(name);
+    if (field.kind === 'object' && typeof value === 'string' && scene && !scene.findById(value)) value = null;
+    if (!sameValue(value, field.default)) values[name] = Array.isArray(value) ? [value[0], value[1], value[2]] : value;
+  }
+  return values;
+}
+
+/** One GameObject without its children, as a file holds it. */
+export function serializeObject(gameObject: GameObject): FileObject {
+  return {
+    id: gameObject.id,
+    name: gameObject.name,
+    parent: gameObject.parent?.id ?? null,
+    ...(gameObject.active ? {} : { active: false }),
+    ...(gameObject.tags.length > 0 ? { tags: [...gameObject.tags] } : {}),
+    components: gameObject.components.map((component) => ({
+      type: component.typeName,
+      version: component.componentClass.version,
+      id: component.id,
+      ...(component.enabled ? {} : { enabled: false }),
+      values: changedValues(component, gameObject.scene),
+    })),
+  };
+}
+
+/**
+ * The scene as plain JSON data: what was authored, not where simulation has taken it. Assets are named; those that were
+ * registered with an address that lasts are listed with it.
+ */
+export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFile {
+  const assets = options.assets ?? scene.assets;
+  const objects: FileObject[] = [];
+  scene.traverse((gameObject) => objects.push(serializeObject(gameObject)));
+  const file: FarolFile = {
+    format: 'farol-scene',
+    version: FILE_VERSION,
+    name: scene.name,
+    settings: changedValues(scene.settings, null),
+    activeCamera: scene.activeCamera?.gameObject.id ?? null,
+    assets: [],
+    objects,
+  };
+  for (const name of new Set(assetUses(file, scene.registry).map((use) => use.name))) {
+    const url = assets.urlOf(name);
+    const type = assets.typeOf(name);
+    if (url && type && name !== 'dragon' && !url.startsWith('blob:')) file.assets.push({ name, type, url });
+  }
+  return file;
+}
