@@ -51,3 +51,6 @@ export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type 
 export { FileError, type FileProblem } from './file/FileError';
 export { parseFile, type ParseOptions } from './file/parseFile';
 export { serialize, serializeObject, type SerializeOptions } from './file/serialize';
+
+export { App, type AppOptions, type FrameInfo } from './app/App';
+export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';

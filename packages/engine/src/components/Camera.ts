@@ -88,7 +88,9 @@ export class Camera extends component({
 
   /** Tells the camera the size of the canvas, in any unit; not an edit. */
   setViewport(width: number, height: number): void {
-    this.canvasAspect = width > 0 && height > 0 ? width / height : 1;
+    const aspect = width > 0 && height > 0 ? width / height : 1;
+    if (aspect === this.canvasAspect) return;
+    this.canvasAspect = aspect;
     if (this.camera) this.applyProjection(this.camera);
   }
 

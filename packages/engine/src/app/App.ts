@@ -1,0 +1,195 @@
+import { FarolRenderer, type TechniqueName } from '@farol/renderer';
+import { WebGLRenderer, type WebGLRendererParameters } from 'three';
+import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
+import { Scene } from '../core/Scene';
+import { InputRouter } from './InputRouter';
+
+export interface AppOptions {
+  /** Canvas to draw to; one is made when absent. */
+  canvas?: HTMLCanvasElement;
+  /** Element that the canvas is put into, and whose size it takes at first. */
+  parent?: HTMLElement;
+  /** Parameters of three's WebGLRenderer, such as `antialias`. */
+  renderer?: WebGLRendererParameters;
+  /** A WebGLRenderer of the host's, in place of a new one; `canvas`, `parent` and `renderer` do not count then. */
+  webgl?: WebGLRenderer;
+  /** Key of the renderer's `techniques`; its default when absent. */
+  technique?: TechniqueName;
+  /** An empty scene when absent. */
+  scene?: Scene;
+  /** Where keys are heard; the window when absent, null for nowhere. */
+  keys?: EventTarget | null;
+  /** Longest step of simulation in seconds, however long a frame took; 0.1 when absent. */
+  maxDelta?: number;
+}
+
+/** What a listener of `onFrame` gets after each frame. */
+export interface FrameInfo {
+  /** Seconds by which the simulation went on; 0 while it pauses. */
+  readonly deltaSeconds: number;
+  /** The scene's time in seconds. */
+  readonly time: number;
+}
+
+/**
+ * Canvas, loop and input of a scene (thesis 3.2.1). Each frame updates the scene and draws it with its active camera;
+ * pointer and key events go to the scene, which passes them on to its components.
+ */
+export class App {
+  readonly canvas: HTMLCanvasElement;
+  /** three's renderer. */
+  readonly webgl: WebGLRenderer;
+  /** Farol's renderer, which draws the scene. */
+  readonly renderer: FarolRenderer;
+
+  private readonly input: InputRouter;
+  private readonly listeners = new Set<(frame: FrameInfo) => void>();
+  private readonly ownsWebgl: boolean;
+  private readonly ownsCanvas: boolean;
+  private readonly maxDelta: number;
+  private currentScene: Scene;
+  private request = 0;
+  private lastFrame = 0;
+  private isPlaying = true;
+  private aspectWidth = 1;
+  private aspectHeight = 1;
+
+  /** @throws Error when the browser has no WebGL 2, or there is no such technique */
+  constructor(options: AppOptions = {}) {
+    this.ownsWebgl = !options.webgl;
+    this.ownsCanvas = !options.webgl && !options.canvas;
+    const { canvas } = options;
+    this.webgl = options.webgl ?? new WebGLRenderer({ ...options.renderer, ...(canvas ? { canvas } : {}) });
+    this.canvas = this.webgl.domElement;
+    this.renderer = new FarolRenderer(this.webgl, options.technique ? { technique: options.technique } : {});
+    this.currentScene = options.scene ?? new Scene();
+    this.maxDelta = options.maxDelta ?? 0.1;
+    if (options.parent && !options.webgl) {
+      if (this.ownsCanvas) Object.assign(this.canvas.style, { display: 'block', touchAction: 'none' });
+      options.parent.append(this.canvas);
+      this.resize(options.parent.clientWidth || 1, options.parent.clientHeight || 1);
+    }
+    const keys = options.keys === undefined ? globalThis.window : options.keys;
+    this.input = new InputRouter(this.canvas, keys ?? null, {
+      dispatchPointer: (event: EnginePointerEvent) => this.currentScene.dispatchPointer(event),
+      dispatchKey: (event: EngineKeyEvent) => this.currentScene.dispatchKey(event),
+    });
+  }
+
+  /** The scene on show. One that is replaced is not disposed: it may be shown again. */
+  get scene(): Scene {
+    return this.currentScene;
+  }
+
+  set scene(scene: Scene) {
+    if (scene === this.currentScene) return;
+    this.input.releaseKeys();
+    this.currentScene = scene;
+  }
+
+  /** Whether the loop runs. */
+  get running(): boolean {
+    return this.request !== 0;
+  }
+
+  /** Whether frames of the loop advance the simulation. */
+  get playing(): boolean {
+    return this.isPlaying;
+  }
+
+  /** Starts the loop: each display frame updates the scene and draws it. */
+  start(): void {
+    if (this.running) return;
+    this.lastFrame = 0;
+    this.request = requestAnimationFrame(this.frame);
+  }
+
+  /** Ends the loop; the last picture stays. */
+  stop(): void {
+    cancelAnimationFrame(this.request);
+    this.request = 0;
+  }
+
+  /** Lets the simulation go on. */
+  play(): void {
+    this.isPlaying = true;
+  }
+
+  /** Holds the simulation; the loop goes on drawing. */
+  pause(): void {
+    this.isPlaying = false;
+  }
+
+  /** Advances the simulation by `deltaSeconds`, playing or not, and draws. */
+  step(deltaSeconds = 1 / 60): void {
+    this.advance(deltaSeconds);
+  }
+
+  /** Puts the scene at a time in seconds, the same in every run, and draws exactly one frame. */
+  renderAt(seconds: number): void {
+    this.currentScene.setTime(seconds);
+    this.render();
+    this.tell(0);
+  }
+
+  /** Draws the scene as it is; nothing but the background when it has no camera. */
+  render(): void {
+    const camera = this.currentScene.activeCamera;
+    if (!camera) {
+      this.webgl.clear();
+      return;
+    }
+    camera.setViewport(this.aspectWidth, this.aspectHeight);
+    this.renderer.render(this.currentScene.three, camera.three);
+  }
+
+  /**
+   * Sets the size of the canvas.
+   * @param width - CSS pixels, at least 1
+   * @param height - CSS pixels, at least 1
+   * @param pixelRatio - device pixels for each CSS pixel; as it was when absent
+   */
+  resize(width: number, height: number, pixelRatio?: number): void {
+    this.aspectWidth = Math.max(1, width);
+    this.aspectHeight = Math.max(1, height);
+    if (pixelRatio !== undefined) this.webgl.setPixelRatio(pixelRatio);
+    this.webgl.setSize(this.aspectWidth, this.aspectHeight);
+  }
+
+  /** Calls `listener` after each frame that is drawn. @returns a function that ends it */
+  onFrame(listener: (frame: FrameInfo) => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  /** Ends loop and input and frees the renderers. The scene stays, as do a canvas or a WebGLRenderer of the host's. */
+  dispose(): void {
+    this.stop();
+    this.input.dispose();
+    this.listeners.clear();
+    this.renderer.dispose();
+    if (this.ownsWebgl) this.webgl.dispose();
+    if (this.ownsCanvas) this.canvas.remove();
+  }
+
+  private readonly frame = (now: number): void => {
+    this.request = requestAnimationFrame(this.frame);
+    const elapsed = this.lastFrame === 0 ? 0 : (now - this.lastFrame) / 1000;
+    this.lastFrame = now;
+    if (this.isPlaying) this.advance(Math.min(Math.max(elapsed, 0), this.maxDelta));
+    else this.advance(null);
+  };
+
+  /** Updates, unless `deltaSeconds` is null, draws, and tells the listeners. */
+  private advance(deltaSeconds: number | null): void {
+    if (deltaSeconds !== null) this.currentScene.update(deltaSeconds);
+    this.render();
+    this.tell(deltaSeconds ?? 0);
+  }
+
+  private tell(deltaSeconds: number): void {
+    if (this.listeners.size === 0) return;
+    const info = { deltaSeconds, time: this.currentScene.time };
+    for (const listener of this.listeners) listener(info);
+  }
+}
