@@ -1,0 +1,64 @@
+import type { MicroShader } from '../MicroShader';
+import { parseMicroShader } from '../parseMicroShader';
+import accumulatedOutput from './accumulatedOutput.glsl?raw';
+import ambientLight from './ambientLight.glsl?raw';
+import countView from './countView.glsl?raw';
+import deferredOutput from './deferredOutput.glsl?raw';
+import fullscreen from './fullscreen.glsl?raw';
+import gbufferRead from './gbufferRead.glsl?raw';
+import gbufferWrite from './gbufferWrite.glsl?raw';
+import globalLightsFragment from './globalLightsFragment.glsl?raw';
+import heatMap from './heatMap.glsl?raw';
+import heatScale from './heatScale.glsl?raw';
+import incidentLight from './incidentLight.glsl?raw';
+import lightAttenuation from './lightAttenuation.glsl?raw';
+import lightLoopAll from './lightLoopAll.glsl?raw';
+import lightLoopNone from './lightLoopNone.glsl?raw';
+import lightLoopOne from './lightLoopOne.glsl?raw';
+import lightTable from './lightTable.glsl?raw';
+import lightVolumeCone from './lightVolumeCone.glsl?raw';
+import lightVolumeFragment from './lightVolumeFragment.glsl?raw';
+import lightVolumeSphere from './lightVolumeSphere.glsl?raw';
+import octahedralNormal from './octahedralNormal.glsl?raw';
+import output from './output.glsl?raw';
+import shadeSurface from './shadeSurface.glsl?raw';
+import shadeThree from './shadeThree.glsl?raw';
+import surfaceView from './surfaceView.glsl?raw';
+import unproject from './unproject.glsl?raw';
+import { threeLighting } from './threeLighting';
+
+/** Sources by name. A new microshader is a file and a line here. */
+const sources = {
+  accumulatedOutput,
+  ambientLight,
+  countView,
+  deferredOutput,
+  fullscreen,
+  gbufferRead,
+  gbufferWrite,
+  globalLightsFragment,
+  heatMap,
+  heatScale,
+  incidentLight,
+  lightAttenuation,
+  lightLoopAll,
+  lightLoopNone,
+  lightLoopOne,
+  lightTable,
+  lightVolumeCone,
+  lightVolumeFragment,
+  lightVolumeSphere,
+  octahedralNormal,
+  output,
+  shadeSurface,
+  shadeThree,
+  surfaceView,
+  unproject,
+};
+
+export type BuiltinMicroShader = keyof typeof sources | 'threeLighting';
+
+export const builtinMicroShaders: readonly MicroShader[] = [
+  threeLighting,
+  ...Object.entries(sources).map(([name, text]) => parseMicroShader(name, text)),
+];

@@ -1,0 +1,14 @@
+// Unit vector to two numbers in -1..1 and back, by the octahedral map.
+// Cigolle et al. 2014, A Survey of Efficient Representations for Independent Unit Vectors
+//? farol_encodeNormal(vec3(0.0, 0.0, 1.0)) == vec2(0.0)
+//? farol_decodeNormal(vec2(1.0, 0.0)) == vec3(1.0, 0.0, 0.0)
+vec2 farol_encodeNormal(const in vec3 normal) {
+  vec3 n = normal / (abs(normal.x) + abs(normal.y) + abs(normal.z));
+  return n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
+}
+
+vec3 farol_decodeNormal(const in vec2 encoded) {
+  vec3 n = vec3(encoded, 1.0 - abs(encoded.x) - abs(encoded.y));
+  if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
+  return normalize(n);
+}

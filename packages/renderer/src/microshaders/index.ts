@@ -1,0 +1,2 @@
+export { MicroShaderRegistry } from './MicroShaderRegistry';
+export type { MicroShader } from './MicroShader';
