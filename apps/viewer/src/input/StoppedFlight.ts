@@ -1,0 +1,35 @@
+import { KeyController } from '@farol/engine';
+import type { Viewer } from '../Viewer';
+
+/** Keeps the camera in hand while time is stopped: the scene is drawn for each move, and no loop runs in between. */
+export class StoppedFlight {
+  private readonly held = new Set<string>();
+  private request = 0;
+  private last = 0;
+
+  constructor(private readonly viewer: Viewer) {
+    viewer.app.canvas.addEventListener('pointermove', (event) => {
+      if (event.buttons !== 0) this.viewer.redraw();
+    });
+    addEventListener('keydown', ({ code }) => {
+      if (this.viewer.state.time === null) return;
+      this.held.add(code);
+      if (this.request === 0) {
+        this.last = performance.now();
+        this.request = requestAnimationFrame(this.frame);
+      }
+    });
+    addEventListener('keyup', ({ code }) => this.held.delete(code));
+    addEventListener('blur', () => this.held.clear());
+  }
+
+  private readonly frame = (now: number): void => {
+    this.request = 0;
+    const { state, app } = this.viewer;
+    if (this.held.size === 0 || state.time === null) return;
+    app.scene.activeCamera?.gameObject.getComponent(KeyController)?.update(Math.max(0, now - this.last) / 1000);
+    this.viewer.redraw();
+    this.last = now;
+    this.request = requestAnimationFrame(this.frame);
+  };
+}

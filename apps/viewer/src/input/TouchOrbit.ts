@@ -1,0 +1,55 @@
+import { type Camera, MouseController } from '@farol/engine';
+import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Viewer } from '../Viewer';
+
+/** Fingers orbit the scene: one turns, two zoom and pan. The mouse keeps turning the camera itself. */
+export class TouchOrbit {
+  /** What three's controls move; the engine's camera follows it, since its three camera hangs below a GameObject. */
+  private readonly proxy = new PerspectiveCamera();
+  private readonly controls: OrbitControls;
+  private readonly bounds = new Sphere();
+  private readonly front = new Vector3();
+
+  constructor(private readonly viewer: Viewer) {
+    const { canvas } = viewer.app;
+    // In the capture phase, so that it is before the controls' own.
+    canvas.addEventListener('pointerdown', (event) => this.begin(event.pointerType === 'touch'), { capture: true });
+    this.controls = new OrbitControls(this.proxy, canvas);
+    this.controls.enabled = false;
+    this.controls.addEventListener('change', () => this.follow());
+  }
+
+  private begin(touch: boolean): void {
+    const camera = this.viewer.app.scene.activeCamera;
+    const mouse = camera?.gameObject.getComponent(MouseController);
+    if (mouse) mouse.enabled = !touch;
+    if (touch && camera && !this.isFollowed(camera)) this.takePose(camera);
+    this.controls.enabled = touch;
+  }
+
+  private isFollowed({ gameObject }: Camera): boolean {
+    return this.proxy.position.equals(gameObject.object3D.position) && this.controls.enabled;
+  }
+
+  private takePose({ gameObject, three, fov }: Camera): void {
+    gameObject.object3D.updateWorldMatrix(true, false);
+    gameObject.object3D.matrixWorld.decompose(this.proxy.position, this.proxy.quaternion, this.proxy.scale);
+    this.proxy.fov = (fov * 180) / Math.PI;
+    this.proxy.updateProjectionMatrix();
+    new Box3().setFromObject(this.viewer.scene).getBoundingSphere(this.bounds);
+    this.front.set(0, 0, -1).applyQuaternion(this.proxy.quaternion);
+    const ahead = this.bounds.center.clone().sub(this.proxy.position).dot(this.front);
+    this.controls.target.copy(this.proxy.position).addScaledVector(this.front, Math.max(ahead, three.near * 10));
+    this.controls.update();
+  }
+
+  private follow(): void {
+    const object = this.viewer.app.scene.activeCamera?.gameObject.object3D;
+    if (!object || !this.controls.enabled) return;
+    object.position.copy(this.proxy.position);
+    object.quaternion.copy(this.proxy.quaternion);
+    object.parent?.worldToLocal(object.position);
+    this.viewer.redraw();
+  }
+}
