@@ -1,7 +1,22 @@
-/** A piece of shader source: a header of declarations and functions, and a piece of main(). Thesis 3.1.2. */
+export type MicroShaderStage = 'vertex' | 'fragment' | 'both';
+
+/**
+ * A piece of a shader: a header (uniforms, varyings, functions) and statements of `main()`.
+ * @see thesis 3.1.2
+ */
 export interface MicroShader {
+  /** Letters, digits and `_ - . /`. */
   readonly name: string;
+  /** GLSL put before `main()`, once in a shader; `#include "name"` lines in it are dependencies. */
   readonly header: string;
+  /** Statements of `main()`; '' for none. */
   readonly main: string;
+  /** Where it may be used. Default 'both'. */
+  readonly stage?: MicroShaderStage;
+  /** Chunks whose headers must come before this one's; those that the header includes are added to these. */
   readonly dependencies: readonly string[];
+  /** Line of its file (from 1) at which the header starts, for errors. Default 1. */
+  readonly headerLine?: number;
+  /** Line of its file (from 1) at which the main part starts, for errors. Default 1. */
+  readonly mainLine?: number;
 }

@@ -1,46 +1,227 @@
+import { composeHeaders, composeStage } from './composeSource';
+import { dependencyOrder, type MicroShaderSource } from './dependencyOrder';
 import type { MicroShader } from './MicroShader';
+import { completeMicroShader, parseMicroShader } from './parseMicroShader';
+import { parseMicroShaderXML } from './parseMicroShaderXML';
+import type { MicroShaderCompiler, Shader } from './Shader';
+import { ShaderCache } from './ShaderCache';
 
-/** Holds microshaders and composes shaders of them. */
-export class MicroShaderRegistry {
-  private readonly chunks = new Map<string, MicroShader>();
+export interface MicroShaderRegistryOptions<Program> {
+  /** Makes the programs of `getShader`. Without it their `program` is null. */
+  compiler?: MicroShaderCompiler<Program>;
+}
 
-  constructor(private readonly parent: MicroShaderRegistry | null = null) {}
+/** Gets the names of the replaced chunk and of all that depend on it. */
+export type MicroShaderListener = (names: readonly string[]) => void;
 
-  add(chunk: MicroShader): void {
-    this.chunks.set(chunk.name, chunk);
+/**
+ * Microshaders by name: composes shaders of them, compiles and caches these, and replaces chunks while shaders run.
+ * @see thesis 3.1.2 and 3.2.6
+ */
+export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderSource {
+  private readonly own = new Map<string, MicroShader>();
+  private readonly files = new Map<string, Promise<readonly string[]>>();
+  private readonly shaders: ShaderCache<Program>;
+  private readonly listeners = new Set<MicroShaderListener>();
+  private readonly checks = new Set<MicroShaderListener>();
+  private replacements = 0;
+  /** Chunk to the number of its last replacement, its own and with its dependencies. */
+  private readonly replacedAt = new Map<string, number>();
+  private readonly revisions = new Map<string, number>();
+
+  /** @param parent chunks that are known besides those added; they are not to change */
+  constructor(
+    private readonly parent: MicroShaderSource | null = null,
+    options: MicroShaderRegistryOptions<Program> = {},
+  ) {
+    this.shaders = new ShaderCache((vertex, fragment) => this.compose(vertex, fragment), options.compiler);
   }
 
-  get(name: string): MicroShader {
-    const chunk = this.chunks.get(name) ?? this.parent?.get(name);
-    if (chunk === undefined) throw new Error(`Unknown microshader "${name}".`);
-    return chunk;
+  get(name: string): MicroShader | undefined {
+    return this.own.get(name) ?? this.parent?.get(name);
   }
 
+  has(name: string): boolean {
+    return this.get(name) !== undefined;
+  }
+
+  /** All known names, the parent's first. */
+  names(): string[] {
+    return [...new Set([...(this.parent?.names() ?? []), ...this.own.keys()])];
+  }
+
+  /** @throws Error when a name is known already or cannot be; then none is added */
+  add(chunks: MicroShader | readonly MicroShader[]): void {
+    const added = ([] as MicroShader[]).concat(chunks).map(completeMicroShader);
+    const names = new Set<string>();
+    for (const { name } of added) {
+      if (this.has(name) || names.has(name)) {
+        throw new Error(`Microshader "${name}" exists already; use replace() to change it, or give it another name.`);
+      }
+      names.add(name);
+    }
+    for (const chunk of added) this.own.set(chunk.name, chunk);
+  }
+
+  /** Adds one chunk from the text of a `.glsl` file; its form is that of `parseMicroShader`. */
+  loadGLSL(name: string, text: string): void {
+    this.add(parseMicroShader(name, text));
+  }
+
+  /**
+   * Adds the chunks of the thesis's XML; its form is that of `parseMicroShaderXML`.
+   * @param file named in errors
+   * @returns their names
+   * @throws Error with file, and line where it has one; then none is added
+   */
+  loadXML(text: string, file = 'microshaders'): readonly string[] {
+    const chunks = parseMicroShaderXML(text, file);
+    const known = chunks.find(({ name }) => this.has(name));
+    if (known) throw new Error(`${file}: microshader "${known.name}" exists already; give it another name.`);
+    this.add(chunks);
+    return chunks.map(({ name }) => name);
+  }
+
+  /** Loads an XML file as `loadXML` does, once: asked again it gives the same promise, unless loading failed. */
+  loadXMLFile(url: string): Promise<readonly string[]> {
+    let names = this.files.get(url);
+    if (names === undefined) {
+      names = this.fetchXML(url);
+      this.files.set(url, names);
+      names.catch(() => this.files.delete(url));
+    }
+    return names;
+  }
+
+  /**
+   * The headers of these chunks and of all they depend on, each once, dependencies first, each between lines
+   * `// <name>` and `// </name>`.
+   * @throws Error for unknown names and cycles, with the path (`a -> b -> a`)
+   */
   header(names: readonly string[]): string {
-    const done = new Set<string>();
-    const out: string[] = [];
-    const visit = (name: string) => {
-      if (done.has(name)) return;
-      done.add(name);
-      const chunk = this.get(name);
-      chunk.dependencies.forEach(visit);
-      out.push(`// <${name}>`, chunk.header);
+    return composeHeaders(names, this);
+  }
+
+  /** Whole shaders: headers as `header` gives them, then `main()` of the main parts in the order of the lists. */
+  compose(
+    vertexChunks: readonly string[],
+    fragmentChunks: readonly string[],
+  ): { vertexShader: string; fragmentShader: string } {
+    return {
+      vertexShader: composeStage(vertexChunks, this, 'vertex'),
+      fragmentShader: composeStage(fragmentChunks, this, 'fragment'),
     };
-    names.forEach(visit);
-    return out.join('\n');
   }
 
-  compose(vertex: readonly string[], fragment: readonly string[]): { vertexShader: string; fragmentShader: string } {
-    const one = (names: readonly string[]) =>
-      `${this.header(names)}\nvoid main() {\n${names.map((name) => this.get(name).main).join('\n')}\n}\n`;
-    return { vertexShader: one(vertex), fragmentShader: one(fragment) };
+  /**
+   * The shader of this name, composed and compiled when it is first asked for, then always the same object.
+   * @param xmlUrl file to load when a chunk is unknown: only then is a promise returned, so `await` the result
+   * @throws Error when the name stands for other chunks already; MicroShaderCompileError when it does not compile
+   */
+  getShader(name: string, vertexChunks: readonly string[], fragmentChunks: readonly string[]): Shader<Program>;
+  getShader(
+    name: string,
+    vertexChunks: readonly string[],
+    fragmentChunks: readonly string[],
+    xmlUrl: string | undefined,
+  ): Shader<Program> | Promise<Shader<Program>>;
+  getShader(
+    name: string,
+    vertexChunks: readonly string[],
+    fragmentChunks: readonly string[],
+    xmlUrl?: string,
+  ): Shader<Program> | Promise<Shader<Program>> {
+    const shader = () => this.shaders.get(name, vertexChunks, fragmentChunks);
+    const known = [...this.withDependencies([...vertexChunks, ...fragmentChunks])].every((chunk) => this.has(chunk));
+    return known || xmlUrl === undefined ? shader() : this.loadXMLFile(xmlUrl).then(shader);
   }
 
-  revision(_names: readonly string[]): number {
-    return 0;
+  /**
+   * Puts another chunk in the place of a known one. All shaders that use it, directly or not, are composed and compiled
+   * anew, and the checks run; when any of that fails, everything stays as it was and the error is thrown.
+   * @param content text of a `.glsl` file, or a chunk of the same name
+   * @throws MicroShaderCompileError with chunk and line; Error for unknown names, cycles and what a check throws
+   */
+  replace(name: string, content: string | MicroShader): void {
+    const chunk = typeof content === 'string' ? parseMicroShader(name, content) : completeMicroShader(content);
+    if (chunk.name !== name) throw new Error(`Microshader "${name}" cannot be replaced by one named "${chunk.name}".`);
+    dependencyOrder([name], this);
+    const before = this.own.get(name);
+    this.own.set(name, chunk);
+    const affected = this.names().filter((other) => this.withDependencies([other]).has(name));
+    try {
+      dependencyOrder([name], this);
+      const recompiled = this.shaders.recompile((chunks) => chunks.some((used) => affected.includes(used)));
+      try {
+        for (const check of this.checks) check(affected);
+      } catch (error) {
+        recompiled.drop();
+        throw error;
+      }
+      recompiled.commit();
+    } catch (error) {
+      if (before) this.own.set(name, before);
+      else this.own.delete(name);
+      throw error;
+    }
+    this.replacedAt.set(name, ++this.replacements);
+    this.revisions.clear();
+    for (const listener of [...this.listeners]) listener(affected);
   }
 
-  onChange(_listener: () => void): () => void {
-    return () => undefined;
+  /** A number that grows whenever one of these chunks or of those they depend on is replaced; 0 before that. */
+  revision(names: readonly string[]): number {
+    let revision = 0;
+    if (this.replacements > 0) for (const name of names) revision = Math.max(revision, this.revisionOf(name));
+    return revision;
+  }
+
+  /** Calls back after each replacement. @returns call it to end that */
+  onChange(listener: MicroShaderListener): () => void {
+    this.listeners.add(listener);
+    return () => void this.listeners.delete(listener);
+  }
+
+  /**
+   * Calls back before each replacement takes effect, when `header` and `compose` give the new text already: a check that
+   * throws (it cannot compile what it made of them) prevents the replacement. @returns call it to end that
+   */
+  addCheck(check: MicroShaderListener): () => void {
+    this.checks.add(check);
+    return () => void this.checks.delete(check);
+  }
+
+  /** Compiles all shaders of `getShader` anew, for a context that was lost and came back. */
+  recompile(): void {
+    this.shaders.recompile(() => true).commit();
+  }
+
+  /** Frees all programs of `getShader`; the chunks stay. */
+  dispose(): void {
+    this.shaders.dispose();
+  }
+
+  private revisionOf(name: string): number {
+    let revision = this.revisions.get(name);
+    if (revision === undefined) {
+      revision = Math.max(...[...this.withDependencies([name])].map((used) => this.replacedAt.get(used) ?? 0));
+      this.revisions.set(name, revision);
+    }
+    return revision;
+  }
+
+  /** The names and all they depend on, unknown ones and cycles included. */
+  private withDependencies(names: readonly string[]): Set<string> {
+    const all = new Set(names);
+    // a set goes on to what is added while it is walked
+    for (const name of all) for (const dependency of this.get(name)?.dependencies ?? []) all.add(dependency);
+    return all;
+  }
+
+  private async fetchXML(url: string): Promise<readonly string[]> {
+    const response = await fetch(url);
+    if (!response.ok)
+      throw new Error(`${url}: the server answers ${response.status}; is the address of the file right?`);
+    return this.loadXML(await response.text(), url);
   }
 }

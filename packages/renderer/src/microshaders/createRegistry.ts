@@ -1,10 +1,12 @@
 import type { WebGLRenderer } from 'three';
 import { builtinMicroShaders } from './builtin';
 import { MicroShaderRegistry } from './MicroShaderRegistry';
+import { WebGLShaderCompiler } from './WebGLShaderCompiler';
 
 /** The registry of one FarolRenderer, with the built-in microshaders as its parent. */
-export function createRegistry(_webgl: WebGLRenderer): MicroShaderRegistry {
+export function createRegistry(webgl: WebGLRenderer): MicroShaderRegistry {
   const builtin = new MicroShaderRegistry();
-  for (const chunk of builtinMicroShaders) builtin.add(chunk);
-  return new MicroShaderRegistry(builtin);
+  builtin.add(builtinMicroShaders);
+  const compiler = new WebGLShaderCompiler(webgl.getContext() as WebGL2RenderingContext);
+  return new MicroShaderRegistry(builtin, { compiler });
 }

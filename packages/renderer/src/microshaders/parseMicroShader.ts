@@ -1,10 +1,63 @@
-import type { MicroShader } from './MicroShader';
+import type { MicroShader, MicroShaderStage } from './MicroShader';
 
-const INCLUDE = /^[ \t]*#include "(\w+)"[ \t]*$/gm;
+const MAIN_LINE = /^[ \t]*\/\/#[ \t]*main[ \t]*$/m;
+const STAGE_LINE = /^[ \t]*\/\/#[ \t]*stage[ \t]+(\w*)[ \t]*$/m;
+/** `#include "name"`; three's own is `#include <name>`. */
+export const INCLUDE_LINE = /^[ \t]*#include[ \t]+"([^"\n]*)"[ \t]*(?:\/\/.*)?$/;
 
-/** A microshader from the text of its file: header, then after a line `//# main` its piece of main(). */
+/**
+ * Reads a microshader from the text of a `.glsl` file: its header, then after a line `//# main` its piece of `main()`.
+ * The file's first line says what it is for, its second links the paper or spec. A line `//# stage vertex` or
+ * `//# stage fragment` keeps it to that stage; `#include "name"` lines of the header are its dependencies.
+ * @throws Error for an include in the main part, or a stage or name that cannot be
+ */
 export function parseMicroShader(name: string, text: string): MicroShader {
-  const [head, main = ''] = text.split(/^\/\/# main[ \t]*$/m);
-  const dependencies = [...head.matchAll(INCLUDE)].map((match) => match[1]);
-  return { name, header: head.replace(INCLUDE, '').trim(), main: main.trim(), dependencies };
+  const lines = text.replace(/\r\n?/g, '\n');
+  const split = MAIN_LINE.exec(lines);
+  const header = split ? lines.slice(0, split.index) : lines;
+  const main = split ? lines.slice(split.index + split[0].length + 1) : '';
+  const headerLines = header.split('\n').length;
+  const stage = STAGE_LINE.exec(header)?.[1];
+  return completeMicroShader({
+    name,
+    header,
+    main,
+    dependencies: [],
+    ...(stage !== undefined && { stage: stage as MicroShaderStage }),
+    mainLine: headerLines + 1,
+  });
+}
+
+/**
+ * The same chunk with every included name among its dependencies, each once, checked.
+ * @throws Error for an include in the main part, or a stage or name that cannot be
+ */
+export function completeMicroShader(chunk: MicroShader): MicroShader {
+  const { name, header, main, stage = 'both' } = chunk;
+  if (!/^[\w./-]+$/.test(name)) {
+    throw new Error(`Microshader name "${name}": use letters, digits, "_", "-", "." and "/" only.`);
+  }
+  if (!['vertex', 'fragment', 'both'].includes(stage)) {
+    throw new Error(`Microshader "${name}" has the stage "${stage}"; stages are vertex, fragment and both.`);
+  }
+  if (includesOf(main).length > 0) {
+    throw new Error(`Microshader "${name}" includes a chunk in its main part; put the #include line into its header.`);
+  }
+  return { ...chunk, dependencies: [...new Set([...chunk.dependencies, ...includesOf(header)])] };
+}
+
+/** The text of a `.glsl` file that `parseMicroShader` reads as this chunk. */
+export function formatMicroShader(chunk: MicroShader): string {
+  let { header } = chunk;
+  const included = includesOf(header);
+  for (const name of chunk.dependencies.toReversed()) {
+    if (!included.includes(name)) header = `#include "${name}"\n${header}`;
+  }
+  if (chunk.stage && !STAGE_LINE.test(header)) header = `//# stage ${chunk.stage}\n${header}`;
+  if (chunk.main === '') return header;
+  return `${header}${header.endsWith('\n') || header === '' ? '' : '\n'}//# main\n${chunk.main}`;
+}
+
+function includesOf(text: string): string[] {
+  return text.split('\n').flatMap((line) => INCLUDE_LINE.exec(line)?.[1] ?? []);
 }

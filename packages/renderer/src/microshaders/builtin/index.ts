@@ -21,10 +21,12 @@ import lightVolumeFragment from './lightVolumeFragment.glsl?raw';
 import lightVolumeSphere from './lightVolumeSphere.glsl?raw';
 import octahedralNormal from './octahedralNormal.glsl?raw';
 import output from './output.glsl?raw';
+import positionFromDepth from './positionFromDepth.glsl?raw';
 import shadeSurface from './shadeSurface.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import surfaceView from './surfaceView.glsl?raw';
 import unproject from './unproject.glsl?raw';
+import viewDepth from './viewDepth.glsl?raw';
 import { threeLighting } from './threeLighting';
 
 /** Sources by name. A new microshader is a file and a line here. */
@@ -50,10 +52,12 @@ const sources = {
   lightVolumeSphere,
   octahedralNormal,
   output,
+  positionFromDepth,
   shadeSurface,
   shadeThree,
   surfaceView,
   unproject,
+  viewDepth,
 };
 
 export type BuiltinMicroShader = keyof typeof sources | 'threeLighting';

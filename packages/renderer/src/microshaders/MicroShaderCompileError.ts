@@ -1,0 +1,29 @@
+import { explainCompileError, type MicroShaderCompileEntry } from './explainCompileError';
+
+/** A shader that the driver refused: what it said, by microshader and line. */
+export class MicroShaderCompileError extends Error {
+  override readonly name = 'MicroShaderCompileError';
+  readonly entries: readonly MicroShaderCompileEntry[];
+
+  /**
+   * @param shader name of the shader
+   * @param stage that was refused, or 'link'
+   * @param log of the driver
+   * @param source as it was given to the driver; '' for 'link'
+   */
+  constructor(
+    readonly shader: string,
+    readonly stage: 'vertex' | 'fragment' | 'link',
+    log: string,
+    source: string,
+  ) {
+    const entries = explainCompileError(log, source);
+    const what = entries.map(
+      ({ chunk, line, message, text }) =>
+        `${chunk === null ? (line > 0 ? `line ${line}: ` : '') : `microshader "${chunk}", line ${line}: `}${message}` +
+        (text === '' ? '' : `\n    ${text}`),
+    );
+    super(`Shader "${shader}" (${stage}) does not compile:\n  ${what.join('\n  ') || 'the driver does not say why'}`);
+    this.entries = entries;
+  }
+}

@@ -1,0 +1,24 @@
+/** What a compiler gets: whole sources, composed of microshaders, without `#version`. */
+export interface ShaderSource {
+  readonly name: string;
+  readonly vertexShader: string;
+  readonly fragmentShader: string;
+}
+
+/** Makes programs of composed sources. */
+export interface MicroShaderCompiler<Program> {
+  /** @throws MicroShaderCompileError when the driver refuses it */
+  compile(source: ShaderSource): Program;
+  /** Frees a program that is no longer used. */
+  release?(program: Program): void;
+}
+
+/** A shader of the registry. The object stays the same through live edits, its sources and program do not. */
+export interface Shader<Program = WebGLProgram> extends ShaderSource {
+  readonly vertexChunks: readonly string[];
+  readonly fragmentChunks: readonly string[];
+  /** Null when the registry has no compiler. */
+  readonly program: Program | null;
+  /** Grows each time the shader is composed anew; starts at 0. */
+  readonly revision: number;
+}

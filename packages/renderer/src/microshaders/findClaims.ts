@@ -1,0 +1,27 @@
+/** A line `//? left == right` of a microshader, which a test evaluates on the GPU. */
+export interface Claim {
+  /** From 1. */
+  readonly line: number;
+  /** As written, without the mark. */
+  readonly text: string;
+  /** Statements before the comparison, each with its semicolon; '' for none. */
+  readonly setup: string;
+  readonly left: string;
+  readonly right: string;
+}
+
+/**
+ * The claims of a microshader's text: `//? expression == expression`, with statements before it if need be
+ * (`//? float a = f(1.0); a * a == 2.0`). Floats are to agree to within rounding, integers and truths exactly.
+ * @throws Error for a line with the mark but no comparison
+ */
+export function findClaims(text: string): Claim[] {
+  return text.split(/\r\n?|\n/).flatMap((raw, i) => {
+    const claim = /^[ \t]*\/\/\?[ \t]*(.*?)[ \t]*$/.exec(raw)?.[1];
+    if (claim === undefined) return [];
+    const parts = /^((?:.*;)?)\s*(.+?)\s*==\s*(.+)$/.exec(claim);
+    if (parts === null)
+      throw new Error(`Line ${i + 1}: the claim "${claim}" is not of the form "expression == expression".`);
+    return { line: i + 1, text: claim, setup: parts[1], left: parts[2], right: parts[3] };
+  });
+}
