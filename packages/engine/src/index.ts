@@ -43,7 +43,13 @@ export {
   type SceneParameters,
 } from './scenes/SceneDefinition';
 export { scenes } from './scenes/index';
+export { benchmarkLights } from './scenes/benchmark/benchmarkLights';
+export { benchmarkLightsObjects } from './scenes/benchmark/benchmarkLightsObjects';
+export { dragons, type DragonsOptions } from './scenes/dragon/dragons';
+export { niceScene, type NiceSceneOptions } from './scenes/dragon/niceScene';
+export { sponza, type SponzaOptions } from './scenes/sponza/sponza';
 export { temple } from './scenes/temple/temple';
+export { importModel } from './assets/importModel';
 
 export { assetUses, type AssetUse } from './file/assetUses';
 export { deserialize, type DeserializeOptions, makeObjects } from './file/deserialize';

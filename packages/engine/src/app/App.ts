@@ -23,7 +23,7 @@ export interface AppOptions {
   maxDelta?: number;
 }
 
-/** What a listener of `onFrame` gets after each frame. */
+/** What a listener of `onFrame` gets after each frame: the same object each time. */
 export interface FrameInfo {
   /** Seconds by which the simulation went on; 0 while it pauses. */
   readonly deltaSeconds: number;
@@ -51,6 +51,7 @@ export class App {
   private request = 0;
   private lastFrame = 0;
   private isPlaying = true;
+  private readonly info = { deltaSeconds: 0, time: 0 };
   private aspectWidth = 1;
   private aspectHeight = 1;
 
@@ -188,8 +189,8 @@ export class App {
   }
 
   private tell(deltaSeconds: number): void {
-    if (this.listeners.size === 0) return;
-    const info = { deltaSeconds, time: this.currentScene.time };
-    for (const listener of this.listeners) listener(info);
+    this.info.deltaSeconds = deltaSeconds;
+    this.info.time = this.currentScene.time;
+    for (const listener of this.listeners) listener(this.info);
   }
 }

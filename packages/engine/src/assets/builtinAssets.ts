@@ -7,6 +7,7 @@ import {
   SphereGeometry,
   TorusGeometry,
 } from 'three';
+import { atriumMeshes } from '../scenes/sponza/atriumMeshes';
 import { templeMeshes } from '../scenes/temple/templeMeshes';
 import { builtinTextures } from '../textures/builtinTextures';
 import type { AssetSource } from './Asset';
@@ -36,5 +37,6 @@ export const builtinAssets: Readonly<Record<string, AssetSource>> = {
       ),
   },
   ...templeMeshes,
+  ...atriumMeshes,
   ...builtinTextures,
 };

@@ -4,6 +4,7 @@ import { number } from '../../fields/fields';
 import { SceneBuilder } from '../SceneBuilder';
 import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
 import { lightBudget } from '../lightBudget';
+import { seedField } from '../seedField';
 import { templePlan, templeSize } from './templePlan';
 
 const stone = { map: 'marble', normalMap: 'marble-normal', colour: [0.86, 0.83, 0.78], roughness: 0.7 } as const;
@@ -113,7 +114,7 @@ export const templeScene = defineScene({
   help: 'A temple of columns on a green plane, with moving lights.',
   parameters: {
     lights: number(50, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
-    seed: number(1, { integer: true, min: 0, max: 2 ** 31 - 1, help: 'Another number, other lights.' }),
+    seed: seedField,
   },
   make: (get, assets) => temple(get('lights') as number, { seed: get('seed') as number, assets }),
 });

@@ -1,0 +1,28 @@
+import type { SceneBuilder } from '../SceneBuilder';
+
+interface LightGrid {
+  /** Lights along a side. */
+  count: number;
+  /** Side of the square that they share, in metres. */
+  side: number;
+  /** Height of what they light, in metres. */
+  floor: number;
+}
+
+/** `count` × `count` moving point lights in a grid over a square, each about as bright where it is, however many there are. */
+export function addLightGrid(build: SceneBuilder, { count, side, floor }: LightGrid): void {
+  const spacing = side / Math.max(count, 1);
+  const height = Math.min(2, Math.max(0.45, spacing * 0.3));
+  const range = Math.max(1.6, Math.min(spacing * 1.15, 12));
+  build.movingLights(count * count, build.group('Lights'), (i, random) => ({
+    position: [
+      ((i % count) + 0.5) * spacing - side / 2,
+      floor + height,
+      (Math.floor(i / count) + 0.5) * spacing - side / 2,
+    ],
+    extent: [spacing * 0.7, height * 0.3, spacing * 0.7],
+    speed: Math.min(2, spacing) * (0.5 + random()),
+    range,
+    intensity: 3.2 * height * height,
+  }));
+}

@@ -1,0 +1,45 @@
+import type { Scene } from '../../core/Scene';
+import { number } from '../../fields/fields';
+import { SceneBuilder } from '../SceneBuilder';
+import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
+import { addLightGrid } from './addLightGrid';
+import { seedField } from '../seedField';
+
+/** Side of the floor in metres. */
+const SIDE = 30;
+
+/**
+ * `n` × `n` planes that make a floor of 30 m × 30 m, and `m` × `m` moving point lights just above it (thesis 3.2.8 and
+ * 4.2.2).
+ * @param n - planes along a side, 1 or more
+ * @param m - lights along a side, 0 or more
+ */
+export async function benchmarkLights(n: number, m: number, options: SceneBuildOptions = {}): Promise<Scene> {
+  const build = new SceneBuilder('Benchmark: lights', options);
+  build.camera([0, 22, 25], [0, 0, 1.5], { fov: 0.87, near: 0.5, far: 120 }, 10);
+  build.light('Ambient light', { type: 'ambient', intensity: 0.12 }, [0, 5, 0]);
+  const planes = build.group('Planes');
+  const size = SIDE / n;
+  for (let j = 0; j < n; j++) {
+    for (let i = 0; i < n; i++) {
+      const position = [(i + 0.5) * size - SIDE / 2, 0, (j + 0.5) * size - SIDE / 2] as const;
+      const scale = [size, 1, size] as const;
+      build.mesh('Plane', 'plane', { colour: [0.8, 0.8, 0.8], roughness: 0.6 }, { position, scale, parent: planes });
+    }
+  }
+  addLightGrid(build, { count: m, side: SIDE, floor: 0 });
+  return build.scene;
+}
+
+export const benchmarkLightsScene = defineScene({
+  name: 'benchmarkLights',
+  label: 'Planes and lights',
+  help: 'N × N planes with M × M moving lights above them.',
+  parameters: {
+    n: number(5, { integer: true, min: 1, max: 100, help: 'Planes along a side.', label: 'Planes (N)' }),
+    m: number(15, { integer: true, min: 0, max: 150, help: 'Lights along a side.', label: 'Lights (M)' }),
+    seed: seedField,
+  },
+  make: (get, assets) =>
+    benchmarkLights(get('n') as number, get('m') as number, { seed: get('seed') as number, assets }),
+});

@@ -1,0 +1,66 @@
+import type { Scene } from '../../core/Scene';
+import { number } from '../../fields/fields';
+import { lightBudget } from '../lightBudget';
+import { SceneBuilder } from '../SceneBuilder';
+import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
+import { seedField } from '../seedField';
+
+export interface DragonsOptions extends SceneBuildOptions {
+  /** Moving point lights; 24 when absent. */
+  lights?: number;
+}
+
+/**
+ * Four Stanford dragons on a floor, lit by coloured point lights (thesis 4.1).
+ * @throws AssetError (as a rejection) when the library has no address of the dragon
+ */
+export async function dragons(options: DragonsOptions = {}): Promise<Scene> {
+  const { lights = 24 } = options;
+  const build = new SceneBuilder('Dragons', options);
+  await build.scene.assets.load('dragon');
+  build.camera([0.6, 3.9, 8.6], [0, 0.9, 0.2], { fov: 0.8, near: 0.1, far: 80 });
+  build.light(
+    'Sky',
+    { type: 'hemisphere', diffuse: [0.4, 0.45, 0.6], groundColour: [0.12, 0.1, 0.1], intensity: 0.25 },
+    [0, 8, 0],
+  );
+  build.mesh(
+    'Floor',
+    'plane',
+    { map: 'tiles', normalMap: 'tiles-normal', colour: [0.7, 0.7, 0.72], repeat: 8, roughness: 0.35 },
+    { scale: [30, 1, 30] },
+  );
+  const looks = [
+    { colour: [0.75, 0.75, 0.75], roughness: 0.35, metalness: 0 },
+    { colour: [0.9, 0.62, 0.3], roughness: 0.38, metalness: 0.9 },
+    { colour: [0.42, 0.62, 0.5], roughness: 0.25, metalness: 0 },
+    { colour: [0.72, 0.42, 0.36], roughness: 0.6, metalness: 0 },
+  ] as const;
+  const flock = build.group('Dragons');
+  looks.forEach((look, i) => {
+    const position = [i % 2 === 0 ? -2.1 : 2.1, 0, i < 2 ? 1.5 : -2.1] as const;
+    const rotation = [0, (i % 2 === 0 ? 0.35 : -0.35) + (i % 2) * Math.PI, 0] as const;
+    const scale = [3.4, 3.4, 3.4] as const;
+    build.mesh('Dragon', 'dragon', { ...look, creaseAngle: Math.PI }, { position, rotation, scale, parent: flock });
+  });
+  const { range, intensity } = lightBudget(lights, { volume: 420, range: 4.5, light: 5 });
+  build.movingLights(lights, build.group('Lights'), (_, random) => ({
+    position: [9 * (random() - 0.5), 0.4 + 2.6 * random(), 8 * (random() - 0.5)],
+    extent: [0.6 + 1.4 * random(), 0.3, 0.6 + 1.4 * random()],
+    speed: 0.4 + 0.8 * random(),
+    range,
+    intensity,
+  }));
+  return build.scene;
+}
+
+export const dragonsScene = defineScene({
+  name: 'dragons',
+  label: 'Dragons',
+  help: 'Four Stanford dragons among coloured lights.',
+  parameters: {
+    lights: number(24, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
+    seed: seedField,
+  },
+  make: (get, assets) => dragons({ lights: get('lights') as number, seed: get('seed') as number, assets }),
+});
