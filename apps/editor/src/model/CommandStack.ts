@@ -1,0 +1,121 @@
+import type { Command } from './Command';
+import { Gesture } from './Gesture';
+import { Signal } from './Signal';
+
+/** The history of a document: what was done, and what was undone and may be redone. */
+export class CommandStack {
+  /** Emits when the history changes. */
+  readonly changed = new Signal();
+
+  private readonly done: Command[] = [];
+  private readonly undone: Command[] = [];
+  private gesture: Gesture | null = null;
+  private savedAt: Command | null = null;
+
+  /**
+   * @param onApplied - called after a command was done or undone
+   * @param limit - steps that are kept; the oldest go first
+   */
+  constructor(
+    private readonly onApplied: (command: Command, isDone: boolean) => void = () => {},
+    private readonly limit = 1000,
+  ) {}
+
+  /** Label of the step that `undo` takes back; null when there is none. */
+  get undoLabel(): string | null {
+    return this.done.at(-1)?.label ?? null;
+  }
+
+  /** Label of the step that `redo` does again; null when there is none. */
+  get redoLabel(): string | null {
+    return this.undone.at(-1)?.label ?? null;
+  }
+
+  /** Labels of all steps that can be undone, oldest first. */
+  get history(): readonly string[] {
+    return this.done.map(({ label }) => label);
+  }
+
+  /** Whether the document differs from what was last saved. */
+  get isDirty(): boolean {
+    return (this.done.at(-1) ?? null) !== this.savedAt;
+  }
+
+  /** Whether a gesture is under way. */
+  get isGestureOpen(): boolean {
+    return this.gesture !== null;
+  }
+
+  /** Does a command as a step of its own. An open gesture is committed first. @throws what the command throws */
+  run(command: Command): void {
+    this.gesture?.commit();
+    if (command.isEmpty) return;
+    command.do();
+    this.keep(command);
+    this.onApplied(command, true);
+    this.changed.emit();
+  }
+
+  /** Begins an edit of many previews and one step of history. An open gesture is committed first. */
+  begin(): Gesture {
+    this.gesture?.commit();
+    const gesture = new Gesture((command) => {
+      this.gesture = null;
+      if (command) {
+        this.keep(command);
+        this.onApplied(command, true);
+      }
+      this.changed.emit();
+    });
+    this.gesture = gesture;
+    return gesture;
+  }
+
+  /** Takes the last step back; of an open gesture, what it has done so far. @returns whether there was one */
+  undo(): boolean {
+    this.gesture?.commit();
+    const command = this.done.at(-1);
+    if (!command) return false;
+    command.undo();
+    this.done.pop();
+    this.undone.push(command);
+    this.onApplied(command, false);
+    this.changed.emit();
+    return true;
+  }
+
+  /** Does the last undone step again. @returns whether there was one */
+  redo(): boolean {
+    this.gesture?.commit();
+    const command = this.undone.at(-1);
+    if (!command) return false;
+    command.do();
+    this.undone.pop();
+    this.done.push(command);
+    this.onApplied(command, true);
+    this.changed.emit();
+    return true;
+  }
+
+  /** The document as it is now is saved. */
+  markSaved(): void {
+    this.gesture?.commit();
+    this.savedAt = this.done.at(-1) ?? null;
+    this.changed.emit();
+  }
+
+  /** Forgets all steps, for another document; an open gesture is discarded. */
+  clear(): void {
+    this.gesture?.discard();
+    for (const command of this.done.splice(0)) command.forget?.(true);
+    for (const command of this.undone.splice(0)) command.forget?.(false);
+    this.savedAt = null;
+    this.changed.emit();
+  }
+
+  private keep(command: Command): void {
+    for (const each of this.undone.splice(0)) each.forget?.(false);
+    this.done.push(command);
+    if (this.done.length > this.limit) this.done.shift()?.forget?.(true);
+  }
+}

@@ -1,0 +1,88 @@
+import { AssetLibrary, type FieldOwner, type GameObject, Scene, type SceneChange, serialize } from '@farol/engine';
+import type { Command } from './Command';
+import { CommandStack } from './CommandStack';
+import { Selection } from './Selection';
+import { Signal } from './Signal';
+import { Simulation } from './Simulation';
+
+/**
+ * What is edited: a scene with its history, its selection and its simulation. It knows nothing of React or of a canvas.
+ * Every change of the scene goes through `commands`; simulation writes to the scene directly and is never history.
+ */
+export class EditorDocument {
+  /** Meshes and textures, shared by all scenes that are opened. */
+  readonly assets: AssetLibrary;
+  readonly commands = new CommandStack((command, isDone) => this.applied(command, isDone));
+  readonly selection = new Selection();
+  readonly simulation = new Simulation(() => this.scene);
+  /** Emits after every edit, whatever it was, previews included. */
+  readonly edited = new Signal();
+  /** Emits when objects or components come, go, move, or change their names or whether they are active. */
+  readonly structure = new Signal();
+  /** Emits when another scene was opened. */
+  readonly opened = new Signal();
+
+  private current: Scene;
+  private unsubscribe: () => void;
+  private readonly ownerSignals = new WeakMap<FieldOwner, Signal>();
+
+  constructor(assets: AssetLibrary = new AssetLibrary()) {
+    this.assets = assets;
+    this.current = new Scene({ name: 'Untitled', assets });
+    this.unsubscribe = this.current.onChange((change) => this.sceneChanged(change));
+  }
+
+  get scene(): Scene {
+    return this.current;
+  }
+
+  /** The selected GameObjects, in the order of their choice. */
+  get selectedObjects(): GameObject[] {
+    return this.selection.ids.flatMap((id) => this.scene.findById(id) ?? []);
+  }
+
+  /** Shows another scene, with an empty history. The one before is disposed. */
+  open(scene: Scene): void {
+    const before = this.current;
+    this.commands.clear();
+    this.unsubscribe();
+    this.current = scene;
+    this.unsubscribe = scene.onChange((change) => this.sceneChanged(change));
+    this.simulation.restart();
+    this.selection.clear();
+    before.dispose();
+    this.opened.emit();
+    this.structure.emit();
+    this.edited.emit();
+  }
+
+  /** Emits when a field of a component or of the scene's settings changes, or whether the component is enabled. */
+  ownerSignal(owner: FieldOwner): Signal {
+    let signal = this.ownerSignals.get(owner);
+    if (!signal) this.ownerSignals.set(owner, (signal = new Signal()));
+    return signal;
+  }
+
+  /** The scene as text, in the format of files. */
+  serialize(): string {
+    return `${JSON.stringify(serialize(this.scene), null, 1)}\n`;
+  }
+
+  private applied(command: Command, isDone: boolean): void {
+    const { selection } = command;
+    if (selection) this.selection.set(isDone ? selection.done : selection.undone);
+    this.dropLost();
+  }
+
+  private sceneChanged(change: SceneChange): void {
+    if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
+    else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
+    else this.structure.emit();
+    this.edited.emit();
+  }
+
+  /** Deselects what is no longer in the scene. */
+  private dropLost(): void {
+    this.selection.set(this.selection.ids.filter((id) => this.scene.findById(id)));
+  }
+}

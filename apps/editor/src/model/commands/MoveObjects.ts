@@ -1,0 +1,78 @@
+import type { FieldValue, GameObject, Scene } from '@farol/engine';
+import { childrenOf, type Container, containerOf, type Placement, placementOf } from './Placement';
+import { StructuralCommand } from './StructuralCommand';
+
+type Values = Readonly<Record<string, FieldValue>>;
+
+interface Move {
+  readonly from: Placement;
+  readonly to: Placement;
+  /** Authored values of the Transform. */
+  readonly before: Values;
+  readonly after: Values;
+}
+
+function place({ object, parent, index }: Placement, values: Values): void {
+  object.reparent(parent, index, { keepWorld: false });
+  for (const name of Object.keys(values)) object.transform.set(name, values[name]);
+}
+
+/** Moves GameObjects to another place in the tree; with a new parent they stay where they are in the world. */
+export class MoveObjects extends StructuralCommand {
+  private moves: readonly Move[] | null = null;
+
+  /**
+   * @param objects - none below another one of them
+   * @param parent - none of the objects, and not below one
+   * @param before - the child of `parent`, not among the objects, that they come before; at the end when null
+   */
+  constructor(
+    label: string,
+    scene: Scene,
+    private readonly objects: readonly GameObject[],
+    private readonly parent: Container,
+    private readonly before: GameObject | null,
+  ) {
+    super(label, scene);
+  }
+
+  /** Whether they are all in their places already. */
+  get isEmpty(): boolean {
+    if (this.moves) return false;
+    const siblings = childrenOf(this.parent);
+    const end = this.before ? siblings.indexOf(this.before) : siblings.length;
+    const first = end - this.objects.length;
+    return this.objects.every((object, i) => siblings[first + i] === object);
+  }
+
+  /** @throws Error when the new parent is one of the objects or below it; nothing has changed then */
+  protected override apply(): void {
+    if (this.moves) for (const { to, after } of this.moves) place(to, after);
+    else this.moves = this.moveFirst();
+  }
+
+  protected override revert(): void {
+    for (const { from, before } of [...(this.moves ?? [])].reverse()) place(from, before);
+  }
+
+  private moveFirst(): Move[] {
+    const moves: Move[] = [];
+    try {
+      for (const object of this.objects) moves.push(this.moveOne(object));
+    } catch (error) {
+      for (const { from, before } of moves.reverse()) place(from, before);
+      throw error;
+    }
+    return moves;
+  }
+
+  private moveOne(object: GameObject): Move {
+    const from = placementOf(object, this.scene);
+    const before = object.transform.authoredValues();
+    const others = childrenOf(this.parent).filter((each) => each !== object);
+    const index = this.before ? others.indexOf(this.before) : others.length;
+    const keepWorld = containerOf(object, this.scene) !== this.parent;
+    object.reparent(this.parent, index, { keepWorld });
+    return { from, to: { object, parent: this.parent, index }, before, after: object.transform.authoredValues() };
+  }
+}

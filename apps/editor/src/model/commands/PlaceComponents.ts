@@ -1,0 +1,54 @@
+import type { Component, GameObject, Scene } from '@farol/engine';
+import { StructuralCommand } from './StructuralCommand';
+
+/** Puts components on GameObjects, or takes them off: one is the other backwards. */
+export class PlaceComponents extends StructuralCommand {
+  /**
+   * @param kind - whether `do` adds or removes
+   * @param places - component, its object, and its place in the object's list
+   */
+  constructor(
+    label: string,
+    scene: Scene,
+    private readonly kind: 'add' | 'remove',
+    private readonly places: readonly { component: Component; object: GameObject; index: number }[],
+  ) {
+    super(label, scene);
+  }
+
+  get isEmpty(): boolean {
+    return this.places.length === 0;
+  }
+
+  forget(isDone: boolean): void {
+    if (isDone === (this.kind === 'add')) return;
+    for (const { component } of this.places) component.dispose();
+  }
+
+  protected override apply(): void {
+    if (this.kind === 'add') this.add();
+    else this.remove();
+  }
+
+  protected override revert(): void {
+    if (this.kind === 'add') this.remove();
+    else this.add();
+  }
+
+  private add(): void {
+    let count = 0;
+    try {
+      for (; count < this.places.length; count++) {
+        const { component, object, index } = this.places[count];
+        object.addComponent(component, {}, { index, enabled: component.enabled });
+      }
+    } catch (error) {
+      while (count-- > 0) this.places[count].object.removeComponent(this.places[count].component);
+      throw error;
+    }
+  }
+
+  private remove(): void {
+    for (const { component, object } of [...this.places].reverse()) object.removeComponent(component);
+  }
+}

@@ -1,0 +1,57 @@
+import type { Scene } from '@farol/engine';
+import type { CommandSelection } from '../Command';
+import type { Placement } from './Placement';
+import { StructuralCommand } from './StructuralCommand';
+
+/** Adds GameObjects, with all below them, or takes them out: one is the other backwards. */
+export class PlaceObjects extends StructuralCommand {
+  /**
+   * @param kind - whether `do` adds or removes
+   * @param placements - in the order in which they are added, which is the tree's where they share a parent
+   */
+  constructor(
+    label: string,
+    scene: Scene,
+    private readonly kind: 'add' | 'remove',
+    private readonly placements: readonly Placement[],
+    selection: CommandSelection,
+  ) {
+    super(label, scene, selection);
+  }
+
+  get isEmpty(): boolean {
+    return this.placements.length === 0;
+  }
+
+  forget(isDone: boolean): void {
+    if (isDone === (this.kind === 'add')) return;
+    for (const { object } of this.placements) object.dispose();
+  }
+
+  protected override apply(): void {
+    if (this.kind === 'add') this.add();
+    else this.remove();
+  }
+
+  protected override revert(): void {
+    if (this.kind === 'add') this.remove();
+    else this.add();
+  }
+
+  private add(): void {
+    let count = 0;
+    try {
+      for (; count < this.placements.length; count++) {
+        const { object, parent, index } = this.placements[count];
+        parent.add(object, index);
+      }
+    } catch (error) {
+      while (count-- > 0) this.scene.remove(this.placements[count].object);
+      throw error;
+    }
+  }
+
+  private remove(): void {
+    for (const { object } of [...this.placements].reverse()) this.scene.remove(object);
+  }
+}

@@ -1,0 +1,39 @@
+import type { GameObject, Scene } from '@farol/engine';
+
+/** What GameObjects can be in. */
+export type Container = GameObject | Scene;
+
+/** A place in the tree: `index` among the children of `parent`. */
+export interface Placement {
+  readonly object: GameObject;
+  readonly parent: Container;
+  readonly index: number;
+}
+
+/** What is directly in a scene or a GameObject. */
+export function childrenOf(container: Container): readonly GameObject[] {
+  return 'roots' in container ? container.roots : container.children;
+}
+
+/** What a GameObject of a scene is directly in. */
+export function containerOf(object: GameObject, scene: Scene): Container {
+  return object.parent ?? scene;
+}
+
+/** Where a GameObject of a scene is now. */
+export function placementOf(object: GameObject, scene: Scene): Placement {
+  const parent = containerOf(object, scene);
+  return { object, parent, index: childrenOf(parent).indexOf(object) };
+}
+
+/** Those of a list that are not below another one of it, in tree order, each once. */
+export function topmost(objects: readonly GameObject[], scene: Scene): GameObject[] {
+  const wanted = new Set(objects);
+  const found: GameObject[] = [];
+  const visit = (object: GameObject): void => {
+    if (wanted.has(object)) found.push(object);
+    else object.children.forEach(visit);
+  };
+  if (wanted.size > 0) scene.roots.forEach(visit);
+  return found;
+}

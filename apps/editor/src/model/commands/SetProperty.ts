@@ -1,0 +1,33 @@
+import type { Command } from '../Command';
+
+/** Sets a plain property, such as `name` or `active` of GameObjects and `enabled` of components, of all targets. */
+export class SetProperty<K extends string, V> implements Command {
+  /** What it was before the first `do`. */
+  private before: readonly V[] | null = null;
+
+  constructor(
+    readonly label: string,
+    private readonly targets: readonly { [P in K]: V }[],
+    private readonly property: K,
+    private readonly value: V,
+  ) {}
+
+  get isEmpty(): boolean {
+    return this.values().every((value) => value === this.value);
+  }
+
+  do(): void {
+    this.before = this.values();
+    for (const target of this.targets) target[this.property] = this.value;
+  }
+
+  undo(): void {
+    this.targets.forEach((target, i) => {
+      target[this.property] = this.before![i];
+    });
+  }
+
+  private values(): readonly V[] {
+    return this.before ?? this.targets.map((target) => target[this.property]);
+  }
+}

@@ -1,0 +1,99 @@
+import { type Component, type ComponentClass, GameObject, type Scene } from '@farol/engine';
+import type { Command } from './Command';
+import { MoveObjects } from './commands/MoveObjects';
+import { childrenOf, type Container, containerOf, placementOf, topmost } from './commands/Placement';
+import { PlaceComponents } from './commands/PlaceComponents';
+import { PlaceObjects } from './commands/PlaceObjects';
+import { SetProperty } from './commands/SetProperty';
+
+/** Commands for what a user does. Each captures what the scene is like when it is made, and is to be done then. */
+
+const ids = (objects: readonly GameObject[]): string[] => objects.map(({ id }) => id);
+
+const count = (verb: string, objects: readonly GameObject[]): string =>
+  objects.length === 1 ? `${verb} ${objects[0].name}` : `${verb} ${objects.length} objects`;
+
+/** Adds a new object at the end of a parent, and selects it. @param selected - what is selected now */
+export function addObject(scene: Scene, object: GameObject, parent: Container, selected: readonly string[]): Command {
+  const placement = { object, parent, index: childrenOf(parent).length };
+  return new PlaceObjects(`Add ${object.name}`, scene, 'add', [placement], { done: [object.id], undone: selected });
+}
+
+/** Deletes objects with all below them. */
+export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Command {
+  const tops = topmost(objects, scene);
+  const placements = tops.map((object) => placementOf(object, scene));
+  return new PlaceObjects(count('Delete', tops), scene, 'remove', placements, { done: [], undone: ids(objects) });
+}
+
+/** Puts a copy of each object, with all below it, after it, and selects the copies. */
+export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): Command {
+  const tops = topmost(objects, scene);
+  const shift = new Map<Container, number>();
+  const placements = tops.map((source) => {
+    const { parent, index } = placementOf(source, scene);
+    const earlier = shift.get(parent) ?? 0;
+    shift.set(parent, earlier + 1);
+    return { object: source.clone(), parent, index: index + 1 + earlier };
+  });
+  const copies = placements.map(({ object }) => object);
+  return new PlaceObjects(count('Duplicate', tops), scene, 'add', placements, {
+    done: ids(copies),
+    undone: ids(objects),
+  });
+}
+
+/** Whether objects may be put below a parent: not below themselves. */
+export function canMoveTo(objects: readonly GameObject[], parent: Container): boolean {
+  const moving = new Set(objects);
+  for (let above = parent instanceof GameObject ? parent : null; above; above = above.parent) {
+    if (moving.has(above)) return false;
+  }
+  return true;
+}
+
+/**
+ * Moves objects below a parent, to where they are in the world now.
+ * @param index - place among the children that stay there; at the end when absent
+ */
+export function moveObjects(scene: Scene, objects: readonly GameObject[], parent: Container, index?: number): Command {
+  const tops = topmost(objects, scene);
+  const moving = new Set(tops);
+  const staying = childrenOf(parent).filter((child) => !moving.has(child));
+  const before = index === undefined ? null : (staying[index] ?? null);
+  const verb = tops.every((object) => containerOf(object, scene) === parent) ? 'Reorder' : 'Move';
+  return new MoveObjects(count(verb, tops), scene, tops, parent, before);
+}
+
+export function renameObject(object: GameObject, name: string): Command {
+  return new SetProperty(`Rename ${object.name}`, [object], 'name', name);
+}
+
+/** Shows or hides objects, with all below them. */
+export function setActive(objects: readonly GameObject[], active: boolean): Command {
+  return new SetProperty(count(active ? 'Show' : 'Hide', objects), objects, 'active', active);
+}
+
+export function setEnabled(components: readonly Component[], enabled: boolean): Command {
+  const label = `${enabled ? 'Enable' : 'Disable'} ${components[0]?.typeName}`;
+  return new SetProperty(label, components, 'enabled', enabled);
+}
+
+/** Puts a new component on each object that can take one. */
+export function addComponent(scene: Scene, objects: readonly GameObject[], type: ComponentClass): Command {
+  const places = objects
+    .filter((object) => !type.unique || !object.getComponent(type.typeName))
+    .map((object) => ({ component: new type(), object, index: object.components.length }));
+  return new PlaceComponents(`Add ${type.typeName}`, scene, 'add', places);
+}
+
+/** Takes components off their objects. */
+export function removeComponents(scene: Scene, components: readonly Component[]): Command {
+  const places = components
+    .map((component) => {
+      const object = component.gameObject;
+      return { component, object, index: object.components.indexOf(component) };
+    })
+    .sort((a, b) => a.index - b.index);
+  return new PlaceComponents(`Remove ${components[0]?.typeName}`, scene, 'remove', places);
+}

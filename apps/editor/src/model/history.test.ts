@@ -1,0 +1,254 @@
+import {
+  builtinComponents,
+  createRandom,
+  type Field,
+  type FieldOwner,
+  type FieldValue,
+  GameObject,
+  Light,
+  type Scene,
+  scenes,
+} from '@farol/engine';
+import { describe, expect, it } from 'vitest';
+import type { Command } from './Command';
+import type { Container } from './commands/Placement';
+import { SetFields } from './commands/SetFields';
+import {
+  addComponent,
+  addObject,
+  canMoveTo,
+  deleteObjects,
+  duplicateObjects,
+  moveObjects,
+  removeComponents,
+  renameObject,
+  setActive,
+  setEnabled,
+} from './edits';
+import { EditorDocument } from './EditorDocument';
+
+type Random = () => number;
+const below = (random: Random, count: number): number => Math.floor(random() * count);
+const pick = <T>(random: Random, list: readonly T[]): T => list[below(random, list.length)];
+
+function objectsOf(scene: Scene): GameObject[] {
+  const all: GameObject[] = [];
+  scene.traverse((object) => all.push(object));
+  return all;
+}
+
+/** A value that the field allows. */
+function randomValue(random: Random, field: Field, document: EditorDocument): FieldValue {
+  const between = (min = -20, max = 20): number => min + random() * (Math.min(max, min + 1000) - min);
+  switch (field.kind) {
+    case 'number':
+      return field.integer ? Math.ceil(between(field.min, field.max)) : between(field.min, field.max);
+    case 'angle':
+      return between(field.min, field.max);
+    case 'boolean':
+      return random() < 0.5;
+    case 'string':
+      return `text ${below(random, 100)}`;
+    case 'choice':
+      return pick(random, field.options);
+    case 'vector3':
+      return [between(field.min, field.max), between(field.min, field.max), between(field.min, field.max)];
+    case 'euler':
+      return [between(-4, 4), between(-4, 4), between(-4, 4)];
+    case 'colour':
+      return [random(), random(), random() * 3];
+    case 'asset': {
+      const names = document.assets.list(field.assetType).filter((name) => name !== 'dragon' && !name.includes('/'));
+      return names.length === 0 || random() < 0.2 ? null : pick(random, names.slice(0, 6));
+    }
+    case 'object':
+      return random() < 0.3 ? null : pick(random, objectsOf(document.scene)).id;
+  }
+}
+
+function randomEdit(random: Random, document: EditorDocument, owner: FieldOwner): SetFields {
+  const name = pick(random, Object.keys(owner.fields));
+  return new SetFields(`Set ${name}`, [{ owner, name, value: randomValue(random, owner.fields[name], document) }]);
+}
+
+/** Some objects, often nested ones. */
+const some = (random: Random, all: readonly GameObject[]): GameObject[] => {
+  const chosen = all.filter(() => random() < 2 / all.length);
+  return chosen.length > 0 ? chosen : [pick(random, all)];
+};
+
+function randomCommand(random: Random, document: EditorDocument): Command {
+  const { scene, selection } = document;
+  const all = objectsOf(scene);
+  const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 12);
+  switch (kind) {
+    case 0: {
+      const object = new GameObject(`Object ${below(random, 1000)}`);
+      if (random() < 0.7) {
+        const type = pick(random, [...builtinComponents.types.values()].slice(1));
+        object.addComponent(type);
+      }
+      return addObject(scene, object, parent(), selection.ids);
+    }
+    case 1:
+      return deleteObjects(scene, some(random, all));
+    case 2:
+      return duplicateObjects(scene, some(random, all).slice(0, 2));
+    case 3: {
+      const target = parent();
+      const objects = some(random, all);
+      return canMoveTo(objects, target) ? moveObjects(scene, objects, target) : moveObjects(scene, objects, scene, 0);
+    }
+    case 4: {
+      const object = pick(random, all);
+      return moveObjects(scene, [object], object.parent ?? scene, below(random, 4));
+    }
+    case 5:
+      return renameObject(pick(random, all), `Name ${below(random, 1000)}`);
+    case 6:
+      return setActive(some(random, all), random() < 0.5);
+    case 7:
+      return setEnabled(pick(random, all).components, random() < 0.5);
+    case 8:
+      return addComponent(scene, some(random, all), pick(random, [...builtinComponents.types.values()]));
+    case 9:
+      return removeComponents(
+        scene,
+        pick(random, all).components.filter((component) => component.typeName !== 'Transform'),
+      );
+    case 10:
+      return randomEdit(random, document, scene.settings);
+    default:
+      return randomEdit(random, document, pick(random, pick(random, all).components));
+  }
+}
+
+/** A drag of many previews, kept or not; sometimes of different commands. */
+function randomGesture(random: Random, document: EditorDocument): void {
+  const gesture = document.commands.begin();
+  const owner = pick(random, objectsOf(document.scene))?.transform ?? document.scene.settings;
+  for (let i = below(random, 4); i >= 0; i--) {
+    if (random() < 0.7) gesture.preview(randomEdit(random, document, owner));
+    else {
+      gesture.reset();
+      gesture.preview(randomCommand(random, document));
+    }
+  }
+  if (random() < 0.6) gesture.commit();
+  else gesture.discard();
+}
+
+function randomSimulation(random: Random, document: EditorDocument): void {
+  const { simulation } = document;
+  const act = below(random, 4);
+  if (act === 0) simulation.play();
+  else if (act === 1) simulation.step();
+  else if (act === 2) simulation.stop();
+  simulation.advance(random() * 0.2);
+}
+
+describe('the history', () => {
+  it.each([1, 2, 3, 4])('undoes and redoes random edits exactly, seed %i', async (seed) => {
+    const random = createRandom(seed);
+    const document = new EditorDocument();
+    document.open(await scenes.temple.build({ lights: 3 }, document.assets));
+    const { commands } = document;
+    /** What the document was after each number of steps. */
+    const states = [document.serialize()];
+    let steps = 0;
+    for (let i = 0; i < 250; i++) {
+      const act = random();
+      if (act < 0.12) steps -= commands.undo() ? 1 : 0;
+      else if (act < 0.2) steps += commands.redo() ? 1 : 0;
+      else if (act < 0.3) randomSimulation(random, document);
+      else {
+        const before = commands.history.length;
+        if (act < 0.5) randomGesture(random, document);
+        else commands.run(randomCommand(random, document));
+        if (commands.history.length > before) states.splice(++steps, Infinity, document.serialize());
+      }
+      expect(commands.history.length).toBe(steps);
+      expect(document.serialize()).toBe(states[steps]);
+    }
+    document.simulation.stop();
+    while (commands.undo()) expect(document.serialize()).toBe(states[--steps]);
+    expect(steps).toBe(0);
+    while (commands.redo()) expect(document.serialize()).toBe(states[++steps]);
+    expect(steps).toBe(states.length - 1);
+    for (const id of document.selection.ids) expect(document.scene.findById(id)).not.toBeNull();
+  });
+});
+
+describe('EditorDocument', () => {
+  it('keeps a moved object where it is in the world', async () => {
+    const document = new EditorDocument();
+    const { scene } = document;
+    const parent = new GameObject('Parent');
+    parent.transform.position = [3, -1, 2];
+    parent.transform.rotation = [0.3, 0.9, -0.2];
+    const child = new GameObject('Child');
+    child.transform.position = [1, 2, 3];
+    scene.add(parent).add(child);
+    const before = child.transform.modelMatrix.elements;
+    document.commands.run(moveObjects(scene, [child], parent));
+    expect(child.parent).toBe(parent);
+    child.transform.modelMatrix.elements.forEach((value, i) => expect(value).toBeCloseTo(before[i], 9));
+    expect(child.transform.position).not.toEqual([1, 2, 3]);
+    document.commands.undo();
+    expect(child.transform.position).toEqual([1, 2, 3]);
+  });
+
+  it('puts several objects in order before a sibling', () => {
+    const { commands, scene } = new EditorDocument();
+    const [a, b, c, d] = ['a', 'b', 'c', 'd'].map((name) => new GameObject(name));
+    for (const object of [a, b, c, d]) scene.add(object);
+    commands.run(moveObjects(scene, [b, a], scene, 1));
+    expect(scene.roots.map(({ name }) => name)).toEqual(['c', 'a', 'b', 'd']);
+    commands.undo();
+    expect(scene.roots.map(({ name }) => name)).toEqual(['a', 'b', 'c', 'd']);
+  });
+
+  it('refuses nothing half: one wrong value of several changes none', () => {
+    const { commands, scene } = new EditorDocument();
+    const lights = [1, 2].map(() => new GameObject('Light').addComponent(Light));
+    for (const light of lights) scene.add(light.gameObject);
+    const edits = [
+      { owner: lights[0], name: 'intensity', value: 5 },
+      { owner: lights[1], name: 'intensity', value: Number.NaN },
+    ];
+    expect(() => commands.run(new SetFields('Set intensity', edits))).toThrow(/Light\.intensity/);
+    expect(lights.map(({ intensity }) => intensity)).toEqual([1, 1]);
+    expect(commands.history).toEqual([]);
+  });
+
+  it('selects again what an undo brings back, and forgets what is gone', () => {
+    const { commands, scene, selection } = new EditorDocument();
+    const object = new GameObject('Thing');
+    scene.add(object);
+    selection.set([object.id]);
+    commands.run(deleteObjects(scene, [object]));
+    expect(selection.ids).toEqual([]);
+    commands.undo();
+    expect(selection.ids).toEqual([object.id]);
+    commands.run(duplicateObjects(scene, [object]));
+    expect(selection.ids).toEqual([scene.roots[1].id]);
+    commands.undo();
+    expect(selection.ids).toEqual([object.id]);
+  });
+
+  it('stops to what was authored, edits made while playing included', async () => {
+    const document = new EditorDocument();
+    document.open(await scenes.temple.build({ lights: 2 }, document.assets));
+    const light = document.scene.lights.find(({ type }) => type === 'point')!;
+    const { transform } = light.gameObject;
+    const authored = transform.position;
+    document.simulation.play();
+    document.simulation.advance(0.1);
+    expect(transform.position).not.toEqual(authored);
+    document.commands.run(new SetFields('Dim', [{ owner: light, name: 'intensity', value: 0.5 }]));
+    document.simulation.stop();
+    expect(transform.position).toEqual(authored);
+    expect(light.intensity).toBe(0.5);
+  });
+});

@@ -1,0 +1,4 @@
+declare module '*.ply.gz?url' {
+  const url: string;
+  export default url;
+}
