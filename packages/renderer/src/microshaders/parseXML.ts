@@ -34,16 +34,16 @@ const ENTITIES: Record<string, string> = { lt: '<', gt: '>', amp: '&', quot: '"'
 export function parseXML(text: string, file: string): XMLElement {
   const xml = text.replace(/^\uFEFF/, '').replace(/\r\n?/g, '\n');
   let line = 1;
-  const fail = (message: string): never => {
-    throw new Error(`${file}:${line}: ${message}`);
+  const fail = (message: string, before = ''): never => {
+    throw new Error(`${file}:${line + newlines(before)}: ${message}`);
   };
   const unescaped = (value: string): string =>
-    value.replace(/&([^;\s&]*;?)/g, (whole, reference: string) => {
+    value.replace(/&([^;\s&]*;?)/g, (whole, reference: string, offset: number) => {
       const code = /^#(?:x([\da-fA-F]+)|(\d+));$/.exec(reference);
       if (code) return String.fromCodePoint(code[1] ? Number.parseInt(code[1], 16) : Number(code[2]));
       return (
         ENTITIES[reference.slice(0, -1)] ??
-        fail(`"${whole}" is no entity; write "&amp;" for "&", or use <![CDATA[ … ]]>`)
+        fail(`"${whole}" is no entity; write "&amp;" for "&", or use <![CDATA[ … ]]>`, value.slice(0, offset))
       );
     });
   const stack: XMLElement[] = [];
@@ -51,7 +51,7 @@ export function parseXML(text: string, file: string): XMLElement {
   const append = (value: string) => {
     const parent = stack.at(-1);
     if (parent) parent.text += value;
-    else if (value.trim() !== '') fail('text outside of the root element');
+    else if (value.trim() !== '') fail('text outside of the root element', /^\s*/.exec(value)![0]);
   };
   const open = (name: string, attributes: string, end: number): XMLElement => {
     const values: Record<string, string> = {};
