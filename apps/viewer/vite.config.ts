@@ -1,9 +1,22 @@
+import { existsSync, readdirSync } from 'node:fs';
 import { defineConfig } from 'vite';
+
+/** Address of the real Sponza, if its glTF was put into public/models/Sponza (which git ignores), else null. */
+function sponzaUrl(): string | null {
+  const folder = new URL('../../public/models/Sponza/', import.meta.url);
+  if (!existsSync(folder)) return null;
+  const names = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) =>
+    /\.(gltf|glb)$/i.test(name),
+  );
+  const [shortest] = names.sort((a, b) => a.length - b.length);
+  return shortest === undefined ? null : `./models/Sponza/${encodeURI(shortest.replaceAll('\\', '/'))}`;
+}
 
 export default defineConfig({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
+  define: { SPONZA_URL: JSON.stringify(sponzaUrl()) },
   resolve: { dedupe: ['three'] },
   // What is imported late must be known early, or the development server reloads the page when a model asks for it.
   optimizeDeps: {

@@ -10,6 +10,7 @@ import {
 } from '@farol/engine';
 import { type FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
+import { buildScene } from './buildScene';
 import { collectFiles } from './model/collectFiles';
 import { loadModel, type LoadedModel } from './model/loadModel';
 import { disposeModel, modelParameters, modelScene } from './model/modelScene';
@@ -120,11 +121,8 @@ export class Viewer {
    * @throws Error (as a rejection) when there is no such scene or a parameter is wrong; the present scene stays
    */
   async loadScene(name: string, parameters: Record<string, FieldValue> = {}, keepCamera = false): Promise<void> {
-    if (!Object.hasOwn(scenes, name)) {
-      throw new Error(`Scene ${name} is unknown: known are ${Object.keys(scenes).join(', ')}.`);
-    }
     const load = ++this.loads;
-    const scene = await scenes[name].build(parameters, this.assets);
+    const scene = await buildScene(name, parameters, this.assets, this.three);
     if (load !== this.loads) return scene.dispose();
     this.replaceScene(scene, keepCamera);
     this.dropModel();

@@ -1,0 +1,29 @@
+import { type AssetLibrary, type FieldValue, type Scene, scenes, sponza } from '@farol/engine';
+import type { Group, WebGLRenderer } from 'three';
+import { fetchModel } from './model/fetchModel';
+
+/** Where the real Sponza is, or null; set by vite.config.ts. */
+declare const SPONZA_URL: string | null;
+
+let realSponza: Promise<Group> | null = null;
+
+/**
+ * Makes one of the engine's scenes. The real Sponza takes the place of the atrium where its glTF is at hand.
+ *
+ * @throws Error (as a rejection) when there is no such scene, a parameter is wrong or a file cannot be read
+ */
+export async function buildScene(
+  name: string,
+  parameters: Record<string, FieldValue>,
+  assets: AssetLibrary,
+  renderer: WebGLRenderer,
+): Promise<Scene> {
+  if (!Object.hasOwn(scenes, name)) {
+    throw new Error(`it is unknown: known are ${Object.keys(scenes).join(', ')}.`);
+  }
+  const { build, parameters: fields } = scenes[name];
+  if (name !== 'sponza' || SPONZA_URL === null) return build(parameters, assets);
+  realSponza ??= fetchModel(SPONZA_URL, renderer);
+  const { lights = fields.lights.default, seed = fields.seed.default } = parameters;
+  return sponza(Number(lights), { model: await realSponza, seed: Number(seed), assets });
+}
