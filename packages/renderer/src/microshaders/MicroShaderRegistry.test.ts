@@ -1,6 +1,8 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { MicroShaderRegistry } from './MicroShaderRegistry';
+import { type MicroShaderListener, MicroShaderRegistry } from './MicroShaderRegistry';
 import type { ShaderSource } from './Shader';
+
+const chunk = (name: string) => ({ name, header: '', main: '', dependencies: [] });
 
 /** A compiler that refuses sources with the word BROKEN, and keeps count of what lives. */
 function fakeCompiler() {
@@ -101,7 +103,6 @@ describe('adding', () => {
   it('refuses a known name, the parent’s too, and then adds nothing of the list', () => {
     const parent = registryOf({ a: 'float a;' }).registry;
     const registry = new MicroShaderRegistry(parent);
-    const chunk = (name: string) => ({ name, header: '', main: '', dependencies: [] });
     expect(() => registry.add([chunk('b'), chunk('a')])).toThrow(/"a" exists already; use replace\(\)/);
     expect(() => registry.add([chunk('b'), chunk('b')])).toThrow(/"b" exists already/);
     expect(() =>
@@ -156,7 +157,7 @@ describe('loading a file', () => {
   const xml = '<microshaders><microshader name="a" dependencies="b"/><microshader name="b"/></microshaders>';
 
   it('gives a promise only when a chunk or a dependency is unknown, and loads once', async () => {
-    const fetched = vi.fn(async () => new Response(xml));
+    const fetched = vi.fn<typeof fetch>(async () => new Response(xml));
     vi.stubGlobal('fetch', fetched);
     const { registry } = registryOf({ d: '', needsB: '#include "b"' });
     expect(registry.getShader('known', ['d'], ['d'], 'f.xml')).not.toBeInstanceOf(Promise);
@@ -186,16 +187,16 @@ describe('loading a file', () => {
   });
 });
 
-describe('replacing', () => {
-  function running() {
-    const { registry, compiler } = registryOf(LAYERED);
-    const usesA = registry.getShader('usesA', ['d'], ['c']);
-    const other = registry.getShader('other', ['d'], ['d']);
-    const changes: (readonly string[])[] = [];
-    registry.onChange((names) => changes.push(names));
-    return { registry, compiler, usesA, other, changes };
-  }
+function running() {
+  const { registry, compiler } = registryOf(LAYERED);
+  const usesA = registry.getShader('usesA', ['d'], ['c']);
+  const other = registry.getShader('other', ['d'], ['d']);
+  const changes: (readonly string[])[] = [];
+  registry.onChange((names) => changes.push(names));
+  return { registry, compiler, usesA, other, changes };
+}
 
+describe('replacing', () => {
   it('compiles the shaders that use the chunk, through dependencies too, and no other', () => {
     const { registry, compiler, usesA, other, changes } = running();
     const programs = [usesA.program, other.program];
@@ -269,7 +270,7 @@ describe('replacing', () => {
 
   it('stops calling a listener that ended', () => {
     const { registry } = running();
-    const listener = vi.fn();
+    const listener = vi.fn<MicroShaderListener>();
     registry.onChange(listener)();
     registry.replace('a', 'float x;');
     expect(listener).not.toHaveBeenCalled();

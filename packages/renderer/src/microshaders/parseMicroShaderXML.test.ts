@@ -3,6 +3,8 @@ import { parseMicroShaderXML } from './parseMicroShaderXML';
 
 const parse = (text: string) => parseMicroShaderXML(text, 'test.xml');
 
+const inside = (text: string) => `<microshaders>\n${text}\n</microshaders>`;
+
 const GOOD = `<?xml version="1.0" encoding="UTF-8"?>
 <!-- the thesis's file -->
 <microshaders>
@@ -43,7 +45,6 @@ describe('parseMicroShaderXML', () => {
     expect(chunk.dependencies).toEqual(['b', 'c']);
   });
 
-  const inside = (text: string) => `<microshaders>\n${text}\n</microshaders>`;
   it.each([
     ['', /test\.xml:1: no element/],
     ['<shaders/>', /test\.xml:1: the root is <shaders>, not <microshaders>/],
@@ -70,7 +71,10 @@ describe('parseMicroShaderXML', () => {
       /test\.xml:3: "< 2" is not XML; put code into <!\[CDATA\[/,
     ],
     [inside('<microshader name="a"><main>\n\na &amp;& b</main></microshader>'), /test\.xml:4: "&" is no entity/],
-    [inside('<microshader name="a"><main>&nbsp;</main></microshader>'), /test\.xml:2: "&nbsp;" is no entity/],
+    ...['&nbsp;', '&constructor;', '&lt', '&ltx;', '&#0;', '&#x110000;', '&#65'].map((text): [string, RegExp] => [
+      inside(`<microshader name="a"><main>${text}</main></microshader>`),
+      new RegExp(`test\\.xml:2: "${text}" is no entity`),
+    ]),
     [inside('<microshader name="a"><main><b/></main></microshader>'), /test\.xml:2: <b> in the code of "a"/],
     [
       inside('<microshader name="a">float b;</microshader>'),

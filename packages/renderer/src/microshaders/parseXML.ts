@@ -38,13 +38,12 @@ export function parseXML(text: string, file: string): XMLElement {
     throw new Error(`${file}:${line + newlines(before)}: ${message}`);
   };
   const unescaped = (value: string): string =>
-    value.replace(/&([^;\s&]*;?)/g, (whole, reference: string, offset: number) => {
-      const code = /^#(?:x([\da-fA-F]+)|(\d+));$/.exec(reference);
-      if (code) return String.fromCodePoint(code[1] ? Number.parseInt(code[1], 16) : Number(code[2]));
-      return (
-        ENTITIES[reference.slice(0, -1)] ??
-        fail(`"${whole}" is no entity; write "&amp;" for "&", or use <![CDATA[ … ]]>`, value.slice(0, offset))
-      );
+    value.replace(/&([^;\s&]*)(;?)/g, (whole, reference: string, end: string, offset: number) => {
+      const code = /^#(?:x([\da-fA-F]+)|(\d+))$/.exec(reference);
+      const point = code ? Number.parseInt(code[1] ?? code[2], code[1] ? 16 : 10) : 0;
+      if (end && point > 0 && point <= 0x10ffff) return String.fromCodePoint(point);
+      if (end && Object.hasOwn(ENTITIES, reference)) return ENTITIES[reference];
+      return fail(`"${whole}" is no entity; write "&amp;" for "&", or use <![CDATA[ … ]]>`, value.slice(0, offset));
     });
   const stack: XMLElement[] = [];
   let root: XMLElement | undefined;
