@@ -101,7 +101,7 @@ function batched(material: THREE.Material): THREE.BatchedMesh {
 /** Which lights a scene has. */
 export type LightMix = 'mixed' | 'point' | 'spot' | 'directional' | 'hemisphere' | 'unbounded';
 
-function addLights(scene: THREE.Scene, mix: LightMix, count: number): THREE.Light[] {
+function addLights(scene: THREE.Scene, mix: LightMix, count: number, penumbra?: number): THREE.Light[] {
   const next = random(42);
   const lights: THREE.Light[] = [];
   for (let i = 0; i < count; i++) {
@@ -114,7 +114,7 @@ function addLights(scene: THREE.Scene, mix: LightMix, count: number): THREE.Ligh
     if (kind === 'point') light = new THREE.PointLight(colour, power, 4, 2);
     else if (kind === 'unbounded') light = new THREE.PointLight(colour, power * 0.1, 0, i % 2 ? 2 : 1.4);
     else if (kind === 'spot') {
-      const spot = new THREE.SpotLight(colour, power * 3, i % 3 ? 7 : 0, i % 5 ? 0.5 : 1.3, (i % 4) / 4, 2);
+      const spot = new THREE.SpotLight(colour, power * 3, i % 3 ? 7 : 0, i % 5 ? 0.5 : 1.3, penumbra ?? (i % 4) / 5 + 0.1, 2);
       spot.target.position.set(place.x + next() - 0.5, place.y - next(), -1);
       scene.add(spot.target);
       light = spot;
@@ -140,6 +140,8 @@ export interface MaterialSceneOptions {
   /** Leaves out what no G-buffer holds, so that what is compared is the deferred path alone. */
   onlyDeferred?: boolean;
   fog?: boolean;
+  /** Of every spot light; default: mixed, none hard-edged. */
+  penumbra?: number;
 }
 
 /**
@@ -219,7 +221,7 @@ export function materialScene(width: number, height: number, options: MaterialSc
   floor.position.y = -3.2;
   scene.add(floor);
   scene.add(new THREE.AmbientLight(0x404050, 0.5));
-  const lights = addLights(scene, mix, count);
+  const lights = addLights(scene, mix, count, options.penumbra);
   const camera = options.orthographic
     ? new THREE.OrthographicCamera((-4 * width) / height, (4 * width) / height, 4, -4, 0.1, 60)
     : new THREE.PerspectiveCamera(50, width / height, 0.1, 60);

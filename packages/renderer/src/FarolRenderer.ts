@@ -81,8 +81,8 @@ export class FarolRenderer {
     this.microshaders = createRegistry(webgl);
     this.twins = new TwinCache({
       uniforms: this.uniforms,
-      header: (chunks) => this.microshaders.header([...chunks]),
-      revision: (chunks) => this.microshaders.revision([...chunks]),
+      header: (chunks) => this.microshaders.header(chunks),
+      revision: (chunks) => this.microshaders.revision(chunks),
     });
     this.frame = new Frame(webgl, this.lights, this.twins, this.uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);

@@ -158,6 +158,15 @@ export class Frame {
     }
   }
 
+  /** Has a mesh of Farol's own ready to be drawn with a material, drawing nothing: its program compiles now, not in a later frame. */
+  compileMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
+    const { drawRange } = mesh.geometry;
+    const { count } = drawRange;
+    drawRange.count = 0;
+    this.drawMesh(mesh, material);
+    drawRange.count = count;
+  }
+
   /** Draws a mesh of Farol's own. */
   drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
     this.draw(this.camera, this.scene, mesh.geometry, material, mesh, null);

@@ -123,10 +123,15 @@ export class LightVolumesPass implements Pass {
         defines: count ? { FAROL_COUNT: '' } : {},
         ...state,
       });
-    return {
+    const materials = {
       global: material('global lights', 'fullscreen', 'globalLightsFragment', ADDITIVE),
       sphere: material('light spheres', 'lightVolumeSphere', 'lightVolumeFragment', VOLUME),
       cone: material('light cones', 'lightVolumeCone', 'lightVolumeFragment', VOLUME),
     };
+    // a kind of light that comes later finds its program
+    frame.compileMesh(this.triangle, materials.global);
+    frame.compileMesh(this.spheres, materials.sphere);
+    frame.compileMesh(this.cones, materials.cone);
+    return materials;
   }
 }

@@ -1,4 +1,4 @@
-import { DepthTexture, FloatType, HalfFloatType, NearestFilter, Sphere, Vector3, Vector4, WebGLRenderTarget, type BufferGeometry, type Object3D } from 'three';
+import { type Material, DepthTexture, FloatType, HalfFloatType, NearestFilter, Sphere, Vector3, Vector4, WebGLRenderTarget, type BufferGeometry, type Object3D } from 'three';
 import type { Frame } from '../Frame';
 import { coneIntersectsSphere } from '../lights/coneIntersectsSphere';
 import { projectedSphereBounds } from '../lights/projectedSphereBounds';
@@ -25,6 +25,8 @@ export class MultipassLightsPass implements Pass {
   /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */
   private spheres = new Float64Array(256);
   private slot: 0 | 1 = 0;
+  /** Objects whose additive program is there, with the material it is for. */
+  private readonly compiled = new WeakMap<Object3D, Material>();
 
   constructor(private readonly lightIndex: { value: number }) {}
 
@@ -45,6 +47,7 @@ export class MultipassLightsPass implements Pass {
       items.push(item);
     }
     if (items.length === 0) return;
+    this.compile(frame);
     this.findSpheres(frame);
     const { lights } = frame;
     for (let i = 0; i < lights.directional + lights.unbounded; i++) this.drawLight(frame, i, -1);
@@ -75,6 +78,23 @@ export class MultipassLightsPass implements Pass {
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     frame.bind(this.target);
     frame.clear(1, true);
+  }
+
+  /** Draws new objects with the additive twin over no pixels, so that the first light to reach one compiles nothing. */
+  private compile(frame: Frame): void {
+    const { state } = frame.webgl;
+    let scissored = false;
+    for (const item of this.items) {
+      if (this.compiled.get(item.object) === item.material) continue;
+      this.compiled.set(item.object, item.material);
+      if (!scissored) {
+        state.scissor(scissor.set(0, 0, 0, 0));
+        state.setScissorTest(true);
+        scissored = true;
+      }
+      frame.drawTwin(item, additiveTwin(frame.view, this.slot));
+    }
+    if (scissored) state.setScissorTest(false);
   }
 
   private drawLight(frame: Frame, record: number, bounded: number): void {

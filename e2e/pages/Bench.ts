@@ -1,0 +1,61 @@
+import { FarolRenderer, type TechniqueName } from '@farol/renderer';
+import * as THREE from 'three';
+
+/** An image of linear floats, bottom row first, that crosses from the page to the test as plain JSON. */
+export interface PageImage {
+  width: number;
+  height: number;
+  data: Float32Array;
+}
+
+/** One WebGLRenderer, a float target, and Farol on it: draws a scene by stock three and by a technique. */
+export class Bench {
+  readonly webgl: THREE.WebGLRenderer;
+  readonly farol: FarolRenderer;
+  readonly target: THREE.WebGLRenderTarget;
+
+  constructor(
+    readonly width: number,
+    readonly height: number,
+  ) {
+    this.webgl = new THREE.WebGLRenderer({ antialias: false });
+    this.webgl.setSize(width, height, false);
+    this.farol = new FarolRenderer(this.webgl);
+    this.target = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType });
+  }
+
+  /** An environment map made of a blue room with orange walls. */
+  environment(): THREE.Texture {
+    const room = new THREE.Scene();
+    room.background = new THREE.Color(0.5, 0.6, 0.8);
+    const walls = new THREE.MeshBasicMaterial({ color: 0xffcc88, side: THREE.BackSide });
+    room.add(new THREE.Mesh(new THREE.BoxGeometry(4, 4, 4), walls));
+    return new THREE.PMREMGenerator(this.webgl).fromScene(room).texture;
+  }
+
+  stock(scene: THREE.Scene, camera: THREE.Camera): PageImage {
+    return this.draw(() => this.webgl.render(scene, camera));
+  }
+
+  byTechnique(technique: TechniqueName, scene: THREE.Scene, camera: THREE.Camera): PageImage {
+    this.farol.technique = technique;
+    return this.draw(() => this.farol.render(scene, camera));
+  }
+
+  /** Linked programs of the renderer. */
+  get programs(): number {
+    return this.webgl.info.programs?.length ?? 0;
+  }
+
+  private draw(render: () => void): PageImage {
+    const { webgl, target, width, height } = this;
+    webgl.setRenderTarget(target);
+    render();
+    const data = new Float32Array(width * height * 4);
+    webgl.readRenderTargetPixels(target, 0, 0, width, height, data);
+    webgl.setRenderTarget(null);
+    const error = webgl.getContext().getError();
+    if (error !== 0) throw new Error(`WebGL error ${error}`);
+    return { width, height, data };
+  }
+}

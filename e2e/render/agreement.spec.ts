@@ -1,0 +1,85 @@
+import type { Page } from '@playwright/test';
+import type { LightMix, MaterialSceneOptions } from '../pages/materialScene';
+import type { Difference } from '../support/images';
+import { expect, test } from '../support/test';
+
+/**
+ * Every technique draws every lit material of three, on every kind of mesh, as stock three does, in linear float.
+ *
+ * Forward techniques run three's own shader: what is left is rounding. Techniques that keep the surface in a G-buffer
+ * round albedo, roughness and metalness to 8 bits, normals to half floats, and add light in half floats.
+ */
+const FORWARD_FAMILY = new Set(['forward', 'forward-single-pass']);
+const WIDTH = 320;
+const HEIGHT = 240;
+
+interface Pair {
+  technique: string;
+  flat: boolean;
+  difference: Difference;
+}
+
+/** Draws a scene by stock three once, and by each technique. */
+async function drawAll(page: Page, options: MaterialSceneOptions, environment: boolean): Promise<Pair[]> {
+  return page.evaluate(
+    ([width, height, options, environment]) => {
+      const { Bench, compareImages, farol, isFlat, materialScene } = window.testPage;
+      const bench = new Bench(width, height);
+      const map = environment ? bench.environment() : null;
+      const { scene, camera } = materialScene(width, height, { ...options, environment: map });
+      const stock = bench.stock(scene, camera);
+      return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => ({
+        technique,
+        flat: isFlat(stock),
+        difference: compareImages(stock, bench.byTechnique(technique, scene, camera)),
+      }));
+    },
+    [WIDTH, HEIGHT, options, environment] as const,
+  );
+}
+
+function check({ technique, flat, difference }: Pair, name: string): void {
+  expect(flat, `${name}: stock picture is flat`).toBe(false);
+  const { largest, psnr, share } = difference;
+  const seen = `${name}, ${technique}: largest ${largest.toExponential(2)}, ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(3)}% off by more than 2/255`;
+  test.info().annotations.push({ type: 'agreement', description: seen });
+  if (FORWARD_FAMILY.has(technique)) {
+    expect(largest, seen).toBeLessThanOrEqual(1e-4);
+  } else {
+    expect(psnr, seen).toBeGreaterThanOrEqual(60);
+    expect(share, seen).toBeLessThanOrEqual(0.001);
+  }
+}
+
+test.beforeEach(async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+});
+
+test('all lit materials and meshes under 24 lights of mixed kinds, with an environment', async ({ page }) => {
+  for (const pair of await drawAll(page, {}, true)) check(pair, 'mixed');
+});
+
+test('only what a G-buffer holds', async ({ page }) => {
+  for (const pair of await drawAll(page, { onlyDeferred: true }, true)) check(pair, 'G-buffer materials');
+});
+
+test('an orthographic camera, and fog', async ({ page }) => {
+  for (const pair of await drawAll(page, { orthographic: true }, false)) check(pair, 'orthographic');
+  for (const pair of await drawAll(page, { fog: true }, false)) check(pair, 'fog');
+});
+
+const mixes: LightMix[] = ['point', 'spot', 'directional', 'hemisphere', 'unbounded'];
+for (const mix of mixes) {
+  test(`lights of one kind: ${mix}`, async ({ page }) => {
+    for (const pair of await drawAll(page, { mix }, false)) check(pair, mix);
+  });
+}
+
+test('spot lights with a hard edge: only the edge may differ where a position is rebuilt', async ({ page }) => {
+  for (const pair of await drawAll(page, { mix: 'spot', penumbra: 0 }, false)) {
+    const { largest, share } = pair.difference;
+    if (FORWARD_FAMILY.has(pair.technique)) expect(largest, pair.technique).toBeLessThanOrEqual(1e-4);
+    else expect(share, pair.technique).toBeLessThanOrEqual(0.001);
+  }
+});

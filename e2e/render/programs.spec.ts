@@ -1,0 +1,74 @@
+import { expect, test } from '../support/test';
+
+test.beforeEach(async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+});
+
+test('500 lights added one by one, toggled and removed compile nothing, and none is dropped', async ({ page }) => {
+  const results = await page.evaluate(() => {
+    const { Bench, farol, materialScene, three } = window.testPage;
+    const bench = new Bench(64, 48);
+    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
+      const { scene, camera, lights } = materialScene(64, 48, { count: 4 });
+      bench.byTechnique(technique, scene, camera);
+      const before = bench.programs;
+      const added: InstanceType<typeof three.Light>[] = [];
+      const kinds = [
+        () => new three.PointLight(0xffffff, 0.1, 20),
+        () => new three.SpotLight(0xffffff, 0.1, 20, 0.4),
+        () => new three.DirectionalLight(0xffffff, 0.001),
+        () => new three.HemisphereLight(0xffffff, 0x000000, 0.001),
+        () => new three.AmbientLight(0xffffff, 0.001),
+      ];
+      for (let i = 0; i < 500; i++) {
+        const light = kinds[i % kinds.length]();
+        light.position.set(Math.sin(i) * 3, Math.cos(i) * 2, 2);
+        scene.add(light);
+        added.push(light);
+        if (i < 20 || i % 100 === 99) bench.byTechnique(technique, scene, camera);
+      }
+      const visible = bench.farol.info.lights.visible;
+      for (const light of added) light.visible = false;
+      bench.byTechnique(technique, scene, camera);
+      for (const light of added) light.visible = true;
+      bench.byTechnique(technique, scene, camera);
+      for (const light of added) scene.remove(light);
+      bench.byTechnique(technique, scene, camera);
+      return { technique, compiled: bench.programs - before, visible, wanted: 500 + lights.length + 1 };
+    });
+  });
+  for (const { technique, compiled, visible, wanted } of results) {
+    expect(compiled, `${technique}: programs compiled`).toBe(0);
+    expect(visible, `${technique}: lights drawn`).toBe(wanted);
+  }
+});
+
+test('4,096 lights on a floor: nothing is dropped, every technique draws all of them', async ({ page }) => {
+  const images = await page.evaluate(() => {
+    const { Bench, farol, three } = window.testPage;
+    const bench = new Bench(128, 128);
+    const camera = new three.OrthographicCamera(-8, 8, 8, -8, 0.1, 20);
+    camera.position.z = 5;
+    const scene = new three.Scene();
+    scene.add(new three.Mesh(new three.PlaneGeometry(16, 16), new three.MeshLambertMaterial()));
+    for (let i = 0; i < 4096; i++) {
+      const light = new three.PointLight(0xffffff, 0.02, 0.25);
+      light.position.set(((i % 64) + 0.5) / 4 - 8, (Math.floor(i / 64) + 0.5) / 4 - 8, 0.1);
+      scene.add(light);
+    }
+    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => ({
+      technique,
+      image: Array.from(bench.byTechnique(technique, scene, camera).data),
+      visible: bench.farol.info.lights.visible,
+    }));
+  });
+  for (const { technique, image, visible } of images) {
+    expect(visible, technique).toBe(4096);
+    // two pixels a light: each light's cell of 2 × 2 pixels is lit alike, and a dropped light leaves its cell black
+    const cells: number[] = [];
+    for (let i = 0; i < 4096; i++) cells.push(image[4 * ((i % 64) * 2 + Math.floor(i / 64) * 2 * 128)]);
+    expect(Math.min(...cells), `${technique}: darkest cell`).toBeGreaterThan(0.02);
+    expect(Math.max(...cells) / Math.min(...cells), `${technique}: brightest over darkest cell`).toBeLessThan(1.1);
+  }
+});
