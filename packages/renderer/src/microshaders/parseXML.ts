@@ -22,6 +22,7 @@ const TOKEN = new RegExp(
   ].join('|'),
   'y',
 );
+const DECLARATION = /^<\?xml(?:\s+[a-z]+\s*=\s*(?:"[\w.-]*"|'[\w.-]*'))+\s*\?>/;
 const ENTITIES: Record<string, string> = { lt: '<', gt: '>', amp: '&', quot: '"', apos: "'" };
 
 /**
@@ -65,7 +66,7 @@ export function parseXML(text: string, file: string): XMLElement {
     return element;
   };
 
-  const declaration = /^<\?xml\s[^]*?\?>/.exec(xml)?.[0] ?? '';
+  const declaration = DECLARATION.exec(xml)?.[0] ?? '';
   line += newlines(declaration);
   TOKEN.lastIndex = declaration.length;
   while (TOKEN.lastIndex < xml.length) {
