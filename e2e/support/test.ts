@@ -36,14 +36,13 @@ export const test = base.extend<{ watch: Watch; pagesURL: string }>({
       });
       page.on('pageerror', (error) => problems.push(`page error: ${error.stack ?? error.message}`));
       await page.addInitScript(() => {
-        const reportLoss = () => console.error('a WebGL context was lost');
-        addEventListener('webglcontextlost', reportLoss, { capture: true });
+        const report = () => console.error('a WebGL context was lost');
+        addEventListener('webglcontextlost', report, { capture: true });
         const getContext = HTMLCanvasElement.prototype.getContext;
         HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: unknown[]) {
-          // A canvas outside of the document sends the window nothing.
-          if (String(args[0]).startsWith('webgl') && !this.isConnected) {
-            this.addEventListener('webglcontextlost', reportLoss);
-          }
+          // Events of a canvas outside of the document do not come by the window.
+          const reportOutside = () => this.isConnected || report();
+          if (String(args[0]).startsWith('webgl')) this.addEventListener('webglcontextlost', reportOutside);
           return (getContext as (...all: unknown[]) => RenderingContext | null).apply(this, args);
         } as typeof getContext;
       });

@@ -2,7 +2,7 @@ import { isFlat } from '../support/images';
 import { expect, test } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
 
-const small = { width: 160, height: 90, dpr: 1 };
+const small = { scene: 'benchmarkLights', width: 160, height: 90, dpr: 1 };
 
 test('scene, technique, view and the parameters of the scene come from the address', async ({ page }) => {
   await openViewer(page, { ...still, scene: 'benchmarkLights', technique: 'forward', view: 'albedo', n: 3, m: 2 });
@@ -31,7 +31,7 @@ test('width, height and dpr give the size of the picture', async ({ page }) => {
 });
 
 test('without a size the picture fills the window and follows it', async ({ page }) => {
-  await openViewer(page, { time: 0, gui: 0 });
+  await openViewer(page, { scene: 'benchmarkLights', time: 0, gui: 0 });
   expect(await page.locator('canvas').boundingBox()).toMatchObject({ width: 640, height: 360 });
   await page.setViewportSize({ width: 320, height: 200 });
   await expect.poll(() => page.locator('canvas').boundingBox()).toMatchObject({ width: 320, height: 200 });
@@ -88,7 +88,7 @@ test('wrong values are named on the page with the known ones, and the defaults a
   await expect(message).toContainText('deferred');
   await expect(message).toContainText('lights=many');
   const state = await page.evaluate(() => window.viewer.state);
-  expect(state).toMatchObject({ scene: 'temple', technique: 'deferred' });
+  expect(state).toMatchObject({ scene: 'temple', technique: 'deferred', parameters: { n: 4 } });
   await message.getByRole('button').click();
   await expect(message).toBeHidden();
 });
