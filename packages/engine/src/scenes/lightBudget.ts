@@ -16,9 +16,9 @@ export function lightBudget(count: number, budget: LightBudget): { range: number
   const comfortable = 4;
   const overlap = (range: number): number => (count * 4.19 * range ** 3) / budget.volume;
   const crowd = Math.max(1, overlap(budget.range) / comfortable);
-  const range = Math.max(budget.range * crowd ** -0.22, budget.range * 0.35);
-  const total = (each: number): number => Math.max(1, (overlap(each) / comfortable) * (budget.range / each) ** 0.5);
-  return { range: round(range), intensity: round(Math.max(budget.light / total(range) ** 0.85, budget.light * 0.01)) };
+  const range = Math.max(budget.range * crowd ** -0.22, budget.range * 0.3);
+  const left = Math.max(1, overlap(range) / comfortable);
+  return { range: round(range), intensity: round((budget.light * (range / budget.range) ** 2) / left ** 0.6) };
 }
 
 const round = (value: number): number => Math.round(value * 1000) / 1000;

@@ -27,15 +27,15 @@ function paint(out: Texel, rgb: Rgb, shade: number, height: number): void {
   out.height = height;
 }
 
-/** Marble: fine grain with veins. */
+/** Marble: fine grain with a few long veins. */
 export function marble(rgb: Rgb, seed: number): Pattern {
   const grain = createFractalNoise(6, 5, seed);
+  const stains = createFractalNoise(2, 3, seed + 3);
   const warp = createFractalNoise(3, 4, seed + 7);
   return (u, v, out) => {
     const g = grain(u, v);
-    const w = warp(u, v);
-    const vein = 1 - Math.abs(Math.sin((w * 4 + g * 0.6) * Math.PI));
-    paint(out, rgb, 0.86 + 0.2 * g - 0.2 * vein ** 8, 0.5 * g - 0.12 * vein ** 8);
+    const vein = 1 - smooth(0, 0.035, Math.abs(warp(u, v) - 0.5));
+    paint(out, rgb, 0.76 + 0.2 * g + 0.16 * stains(u, v) - 0.1 * vein, 0.3 * g - 0.05 * vein);
   };
 }
 

@@ -23,6 +23,6 @@ export function addLightGrid(build: SceneBuilder, { count, side, floor }: LightG
     extent: [spacing * 0.7, height * 0.3, spacing * 0.7],
     speed: Math.min(2, spacing) * (0.5 + random()),
     range,
-    intensity: 3.2 * height * height,
+    intensity: 2.6 * height * height,
   }));
 }

@@ -16,6 +16,7 @@ const SIDE = 30;
  */
 export async function benchmarkLights(n: number, m: number, options: SceneBuildOptions = {}): Promise<Scene> {
   const build = new SceneBuilder('Benchmark: lights', options);
+  build.scene.settings.backgroundColour = [0.004, 0.005, 0.008];
   build.camera([0, 22, 25], [0, 0, 1.5], { fov: 0.87, near: 0.5, far: 120 }, 10);
   build.light('Ambient light', { type: 'ambient', intensity: 0.12 }, [0, 5, 0]);
   const planes = build.group('Planes');

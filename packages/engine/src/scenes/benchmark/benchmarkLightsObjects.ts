@@ -24,6 +24,7 @@ export async function benchmarkLightsObjects(
   options: SceneBuildOptions = {},
 ): Promise<Scene> {
   const build = new SceneBuilder('Benchmark: lights and objects', options);
+  build.scene.settings.backgroundColour = [0.004, 0.005, 0.008];
   const { assets } = build.scene;
   await assets.load(mesh);
   const geometry = assets.mesh(mesh, Math.PI);

@@ -17,6 +17,7 @@ export interface DragonsOptions extends SceneBuildOptions {
 export async function dragons(options: DragonsOptions = {}): Promise<Scene> {
   const { lights = 24 } = options;
   const build = new SceneBuilder('Dragons', options);
+  build.scene.settings.backgroundColour = [0.004, 0.005, 0.008];
   await build.scene.assets.load('dragon');
   build.camera([0.6, 3.9, 8.6], [0, 0.9, 0.2], { fov: 0.8, near: 0.1, far: 80 });
   build.light(
@@ -43,7 +44,7 @@ export async function dragons(options: DragonsOptions = {}): Promise<Scene> {
     const scale = [3.4, 3.4, 3.4] as const;
     build.mesh('Dragon', 'dragon', { ...look, creaseAngle: Math.PI }, { position, rotation, scale, parent: flock });
   });
-  const { range, intensity } = lightBudget(lights, { volume: 420, range: 4.5, light: 5 });
+  const { range, intensity } = lightBudget(lights, { volume: 420, range: 4.5, light: 7 });
   build.movingLights(lights, build.group('Lights'), (_, random) => ({
     position: [9 * (random() - 0.5), 0.4 + 2.6 * random(), 8 * (random() - 0.5)],
     extent: [0.6 + 1.4 * random(), 0.3, 0.6 + 1.4 * random()],

@@ -65,20 +65,20 @@ export async function niceScene(options: NiceSceneOptions = {}): Promise<Scene> 
     { position: [2.7, 1.1, -1.2], scale: [1.3, 2.2, 1.3] },
   );
 
-  build.light('Ambient light', { type: 'ambient', intensity: 0.08 }, [0, 5, 0]);
+  build.light('Ambient light', { type: 'ambient', intensity: 0.16 }, [0, 5, 0]);
   build.light(
     'Directional light',
-    { type: 'directional', intensity: 1.5, diffuse: [1, 0.96, 0.88] },
-    [-6, 7, -4],
+    { type: 'directional', intensity: 1.3, diffuse: [1, 0.96, 0.88] },
+    [-6, 6.5, -0.7],
     [0, 0, 0],
   );
   const red = { diffuse: [1, 0.09, 0.05], ownSpecular: true, specular: [1, 0.5, 0.45] } as const;
   build.light(
     'Point light',
-    { ...red, type: 'point', intensity: 3.2, attenuation: 'near-far', near: 0.8, far: 7.5 },
-    [-1.7, 2.1, -1.3],
+    { ...red, type: 'point', intensity: 2.4, attenuation: 'near-far', near: 0.5, far: 6.2 },
+    [-2.3, 1.9, 0],
   );
-  const spot = { type: 'spot', diffuse: [1, 1, 1], intensity: 42, cutoff: 0.36, exponent: 24, range: 12 } as const;
+  const spot = { type: 'spot', diffuse: [1, 1, 1], intensity: 110, cutoff: 0.36, exponent: 24, range: 12 } as const;
   build.light('Spot light', spot, [-1.2, 5, 3.6], [1.5, 0, 1.9]);
 
   build.movingLights(lights, build.group('Lights'), (_, random) => ({

@@ -38,13 +38,13 @@ export function addArchPanel(builder: MeshBuilder, panel: ArchPanel): void {
       const [[ax, ay], [bx, by]] = [rim(at), edge(at)];
       return [ax + (bx - ax) * v, ay + (by - ay) * v, thickness * face];
     };
-    builder.surface(segments, 4, wall, [Math.PI * radius, top - spring - radius + 0.5]);
+    builder.surface(segments, 2, wall, [Math.PI * radius, top - spring - radius + 0.5]);
     const moulding = (u: number, v: number): Vector3Tuple => {
       const [x, y] = rim(face > 0 ? u : 1 - u, 0.02 + 0.2 * v);
       const relief = 0.07 * Math.sqrt(Math.max(0, 1 - (2 * v - 1) ** 2)) + 0.02 * Math.sin(v * 3 * Math.PI);
       return [x, y, (thickness + relief) * face];
     };
-    builder.surface(segments, 7, moulding, [Math.PI * radius, 0.4]);
+    builder.surface(segments, 5, moulding, [Math.PI * radius, 0.4]);
   }
   const soffit = (u: number, v: number): Vector3Tuple => [...rim(u), thickness * (2 * v - 1)];
   builder.surface(segments, 2, soffit, [Math.PI * radius, 2 * thickness]);

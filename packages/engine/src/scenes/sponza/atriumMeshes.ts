@@ -19,13 +19,13 @@ function addColumn(builder: MeshBuilder, height: number, radius: number, segment
     const ring = v < 0.55 ? Math.sin((v / 0.55) * Math.PI) * 0.3 : Math.sin(((v - 0.55) / 0.45) * Math.PI) * 0.18;
     return [radius * (1.06 + ring), plinth + (base - plinth) * v];
   };
-  builder.lathe(segments, 12, torus, [3, 0.4]);
+  builder.lathe(segments, 8, torus, [3, 0.4]);
   const neck = height - capital;
   const shaft = (v: number): readonly [number, number] => [
     radius * (1 - 0.16 * v + 0.04 * Math.sin(Math.PI * v)),
     base + (neck - base) * v,
   ];
-  builder.lathe(segments, 18, shaft, [radius * 6, neck - base]);
+  builder.lathe(segments, 9, shaft, [radius * 6, neck - base]);
   const leaves = (u: number, v: number): Vector3Tuple => {
     const row = v < 0.5 ? v * 2 : v * 2 - 1;
     const leaf = 0.5 + 0.5 * Math.cos(u * 8 * 2 * Math.PI + (v < 0.5 ? 0 : Math.PI));
@@ -34,20 +34,20 @@ function addColumn(builder: MeshBuilder, height: number, radius: number, segment
     return [bell * Math.cos(angle), neck + capital * 0.82 * v, bell * Math.sin(angle)];
   };
   builder.lathe(segments, 3, (v) => [radius * (0.86 + 0.12 * Math.sin(Math.PI * v)), neck - 0.06 + 0.06 * v], [3, 0.1]);
-  builder.surface(segments * 2, 16, leaves, [3, 0.6]);
+  builder.surface(segments * 2, 9, leaves, [3, 0.6]);
   const top = height - capital * 0.18;
   builder.box([-wide, top, -wide], [wide, height, wide], 0.4);
 }
 
 export function lowerColumnMesh(): BufferGeometry {
   const builder = new MeshBuilder();
-  addColumn(builder, spring, 0.42, 36);
+  addColumn(builder, spring, 0.42, 28);
   return builder.build(0.7);
 }
 
 export function upperColumnMesh(): BufferGeometry {
   const builder = new MeshBuilder();
-  addColumn(builder, upperSpring, 0.3, 32);
+  addColumn(builder, upperSpring, 0.3, 24);
   return builder.build(0.7);
 }
 
@@ -55,7 +55,7 @@ export function upperColumnMesh(): BufferGeometry {
 export function lowerArchMesh(): BufferGeometry {
   const builder = new MeshBuilder();
   const top = storey - slab;
-  addArchPanel(builder, { width: bayWidth, radius: bayWidth / 2 - 0.6, spring, top, thickness, segments: 40 });
+  addArchPanel(builder, { width: bayWidth, radius: bayWidth / 2 - 0.6, spring, top, thickness, segments: 32 });
   for (const side of [-1, 1]) {
     for (const face of [-1, 1]) {
       builder.at(side * (bayWidth / 2 - 0.5), top - 0.42, 0, face > 0 ? 0 : Math.PI);
@@ -64,7 +64,7 @@ export function lowerArchMesh(): BufferGeometry {
         const relief = 0.05 * Math.abs(Math.sin(v * 2.5 * Math.PI)) + 0.04 * v;
         return [radius * Math.cos(u * 2 * Math.PI), radius * Math.sin(u * 2 * Math.PI), thickness + relief];
       };
-      builder.surface(20, 8, rings, [1, 0.3]);
+      builder.surface(16, 6, rings, [1, 0.3]);
     }
   }
   return builder.at(0, 0, 0).build(0.7);
@@ -83,11 +83,11 @@ export function upperArchMesh(): BufferGeometry {
       spring: upperSpring,
       top,
       thickness: thickness * 0.8,
-      segments: 24,
+      segments: 18,
     });
   }
   builder.at(0, 0, 0);
-  addColumn(builder, upperSpring, 0.2, 20);
+  addColumn(builder, upperSpring, 0.2, 16);
   for (const side of [-1, 1]) {
     for (let i = 0; i < 6; i++) {
       builder.at(side * (0.45 + i * 0.33), 0, 0);
@@ -95,7 +95,7 @@ export function upperArchMesh(): BufferGeometry {
         0.05 + 0.05 * Math.sin(Math.PI * Math.min(1, v * 1.35)) ** 2,
         0.1 + 0.75 * v,
       ];
-      builder.lathe(10, 10, baluster, [0.5, 0.8]);
+      builder.lathe(8, 7, baluster, [0.5, 0.8]);
     }
     builder.at(0, 0, 0);
     const [from, to] = side > 0 ? [0.2, bayWidth / 2 - 0.25] : [0.25 - bayWidth / 2, -0.2];
@@ -120,7 +120,7 @@ export function longWallMesh(): BufferGeometry {
     for (const floor of [0, storey]) {
       builder.at(x + bayWidth / 2, floor, 0.12);
       const panel = { width: bayWidth - 0.56, radius: 1.15, spring: 2.6, top: storey - slab, thickness: 0.12 };
-      addArchPanel(builder, { ...panel, segments: 20, jambs: true });
+      addArchPanel(builder, { ...panel, segments: 14, jambs: true });
     }
     builder.at(0, 0, 0);
   }
@@ -142,7 +142,7 @@ export function endWallMesh(): BufferGeometry {
   ];
   for (const { x, floor, ...arch } of arches) {
     builder.at(x, floor, 0.14);
-    addArchPanel(builder, { ...arch, top: storey - slab, thickness: 0.14, segments: 28, jambs: true });
+    addArchPanel(builder, { ...arch, top: storey - slab, thickness: 0.14, segments: 18, jambs: true });
   }
   builder.at(0, 0, 0);
   for (const x of [-9.7, -3.5, 3.5, 9.7]) builder.box([x - 0.3, 0, 0], [x + 0.3, storey * 2, 0.36], 1);
@@ -180,7 +180,7 @@ export function vaultMesh(): BufferGeometry {
       const across = Math.sqrt(Math.max(0, 1 - (2 * v - 1) ** 2));
       return [x0 + bayWidth * u, spring + rise * Math.max(along, across), -width * v];
     };
-    builder.surface(18, 18, (u, v) => vault(u, 1 - v), [bayWidth, width]);
+    builder.surface(14, 14, (u, v) => vault(u, 1 - v), [bayWidth, width]);
   }
   for (let bay = 1; bay < bays; bay++) {
     const x = bay * bayWidth - length / 2;
@@ -191,7 +191,7 @@ export function vaultMesh(): BufferGeometry {
       const z = -width / 2 + (width / 2) * radius * Math.cos(angle);
       return [x + 0.22 * Math.sin(around), spring + rise * radius * Math.sin(angle), z];
     };
-    builder.surface(24, 4, rib, [6, 0.4]);
+    builder.surface(16, 4, rib, [6, 0.4]);
   }
   return builder.build(0.7);
 }

@@ -16,7 +16,7 @@ export function curtainMesh(): BufferGeometry {
       const z = (0.05 + 0.13 * drop) * fold + 0.012 * face;
       return [width * (across - 0.5) * gather, -height * drop - 0.08 * Math.sin(Math.PI * across), z];
     };
-    builder.surface(56, 24, sheet, [2, 3]);
+    builder.surface(44, 16, sheet, [2, 3]);
   }
   return builder.build(1.2);
 }
@@ -34,9 +34,9 @@ export function urnMesh(): BufferGeometry {
   };
   return new MeshBuilder()
     .box([-0.32, 0, -0.32], [0.32, 0.1, 0.32])
-    .lathe(36, 4, (v) => [0.28 - 0.1 * v, 0.1 + 0.08 * v], [2, 0.2])
-    .lathe(36, 26, profile, [2, 1])
-    .lathe(36, 4, inside, [2, 0.4])
+    .lathe(32, 4, (v) => [0.28 - 0.1 * v, 0.1 + 0.08 * v], [2, 0.2])
+    .lathe(32, 18, profile, [2, 1])
+    .lathe(32, 4, inside, [2, 0.4])
     .build(0.7);
 }
 

@@ -1,5 +1,6 @@
 import type { Scene } from '../../core/Scene';
 import type { GameObject } from '../../core/GameObject';
+import type { Vector3Tuple } from '../../fields/Field';
 import { number } from '../../fields/fields';
 import { SceneBuilder } from '../SceneBuilder';
 import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
@@ -57,7 +58,7 @@ function addSpots(build: SceneBuilder): void {
     const x = i * spacing;
     build.light(
       'Spot light',
-      { ...warm, intensity: 26 },
+      { ...warm, intensity: 38 },
       [x, 0.3, halfLength + 3.4],
       [x, floor + 4.5, halfLength],
       spots,
@@ -66,6 +67,18 @@ function addSpots(build: SceneBuilder): void {
   for (const z of [-4, 4]) {
     build.light('Spot light', { ...warm, intensity: 30, cutoff: 0.7 }, [0, floor + 6, z], [0, floor, z], spots);
   }
+}
+
+/** A place along the columns, from between them and the inner room to some steps before them. */
+function colonnadePlace(random: () => number): Vector3Tuple {
+  const out = -1.8 + 5 * random() ** 1.3;
+  const [x, z] = [templeSize.halfWidth + out, templeSize.halfLength + out];
+  const along = random() * (x + z) * 2 - x - z;
+  const side = random() < 0.5 ? -1 : 1;
+  const y = 0.7 + 5 * random() ** 1.4;
+  return Math.abs(along) < x
+    ? [along, y, side * z]
+    : [side * x, y, Math.sign(along) * (Math.abs(along) - x) * 2 - Math.sign(along) * z];
 }
 
 /**
@@ -85,22 +98,17 @@ export async function temple(lights: number, options: SceneBuildOptions = {}): P
     { scale: [120, 1, 120] },
   );
   addTemple(build);
-  build.light('Sun', { type: 'directional', diffuse: [1, 0.5, 0.36], intensity: 0.55 }, [20, 16, 14], [0, 3, 0]);
+  build.light('Sun', { type: 'directional', diffuse: [1, 0.5, 0.36], intensity: 0.8 }, [20, 16, 14], [0, 3, 0]);
   build.light(
     'Sky',
-    { type: 'hemisphere', diffuse: [0.3, 0.38, 0.6], groundColour: [0.1, 0.12, 0.07], intensity: 0.35 },
+    { type: 'hemisphere', diffuse: [0.3, 0.38, 0.6], groundColour: [0.1, 0.12, 0.07], intensity: 0.5 },
     [0, 20, 0],
   );
   addSpots(build);
-  const { range, intensity } = lightBudget(lights, { volume: 5600, range: 6, light: 10 });
-  const { halfWidth, halfLength } = templeSize;
+  const { range, intensity } = lightBudget(lights, { volume: 5600, range: 6, light: 20 });
   build.movingLights(lights, build.group('Lights'), (_, random) => ({
-    position: [
-      (halfWidth + 3.5) * (2 * random() - 1),
-      0.7 + 5.2 * random() ** 1.4,
-      (halfLength + 4) * (2 * random() - 1),
-    ],
-    extent: [1 + 3 * random(), 0.2 + 0.4 * random(), 1 + 4 * random()],
+    position: colonnadePlace(random),
+    extent: [1 + 2.5 * random(), 0.2 + 0.4 * random(), 1 + 3 * random()],
     speed: 0.6 + 1.2 * random(),
     range,
     intensity,
