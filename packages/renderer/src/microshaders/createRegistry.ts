@@ -1,5 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import { builtinMicroShaders } from './builtin';
+import { checkLiveEdit } from './checkLiveEdit';
 import { MicroShaderRegistry } from './MicroShaderRegistry';
 import { WebGLShaderCompiler } from './WebGLShaderCompiler';
 
@@ -8,5 +9,7 @@ export function createRegistry(webgl: WebGLRenderer): MicroShaderRegistry {
   const builtin = new MicroShaderRegistry();
   builtin.add(builtinMicroShaders);
   const compiler = new WebGLShaderCompiler(webgl.getContext() as WebGL2RenderingContext);
-  return new MicroShaderRegistry(builtin, { compiler });
+  const registry = new MicroShaderRegistry(builtin, { compiler });
+  registry.addCheck((names) => checkLiveEdit(webgl, registry, names));
+  return registry;
 }

@@ -1,0 +1,50 @@
+import { expect, test } from '../support/test';
+
+test.beforeEach(async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+});
+
+test('a microshader replaced while the scene runs changes the picture of every technique; a broken edit changes nothing', async ({
+  page,
+}) => {
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, farol, materialScene } = window.testPage;
+    const bench = new Bench(80, 60);
+    const { scene, camera } = materialScene(80, 60, { count: 6, onlyDeferred: true });
+    const name = 'lightAttenuation';
+    const { microshaders } = bench.farol;
+    const good = microshaders.get(name)!;
+    const half = { ...good, header: good.header.replace('return falloff;', 'return 0.5 * falloff;') };
+    const broken = { ...good, header: good.header.replace('return falloff;', 'return fallof;') };
+    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
+      const before = bench.byTechnique(technique, scene, camera);
+      let error: unknown = null;
+      try {
+        microshaders.replace(name, broken);
+      } catch (caught) {
+        error = caught;
+      }
+      const afterBroken = bench.byTechnique(technique, scene, camera);
+      microshaders.replace(name, half);
+      const afterHalf = bench.byTechnique(technique, scene, camera);
+      microshaders.replace(name, good);
+      const afterGood = bench.byTechnique(technique, scene, camera);
+      return {
+        technique,
+        named: error instanceof farol.MicroShaderCompileError ? error.entries[0] : null,
+        message: String(error),
+        broken: compareImages(before, afterBroken).largest,
+        half: compareImages(before, afterHalf).largest,
+        good: compareImages(before, afterGood).largest,
+      };
+    });
+  });
+  for (const { technique, named, message, broken, half, good } of results) {
+    expect(named?.chunk, message).toBe('lightAttenuation');
+    expect(named?.text, message).toContain('return fallof;');
+    expect(broken, `${technique}: a broken edit`).toBe(0);
+    expect(half, `${technique}: half the light`).toBeGreaterThan(0.05);
+    expect(good, `${technique}: the first text again`).toBe(0);
+  }
+});

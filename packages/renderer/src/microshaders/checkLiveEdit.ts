@@ -1,0 +1,70 @@
+import { ShaderChunk, type WebGLRenderer } from 'three';
+import { MicroShaderCompileError } from './MicroShaderCompileError';
+import type { MicroShaderRegistry } from './MicroShaderRegistry';
+
+/** Programs as `WebGLRenderer.info.programs` lists them. */
+interface Program {
+  readonly name: string;
+  readonly vertexShader: WebGLShader;
+  readonly fragmentShader: WebGLShader;
+}
+
+const THREE_INCLUDE = /^[ \t]*#include +<([\w./]+)>/gm;
+
+/**
+ * Tries a replaced microshader in every program on the GPU that holds it, before it takes effect.
+ * @param names the replaced chunk and its dependants; the registry gives their new text already
+ * @throws MicroShaderCompileError with chunk and line, when one of them does not compile
+ */
+export function checkLiveEdit(webgl: WebGLRenderer, registry: MicroShaderRegistry, names: readonly string[]): void {
+  const gl = webgl.getContext() as WebGL2RenderingContext;
+  for (const program of (webgl.info.programs ?? []) as unknown as Program[]) {
+    for (const stage of ['vertex', 'fragment'] as const) {
+      const before = gl.getShaderSource(program[`${stage}Shader`]) ?? '';
+      const after = withNewText(before, registry, names);
+      if (after === before) continue;
+      const shader = gl.createShader(stage === 'vertex' ? gl.VERTEX_SHADER : gl.FRAGMENT_SHADER);
+      if (shader === null) return; // the context is lost: three compiles anew when it is back
+      gl.shaderSource(shader, after);
+      gl.compileShader(shader);
+      const compiled = gl.getShaderParameter(shader, gl.COMPILE_STATUS) as boolean;
+      const log = gl.getShaderInfoLog(shader) ?? '';
+      gl.deleteShader(shader);
+      if (!compiled) throw new MicroShaderCompileError(program.name, stage, log, after);
+    }
+  }
+}
+
+/** The source of a program with the frames of the named chunks as the registry has them now. */
+function withNewText(source: string, registry: MicroShaderRegistry, names: readonly string[]): string {
+  let text = source;
+  for (const name of names) {
+    if (!source.includes(`// <${name}>`)) continue;
+    const [headers, main = ''] = registry.compose([], [name]).fragmentShader.split(/^void main\(\) \{$/m);
+    const [beforeMain, ...rest] = text.split(/^void main\(\) \{$/m);
+    text = [replaceFrames(beforeMain, headers, name), ...rest.map((part) => replaceFrames(part, main, name))].join('void main() {');
+  }
+  return text;
+}
+
+const FRAMES = /^\/\/ <([^/>][^>]*)>(?: \d+)?\n[^]*?^\/\/ <\/\1>\n/gm;
+
+/** Puts the frame of `name` out of `composed` in its place, after frames it newly depends on. */
+function replaceFrames(text: string, composed: string, name: string): string {
+  const own = framesOf(composed).get(name);
+  if (own === undefined) return text;
+  const known = framesOf(text);
+  const added = [...framesOf(composed)].filter(([other]) => other !== name && !known.has(other)).map(([, frame]) => frame);
+  const place = known.get(name);
+  return place === undefined ? text : text.replace(place, () => resolveThree([...added, own].join('')));
+}
+
+function framesOf(text: string): Map<string, string> {
+  return new Map([...text.matchAll(FRAMES)].map((match) => [match[1], match[0]]));
+}
+
+function resolveThree(text: string): string {
+  return text.replace(THREE_INCLUDE, (line, name: string) =>
+    Object.hasOwn(ShaderChunk, name) ? resolveThree(ShaderChunk[name as keyof typeof ShaderChunk]) : line,
+  );
+}
