@@ -91,31 +91,43 @@ function cornerNormals(geometry: BufferGeometry, corners: Uint32Array, creaseAng
   return result;
 }
 
-/** Joins corners of the same source vertex and the same normal: the vertices of the result. */
+/** Joins corners that agree in place, normal and every attribute: the vertices of the result. */
 function joinCorners(
+  geometry: BufferGeometry,
   corners: Uint32Array,
   normals: Float32Array,
-  vertexCount: number,
 ): { index: Uint32Array; kept: number[] } {
-  const first = new Int32Array(vertexCount).fill(-1);
+  const { places, count } = weldPositions(geometry.getAttribute('position'));
+  const others = Object.entries(geometry.attributes).filter(([name]) => name !== 'normal' && name !== 'position');
+  const sameAttributes = (a: number, b: number): boolean => {
+    if (a === b) return true;
+    return others.every(([, attribute]) => {
+      for (let k = 0; k < attribute.itemSize; k++) {
+        if (attribute.getComponent(a, k) !== attribute.getComponent(b, k)) return false;
+      }
+      return true;
+    });
+  };
+  const first = new Int32Array(count).fill(-1);
   const next: number[] = [];
   const kept: number[] = [];
   const index = new Uint32Array(corners.length);
   for (let corner = 0; corner < corners.length; corner++) {
-    let vertex = first[corners[corner]];
+    const place = places[corners[corner]];
+    let vertex = first[place];
     while (vertex >= 0) {
       const [a, b] = [corner * 3, kept[vertex] * 3];
       const gap =
         Math.abs(normals[a] - normals[b]) +
         Math.abs(normals[a + 1] - normals[b + 1]) +
         Math.abs(normals[a + 2] - normals[b + 2]);
-      if (gap < 1e-4) break;
+      if (gap < 1e-4 && sameAttributes(corners[corner], corners[kept[vertex]])) break;
       vertex = next[vertex];
     }
     if (vertex < 0) {
       vertex = kept.push(corner) - 1;
-      next.push(first[corners[corner]]);
-      first[corners[corner]] = vertex;
+      next.push(first[place]);
+      first[place] = vertex;
     }
     index[corner] = vertex;
   }
@@ -134,7 +146,7 @@ export function computeCreaseNormals(geometry: BufferGeometry, creaseAngle = Mat
   if (!geometry.getAttribute('position')) throw new Error('Normals need a geometry with a position attribute.');
   const corners = cornersOf(geometry);
   const normals = cornerNormals(geometry, corners, creaseAngle);
-  const { index, kept } = joinCorners(corners, normals, geometry.getAttribute('position').count);
+  const { index, kept } = joinCorners(geometry, corners, normals);
   const result = new BufferGeometry();
   result.name = geometry.name;
   for (const [name, source] of Object.entries(geometry.attributes)) {
