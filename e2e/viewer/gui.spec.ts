@@ -1,3 +1,4 @@
+import { Quaternion, Vector3 } from 'three';
 import { compareImages } from '../support/images';
 import { expect, test } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
@@ -5,6 +6,18 @@ import { openViewer, readImage, still } from '../support/viewer';
 const withMenu = { ...still, gui: 1 };
 const moving = { scene: 'benchmarkLights', width: 160, height: 90, dpr: 1 };
 const query = (address: string) => Object.fromEntries(new URL(address).searchParams);
+
+interface Pose {
+  position: number[];
+  turn: number[];
+}
+
+/** How near the lines of sight of two cameras come to each other (m). */
+function lineDistance(a: Pose, b: Pose): number {
+  const front = ({ turn }: Pose) => new Vector3(0, 0, -1).applyQuaternion(new Quaternion(...turn));
+  const between = new Vector3(...b.position).sub(new Vector3(...a.position));
+  return Math.abs(between.dot(front(a).cross(front(b)).normalize()));
+}
 
 test('the menu offers every technique, view and scene, and writes them into the address', async ({ page }) => {
   await openViewer(page, withMenu);
@@ -85,6 +98,63 @@ test('keys fly and dragging turns the camera', async ({ page }) => {
   await page.mouse.move(120, 50, { steps: 3 });
   await page.mouse.up();
   expect((await pose()).turn).not.toEqual(before.turn);
+});
+
+test('a finger orbits the scene: the camera moves and keeps looking at the same place', async ({ page }) => {
+  await openViewer(page, still);
+  const pose = () =>
+    page.evaluate(() => {
+      const { object3D } = window.viewer.engineScene.activeCamera!.gameObject;
+      return { position: object3D.position.toArray(), turn: object3D.quaternion.toArray() };
+    });
+  const before = await pose();
+  const picture = await readImage(page);
+  const devtools = await page.context().newCDPSession(page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number) =>
+    devtools.send('Input.dispatchTouchEvent', { type, touchPoints: x === undefined ? [] : [{ x, y: 45 }] });
+  await touch('touchStart', 60);
+  for (const x of [70, 80, 100]) await touch('touchMove', x);
+  await touch('touchEnd');
+  await expect.poll(async () => (await pose()).position).not.toEqual(before.position);
+  const after = await pose();
+  expect(after.turn).not.toEqual(before.turn);
+  expect(lineDistance(before, after), 'distance of the two lines of sight (m)').toBeLessThan(1e-3);
+  expect(compareImages(picture, await readImage(page)).largest).toBeGreaterThan(0.02);
+});
+
+test('while time is stopped the camera flies, the scene stands, and no frame is drawn in between', async ({ page }) => {
+  await openViewer(page, still);
+  const state = () =>
+    page.evaluate(() => ({
+      place: window.viewer.engineScene.activeCamera!.gameObject.object3D.position.toArray(),
+      time: window.viewer.engineScene.time,
+      frame: window.viewer.three.info.render.frame,
+    }));
+  const before = await state();
+  await page.locator('canvas').click();
+  await page.keyboard.down('KeyW');
+  await expect.poll(async () => (await state()).place).not.toEqual(before.place);
+  await page.keyboard.up('KeyW');
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const after = await state();
+  expect(after.time).toBe(before.time);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  expect((await state()).frame).toBe(after.frame);
+});
+
+test('Space stops time and lets it go on, H hides the menu; the address follows', async ({ page }) => {
+  await openViewer(page, moving);
+  await expect.poll(() => page.evaluate(() => window.viewer.engineScene.time)).toBeGreaterThan(0.05);
+  await page.keyboard.press('Space');
+  const time = Number(query(page.url()).time);
+  expect(time).toBeGreaterThan(0);
+  expect(await page.evaluate(() => window.viewer.engineScene.time)).toBe(time);
+  await page.keyboard.press('Space');
+  await expect.poll(() => page.evaluate(() => window.viewer.engineScene.time)).toBeGreaterThan(time);
+  expect(query(page.url()).time).toBeUndefined();
+  await page.keyboard.press('h');
+  await expect(page.locator('.lil-gui.lil-root')).toBeHidden();
+  expect(query(page.url()).gui).toBe('0');
 });
 
 test('figures of each pass are shown and kept up', async ({ page }) => {

@@ -109,7 +109,7 @@ function lightRing({ center, radius }: Sphere, bounds: Box3, { lights, seed }: {
       type: 'point',
       diffuse: [colour.r, colour.g, colour.b],
       // candela: as bright whatever the size of the model, and nearly so whatever the number of lights
-      intensity: (10 * radius * radius) / Math.sqrt(Math.max(lights, 4)),
+      intensity: (6 * radius * radius) / Math.max(lights, 4) ** 0.9,
       range: radius * 2,
     });
     object.addComponent(RandomMovement, {

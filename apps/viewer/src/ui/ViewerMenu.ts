@@ -75,13 +75,10 @@ export class ViewerMenu {
     values[name] = this.viewer.state.parameters[name] ?? field.default;
     let controller: Controller;
     if (field.kind === 'number') {
-      controller = parameters.add(
-        values as Record<string, number>,
-        name,
-        field.min,
-        field.max,
-        field.step ?? (field.integer ? 1 : undefined),
-      );
+      const { min, max, step = field.integer ? 1 : undefined } = field;
+      // Over a huge range, such as that of a seed, a slider is of no use.
+      const slides = min !== undefined && max !== undefined && max - min <= 100_000;
+      controller = parameters.add(values as Record<string, number>, name, min, slides ? max : undefined, step);
     } else if (field.kind === 'choice') {
       controller = parameters.add(values, name, [...field.options]);
     } else if (field.kind === 'boolean' || field.kind === 'string') {
