@@ -92,3 +92,12 @@ test('wrong values are named on the page with the known ones, and the defaults a
   await message.getByRole('button').click();
   await expect(message).toBeHidden();
 });
+
+test('a browser without WebGL 2 is told so', async ({ page, watch }) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto('./');
+  await expect(page.locator('.message')).toContainText(/cannot start.*WebGL 2.*hardware acceleration/);
+  expect(watch.forgive(/WebGL 2/)).toBe(1);
+});
