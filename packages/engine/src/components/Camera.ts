@@ -111,7 +111,6 @@ export class Camera extends component({
   private makeCamera(): void {
     this.camera?.removeFromParent();
     this.camera = this.projection === 'orthographic' ? new OrthographicCamera() : new PerspectiveCamera();
-    this.camera.matrixAutoUpdate = false;
     this.applyProjection(this.camera);
     this.gameObject.object3D.add(this.camera);
   }

@@ -83,13 +83,9 @@ export class Light extends component(lightFields) {
     this.dropLight();
     const light = makers[this.type]();
     light.position.set(0, 0, 0);
-    light.matrixAutoUpdate = false;
-    light.updateMatrix();
     light.visible = this.enabled;
     if (light instanceof DirectionalLight || light instanceof SpotLight) {
       light.target.position.set(0, 0, -1);
-      light.target.updateMatrix();
-      light.target.matrixAutoUpdate = false;
       light.add(light.target);
     }
     this.light = light;

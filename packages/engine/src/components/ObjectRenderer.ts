@@ -108,7 +108,6 @@ export class ObjectRenderer extends component({
     } else {
       this.mesh3D = new Mesh(geometry, material);
       this.mesh3D.name = this.gameObject.name;
-      this.mesh3D.matrixAutoUpdate = false;
       this.gameObject.object3D.add(this.mesh3D);
     }
     this.applyFlags();
