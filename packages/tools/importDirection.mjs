@@ -20,9 +20,6 @@ export const importRules = [
 /** Packages of the repository that nobody imports: an app is an end, not a part. */
 const apps = ['@farol/viewer', '@farol/editor'];
 
-/** What a test or a configuration may use on top, without its workspace declaring it: the root declares them. */
-const testOnly = ['vitest', 'vite', '@farol/tools'];
-
 /**
  * Checks every import of a set of files against {@link importRules}.
  *
@@ -66,10 +63,11 @@ function violation(path, specifier, { from, may }, manifests) {
   if (name.startsWith('@farol/') && name !== '@farol/tools' && specifier !== name) {
     return `only the published entry ${name} may be imported`;
   }
-  if (!may.includes('*') && !may.includes(name) && !(forTests && testOnly.includes(name))) {
-    return `${from} may import ${may.join(', ')} only`;
-  }
-  return declared(name, path, forTests, manifests) ? null : `its workspace does not declare ${name}`;
+  // Tests and configurations run from the root, and may use its tools on top.
+  const ofRoot = name === '@farol/tools' || name in (manifests.get('')?.devDependencies ?? {});
+  if (forTests && ofRoot) return null;
+  if (!may.includes('*') && !may.includes(name)) return `${from} may import ${may.join(', ')} only`;
+  return declared(name, path, manifests) ? null : `its workspace does not declare ${name}`;
 }
 
 /** @param {string} specifier */
@@ -81,15 +79,15 @@ function packageOf(specifier) {
 }
 
 /**
- * @param {string} name @param {string} path @param {boolean} forTests
+ * @param {string} name @param {string} path
  * @param {ReadonlyMap<string, { dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
-function declared(name, path, forTests, manifests) {
+function declared(name, path, manifests) {
   const workspace = [...manifests.keys()].find((folder) => folder !== '' && path.startsWith(`${folder}/`));
   // e2e is no workspace: it belongs to the root, whose packages are linked in
   if (workspace === undefined) return name.startsWith('@farol/') || name in (manifests.get('')?.devDependencies ?? {});
   const own = manifests.get(workspace);
-  return name in { ...own?.dependencies, ...own?.peerDependencies } || (forTests && testOnly.includes(name));
+  return name in { ...own?.dependencies, ...own?.peerDependencies };
 }
 
 /**

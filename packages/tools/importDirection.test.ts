@@ -38,6 +38,8 @@ describe('the direction of imports', () => {
     ['packages/engine/src/X.ts', "const lazy = () => import('react');", /may import/],
     ['packages/engine/src/X.ts', "import { readFileSync } from 'node:fs';", /no Node modules/],
     ['packages/engine/src/X.ts', "import { G } from '@farol/renderer/src/gbuffer/GBuffer';", /published entry/],
+    ['packages/engine/src/X.ts', "import react from '@vitejs/plugin-react';", /may import/],
+    ['packages/engine/src/X.test.ts', "import React from 'react';", /may import/],
     ['apps/editor/src/X.tsx', "import { gui } from '@farol/viewer'; const a = <b>c</b>;", /nothing imports an app/],
     ['apps/editor/src/X.ts', "import '../../viewer/src/main';", /may import/],
     ['apps/viewer/src/X.ts', "import React from 'react';", /does not declare react/],
@@ -52,6 +54,7 @@ describe('the direction of imports', () => {
   it.each([
     ['packages/renderer/src/passes/X.ts', "import text from '../microshaders/x.glsl?raw'; import 'three';"],
     ['packages/engine/src/X.test.ts', "import { it } from 'vitest'; import { Scene } from './Scene';"],
+    ['apps/editor/vite.config.ts', "import react from '@vitejs/plugin-react';"],
     ['packages/engine/src/X.ts', "// import 'react'\nconst text = \"import 'react'\";"],
     ['apps/viewer/src/X.ts', "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';"],
     ['e2e/pages/x.ts', "import { techniques } from '@farol/renderer';"],
