@@ -11,9 +11,9 @@ int farol_last = farol_lightCounts.x + farol_lightCounts.y;
 #ifdef FAROL_COUNT
 farol_lighting = vec4(float(farol_last), 0.0, 0.0, 0.0);
 #else
-FarolShading shading = farol_beginShading(farol_readSurface(pixel, depth, farol_size));
-ReflectedLight reflectedLight = ReflectedLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-for (int i = 0; i < farol_lightCounts.x; i++) farol_shade(shading, farol_directionalLight(i), reflectedLight);
-for (int i = farol_lightCounts.x; i < farol_last; i++) farol_shade(shading, farol_localLight(i, shading.positionVS), reflectedLight);
-farol_lighting = vec4(reflectedLight.directDiffuse + reflectedLight.directSpecular, 0.0);
+FarolSurface surface = farol_readSurface(pixel, depth, farol_size);
+FarolShading shading = farol_beginShading(surface);
+for (int i = 0; i < farol_lightCounts.x; i++) farol_shade(shading, farol_directionalLight(i));
+for (int i = farol_lightCounts.x; i < farol_last; i++) farol_shade(shading, farol_localLight(i, shading.positionVS));
+farol_lighting = vec4(farol_endShading(shading, surface), 0.0);
 #endif

@@ -27,7 +27,6 @@ import shadeThree from './shadeThree.glsl?raw';
 import surfaceView from './surfaceView.glsl?raw';
 import unproject from './unproject.glsl?raw';
 import viewDepth from './viewDepth.glsl?raw';
-import { threeLighting } from './threeLighting';
 
 /** Sources by name. A new microshader is a file and a line here. */
 const sources = {
@@ -60,9 +59,8 @@ const sources = {
   viewDepth,
 };
 
-export type BuiltinMicroShader = keyof typeof sources | 'threeLighting';
+export type BuiltinMicroShader = keyof typeof sources;
 
 export const builtinMicroShaders: readonly MicroShader[] = [
-  threeLighting,
   ...Object.entries(sources).map(([name, text]) => parseMicroShader(name, text)),
 ];

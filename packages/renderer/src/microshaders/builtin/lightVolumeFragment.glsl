@@ -14,8 +14,8 @@ farol_lighting = vec4(1.0, 0.0, 0.0, 0.0);
 #else
 FarolLight light = farol_localLight(farol_record, positionVS);
 if (light.attenuation <= 0.0) discard;
-FarolShading shading = farol_beginShading(farol_readSurface(pixel, depth, farol_size));
-ReflectedLight reflectedLight = ReflectedLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-farol_shade(shading, light, reflectedLight);
-farol_lighting = vec4(reflectedLight.directDiffuse + reflectedLight.directSpecular, 0.0);
+FarolSurface surface = farol_readSurface(pixel, depth, farol_size);
+FarolShading shading = farol_beginShading(surface);
+farol_shade(shading, light);
+farol_lighting = vec4(farol_endShading(shading, surface), 0.0);
 #endif
