@@ -89,7 +89,13 @@ beforeEach(() => {
   ear = camera.addComponent(Ear);
   clock = camera.addComponent(Clock);
   scene.add(camera);
-  const webgl = { domElement: canvas, clear: vi.fn(), setSize: vi.fn(), setPixelRatio: vi.fn(), dispose: vi.fn() };
+  const webgl = {
+    domElement: canvas,
+    clear: vi.fn<() => void>(),
+    setSize: vi.fn<() => void>(),
+    setPixelRatio: vi.fn<() => void>(),
+    dispose: vi.fn<() => void>(),
+  };
   app = new App({ webgl: webgl as unknown as WebGLRenderer, scene, keys });
 });
 

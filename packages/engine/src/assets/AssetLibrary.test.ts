@@ -97,3 +97,17 @@ describe('generated textures', () => {
     },
   );
 });
+
+test('a name that is given to another asset forgets what was derived from the first', () => {
+  const assets = new AssetLibrary();
+  const [flat, tall] = [new BoxGeometry(1, 1, 1), new BoxGeometry(1, 9, 1)];
+  for (const each of [flat, tall]) each.deleteAttribute('normal');
+  assets.register('tower', flat);
+  const before = assets.mesh('tower');
+  assets.unregister('tower');
+  assets.register('tower', tall);
+  const after = assets.mesh('tower');
+  after.computeBoundingBox();
+  expect(after).not.toBe(before);
+  expect(after.boundingBox!.max.y).toBe(4.5);
+});

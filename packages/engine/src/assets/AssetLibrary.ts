@@ -31,7 +31,8 @@ export class AssetLibrary {
   private readonly sources = new Map<string, AssetSource>();
   private readonly values = new Map<string, Asset>();
   private readonly loading = new Map<string, Promise<Asset>>();
-  private readonly variants = new Map<string, Asset>();
+  /** For each name what is derived from the asset: normals by crease angle, textures by repeat. */
+  private readonly variants = new Map<string, Map<number, Asset>>();
   private readonly listeners = new Set<(change: AssetChange) => void>();
   private readonly readBytes: FetchBytes;
 
@@ -85,6 +86,7 @@ export class AssetLibrary {
     if (!source) return;
     this.sources.delete(name);
     this.values.delete(name);
+    this.variants.delete(name);
     this.tell({ kind: 'removed', name, type: source.type });
   }
 
@@ -176,15 +178,15 @@ export class AssetLibrary {
   mesh(name: string, creaseAngle = Math.PI / 6): BufferGeometry {
     const geometry = this.getAs<BufferGeometry>('mesh', name);
     if (geometry.getAttribute('normal')) return geometry;
-    const key = `${name} crease ${creaseAngle.toFixed(4)}`;
-    return this.variant(key, () => computeCreaseNormals(geometry, creaseAngle));
+    const angle = Math.round(creaseAngle * 1e4) / 1e4;
+    return this.variant(name, angle, () => computeCreaseNormals(geometry, angle));
   }
 
   /** A texture, repeated `repeat` times over each unit of the texture coordinates. */
   texture(name: string, repeat = 1): Texture {
     const texture = this.getAs<Texture>('texture', name);
     if (repeat === 1) return texture;
-    return this.variant(`${name} repeat ${repeat}`, () => {
+    return this.variant(name, repeat, () => {
       const copy = texture.clone();
       copy.wrapS = copy.wrapT = RepeatWrapping;
       copy.repeat.copy(texture.repeat).multiplyScalar(repeat);
@@ -209,7 +211,8 @@ export class AssetLibrary {
   /** Gives back the GPU memory of every asset, and forgets them. */
   dispose(): void {
     this.materials.dispose();
-    for (const value of [...this.variants.values(), ...this.values.values()]) value.dispose();
+    for (const variants of this.variants.values()) for (const each of variants.values()) each.dispose();
+    for (const value of this.values.values()) value.dispose();
     this.variants.clear();
     this.values.clear();
     this.sources.clear();
@@ -222,9 +225,11 @@ export class AssetLibrary {
     return this.get(name) as T;
   }
 
-  private variant<T extends Asset>(key: string, make: () => T): T {
-    let made = this.variants.get(key) as T | undefined;
-    if (!made) this.variants.set(key, (made = make()));
+  private variant<T extends Asset>(name: string, parameter: number, make: () => T): T {
+    let variants = this.variants.get(name);
+    if (!variants) this.variants.set(name, (variants = new Map()));
+    let made = variants.get(parameter) as T | undefined;
+    if (!made) variants.set(parameter, (made = make()));
     return made;
   }
 

@@ -1,4 +1,4 @@
-import type { Material } from 'three';
+import type { Material, Texture } from 'three';
 import type { ValuesOf } from '../fields/Field';
 import type { AssetLibrary } from './AssetLibrary';
 import { makeMaterial, materialSettings, writeMaterial } from './makeMaterial';
@@ -10,7 +10,7 @@ interface Entry {
   key: string;
   readonly kind: string;
   readonly material: Material;
-  readonly textures: Set<string>;
+  readonly textures: Set<Texture>;
   users: number;
 }
 
@@ -66,7 +66,7 @@ export class MaterialCache {
     if (!entry || --entry.users > 0) return;
     this.entries.delete(entry.key);
     this.byMaterial.delete(material);
-    for (const key of entry.textures) this.releaseTexture(key);
+    for (const texture of entry.textures) this.assets.uses.release(texture);
     material.dispose();
   }
 
@@ -82,7 +82,7 @@ export class MaterialCache {
     const before = [...entry.textures];
     entry.textures.clear();
     const { key } = entry;
-    const lookUp = (name: string): ReturnType<AssetLibrary['texture']> | null => {
+    const lookUp = (name: string): Texture | null => {
       if (!this.assets.isReady('texture', name)) {
         this.assets.whenReady('texture', name, () => {
           if (entry.users > 0 && entry.key === key) this.write(entry, values);
@@ -90,19 +90,13 @@ export class MaterialCache {
         return null;
       }
       const texture = this.assets.texture(name, values.repeat);
-      const use = `${name}\n${values.repeat}`;
-      if (!entry.textures.has(use)) {
-        entry.textures.add(use);
+      if (!entry.textures.has(texture)) {
+        entry.textures.add(texture);
         this.assets.uses.acquire(texture);
       }
       return texture;
     };
     writeMaterial(entry.material, values, lookUp);
-    for (const use of before) this.releaseTexture(use);
-  }
-
-  private releaseTexture(use: string): void {
-    const [name, repeat] = use.split('\n');
-    if (this.assets.has(name, 'texture')) this.assets.uses.release(this.assets.texture(name, Number(repeat)));
+    for (const each of before) this.assets.uses.release(each);
   }
 }

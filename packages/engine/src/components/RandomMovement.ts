@@ -46,21 +46,27 @@ export class RandomMovement extends component({
 
   /** Distance from its place along an axis (0 x, 1 y, 2 z) at a time in seconds; 0 at time 0. */
   offset(axis: number, time: number): number {
-    const extent = this.extent[axis];
-    if (extent === 0) return 0;
-    const phase = (this.speed * time) / extent;
-    const { rates } = this;
-    return extent * (SHARES[0] * Math.sin(rates[axis * 2] * phase) + SHARES[1] * Math.sin(rates[axis * 2 + 1] * phase));
+    return this.wave(axis, this.extent[axis], this.speed * time);
   }
 
   override update(_deltaSeconds: number, time: number): void {
     const { transform, object3D } = this.gameObject;
     const place = transform.getAuthored('position') as Vector3Tuple;
+    const { extent } = this;
+    const way = this.speed * time;
     object3D.position.set(
-      place[0] + this.offset(0, time),
-      place[1] + this.offset(1, time),
-      place[2] + this.offset(2, time),
+      place[0] + this.wave(0, extent[0], way),
+      place[1] + this.wave(1, extent[1], way),
+      place[2] + this.wave(2, extent[2], way),
     );
+  }
+
+  /** Two waves along an axis, after `way` metres at full speed. */
+  private wave(axis: number, extent: number, way: number): number {
+    if (extent === 0) return 0;
+    const { rates } = this;
+    const phase = way / extent;
+    return extent * (SHARES[0] * Math.sin(rates[axis * 2] * phase) + SHARES[1] * Math.sin(rates[axis * 2 + 1] * phase));
   }
 
   private chooseRates(): void {

@@ -103,7 +103,7 @@ describe('RandomMovement', () => {
 
   test('is a function of seed and time alone, in whatever order the times come', () => {
     const forward = pathOf(5, [0, 1, 2.5, 100]);
-    expect(pathOf(5, [100, 2.5, 1, 0]).reverse()).toEqual(forward);
+    expect(pathOf(5, [100, 2.5, 1, 0]).toReversed()).toEqual(forward);
     expect(pathOf(6, [1])[0]).not.toEqual(forward[1]);
   });
 

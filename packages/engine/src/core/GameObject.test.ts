@@ -1,8 +1,14 @@
 import { Matrix4 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
+import { builtinComponents } from '../components/builtinComponents';
+import { ComponentRegistry } from '../components/ComponentRegistry';
 import { Light } from '../components/Light';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { Transform } from '../components/Transform';
+import { component } from '../fields/component';
+import { object } from '../fields/fields';
+import { deserialize } from '../file/deserialize';
+import { serialize } from '../file/serialize';
 import { FieldError } from '../fields/FieldError';
 import { createRandom } from './createRandom';
 import { Component } from './Component';
@@ -261,6 +267,50 @@ describe('a scene', () => {
     expect(idle.calls).toEqual([]);
     spy.mockRestore();
   });
+});
+
+class Follower extends component({ target: object(null, { help: 'Whom it follows.' }) }) {
+  static override readonly typeName: string = 'Follower';
+}
+
+test('references inside a clone follow it; those out of it stay', () => {
+  const { a, b, c } = family();
+  const outside = new GameObject('outside');
+  b.addComponent(Follower, { target: c.id });
+  c.addComponent(Follower, { target: outside.id });
+  const copy = a.clone();
+  const [b2] = copy.children;
+  expect(b2.getComponent(Follower)!.target).toBe(b2.children[0].id);
+  expect(b2.children[0].getComponent(Follower)!.target).toBe(outside.id);
+});
+
+test('a reference to an object that is gone is saved as none, so that the file loads', async () => {
+  const registry = new ComponentRegistry([...builtinComponents.types.values(), Follower]);
+  const scene = new Scene({ registry });
+  const { a, b, c } = family();
+  scene.add(a);
+  b.addComponent('Follower', { target: c.id });
+  a.addComponent('Follower', { target: b.id });
+  scene.remove(c);
+  const copy = await deserialize(serialize(scene), { registry });
+  expect(copy.find('b')!.getComponent('Follower')!.get('target')).toBeNull();
+  expect(copy.find('a')!.getComponent('Follower')!.get('target')).toBe(b.id);
+});
+
+test('a component that was taken off comes back as it was, with its id and at its place', () => {
+  const { a } = family();
+  new Scene().add(a);
+  const [light, camera] = [a.addComponent('Light', { intensity: 3 }), a.addComponent('Camera')];
+  const { id } = light;
+  a.removeComponent(light);
+  expect(a.scene!.lights).toEqual([]);
+  a.addComponent(light, {}, { index: 1 });
+  expect(a.components).toEqual([a.transform, light, camera]);
+  expect(light.id).toBe(id);
+  expect(a.scene!.findComponentById(id)).toBe(light);
+  expect(light.get('intensity')).toBe(3);
+  a.moveComponent(light, 5);
+  expect(a.components).toEqual([a.transform, camera, light]);
 });
 
 test('a clone has new ids and the same content, down to the last child', () => {

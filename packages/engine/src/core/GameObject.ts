@@ -256,7 +256,7 @@ export class GameObject implements GameObjectContainer {
   dispose(): void {
     if (this.container) moveGameObject(this, null, undefined, { keepWorld: false });
     for (const child of [...this.childList]) child.dispose();
-    for (const component of [...this.componentList].reverse()) {
+    for (const component of this.componentList.toReversed()) {
       component.detach();
       component.dispose();
     }

@@ -211,7 +211,7 @@ export class Scene implements GameObjectContainer {
   /** Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released. */
   dispose(): void {
     this.listeners.clear();
-    for (const root of [...this.childList].reverse()) root.dispose();
+    for (const root of this.childList.toReversed()) root.dispose();
     this.settings.dispose();
     this.three.clear();
     if (this.ownsAssets) this.assets.dispose();

@@ -26,10 +26,11 @@ function parseJson(text: string): unknown {
   }
 }
 
+function fail(path: string, problem: string): never {
+  throw new FileError([{ path, problem }]);
+}
+
 function checkHead(file: unknown): JsonRecord {
-  const fail = (path: string, problem: string): never => {
-    throw new FileError([{ path, problem }]);
-  };
   if (!isRecord(file)) return fail('', `The file must hold an object, not ${describeValue(file)}.`);
   if (file.format !== 'farol-scene') fail('format', `must be "farol-scene", not ${describeValue(file.format)}.`);
   const { version } = file;

@@ -111,6 +111,12 @@ function checkReferences(
   }
 }
 
+function withoutPath(object: ReadObject): FileObject {
+  const { path, ...rest } = object;
+  void path;
+  return rest;
+}
+
 /** Reads the objects of a file, and checks ids, parents and references among them. */
 export function readObjects(
   value: unknown,
@@ -125,5 +131,5 @@ export function readObjects(
   const byId = checkIds(objects, problems);
   checkParents(objects, byId, problems);
   checkReferences(objects, byId, registry, problems);
-  return objects.map(({ path: _, ...object }) => object);
+  return objects.map(withoutPath);
 }

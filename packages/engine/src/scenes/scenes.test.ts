@@ -37,6 +37,9 @@ const few: Record<string, Record<string, number | string>> = {
 
 const lightPlaces = (scene: Scene): number[][] => scene.lights.map((light) => light.position.toArray());
 
+const seeds = (scene: Scene): unknown[] =>
+  scene.find('Lights')!.children.map((light) => light.getComponent('RandomMovement')!.get('seed'));
+
 /** What a scene draws: meshes, and instances as one each. */
 function meshes(scene: Scene): ObjectRenderer[] {
   const list: ObjectRenderer[] = [];
@@ -48,7 +51,7 @@ const triangles = (scene: Scene): number =>
   meshes(scene).reduce((sum, { geometry }) => sum + geometry!.index!.count / 3, 0);
 
 test('all of the thesis are there', () => {
-  expect(Object.keys(scenes).sort()).toEqual(Object.keys(few).sort());
+  expect(new Set(Object.keys(scenes))).toEqual(new Set(Object.keys(few)));
 });
 
 describe.each(Object.keys(few))('%s', (name) => {
@@ -173,8 +176,6 @@ describe('sponza', () => {
 
 test('a scene with more lights holds the colours and paths of the one with fewer', async () => {
   const [small, large] = await Promise.all([3, 5].map((m) => benchmarkLights(1, m, { assets: shared })));
-  const seeds = (scene: Scene): unknown[] =>
-    scene.find('Lights')!.children.map((light) => light.getComponent('RandomMovement')!.get('seed'));
   expect(seeds(large).slice(0, 9)).toEqual(seeds(small));
   small.dispose();
   large.dispose();

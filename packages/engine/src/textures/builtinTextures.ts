@@ -1,6 +1,6 @@
 import type { AssetSource } from '../assets/Asset';
 import { makeColourTexture, makeNormalTexture } from './makeTexture';
-import { blocks, checker, cloth, grass, marble, type Pattern, plaster, tiles, wood } from './patterns';
+import { blocks, checker, cloth, grass, marble, type Pattern, plaster, sky, tiles, wood } from './patterns';
 
 interface Look {
   readonly pattern: () => Pattern;
@@ -10,6 +10,7 @@ interface Look {
 
 const looks: Readonly<Record<string, Look>> = {
   checker: { pattern: () => checker([235, 235, 235], [40, 40, 44], 8) },
+  sky: { pattern: sky },
   marble: { pattern: () => marble([232, 226, 214], 11), depth: 0.02 },
   stone: { pattern: () => blocks([206, 196, 178], 4, 8, 23), depth: 0.02 },
   brick: { pattern: () => blocks([178, 118, 92], 6, 12, 37), depth: 0.018 },

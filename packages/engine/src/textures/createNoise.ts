@@ -1,5 +1,7 @@
 import { createRandom } from '../core/createRandom';
 
+const ease = (t: number): number => t * t * (3 - 2 * t);
+
 /** Smooth noise from 0 to below 1 that repeats with period 1 in x and y; `cells` lattice points over a period. */
 export function createNoise(cells: number, seed: number): (x: number, y: number) => number {
   const random = createRandom(seed);
@@ -8,7 +10,6 @@ export function createNoise(cells: number, seed: number): (x: number, y: number)
   return (x, y) => {
     const [fx, fy] = [x * cells, y * cells];
     const [ix, iy] = [Math.floor(fx), Math.floor(fy)];
-    const ease = (t: number): number => t * t * (3 - 2 * t);
     const [tx, ty] = [ease(fx - ix), ease(fy - iy)];
     const [x0, x1] = [wrap(ix), wrap(ix + 1)];
     const [y0, y1] = [wrap(iy) * cells, wrap(iy + 1) * cells];

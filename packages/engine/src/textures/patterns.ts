@@ -117,6 +117,18 @@ export function plaster(rgb: Rgb, seed: number): Pattern {
   };
 }
 
+/** An evening sky to be used as an environment: u runs round the horizon, v from below (0) to above (1). */
+export function sky(): Pattern {
+  const clouds = createFractalNoise(5, 5, 29);
+  return (u, v, out) => {
+    const height = v * 2 - 1;
+    const glow = Math.exp(-Math.abs(height) * 5) * (0.6 + 0.4 * Math.cos(u * 2 * Math.PI));
+    const cloud = height > 0 ? smooth(0.5, 0.75, clouds(u, v)) * 40 : 0;
+    const blue = height > 0 ? 70 + 60 * (1 - height) : 38 + 30 * Math.exp(height * 6);
+    paint(out, [blue * 0.55 + 150 * glow + cloud, blue * 0.75 + 90 * glow + cloud, blue + 30 * glow + cloud], 1, 0);
+  };
+}
+
 /** A chess board without joints. */
 export function checker(light: Rgb, dark: Rgb, count: number): Pattern {
   return (u, v, out) => paint(out, (Math.floor(u * count) + Math.floor(v * count)) % 2 === 0 ? light : dark, 1, 0);

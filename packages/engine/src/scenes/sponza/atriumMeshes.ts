@@ -1,7 +1,7 @@
 import type { BufferGeometry } from 'three';
 import type { AssetSource } from '../../assets/Asset';
 import type { Vector3Tuple } from '../../fields/Field';
-import { MeshBuilder } from '../../geometry/MeshBuilder';
+import { MeshBuilder, type Profile } from '../../geometry/MeshBuilder';
 import { addArchPanel } from './addArchPanel';
 import { atriumPlan, bayWidth } from './atriumPlan';
 import { curtainMesh, lampMesh, plantMesh, urnMesh } from './furnitureMeshes';
@@ -15,13 +15,13 @@ function addColumn(builder: MeshBuilder, height: number, radius: number, segment
   const wide = radius * 1.42;
   const plinth = base * 0.35;
   builder.box([-wide, 0, -wide], [wide, plinth, wide], 0.4);
-  const torus = (v: number): readonly [number, number] => {
+  const torus = (v: number): ReturnType<Profile> => {
     const ring = v < 0.55 ? Math.sin((v / 0.55) * Math.PI) * 0.3 : Math.sin(((v - 0.55) / 0.45) * Math.PI) * 0.18;
     return [radius * (1.06 + ring), plinth + (base - plinth) * v];
   };
   builder.lathe(segments, 8, torus, [3, 0.4]);
   const neck = height - capital;
-  const shaft = (v: number): readonly [number, number] => [
+  const shaft = (v: number): ReturnType<Profile> => [
     radius * (1 - 0.16 * v + 0.04 * Math.sin(Math.PI * v)),
     base + (neck - base) * v,
   ];
@@ -70,6 +70,8 @@ export function lowerArchMesh(): BufferGeometry {
   return builder.at(0, 0, 0).build(0.7);
 }
 
+const baluster: Profile = (v) => [0.05 + 0.05 * Math.sin(Math.PI * Math.min(1, v * 1.35)) ** 2, 0.1 + 0.75 * v];
+
 /** The wall of an upper bay: two small arches on a slender column, over a balustrade. */
 export function upperArchMesh(): BufferGeometry {
   const builder = new MeshBuilder();
@@ -91,10 +93,6 @@ export function upperArchMesh(): BufferGeometry {
   for (const side of [-1, 1]) {
     for (let i = 0; i < 6; i++) {
       builder.at(side * (0.45 + i * 0.33), 0, 0);
-      const baluster = (v: number): readonly [number, number] => [
-        0.05 + 0.05 * Math.sin(Math.PI * Math.min(1, v * 1.35)) ** 2,
-        0.1 + 0.75 * v,
-      ];
       builder.lathe(8, 7, baluster, [0.5, 0.8]);
     }
     builder.at(0, 0, 0);

@@ -1,7 +1,7 @@
 import type { BufferGeometry } from 'three';
 import { createRandom } from '../../core/createRandom';
 import type { Vector3Tuple } from '../../fields/Field';
-import { MeshBuilder } from '../../geometry/MeshBuilder';
+import { MeshBuilder, type Profile } from '../../geometry/MeshBuilder';
 
 /** A curtain of 2.2 m × 3.4 m in folds, hanging from y = 0; two sheets back to back, so that nothing is double sided. */
 export function curtainMesh(): BufferGeometry {
@@ -21,22 +21,24 @@ export function curtainMesh(): BufferGeometry {
   return builder.build(1.2);
 }
 
+const urnOutside: Profile = (v) => {
+  const belly = 0.16 + 0.36 * Math.sin(Math.PI * Math.min(1, v * 0.92 + 0.02)) ** 1.3 * (0.55 + 0.45 * v);
+  const lip = v > 0.9 ? (v - 0.9) * 1.6 : 0;
+  return [belly + lip, 0.18 + 0.92 * v];
+};
+
+const urnInside: Profile = (v) => {
+  const [radius, y] = urnOutside(1);
+  return [radius * (1 - v * 0.9), y - 0.12 * v];
+};
+
 /** An urn of 1.1 m on a foot. */
 export function urnMesh(): BufferGeometry {
-  const profile = (v: number): readonly [number, number] => {
-    const belly = 0.16 + 0.36 * Math.sin(Math.PI * Math.min(1, v * 0.92 + 0.02)) ** 1.3 * (0.55 + 0.45 * v);
-    const lip = v > 0.9 ? (v - 0.9) * 1.6 : 0;
-    return [belly + lip, 0.18 + 0.92 * v];
-  };
-  const inside = (v: number): readonly [number, number] => {
-    const [radius, y] = profile(1);
-    return [radius * (1 - v * 0.9), y - 0.12 * v];
-  };
   return new MeshBuilder()
     .box([-0.32, 0, -0.32], [0.32, 0.1, 0.32])
     .lathe(32, 4, (v) => [0.28 - 0.1 * v, 0.1 + 0.08 * v], [2, 0.2])
-    .lathe(32, 18, profile, [2, 1])
-    .lathe(32, 4, inside, [2, 0.4])
+    .lathe(32, 18, urnOutside, [2, 1])
+    .lathe(32, 4, urnInside, [2, 0.4])
     .build(0.7);
 }
 
@@ -63,12 +65,10 @@ export function plantMesh(): BufferGeometry {
   return builder.build(1);
 }
 
+const bowl: Profile = (v) => [0.02 + 0.3 * Math.sin((v * Math.PI) / 1.7) ** 0.8, -1.55 + 0.35 * v];
+
 /** A hanging lamp: chain of 1.2 m down from y = 0, and a bowl. */
 export function lampMesh(): BufferGeometry {
-  const bowl = (v: number): readonly [number, number] => [
-    0.02 + 0.3 * Math.sin((v * Math.PI) / 1.7) ** 0.8,
-    -1.55 + 0.35 * v,
-  ];
   return new MeshBuilder()
     .lathe(8, 1, (v) => [0.018, -1.2 + 1.2 * v], [0.1, 1.2])
     .lathe(32, 10, bowl, [2, 0.5])

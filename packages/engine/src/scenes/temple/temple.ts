@@ -11,7 +11,7 @@ import { templePlan, templeSize } from './templePlan';
 const stone = { map: 'marble', normalMap: 'marble-normal', colour: [0.86, 0.83, 0.78], roughness: 0.7 } as const;
 
 function addTemple(build: SceneBuilder): GameObject {
-  const temple = build.group('Temple');
+  const building = build.group('Temple');
   const { columnsAcross, columnsAlong, spacing, columnHeight } = templePlan;
   const { halfWidth, halfLength, floor } = templeSize;
   const top = floor + columnHeight;
@@ -20,9 +20,9 @@ function addTemple(build: SceneBuilder): GameObject {
     'Steps',
     'temple/steps',
     { ...stone, repeat: 0.5, castShadow: true, receiveShadow: true },
-    { parent: temple },
+    { parent: building },
   );
-  const columns = build.group('Columns', temple);
+  const columns = build.group('Columns', building);
   for (let i = 0; i < columnsAcross; i++) {
     for (let j = 0; j < columnsAlong; j++) {
       if (i > 0 && i < columnsAcross - 1 && j > 0 && j < columnsAlong - 1) continue;
@@ -30,12 +30,17 @@ function addTemple(build: SceneBuilder): GameObject {
       build.mesh('Column', 'temple/column', { ...stone, repeat: 0.5 }, { position, parent: columns });
     }
   }
-  build.mesh('Entablature', 'temple/entablature', { ...stone, repeat: 0.5 }, { position: [0, top, 0], parent: temple });
+  build.mesh(
+    'Entablature',
+    'temple/entablature',
+    { ...stone, repeat: 0.5 },
+    { position: [0, top, 0], parent: building },
+  );
   build.mesh(
     'Roof',
     'temple/roof',
     { ...stone, colour: [0.78, 0.5, 0.38], repeat: 0.5 },
-    { position: [0, top + cornice, 0], parent: temple },
+    { position: [0, top + cornice, 0], parent: building },
   );
   const wall = {
     map: 'stone',
@@ -44,8 +49,8 @@ function addTemple(build: SceneBuilder): GameObject {
     roughness: 0.85,
     repeat: 0.25,
   } as const;
-  build.mesh('Cella', 'temple/cella', wall, { position: [0, floor, 0], parent: temple });
-  return temple;
+  build.mesh('Cella', 'temple/cella', wall, { position: [0, floor, 0], parent: building });
+  return building;
 }
 
 /** Four lamps before the front columns and two inside, warm and steady. */
