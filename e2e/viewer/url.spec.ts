@@ -23,6 +23,15 @@ test('the number of lights follows the address', async ({ page }) => {
   }
 });
 
+test('the resolution of the dragon follows the address', async ({ page }) => {
+  const triangles: number[] = [];
+  for (const dragon of ['low', 'medium']) {
+    await openViewer(page, { ...still, scene: 'dragons', lights: 1, dragon });
+    triangles.push(await page.evaluate(() => window.viewer.engineScene.assets.mesh('dragon').index!.count / 3));
+  }
+  expect(triangles).toEqual([11_102, 47_794]);
+});
+
 test('width, height and dpr give the size of the picture', async ({ page }) => {
   await openViewer(page, { ...still, width: 120, height: 80, dpr: 1.5 });
   const image = await readImage(page);

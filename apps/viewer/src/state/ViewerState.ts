@@ -9,6 +9,8 @@ export interface ViewerState {
   view: string;
   /** Given values of parameters of scenes, such as lights, n, m and seed; those of other scenes are kept, unused. */
   parameters: Record<string, FieldValue>;
+  /** Resolution of the Stanford dragon, where a scene shows one. */
+  dragon: string;
   /** Fixed simulated time (s), drawn once and not moving; null lets it run. */
   time: number | null;
   /** Size of the picture (CSS pixels); null follows the window. */
@@ -25,6 +27,7 @@ export interface KnownNames {
   scenes: Readonly<Record<string, { readonly parameters: FieldTable }>>;
   techniques: readonly string[];
   views: readonly string[];
+  dragons: readonly string[];
   /** State of a URL without parameters. */
   defaults: ViewerState;
 }

@@ -19,6 +19,7 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     scene: (text) => void (state.scene = oneOf(text, Object.keys(known.scenes))),
     technique: (text) => void (state.technique = oneOf(text, known.techniques)),
     view: (text) => void (state.view = oneOf(text, known.views)),
+    dragon: (text) => void (state.dragon = oneOf(text, known.dragons)),
     time: (text) => void (state.time = number(text, { min: 0 })),
     width: (text) => void (state.width = number(text, { min: 1, max: 8192, integer: true })),
     height: (text) => void (state.height = number(text, { min: 1, max: 8192, integer: true })),

@@ -18,7 +18,7 @@ export function writeState(state: ViewerState, { scenes, defaults }: KnownNames)
     const value = state.parameters[name];
     if (value !== undefined && String(value) !== String(field.default)) entries.push([name, value]);
   }
-  for (const name of ['time', 'width', 'height', 'dpr'] as const) {
+  for (const name of ['dragon', 'time', 'width', 'height', 'dpr'] as const) {
     if (state[name] !== defaults[name]) entries.push([name, state[name]]);
   }
   if (state.gui !== defaults.gui) entries.push(['gui', state.gui ? 1 : 0]);

@@ -48,7 +48,7 @@ export class HelpPanel {
 }
 
 /** Every parameter of the address with what it does, those of the scenes from their declaration. */
-export function addressHelp({ scenes, techniques, views }: KnownNames): [string, string][] {
+export function addressHelp({ scenes, techniques, views, dragons }: KnownNames): [string, string][] {
   const parameters = new Map<string, { help: string; range: string; scenes: string[] }>();
   for (const [scene, definition] of Object.entries(scenes)) {
     for (const [name, field] of Object.entries(definition.parameters)) {
@@ -64,6 +64,7 @@ export function addressHelp({ scenes, techniques, views }: KnownNames): [string,
     ...[...parameters].map(([name, { help, range, scenes: of }]): [string, string] => {
       return [name, `${help} ${range}(${of.join(', ')})`];
     }),
+    ['dragon', `Resolution of the Stanford dragon: ${dragons.join(', ')}.`],
     ['time', 'Draws the scene once, as it is at this time (s), and does not move it.'],
     ['width, height', 'Size of the picture (CSS pixels); the window by default.'],
     ['dpr', 'Device pixels for each CSS pixel; those of the screen by default, 2 at most.'],

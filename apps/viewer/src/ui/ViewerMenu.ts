@@ -5,6 +5,9 @@ import { modelParameters } from '../model/modelScene';
 import { known, type Viewer } from '../Viewer';
 import { StatisticsPanel } from './StatisticsPanel';
 
+/** A failure that a message on the page tells of. */
+const told = () => {};
+
 /** The menu at the top right: everything of it comes from the registries of techniques, views and scenes. */
 export class ViewerMenu {
   readonly statistics = new StatisticsPanel();
@@ -12,14 +15,14 @@ export class ViewerMenu {
   private readonly gui = new GUI({ title: 'Farol' });
   private readonly parameters: GUI;
   /** What the controllers are bound to. */
-  private readonly values: { technique: string; view: string; stopped: boolean };
+  private readonly values: { technique: string; view: string; dragon: string; stopped: boolean };
   private shown = '';
   private parameterValues: Record<string, unknown> = {};
 
   constructor(private readonly viewer: Viewer) {
     const { gui } = this;
-    const { technique, view, time } = viewer.state;
-    this.values = { technique, view, stopped: time !== null };
+    const { technique, view, dragon, time } = viewer.state;
+    this.values = { technique, view, dragon, stopped: time !== null };
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
     gui
       .add(this.values, 'technique', names)
@@ -36,8 +39,13 @@ export class ViewerMenu {
 
     const buttons = gui.addFolder('Scenes');
     for (const [name, { label, help }] of Object.entries(scenes)) {
-      buttons.add({ show: () => void viewer.chooseScene(name) }, 'show').name(label).domElement.title = help;
+      buttons.add({ show: () => void viewer.chooseScene(name).catch(told) }, 'show').name(label).domElement.title =
+        help;
     }
+    buttons
+      .add(this.values, 'dragon', [...known.dragons])
+      .name('Dragon')
+      .onChange((name: string) => viewer.setDragon(name).catch(told));
     this.parameters = gui.addFolder('Lights and sizes');
     const figures = gui.addFolder('Last frame');
     figures.$children.append(this.statistics.element);
@@ -51,8 +59,8 @@ export class ViewerMenu {
     const { state, modelName } = this.viewer;
     this.values.technique = state.technique;
     this.values.view = state.view;
+    this.values.dragon = state.dragon;
     this.values.stopped = state.time !== null;
-    for (const controller of this.gui.controllers) controller.updateDisplay();
     this.gui.show(state.gui);
 
     const shown = modelName ?? state.scene;
@@ -67,7 +75,7 @@ export class ViewerMenu {
     for (const name of Object.keys(this.parameterValues)) {
       this.parameterValues[name] = state.parameters[name] ?? (fields as Record<string, Field>)[name].default;
     }
-    for (const controller of this.parameters.controllers) controller.updateDisplay();
+    for (const controller of this.gui.controllersRecursive()) controller.updateDisplay();
   }
 
   private addParameter(name: string, field: Field): void {
@@ -90,7 +98,7 @@ export class ViewerMenu {
       return;
     }
     controller.name(field.label ?? name).onFinishChange((value: number | string | boolean) => {
-      void this.viewer.setParameters({ [name]: value });
+      void this.viewer.setParameters({ [name]: value }).catch(told);
     });
     controller.domElement.title = field.help;
   }
