@@ -61,10 +61,10 @@ describe('the Stanford dragon', () => {
     expect(renderer.three!.geometry.index!.count / 3).toBe(11_102);
   });
 
-  test('is the file that SOURCES.md tells of', async () => {
+  test.each([2, 3, 4])('at resolution %i is the file that SOURCES.md tells of', async (resolution) => {
     const sources = await readFile(new URL('../../../../public/SOURCES.md', import.meta.url), 'utf8');
     const hash = createHash('sha256')
-      .update(new Uint8Array(await read('dragon_vrip_res3.ply.gz')))
+      .update(new Uint8Array(await read(`dragon_vrip_res${resolution}.ply.gz`)))
       .digest('hex');
     expect(sources).toContain(hash);
   });
