@@ -53,6 +53,7 @@ export class Viewer {
   private readonly libraries = new Map<string, AssetLibrary>();
   private model: LoadedModel | null = null;
   private loads = 0;
+  private size = '';
   private readonly listeners = new Set<() => void>();
 
   /**
@@ -143,10 +144,14 @@ export class Viewer {
     this.changed({ scene: name, parameters: { ...this.state.parameters, ...parameters } });
   }
 
-  /** Shows a scene with those of the state's parameters that it has; a message tells when it cannot be shown. */
-  async chooseScene(name: string, keepCamera = false): Promise<void> {
+  /**
+   * Shows a scene with those of some parameters that it has; a message tells when it cannot be shown.
+   *
+   * @param parameters the state's by default
+   */
+  async chooseScene(name: string, keepCamera = false, parameters = this.state.parameters): Promise<void> {
     const fields = scenes[name]?.parameters ?? {};
-    const own = Object.entries(this.state.parameters).filter(([parameter]) => parameter in fields);
+    const own = Object.entries(parameters).filter(([parameter]) => parameter in fields);
     try {
       await this.loadScene(name, Object.fromEntries(own), keepCamera);
       this.messages.show('scene', '');
@@ -171,15 +176,16 @@ export class Viewer {
 
   /** Changes parameters of the scene on show, and looks from where one looked before. */
   async setParameters(parameters: Record<string, FieldValue>): Promise<void> {
-    this.changed({ parameters: { ...this.state.parameters, ...parameters } });
-    if (this.model) this.showModel(this.model, true);
-    else await this.chooseScene(this.state.scene, true);
+    const merged = { ...this.state.parameters, ...parameters };
+    if (!this.model) return this.chooseScene(this.state.scene, true, merged);
+    this.state.parameters = merged;
+    this.showModel(this.model, true);
   }
 
   /** Fixes the time (s) and draws the scene as it is then; null lets time run on from where it is. */
   setTime(seconds: number | null): void {
+    if (seconds !== null) this.app.scene.setTime(seconds);
     this.changed({ time: seconds });
-    this.run();
   }
 
   /** Stops time where it is (to a millisecond), or lets it run on. */
@@ -212,21 +218,24 @@ export class Viewer {
     this.listeners.add(listener);
   }
 
-  /** Makes the canvas as large as the state says, or as the page. Draws anew when no loop does. */
+  /** Makes the canvas as large as the state says, or as the page. Draws anew when that is another size. */
   resize(): void {
     const { width, height, dpr } = this.state;
     const parent = this.app.canvas.parentElement!;
-    this.app.resize(
+    const size: [number, number, number] = [
       width ?? Math.max(1, parent.clientWidth),
       height ?? Math.max(1, parent.clientHeight),
       dpr ?? Math.min(devicePixelRatio, 2),
-    );
+    ];
+    if (size.join() === this.size) return;
+    this.size = size.join();
+    this.app.resize(...size);
     this.redraw();
   }
 
-  /** Draws once when no loop runs. */
+  /** Draws the scene as it is, when no loop does. */
   redraw(): void {
-    if (this.state.time !== null && this.app.scene.activeCamera) this.app.renderAt(this.state.time);
+    if (this.state.time !== null && this.app.scene.activeCamera) this.app.step(0);
   }
 
   private get cameraComponent(): Camera {
@@ -251,9 +260,9 @@ export class Viewer {
     if (!camera.getComponent(KeyController)) camera.addComponent(KeyController);
     if (!camera.getComponent(MouseController)) camera.addComponent(MouseController);
     if (pose) camera.transform.modelMatrix = pose.matrixWorld;
+    if (this.state.time !== null) scene.setTime(this.state.time);
     this.app.scene = scene;
     before.dispose();
-    this.run();
   }
 
   private dropModel(): void {
@@ -261,21 +270,15 @@ export class Viewer {
     this.model = null;
   }
 
-  private run(): void {
-    if (this.state.time === null) {
-      this.app.start();
-    } else {
-      this.app.stop();
-      this.redraw();
-    }
-  }
-
   private changed(changes: Partial<ViewerState>): void {
     Object.assign(this.state, changes);
     // Timer queries cannot be nested: without the menu they are left to whoever measures.
     this.farol.timing = this.state.gui;
-    history.replaceState(history.state, '', `${location.pathname}${writeState(this.state, known)}`);
+    history.replaceState(history.state, '', `${location.pathname}${writeState(this.state, known)}${location.hash}`);
     for (const listener of this.listeners) listener();
+    if (!this.app.scene.activeCamera) return; // the first scene is on its way
+    if (this.state.time === null) this.app.start();
+    else this.app.stop();
     this.redraw();
   }
 }
