@@ -8,11 +8,12 @@ import type { FarolInfo } from './FarolInfo';
 import { Frame } from './Frame';
 import { InfoRecorder } from './InfoRecorder';
 import { LightTable } from './lights/LightTable';
-import { type ForwardTwins, forwardTwins } from './materials/forwardTwin';
+import { forwardTwins } from './materials/forwardTwin';
 import { TwinCache } from './materials/TwinCache';
 import type { MicroShaderRegistry } from './microshaders';
 import { createRegistry } from './microshaders/createRegistry';
 import { OverdrawPass } from './passes/OverdrawPass';
+import { tileUniforms } from './passes/LightTilesPass';
 import type { Pass } from './passes/Pass';
 import { SurfaceViewPass } from './passes/SurfaceViewPass';
 import { validatePasses } from './passes/validatePasses';
@@ -55,10 +56,12 @@ export class FarolRenderer {
     farol_ambient: { value: this.lights.ambient },
     farol_lightIndex: { value: 0 },
     farol_heatScale: { value: 1 / 32 },
+    ...tileUniforms(),
   };
   private readonly sceneViews = new WeakMap<Object3D, SceneView>();
   private readonly passLists = new Map<TechniqueName, Pass[]>();
-  private readonly loops = new Map<string, (view: View) => ForwardTwins>();
+  /** What is seen through transmissive things is drawn at another size than the lists are for. */
+  private readonly transmittedTwins = forwardTwins('lightLoopAll');
   private readonly overdraw = new OverdrawPass();
   private readonly surfaceView = new SurfaceViewPass();
   private readonly found: Light[] = [];
@@ -132,7 +135,7 @@ export class FarolRenderer {
     if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
     collectLights(scene, camera, this.webgl, this.found, this.nested);
-    this.lights.update(this.found, camera);
+    this.lights.update(this.found, camera, (techniques[this.techniqueName] as Technique).lightOrder);
     this.setUniforms();
     this.frame.begin(scene, camera, this.viewName);
     this.sceneView = this.viewOf(scene);
@@ -168,7 +171,7 @@ export class FarolRenderer {
 
   private setUniforms(): void {
     const { lights, uniforms } = this;
-    lights.table.upload(this.webgl);
+    lights.upload(this.webgl);
     uniforms.farol_lightTable.value = lights.table.texture;
     const counts = uniforms.farol_lightCounts.value;
     counts[0] = lights.directional;
@@ -180,9 +183,8 @@ export class FarolRenderer {
   /** Called inside three's render, for the host's target, and before that for three's transmission target if needed. */
   private drawFrame(): void {
     const { frame } = this;
-    const technique: Technique = techniques[this.techniqueName];
     if (this.webgl.getRenderTarget() !== frame.target) {
-      for (const item of frame.queue.opaque) frame.drawForward(item, this.twinsOf(technique.loop)('final'));
+      for (const item of frame.queue.opaque) frame.drawForward(item, this.transmittedTwins('final'));
       return;
     }
     this.sceneView.dropTransmissive();
@@ -200,7 +202,7 @@ export class FarolRenderer {
       pass.render(frame);
       this.recorder.endPass();
     }
-    if (frame.view === 'overdraw' && technique.loop !== undefined && !this.hasOutput()) this.overdraw.show(frame);
+    if (frame.view === 'overdraw' && !this.hasOutput()) this.overdraw.show(frame);
     if (grid) this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
     frame.bindTarget();
   }
@@ -218,17 +220,11 @@ export class FarolRenderer {
   private passesOf(name: TechniqueName): Pass[] {
     let passes = this.passLists.get(name);
     if (passes === undefined) {
-      passes = techniques[name].passes({ lightIndex: this.uniforms.farol_lightIndex });
+      passes = techniques[name].passes({ lightIndex: this.uniforms.farol_lightIndex, tiles: this.uniforms });
       validatePasses(name, passes);
       this.passLists.set(name, passes);
     }
     return passes;
-  }
-
-  private twinsOf(loop: string): (view: View) => ForwardTwins {
-    let twins = this.loops.get(loop);
-    if (twins === undefined) this.loops.set(loop, (twins = forwardTwins(loop)));
-    return twins;
   }
 
   private viewOf(scene: Object3D): SceneView {
@@ -238,7 +234,7 @@ export class FarolRenderer {
   }
 
   private targetBytes(): number {
-    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.table.bytes;
+    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.bytes;
     for (const passes of this.passLists.values()) for (const pass of passes) bytes += pass.bytes;
     return bytes;
   }

@@ -84,7 +84,7 @@ export class InfoRecorder {
     info.lights.visible = lights.visible;
     info.programs = this.webgl.info.programs?.length ?? 0;
     info.targetBytes = targetBytes;
-    info.uploadBytes = lights.table.uploadedBytes;
+    info.uploadBytes = lights.uploadedBytes;
     info.cpuMs = performance.now() - this.started;
   }
 

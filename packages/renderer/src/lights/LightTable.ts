@@ -1,4 +1,4 @@
-import type { Camera, DirectionalLight, HemisphereLight, Light, Matrix4, PointLight, SpotLight } from 'three';
+import type { Camera, DirectionalLight, HemisphereLight, Light, Matrix4, PointLight, SpotLight, WebGLRenderer } from 'three';
 import { Color, Vector3 } from 'three';
 import { DataTable } from './DataTable';
 import { FLOATS_PER_RECORD, RECORDS_PER_ROW } from './lightRecord';
@@ -6,6 +6,7 @@ import type { FarolAttenuation, FarolLightData } from './FarolLightData';
 import { viewFrustumPlanes } from './viewFrustumPlanes';
 import { sphereOutsidePlanes } from './sphereOutsidePlanes';
 import { coneBoundingSphere } from './coneBoundingSphere';
+import { DepthOrder } from './DepthOrder';
 
 const NO_DATA: FarolLightData = {};
 /** Cones wider than this are drawn and culled as spheres (rad). */
@@ -19,9 +20,12 @@ const coneSphere = new Float64Array(4);
 const skyColour: [number, number, number] = [0, 0, 0];
 const groundColour: [number, number, number] = [0, 0, 0];
 
+/** How the lights with a range lie in the table: spheres before cones, or near to far by their centres. */
+export type LightOrder = 'by-volume' | 'by-depth';
+
 /**
- * All managed lights of a frame as one float texture, in view space, in four runs: directional, local without a range,
- * spheres, cones. Local lights that cannot reach what the camera sees are left out. No limit but the texture's size
+ * All managed lights of a frame as one float texture, in view space, in runs: directional, local without a range, local
+ * with a range, the last in a `LightOrder`. Local lights that cannot reach what the camera sees are left out. No limit but the texture's size
  * (RECORDS_PER_ROW × MAX_TEXTURE_SIZE records).
  */
 export class LightTable {
@@ -36,14 +40,18 @@ export class LightTable {
   visible = 0;
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
   readonly ambient = new Float32Array(12);
-  /** View-space sphere [x, y, z, r] (m) of each local light with a range, spheres then cones. */
+  /** Bounding sphere of each local light with a range, a texel each, [x, y, z, r] in view space (m); r negative for a cone. */
+  readonly culling = new DataTable(RECORDS_PER_ROW);
+  /** View-space sphere [x, y, z, r] (m) of each local light with a range, r its range. */
   bounds = new Float32Array(64);
   /** View-space [axis to the light, cos cutoff] of each local light with a range; cos -1 for a sphere. */
   axes = new Float32Array(64);
   private readonly directionals: DirectionalLight[] = [];
   private readonly unboundeds: Light[] = [];
-  private readonly sphereLights: Light[] = [];
-  private readonly coneLights: SpotLight[] = [];
+  private readonly boundeds: Light[] = [];
+  /** Of `boundeds`: centre (view space), range, then axis into the cone and cosine (-1: sphere), then bounding sphere. */
+  private found = new Float64Array(12 * 64);
+  private readonly depthOrder = new DepthOrder();
   private readonly warned = new WeakSet<Light>();
   private extensions = 0;
   private firstExtension = 0;
@@ -68,61 +76,119 @@ export class LightTable {
    * @param lights the managed lights that are visible to the camera's layers
    * @param camera gives view space; its frustum drops lights that reach nothing it sees
    */
-  update(lights: readonly Light[], camera: Camera): void {
+  update(lights: readonly Light[], camera: Camera, order: LightOrder): void {
     const view = camera.matrixWorldInverse;
     viewFrustumPlanes(camera.projectionMatrix.elements, planes);
     this.classify(lights, view);
     this.directional = this.directionals.length;
     this.unbounded = this.unboundeds.length;
-    this.spheres = this.sphereLights.length;
-    this.cones = this.coneLights.length;
-    this.visible += this.directional + this.local;
+    this.visible += this.directional + this.unbounded + this.boundeds.length;
     this.reserve();
     this.firstExtension = this.directional + this.local;
     this.extensions = 0;
     let record = 0;
     for (const light of this.directionals) this.writeDirectional(record++, light, view);
-    for (const light of this.unboundeds) this.writeLocal(record++, light, view);
-    for (const light of this.sphereLights) this.writeLocal(record++, light, view);
-    for (const light of this.coneLights) this.writeLocal(record++, light, view);
+    for (const light of this.unboundeds) {
+      position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
+      this.writeLocal(record++, light, view);
+    }
+    if (order === 'by-depth') {
+      const sorted = this.depthOrder.sort(this.boundeds.length, this.found, 12, 2);
+      for (let k = 0; k < this.boundeds.length; k++) this.writeBounded(record++, k, sorted[k], view);
+    } else {
+      let k = 0;
+      for (const cones of [false, true]) {
+        for (let i = 0; i < this.boundeds.length; i++) {
+          if (this.found[i * 12 + 7] > -1 === cones) this.writeBounded(record++, k++, i, view);
+        }
+      }
+    }
     this.table.used((record + this.extensions) * FLOATS_PER_RECORD);
+    this.culling.used(this.boundeds.length * 4);
+  }
+
+  /** Sends what changed. */
+  upload(webgl: WebGLRenderer): void {
+    this.table.upload(webgl);
+    this.culling.upload(webgl);
+  }
+
+  /** Bytes sent by the last `upload`. */
+  get uploadedBytes(): number {
+    return this.table.uploadedBytes + this.culling.uploadedBytes;
+  }
+
+  /** Bytes of the textures. */
+  get bytes(): number {
+    return this.table.bytes + this.culling.bytes;
   }
 
   dispose(): void {
     this.table.dispose();
+    this.culling.dispose();
   }
 
   private classify(lights: readonly Light[], view: Matrix4): void {
-    this.directionals.length = this.unboundeds.length = this.sphereLights.length = this.coneLights.length = 0;
+    this.directionals.length = this.unboundeds.length = this.boundeds.length = 0;
+    this.spheres = this.cones = 0;
     this.ambient.fill(0);
     this.total = lights.length;
     this.visible = 0;
+    if (this.found.length < lights.length * 12) this.found = new Float64Array(lights.length * 24);
     for (const light of lights) {
       if (!this.isFinite(light)) continue;
-      if ('isAmbientLight' in light) {
-        this.addAmbient(light);
-      } else if ('isHemisphereLight' in light) {
-        this.addHemisphere(light as HemisphereLight, view);
-      } else if ('isDirectionalLight' in light) {
+      const l = light as PointLight & SpotLight & DirectionalLight & { isPointLight?: boolean };
+      if (l.isPointLight || l.isSpotLight) {
         if (isBlack(light)) continue;
-        this.directionals.push(light as DirectionalLight);
-      } else if (!isBlack(light)) {
-        const range = rangeOf(light as PointLight);
-        if (range <= 0) {
-          this.unboundeds.push(light);
-          continue;
-        }
-        position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
-        if (sphereOutsidePlanes(planes, position.x, position.y, position.z, range)) continue;
-        const spot = light as SpotLight;
-        if (spot.isSpotLight === true && spot.angle < WIDEST_CONE) {
-          this.axisOf(spot, view);
-          coneBoundingSphere(position.x, position.y, position.z, -target.x, -target.y, -target.z, range, spot.angle, coneSphere);
-          if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) continue;
-          this.coneLights.push(spot);
-        } else this.sphereLights.push(light);
-      }
+        const range = rangeOf(l);
+        if (range <= 0) this.unboundeds.push(light);
+        else this.findBounded(light, range, view);
+      } else if (l.isDirectionalLight) {
+        if (!isBlack(light)) this.directionals.push(l);
+      } else if ('isHemisphereLight' in light) this.addHemisphere(light as HemisphereLight, view);
+      else this.addAmbient(light);
     }
+  }
+
+  /** Keeps a light with a range unless the frustum says that it reaches nothing that is seen. */
+  private findBounded(light: Light, range: number, view: Matrix4): void {
+    const v = view.elements;
+    const m = light.matrixWorld.elements;
+    const wx = m[12];
+    const wy = m[13];
+    const wz = m[14];
+    const x = v[0] * wx + v[4] * wy + v[8] * wz + v[12];
+    const y = v[1] * wx + v[5] * wy + v[9] * wz + v[13];
+    const z = v[2] * wx + v[6] * wy + v[10] * wz + v[14];
+    if (sphereOutsidePlanes(planes, x, y, z, range)) return;
+    const { found } = this;
+    const at = this.boundeds.length * 12;
+    const spot = light as SpotLight;
+    found[at] = x;
+    found[at + 1] = y;
+    found[at + 2] = z;
+    found[at + 3] = range;
+    if (spot.isSpotLight === true && spot.angle < WIDEST_CONE) {
+      this.axisOf(spot, view);
+      coneBoundingSphere(x, y, z, -target.x, -target.y, -target.z, range, spot.angle, coneSphere);
+      if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) return;
+      found[at + 4] = target.x;
+      found[at + 5] = target.y;
+      found[at + 6] = target.z;
+      found[at + 7] = Math.cos(spot.angle);
+      found.set(coneSphere, at + 8);
+      this.cones++;
+    } else {
+      found[at + 4] = found[at + 5] = 0;
+      found[at + 6] = 1;
+      found[at + 7] = -1;
+      found[at + 8] = x;
+      found[at + 9] = y;
+      found[at + 10] = z;
+      found[at + 11] = range;
+      this.spheres++;
+    }
+    this.boundeds.push(light);
   }
 
   private addAmbient(light: Light): void {
@@ -154,6 +220,7 @@ export class LightTable {
     const records = this.directional + this.local;
     // every light may need an extension record
     this.table.reserve(records * 2 * FLOATS_PER_RECORD);
+    this.culling.reserve(this.bounded * 4);
     if (this.bounds.length < this.bounded * 4) {
       this.bounds = new Float32Array(this.bounded * 8);
       this.axes = new Float32Array(this.bounded * 8);
@@ -173,41 +240,41 @@ export class LightTable {
     table.set4(at + 12, 0, 0, 0, extension);
   }
 
+  /** Writes light `i` of those found as the k-th with a range. */
+  private writeBounded(record: number, k: number, i: number, view: Matrix4): void {
+    const { found, bounds, axes } = this;
+    const f = i * 12;
+    const to = k * 4;
+    position.set(found[f], found[f + 1], found[f + 2]);
+    this.writeLocal(record, this.boundeds[i], view);
+    for (let c = 0; c < 4; c++) {
+      bounds[to + c] = found[f + c];
+      axes[to + c] = found[f + 4 + c];
+    }
+    const radius = found[f + 11];
+    this.culling.set4(to, found[f + 8], found[f + 9], found[f + 10], found[f + 7] > -1 ? -radius : radius);
+  }
+
+  /** Writes the record of a point or spot light whose view-space centre is in `position`. */
   private writeLocal(record: number, light: Light, view: Matrix4): void {
     const { table } = this;
     const at = record * FLOATS_PER_RECORD;
     const point = light as PointLight;
     const spot = (light as SpotLight).isSpotLight === true ? (light as SpotLight) : null;
-    const range = rangeOf(point);
-    position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
     const extension = this.writeExtension(light);
     const plain = spot === null && extension === 0;
     const i = light.intensity;
-    table.set4(at, position.x, position.y, position.z, range);
+    table.set4(at, position.x, position.y, position.z, rangeOf(point));
     if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, -1 - point.decay);
     else table.set4(at + 4, light.color.r * i, light.color.g * i, light.color.b * i, plain ? point.decay : -1 - point.decay);
-    let cosine = -1;
     if (spot !== null) {
       this.axisOf(spot, view);
-      cosine = Math.cos(spot.angle);
-      table.set4(at + 8, target.x, target.y, target.z, cosine);
+      table.set4(at + 8, target.x, target.y, target.z, Math.cos(spot.angle));
       const exponent = (spot.userData.farol as FarolLightData | undefined)?.spotExponent ?? -1;
       table.set4(at + 12, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, 0, extension);
     } else if (!plain) {
       table.set4(at + 8, 0, 0, 1, -3);
       table.set4(at + 12, -2, -1, 0, extension);
-    }
-    const k = (record - this.directional - this.unbounded) * 4;
-    if (k >= 0) {
-      const isCone = spot !== null && spot.angle < WIDEST_CONE;
-      this.bounds[k] = position.x;
-      this.bounds[k + 1] = position.y;
-      this.bounds[k + 2] = position.z;
-      this.bounds[k + 3] = range;
-      this.axes[k] = isCone ? target.x : 0;
-      this.axes[k + 1] = isCone ? target.y : 0;
-      this.axes[k + 2] = isCone ? target.z : 1;
-      this.axes[k + 3] = isCone ? cosine : -1;
     }
   }
 

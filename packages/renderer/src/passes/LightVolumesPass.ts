@@ -33,6 +33,7 @@ const VOLUME = { ...ADDITIVE, side: BackSide, depthTest: true, depthFunc: Greate
 function instanced(vertices: number): Mesh<InstancedBufferGeometry> {
   const geometry = new InstancedBufferGeometry();
   geometry.setDrawRange(0, vertices);
+  geometry.instanceCount = 0;
   const mesh = new Mesh(geometry);
   mesh.frustumCulled = false;
   return mesh;

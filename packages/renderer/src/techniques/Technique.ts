@@ -1,9 +1,13 @@
+import type { LightOrder } from '../lights/LightTable';
+import type { TileUniforms } from '../passes/LightTilesPass';
 import type { Pass } from '../passes/Pass';
 
 /** What a technique's passes are made with. */
 export interface TechniqueContext {
   /** Uniform of the record that a single-light pass draws. */
   readonly lightIndex: { value: number };
+  /** Where the light lists of tiles are. */
+  readonly tiles: TileUniforms;
 }
 
 /** A way of drawing: an array of passes. */
@@ -14,6 +18,8 @@ export interface Technique {
   readonly help: string;
   /** Microshader by which forward draws of this technique loop over the lights. */
   readonly loop: string;
+  /** How its passes want the lights in the table. */
+  readonly lightOrder: LightOrder;
   /** True if it draws to float colour targets. */
   readonly needsFloatTargets: boolean;
   passes(context: TechniqueContext): Pass[];

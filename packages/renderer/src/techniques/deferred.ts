@@ -12,6 +12,7 @@ export const deferred: Technique = {
   label: 'Deferred shading',
   help: 'Surfaces into a G-buffer once, then each light over the pixels of its volume.',
   loop: 'lightLoopAll',
+  lightOrder: 'by-volume',
   needsFloatTargets: true,
   passes() {
     const gbuffer = new GBufferPass();

@@ -11,6 +11,7 @@ export const forward: Technique = {
   label: 'Forward, multipass',
   help: 'Ambient and emissive once, then one additive pass for each light over the objects it reaches.',
   loop: 'lightLoopAll',
+  lightOrder: 'by-volume',
   needsFloatTargets: true,
   passes({ lightIndex }) {
     const lights = new MultipassLightsPass(lightIndex);

@@ -9,6 +9,7 @@ export const forwardSinglePass: Technique = {
   label: 'Forward, single pass',
   help: 'Each object once; its shader loops over all lights.',
   loop: 'lightLoopAll',
+  lightOrder: 'by-volume',
   needsFloatTargets: false,
   passes: () => forwardTail('lightLoopAll'),
 };

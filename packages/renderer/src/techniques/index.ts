@@ -1,6 +1,8 @@
 import { deferred } from './deferred';
 import { forward } from './forward';
 import { forwardSinglePass } from './forwardSinglePass';
+import { tiledDeferred } from './tiledDeferred';
+import { tiledForward } from './tiledForward';
 import type { Technique } from './Technique';
 
 /** All techniques by key. A new one is a file and a line here. */
@@ -8,6 +10,8 @@ export const techniques = {
   forward,
   'forward-single-pass': forwardSinglePass,
   deferred,
+  'tiled-deferred': tiledDeferred,
+  'tiled-forward': tiledForward,
 } as const satisfies Record<string, Technique>;
 
 export type TechniqueName = keyof typeof techniques;

@@ -15,7 +15,9 @@ import lightAttenuation from './lightAttenuation.glsl?raw';
 import lightLoopAll from './lightLoopAll.glsl?raw';
 import lightLoopNone from './lightLoopNone.glsl?raw';
 import lightLoopOne from './lightLoopOne.glsl?raw';
+import lightLoopTiled from './lightLoopTiled.glsl?raw';
 import lightTable from './lightTable.glsl?raw';
+import lightTiles from './lightTiles.glsl?raw';
 import lightVolumeCone from './lightVolumeCone.glsl?raw';
 import lightVolumeFragment from './lightVolumeFragment.glsl?raw';
 import lightVolumeSphere from './lightVolumeSphere.glsl?raw';
@@ -25,8 +27,13 @@ import positionFromDepth from './positionFromDepth.glsl?raw';
 import shadeSurface from './shadeSurface.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import surfaceView from './surfaceView.glsl?raw';
+import tileDepth from './tileDepth.glsl?raw';
+import tileMask from './tileMask.glsl?raw';
+import tileSummary from './tileSummary.glsl?raw';
+import tiledOutput from './tiledOutput.glsl?raw';
 import unproject from './unproject.glsl?raw';
 import viewDepth from './viewDepth.glsl?raw';
+import viewport from './viewport.glsl?raw';
 
 /** Sources by name. A new microshader is a file and a line here. */
 const sources = {
@@ -45,7 +52,9 @@ const sources = {
   lightLoopAll,
   lightLoopNone,
   lightLoopOne,
+  lightLoopTiled,
   lightTable,
+  lightTiles,
   lightVolumeCone,
   lightVolumeFragment,
   lightVolumeSphere,
@@ -55,8 +64,13 @@ const sources = {
   shadeSurface,
   shadeThree,
   surfaceView,
+  tileDepth,
+  tileMask,
+  tileSummary,
+  tiledOutput,
   unproject,
   viewDepth,
+  viewport,
 };
 
 export type BuiltinMicroShader = keyof typeof sources;

@@ -1,6 +1,6 @@
 // Writes linear radiance and depth to the host's target as three would: tone mapping, colour space, then fog.
 // three's opaque_fragment, tonemapping_fragment, colorspace_fragment, fog_fragment
-uniform vec2 farol_offset;
+#include "viewport"
 #ifdef USE_FOG
 uniform vec3 fogColor;
 #ifdef FOG_EXP2

@@ -1,7 +1,7 @@
 // Shows one thing of the G-buffer.
 // Thesis 4.1, figure of the G-buffer
 #include "gbufferRead"
-uniform vec2 farol_offset;
+#include "viewport"
 uniform vec2 farol_size;
 uniform vec3 farol_depthRange; // nearest, farthest (m), 1 if logarithmic
 uniform mat4 farol_viewInverse;

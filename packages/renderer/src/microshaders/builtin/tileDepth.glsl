@@ -1,0 +1,41 @@
+// Nearest and farthest distance of the surfaces in each tile, and which of 32 slices between them hold any.
+// Harada 2012, A 2.5D Culling for Forward+
+#include "lightTiles"
+#include "unproject"
+uniform highp sampler2D farol_sceneDepth;
+uniform vec2 farol_size;
+layout(location = 0) out highp uvec4 farol_tileDepthOut; // bits of nearest and farthest (m), slices
+
+float farol_viewDistance(const in float depth) {
+  float e = 1.0 - depth;
+  return -(farol_unprojectZ.x + farol_unprojectZ.y * e) / (farol_unprojectZ.z + farol_unprojectZ.w * e);
+}
+//# main
+ivec2 first = ivec2(gl_FragCoord.xy) << farol_tiles.x;
+ivec2 last = min(first + (1 << farol_tiles.x), ivec2(farol_size));
+float nearest = 2.0;
+float farthest = -1.0;
+for (int y = first.y; y < last.y; y++) {
+  for (int x = first.x; x < last.x; x++) {
+    float depth = texelFetch(farol_sceneDepth, ivec2(x, y), 0).r;
+    if (depth < 1.0) {
+      nearest = min(nearest, depth);
+      farthest = max(farthest, depth);
+    }
+  }
+}
+if (farthest < 0.0) {
+  farol_tileDepthOut = uvec4(floatBitsToUint(1.0), floatBitsToUint(-1.0), 0u, 0u);
+} else {
+  float from = farol_viewDistance(nearest);
+  float to = farol_viewDistance(farthest);
+  uint slices = 0u;
+  float scale = 32.0 / max(to - from, 1e-6);
+  for (int y = first.y; y < last.y; y++) {
+    for (int x = first.x; x < last.x; x++) {
+      float depth = texelFetch(farol_sceneDepth, ivec2(x, y), 0).r;
+      if (depth < 1.0) slices |= 1u << uint(clamp((farol_viewDistance(depth) - from) * scale, 0.0, 31.0));
+    }
+  }
+  farol_tileDepthOut = uvec4(floatBitsToUint(from), floatBitsToUint(to), slices, 0u);
+}

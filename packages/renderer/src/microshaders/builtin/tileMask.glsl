@@ -1,0 +1,111 @@
+// Which of 128 lights touch one tile: a bounding sphere (and cone) against the tile's frustum, and the box and slices of
+// the depths in it where these are known. FAROL_COARSE: all lights against blocks of 4 × 4 tiles, which the fine tiles follow.
+// Olsson and Assarsson 2011, Tiled Shading; Harada 2012, A 2.5D Culling for Forward+; Wronski 2017, Cull that cone
+#include "lightTiles"
+#include "lightTable"
+#include "unproject"
+uniform highp sampler2D farol_culling;
+uniform highp usampler2D farol_coarseMask;
+uniform highp usampler2D farol_tileDepth;
+uniform vec2 farol_size;
+layout(location = 0) out highp uvec4 farol_mask;
+
+struct FarolTile {
+  vec4 slopes; // x and y of the low sides, then of the high sides, at distance 1 (or everywhere: orthographic)
+  vec4 scales; // one over the length of each side's normal
+  vec2 range; // nearest and farthest distance (m)
+  vec3 low; // box round what lies between
+  vec3 high;
+  uint slices;
+};
+
+FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
+  FarolTile t;
+  vec2 low = vec2(tile << shift) / farol_size * 2.0 - 1.0;
+  vec2 high = vec2((tile + 1) << shift) / farol_size * 2.0 - 1.0;
+  t.slopes = vec4((low + farol_unprojectXY.zw) * farol_unprojectXY.xy, (high + farol_unprojectXY.zw) * farol_unprojectXY.xy);
+  t.scales = inversesqrt(1.0 + farol_perspective * t.slopes * t.slopes);
+  t.range = vec2(-1e30, 1e30);
+  t.slices = 4294967295u;
+#ifdef FAROL_DEPTH
+  uvec4 depths = texelFetch(farol_tileDepth, tile, 0);
+  // a little wider, for the rounding of positions
+  t.range = uintBitsToFloat(depths.xy) * vec2(0.9999, 1.0001);
+  t.slices = depths.z;
+  vec2 at = mix(vec2(1.0), t.range, farol_perspective);
+  vec4 nearSides = t.slopes * at.x;
+  vec4 farSides = t.slopes * at.y;
+  t.low = vec3(min(nearSides.xy, farSides.xy), -t.range.y);
+  t.high = vec3(max(nearSides.zw, farSides.zw), -t.range.x);
+#endif
+  return t;
+}
+
+bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int light) {
+  float radius = abs(sphere.w) * 1.0001;
+  float k = mix(1.0, -sphere.z, farol_perspective);
+  vec4 sides = vec4(sphere.xy - tile.slopes.xy * k, tile.slopes.zw * k - sphere.xy) * tile.scales;
+  if (min(min(sides.x, sides.y), min(sides.z, sides.w)) < -radius) return false;
+#ifdef FAROL_DEPTH
+  vec3 outside = max(max(tile.low - sphere.xyz, sphere.xyz - tile.high), 0.0);
+  if (dot(outside, outside) > radius * radius) return false;
+#ifdef FAROL_SLICES
+  vec2 slices = (vec2(-sphere.z - radius, -sphere.z + radius) - tile.range.x) * (32.0 / max(tile.range.y - tile.range.x, 1e-6));
+  int first = int(clamp(slices.x, 0.0, 31.0));
+  int last = int(clamp(slices.y, 0.0, 31.0));
+  if ((tile.slices & farol_bitsFrom(0, max(first - 1, 0), min(last + 1, 31))) == 0u) return false;
+#endif
+  if (sphere.w < 0.0) { // a cone against the sphere round the box
+    vec4 apex = farol_lightTexel(farol_tileRun.x + light, 0);
+    vec4 axis = farol_lightTexel(farol_tileRun.x + light, 2);
+    vec3 towards = 0.5 * (tile.low + tile.high) - apex.xyz;
+    float around = 0.5 * length(tile.high - tile.low) * 1.0001;
+    float along = -dot(towards, axis.xyz);
+    float across = sqrt(max(dot(towards, towards) - along * along, 0.0));
+    if (axis.w * across - along * sqrt(1.0 - axis.w * axis.w) > around || along > around + apex.w || along < -around) return false;
+  }
+#endif
+  return true;
+}
+
+uint farol_touching(const in FarolTile tile, const in uint candidates, const in int start) {
+  uint touching = 0u;
+  for (uint bits = candidates; bits != 0u; bits &= bits - 1u) {
+    int bit = farol_lowestBit(bits);
+    int light = start + bit;
+    vec4 sphere = texelFetch(farol_culling, ivec2(light & 255, light >> 8), 0);
+    if (farol_touches(tile, sphere, light)) touching |= 1u << uint(bit);
+  }
+  return touching;
+}
+//# main
+int quads = farol_tiles.w;
+ivec2 grid = farol_tiles.yz;
+int shift = farol_tiles.x;
+#ifdef FAROL_COARSE
+grid = (grid + 3) >> 2;
+shift += 2;
+#endif
+int index = int(gl_FragCoord.x) + (int(gl_FragCoord.y) << 11);
+int list = index / quads;
+int start = (index - list * quads) * 128;
+ivec2 position = ivec2(list - list / grid.x * grid.x, list / grid.x);
+farol_mask = uvec4(0u);
+if (position.y < grid.y) {
+#ifdef FAROL_COARSE
+  int last = farol_tileRun.y - 1;
+  uvec4 candidates = uvec4(farol_bitsFrom(start, 0, last), farol_bitsFrom(start + 32, 0, last),
+    farol_bitsFrom(start + 64, 0, last), farol_bitsFrom(start + 96, 0, last));
+#else
+  ivec2 block = position >> 2;
+  int blocks = (grid.x + 3) >> 2;
+  uvec4 candidates = texelFetch(farol_coarseMask, farol_listTexel((block.y * blocks + block.x) * quads + (start >> 7)), 0);
+#endif
+  if (candidates != uvec4(0u)) {
+    FarolTile tile = farol_tileAt(position, shift);
+    if (tile.range.x <= tile.range.y) {
+      farol_mask = uvec4(farol_touching(tile, candidates.x, start), farol_touching(tile, candidates.y, start + 32),
+        farol_touching(tile, candidates.z, start + 64), farol_touching(tile, candidates.w, start + 96));
+    }
+  }
+}

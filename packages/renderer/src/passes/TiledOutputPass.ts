@@ -1,0 +1,63 @@
+import { AlwaysDepth, LessEqualDepth, type IUniform, type Texture } from 'three';
+import { isCountView } from '../debug/views';
+import type { Frame } from '../Frame';
+import { FullscreenMesh } from './FullscreenMesh';
+import type { GBufferPass } from './GBufferPass';
+import { gbufferUniforms, setGBufferUniforms } from './gbufferUniforms';
+import type { TileUniforms } from './LightTilesPass';
+import { fogUniforms, OUTPUT_COUNTS, OUTPUT_FINAL, OUTPUT_LIGHTING } from './outputUniforms';
+import type { Pass } from './Pass';
+import { OutputMaterial } from './PassMaterial';
+
+/** Lights the G-buffer by the light lists, every pixel once, straight into the host's target, with depth. */
+export class TiledOutputPass implements Pass {
+  readonly name = 'output';
+  readonly reads = ['gbuffer', 'light-lists'] as const;
+  readonly writes = ['target'] as const;
+  readonly bytes = 0;
+  private readonly uniforms = gbufferUniforms();
+  private readonly view = { value: OUTPUT_FINAL };
+  private readonly overdraw: IUniform<Texture | null> = { value: null };
+  private readonly triangle = new FullscreenMesh();
+  private material: OutputMaterial | null = null;
+
+  /** @param loop microshader that walks the lists */
+  constructor(
+    private readonly gbuffer: GBufferPass,
+    private readonly tiles: TileUniforms,
+    private readonly loop: string,
+  ) {}
+
+  render(frame: Frame): void {
+    const { view } = frame;
+    setGBufferUniforms(this.uniforms, this.gbuffer.gbuffer!, frame);
+    this.view.value = isCountView(view) ? OUTPUT_COUNTS : view === 'lighting' ? OUTPUT_LIGHTING : OUTPUT_FINAL;
+    this.overdraw.value = frame.overdraw;
+    this.material ??= new OutputMaterial(frame.microshaders, {
+      name: 'Farol tiled output',
+      vertex: ['fullscreen'],
+      fragment: [this.loop, 'tiledOutput'],
+      uniforms: {
+        ...frame.uniforms,
+        ...this.uniforms,
+        ...this.tiles,
+        ...fogUniforms(),
+        dfgLUT: { value: null },
+        farol_view: this.view,
+        farol_overdrawMap: this.overdraw,
+      },
+      fog: true,
+      toneMapped: true,
+      depthTest: true,
+      depthWrite: true,
+    });
+    this.material.depthFunc = isCountView(view) ? AlwaysDepth : LessEqualDepth;
+    frame.bindTarget();
+    frame.drawMesh(this.triangle, this.material);
+  }
+
+  dispose(): void {
+    this.material?.dispose();
+    this.material = null;
+  }
+}

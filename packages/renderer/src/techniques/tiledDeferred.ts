@@ -1,0 +1,23 @@
+import { GBufferPass } from '../passes/GBufferPass';
+import { LightTilesPass } from '../passes/LightTilesPass';
+import { TiledOutputPass } from '../passes/TiledOutputPass';
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/**
+ * Tiled deferred shading: a list of lights for each tile of 16 × 16 pixels, bounded by the depths in the tile, and one
+ * lighting pass over the G-buffer.
+ * @see Andersson 2009, Parallel Graphics in Frostbite; Olsson and Assarsson 2011, Tiled Shading; thesis 2.2.3.3.4
+ */
+export const tiledDeferred: Technique = {
+  label: 'Tiled deferred',
+  help: 'A light list for each tile, within the depths in it, over a G-buffer.',
+  loop: 'lightLoopTiled',
+  lightOrder: 'by-depth',
+  needsFloatTargets: true,
+  passes({ tiles }) {
+    const gbuffer = new GBufferPass();
+    const lists = new LightTilesPass(tiles, 'bounds', () => gbuffer.gbuffer!.depth, ['gbuffer']);
+    return [gbuffer, lists, new TiledOutputPass(gbuffer, tiles, 'lightLoopTiled'), ...forwardTail('lightLoopAll')];
+  },
+};

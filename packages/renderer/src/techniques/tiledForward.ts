@@ -1,0 +1,19 @@
+import { LightTilesPass } from '../passes/LightTilesPass';
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/**
+ * Tiled forward shading: a list of lights for each tile of 16 × 16 pixels, whatever its depth, walked by three's own
+ * materials. Transparent things and multisampling work.
+ * @see Olsson and Assarsson 2011, Tiled Shading; thesis 2.2.3.3.4
+ */
+export const tiledForward: Technique = {
+  label: 'Tiled forward',
+  help: 'A light list for each tile, walked by the materials themselves.',
+  loop: 'lightLoopTiled',
+  lightOrder: 'by-depth',
+  needsFloatTargets: false,
+  passes({ tiles }) {
+    return [new LightTilesPass(tiles, 'none'), ...forwardTail('lightLoopTiled', ['light-lists'])];
+  },
+};
