@@ -21,7 +21,7 @@ let tally = { passed: 0, failed: 0 };
 const stages = {
   types: () => runTool('typescript', 'tsc', ['-b', 'packages']) === 0,
   lint: () =>
-    runTool('oxlint', 'oxlint', ['--quiet']) === 0 &&
+    runTool('oxlint', 'oxlint', []) === 0 &&
     runTool('prettier', 'prettier', ['--check', '--log-level', 'warn', '.']) === 0,
   unit: () =>
     counted('unit.json', vitestTally, (report) =>
