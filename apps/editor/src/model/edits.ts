@@ -94,6 +94,6 @@ export function removeComponents(scene: Scene, components: readonly Component[])
       const object = component.gameObject;
       return { component, object, index: object.components.indexOf(component) };
     })
-    .sort((a, b) => a.index - b.index);
+    .toSorted((a, b) => a.index - b.index);
   return new PlaceComponents(`Remove ${components[0]?.typeName}`, scene, 'remove', places);
 }

@@ -52,7 +52,7 @@ export class MoveObjects extends StructuralCommand {
   }
 
   protected override revert(): void {
-    for (const { from, before } of [...(this.moves ?? [])].reverse()) place(from, before);
+    for (const { from, before } of (this.moves ?? []).toReversed()) place(from, before);
   }
 
   private moveFirst(): Move[] {
@@ -60,7 +60,7 @@ export class MoveObjects extends StructuralCommand {
     try {
       for (const object of this.objects) moves.push(this.moveOne(object));
     } catch (error) {
-      for (const { from, before } of moves.reverse()) place(from, before);
+      for (const { from, before } of moves.toReversed()) place(from, before);
       throw error;
     }
     return moves;

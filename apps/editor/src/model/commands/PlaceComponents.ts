@@ -49,6 +49,6 @@ export class PlaceComponents extends StructuralCommand {
   }
 
   private remove(): void {
-    for (const { component, object } of [...this.places].reverse()) object.removeComponent(component);
+    for (const { component, object } of this.places.toReversed()) object.removeComponent(component);
   }
 }

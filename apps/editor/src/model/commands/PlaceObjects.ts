@@ -52,6 +52,6 @@ export class PlaceObjects extends StructuralCommand {
   }
 
   private remove(): void {
-    for (const { object } of [...this.placements].reverse()) this.scene.remove(object);
+    for (const { object } of this.placements.toReversed()) this.scene.remove(object);
   }
 }

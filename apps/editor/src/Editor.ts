@@ -1,0 +1,136 @@
+import { AssetLibrary, deserialize, FileError, type Scene, scenes } from '@farol/engine';
+import type { CommandStack } from './model/CommandStack';
+import { Dialogs } from './model/Dialogs';
+import { EditorDocument } from './model/EditorDocument';
+import { Notices } from './model/Notices';
+import { Signal } from './model/Signal';
+import { Viewport } from './viewport/Viewport';
+
+/** Scene of the engine's that is there at first, and its parameters. */
+const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
+
+/** The file that the document is saved to. */
+export interface OpenFile {
+  /** Its name; null for a document that has not been saved. */
+  readonly name: string | null;
+  /** Where the browser lets us write again; null where it does not. */
+  readonly handle: FileSystemFileHandle | null;
+}
+
+/**
+ * The whole editor apart from its panels. The page exposes it as `window.editor` for tests and for the console:
+ *
+ * - `ready`: promise, fulfilled when the first scene is loaded and drawn
+ * - `document`: scene, selection, simulation, and `commands`, the history
+ * - `viewport`: canvas, camera, gizmo, FarolRenderer (`viewport.farol`), `renderNow()`, `pick(point)`
+ * - `commands`: the same as `document.commands`
+ * - `serialize()`: the scene as the text of a file
+ */
+export class Editor {
+  readonly document: EditorDocument;
+  readonly viewport: Viewport;
+  readonly dialogs = new Dialogs();
+  readonly notices = new Notices();
+  /** Emits when the user asks to rename the selected object. */
+  readonly renameRequested = new Signal();
+  /** Emits when another file, or another scene, is edited. */
+  readonly fileChanged = new Signal();
+  readonly ready: Promise<void>;
+
+  private openFile: OpenFile = { name: null, handle: null };
+
+  /**
+   * @param canvas - what the picture is drawn to
+   * @param urls - addresses of assets that are files, by name
+   * @throws Error when the browser has no WebGL 2
+   */
+  constructor(canvas: HTMLCanvasElement, urls: Record<string, string> = {}) {
+    this.document = new EditorDocument(new AssetLibrary({ urls }));
+    this.viewport = new Viewport(this.document, canvas);
+    this.document.assets.onChange(({ kind, error }) => {
+      if (kind === 'failed' && error) this.notices.show('error', error.message);
+    });
+    this.ready = this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
+  }
+
+  get commands(): CommandStack {
+    return this.document.commands;
+  }
+
+  get file(): OpenFile {
+    return this.openFile;
+  }
+
+  /** The document was saved to a file. */
+  set file(file: OpenFile) {
+    this.openFile = file;
+    this.commands.markSaved();
+    this.fileChanged.emit();
+  }
+
+  /** The scene as the text of a file. */
+  serialize(): string {
+    return this.document.serialize();
+  }
+
+  /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
+  async openScene(name: string, parameters: Record<string, number> = {}): Promise<void> {
+    this.show(await scenes[name].build(parameters, this.document.assets), { name: null, handle: null });
+  }
+
+  /**
+   * Opens the text of a file. It is checked, and its assets are loaded, before anything changes: of a broken file a dialog
+   * lists all problems, and the present scene stays.
+   * @returns whether it was opened
+   */
+  async openText(text: string, file: OpenFile): Promise<boolean> {
+    try {
+      this.show(await deserialize(text, { assets: this.document.assets }), file);
+      return true;
+    } catch (error) {
+      if (!(error instanceof FileError)) throw error;
+      const title = `${file.name ?? 'The file'} cannot be opened`;
+      const { problems } = error;
+      void this.dialogs.show({
+        kind: 'problems',
+        title,
+        text: 'Nothing has changed. What is wrong with it:',
+        problems,
+      });
+      return false;
+    }
+  }
+
+  /** Asks whether unsaved changes may be lost, when there are any. */
+  async mayLoseChanges(): Promise<boolean> {
+    if (!this.commands.isDirty) return true;
+    return this.dialogs.show({
+      kind: 'confirm',
+      title: 'Unsaved changes',
+      text: `“${this.document.scene.name}” has changes that are not saved. They will be lost.`,
+      action: 'Discard changes',
+    });
+  }
+
+  /** Runs something; what it throws becomes a message, save where the user turned back from choosing a file. */
+  attempt(run: () => unknown): void {
+    const failed = (error: unknown): void => {
+      if (error instanceof DOMException && error.name === 'AbortError') return;
+      this.notices.show('error', error instanceof Error ? error.message : String(error));
+    };
+    try {
+      const result = run();
+      if (result instanceof Promise) result.catch(failed);
+    } catch (error) {
+      failed(error);
+    }
+  }
+
+  /** Edits another scene, with an empty history. */
+  show(scene: Scene, file: OpenFile): void {
+    this.document.open(scene);
+    this.openFile = file;
+    this.fileChanged.emit();
+    this.viewport.renderNow();
+  }
+}

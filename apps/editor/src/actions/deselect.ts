@@ -1,0 +1,11 @@
+import type { Action } from './Action';
+
+/** Escape: ends a drag of the gizmo and puts everything back; else selects nothing. */
+export const deselect: Action = {
+  id: 'edit.deselect',
+  label: 'Deselect',
+  keys: ['Escape'],
+  run({ document, viewport }) {
+    if (!viewport.gizmo.cancel()) document.selection.clear();
+  },
+};

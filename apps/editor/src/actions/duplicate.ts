@@ -1,0 +1,12 @@
+import { duplicateObjects } from '../model/edits';
+import type { Action } from './Action';
+import { hasSelection } from './hasSelection';
+
+export const duplicate: Action = {
+  id: 'edit.duplicate',
+  label: 'Duplicate',
+  keys: ['Ctrl+D'],
+  icon: 'duplicate',
+  run: ({ document, commands }) => commands.run(duplicateObjects(document.scene, document.selectedObjects)),
+  enabled: hasSelection,
+};

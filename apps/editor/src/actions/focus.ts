@@ -1,0 +1,9 @@
+import type { Action } from './Action';
+
+export const focus: Action = {
+  id: 'view.focus',
+  label: 'Focus on the selection',
+  keys: ['F'],
+  run: ({ viewport }) => viewport.focus(),
+  enabled: ({ viewport }) => viewport.lookThrough === null,
+};

@@ -1,0 +1,22 @@
+import type { IconName } from '../ui/iconPaths';
+import type { GizmoMode } from '../viewport/Gizmo';
+import type { Action } from './Action';
+
+const modes: readonly [GizmoMode & IconName, string, string][] = [
+  ['select', 'Select', 'Q'],
+  ['translate', 'Move', 'W'],
+  ['rotate', 'Rotate', 'E'],
+  ['scale', 'Scale', 'R'],
+];
+
+/** What the handles in the viewport do. */
+export const gizmoModes: readonly Action[] = modes.map(([mode, label, key]) => ({
+  id: `gizmo.${mode}`,
+  label,
+  keys: [key],
+  icon: mode,
+  run({ viewport }) {
+    viewport.mode = mode;
+  },
+  checked: ({ viewport }) => viewport.mode === mode,
+}));

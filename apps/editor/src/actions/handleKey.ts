@@ -1,0 +1,44 @@
+import type { Editor } from '../Editor';
+import type { Action } from './Action';
+import { actions } from './index';
+import { matchKey } from './matchKey';
+
+/** What the focus is in. */
+type Focus = 'page' | 'text' | 'number' | 'popup';
+
+function focusOf(target: EventTarget | null): Focus {
+  if (!(target instanceof HTMLElement)) return 'page';
+  if (target.closest('[role="menu"], [role="listbox"], [role="dialog"], [role="alertdialog"]')) return 'popup';
+  if (target.isContentEditable || target instanceof HTMLTextAreaElement) return 'text';
+  if (!(target instanceof HTMLInputElement)) return 'page';
+  if (['checkbox', 'radio', 'button', 'range'].includes(target.type)) return 'page';
+  return target.dataset.numeric === undefined ? 'text' : 'number';
+}
+
+function counts(action: Action, combination: string, focus: Focus): boolean {
+  if (focus === 'page' || action.inFields) return true;
+  // a letter cannot be typed into a number: it is a hot key there too
+  return focus === 'number' && /^[a-z]$/i.test(combination);
+}
+
+/** Does the action of a key. @returns whether there is one; the browser shall do nothing with the key then */
+export function handleKey(editor: Editor, event: KeyboardEvent): boolean {
+  if (event.defaultPrevented || event.isComposing || editor.dialogs.current) return false;
+  const focus = focusOf(event.target);
+  if (focus === 'popup') return false;
+  for (const action of actions) {
+    const combination = action.keys?.find((keys) => matchKey(keys, event));
+    if (combination === undefined || !counts(action, combination, focus)) continue;
+    takeOverField(event.target);
+    if (action.enabled?.(editor) ?? true) editor.attempt(() => action.run(editor));
+    return true;
+  }
+  return false;
+}
+
+/** A text field gives its value when it loses the focus: what was typed shall count before the action does. */
+function takeOverField(target: EventTarget | null): void {
+  if (!(target instanceof HTMLInputElement) || ['checkbox', 'radio'].includes(target.type)) return;
+  target.blur();
+  target.focus();
+}

@@ -1,0 +1,15 @@
+import { setActive } from '../model/edits';
+import type { Action } from './Action';
+import { hasSelection } from './hasSelection';
+
+export const hide: Action = {
+  id: 'edit.hide',
+  label: ({ document }) => (document.selectedObjects.some(({ active }) => active) ? 'Hide' : 'Show'),
+  keys: ['H'],
+  icon: 'eye',
+  run({ document, commands }) {
+    const { selectedObjects } = document;
+    commands.run(setActive(selectedObjects, !selectedObjects.some(({ active }) => active)));
+  },
+  enabled: hasSelection,
+};

@@ -1,0 +1,46 @@
+import type { Action } from './Action';
+import { deselect } from './deselect';
+import { duplicate } from './duplicate';
+import { focus } from './focus';
+import { gizmoModes } from './gizmoModes';
+import { gizmoSpace } from './gizmoSpace';
+import { hide } from './hide';
+import { newScene, openExamples } from './newScene';
+import { open } from './open';
+import { pause, play, step, stop } from './play';
+import { redo } from './redo';
+import { remove } from './remove';
+import { rename } from './rename';
+import { save, saveAs } from './save';
+import { showKeys } from './showKeys';
+import { snap } from './snap';
+import { undo } from './undo';
+import { continuous, showGrid, showIcons } from './viewportToggles';
+
+/** Everything that the user can do by a key or a menu. A new action is a file and a line here. */
+export const actions: readonly Action[] = [
+  newScene,
+  ...openExamples,
+  open,
+  save,
+  saveAs,
+  undo,
+  redo,
+  duplicate,
+  remove,
+  rename,
+  hide,
+  deselect,
+  ...gizmoModes,
+  gizmoSpace,
+  snap,
+  focus,
+  showGrid,
+  showIcons,
+  continuous,
+  play,
+  pause,
+  step,
+  stop,
+  showKeys,
+];

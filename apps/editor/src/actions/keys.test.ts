@@ -1,0 +1,32 @@
+import { describe, expect, it } from 'vitest';
+import { matchKey } from './matchKey';
+
+const press = (key: string, held = '', code = ''): Parameters<typeof matchKey>[1] => ({
+  key,
+  code,
+  ctrlKey: held.includes('Ctrl'),
+  metaKey: held.includes('Meta'),
+  shiftKey: held.includes('Shift'),
+  altKey: held.includes('Alt'),
+});
+
+describe('matchKey', () => {
+  it.each([
+    ['Ctrl+Z', press('z', 'Ctrl'), true],
+    ['Ctrl+Z', press('z', 'Meta'), true],
+    ['Ctrl+Z', press('Z', 'Ctrl Shift'), false],
+    ['Ctrl+Shift+Z', press('Z', 'Ctrl Shift'), true],
+    ['Ctrl+Z', press('z'), false],
+    ['W', press('w'), true],
+    ['W', press('W', 'Shift'), false],
+    ['W', press('w', 'Ctrl'), false],
+    ['?', press('?', 'Shift'), true],
+    ['?', press('/'), false],
+    ['Ctrl+Alt+P', press('π', 'Ctrl Alt', 'KeyP'), true],
+    ['Ctrl+Alt+P', press('π', 'Alt', 'KeyP'), false],
+    ['F2', press('F2'), true],
+    ['Delete', press('Delete', 'Ctrl'), false],
+  ])('%s for %o: %s', (combination, event, expected) => {
+    expect(matchKey(combination, event)).toBe(expected);
+  });
+});

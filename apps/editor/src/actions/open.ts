@@ -1,0 +1,16 @@
+import { fileOpen } from 'browser-fs-access';
+import type { Action } from './Action';
+import { fileType } from './save';
+
+export const open: Action = {
+  id: 'file.open',
+  label: 'Open…',
+  keys: ['Ctrl+O'],
+  inFields: true,
+  icon: 'open',
+  async run(editor) {
+    if (!(await editor.mayLoseChanges())) return;
+    const file = await fileOpen(fileType);
+    await editor.openText(await file.text(), { name: file.name, handle: file.handle ?? null });
+  },
+};

@@ -1,0 +1,12 @@
+import { deleteObjects } from '../model/edits';
+import type { Action } from './Action';
+import { hasSelection } from './hasSelection';
+
+export const remove: Action = {
+  id: 'edit.delete',
+  label: 'Delete',
+  keys: ['Delete', 'Backspace'],
+  icon: 'remove',
+  run: ({ document, commands }) => commands.run(deleteObjects(document.scene, document.selectedObjects)),
+  enabled: hasSelection,
+};

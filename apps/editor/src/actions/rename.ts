@@ -1,0 +1,9 @@
+import type { Action } from './Action';
+
+export const rename: Action = {
+  id: 'edit.rename',
+  label: 'Rename',
+  keys: ['F2'],
+  run: ({ renameRequested }) => renameRequested.emit(),
+  enabled: ({ document }) => document.selection.ids.length === 1,
+};

@@ -1,0 +1,9 @@
+import type { Action } from './Action';
+
+export const showKeys: Action = {
+  id: 'help.keys',
+  label: 'Keys',
+  keys: ['?'],
+  icon: 'keyboard',
+  run: ({ dialogs }) => void dialogs.show({ kind: 'keys' }),
+};

@@ -1,0 +1,10 @@
+import type { ChoiceField } from '@farol/engine';
+import type { ReactNode } from 'react';
+import { SelectBox } from '../ui/SelectBox';
+import type { FieldEditorProps } from './FieldEditorProps';
+
+export function ChoiceEditor(props: FieldEditorProps<ChoiceField>): ReactNode {
+  const { field, value, label, description, disabled, onCommit } = props;
+  const options = field.options.map((option) => ({ value: option, label: option }));
+  return <SelectBox {...{ value, options, label, description, disabled }} onChange={onCommit} />;
+}

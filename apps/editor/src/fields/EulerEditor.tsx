@@ -1,0 +1,12 @@
+import type { EulerField } from '@farol/engine';
+import { MathUtils } from 'three';
+import type { ReactNode } from 'react';
+import { toDegrees } from './AngleEditor';
+import type { FieldEditorProps } from './FieldEditorProps';
+import { TripleEditor } from './TripleEditor';
+
+export function EulerEditor({ onCommit, ...rest }: FieldEditorProps<EulerField>): ReactNode {
+  return (
+    <TripleEditor {...rest} step={1} toShown={toDegrees} fromShown={MathUtils.degToRad} onCommit={() => onCommit()} />
+  );
+}

@@ -1,0 +1,21 @@
+import type { Field, ValueOf } from '@farol/engine';
+
+/** What an editor of one kind of field gets. */
+export interface FieldEditorProps<F extends Field> {
+  readonly field: F;
+  /** Null where several objects are edited and their values differ. */
+  readonly value: ValueOf<F> | null;
+  /** Whether the values differ. */
+  readonly mixed: boolean;
+  /** Accessible name. */
+  readonly label: string;
+  /** Help, unit and range in words. */
+  readonly description: string;
+  readonly disabled: boolean;
+  /** Shows a value; a function gets each object's own value. */
+  onPreview(update: ValueOf<F> | ((before: ValueOf<F>) => ValueOf<F>)): void;
+  /** Keeps what was shown last, or this, as one step of history. */
+  onCommit(update?: ValueOf<F> | ((before: ValueOf<F>) => ValueOf<F>)): void;
+  /** Goes back to what it was. */
+  onDiscard(): void;
+}

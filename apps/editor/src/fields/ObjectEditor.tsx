@@ -1,0 +1,19 @@
+import type { ObjectField } from '@farol/engine';
+import { type ReactNode, useMemo } from 'react';
+import { useEditor, useSignal } from '../ui/EditorContext';
+import { SearchSelect, type SearchOption } from '../ui/SearchSelect';
+import type { FieldEditorProps } from './FieldEditorProps';
+
+export function ObjectEditor(props: FieldEditorProps<ObjectField>): ReactNode {
+  const { value, mixed, label, description, disabled, onCommit } = props;
+  const { document } = useEditor();
+  const revision = useSignal(document.structure);
+  const options = useMemo(() => {
+    const list: SearchOption[] = [];
+    document.scene.traverse(({ id, name }) => list.push({ value: id, label: name }));
+    return list;
+    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the tree
+  }, [document, revision]);
+  const placeholder = mixed ? '—' : 'No object';
+  return <SearchSelect {...{ value, options, label, description, disabled, placeholder }} onChange={onCommit} />;
+}

@@ -1,0 +1,9 @@
+import type { StringField } from '@farol/engine';
+import type { ReactNode } from 'react';
+import { TextInput } from '../ui/TextInput';
+import type { FieldEditorProps } from './FieldEditorProps';
+
+export function StringEditor(props: FieldEditorProps<StringField>): ReactNode {
+  const { value, label, description, disabled, onCommit } = props;
+  return <TextInput value={value} label={label} description={description} disabled={disabled} onCommit={onCommit} />;
+}

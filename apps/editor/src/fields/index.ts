@@ -1,0 +1,29 @@
+import type { Field, FieldKind } from '@farol/engine';
+import type { ComponentType } from 'react';
+import { AngleEditor } from './AngleEditor';
+import { AssetEditor } from './AssetEditor';
+import { BooleanEditor } from './BooleanEditor';
+import { ChoiceEditor } from './ChoiceEditor';
+import { ColourEditor } from './ColourEditor';
+import { EulerEditor } from './EulerEditor';
+import type { FieldEditorProps } from './FieldEditorProps';
+import { NumberEditor } from './NumberEditor';
+import { ObjectEditor } from './ObjectEditor';
+import { StringEditor } from './StringEditor';
+import { Vector3Editor } from './Vector3Editor';
+
+type FieldOf<K extends FieldKind> = Extract<Field, { kind: K }>;
+
+/** The editor of each kind of field. A kind without one does not compile. */
+export const fieldEditors: { readonly [K in FieldKind]: ComponentType<FieldEditorProps<FieldOf<K>>> } = {
+  number: NumberEditor,
+  boolean: BooleanEditor,
+  string: StringEditor,
+  choice: ChoiceEditor,
+  vector3: Vector3Editor,
+  angle: AngleEditor,
+  euler: EulerEditor,
+  colour: ColourEditor,
+  asset: AssetEditor,
+  object: ObjectEditor,
+};

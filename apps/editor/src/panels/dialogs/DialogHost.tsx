@@ -1,0 +1,67 @@
+import { Dialog } from '@base-ui/react/dialog';
+import type { ReactNode } from 'react';
+import type { DialogRequest } from '../../model/Dialogs';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import './dialogs.css';
+import { KeyTable } from './KeyTable';
+
+/** Shows the dialog that the editor asks for. */
+export function DialogHost(): ReactNode {
+  const { dialogs } = useEditor();
+  useSignal(dialogs.changed);
+  const { current } = dialogs;
+  return (
+    <Dialog.Root open={current !== null} onOpenChange={(open) => !open && dialogs.close(false)}>
+      <Dialog.Portal>
+        <Dialog.Backdrop className="backdrop" />
+        <Dialog.Popup className="dialog">
+          {current && <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />}
+        </Dialog.Popup>
+      </Dialog.Portal>
+    </Dialog.Root>
+  );
+}
+
+function Content({ request, onClose }: { request: DialogRequest; onClose(agreed: boolean): void }): ReactNode {
+  if (request.kind === 'keys') {
+    return (
+      <>
+        <Dialog.Title>Keys</Dialog.Title>
+        <KeyTable />
+        <Buttons onClose={onClose} />
+      </>
+    );
+  }
+  return (
+    <>
+      <Dialog.Title>{request.title}</Dialog.Title>
+      <Dialog.Description>{request.text}</Dialog.Description>
+      {request.kind === 'problems' && (
+        // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
+        <ul className="problems" tabIndex={0} aria-label="Problems">
+          {request.problems.map(({ path, problem }) => (
+            <li key={path + problem}>
+              {path && <code>{path}</code>} {problem}
+            </li>
+          ))}
+        </ul>
+      )}
+      <Buttons action={request.kind === 'confirm' ? request.action : undefined} onClose={onClose} />
+    </>
+  );
+}
+
+function Buttons({ action, onClose }: { action?: string; onClose(agreed: boolean): void }): ReactNode {
+  return (
+    <div className="dialog-buttons">
+      <button type="button" className="button framed" onClick={() => onClose(false)}>
+        {action ? 'Cancel' : 'Close'}
+      </button>
+      {action && (
+        <button type="button" className="button primary" onClick={() => onClose(true)}>
+          {action}
+        </button>
+      )}
+    </div>
+  );
+}

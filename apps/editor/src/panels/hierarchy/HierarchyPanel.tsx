@@ -1,0 +1,119 @@
+import { ContextMenu } from '@base-ui/react/context-menu';
+import type { ItemInstance } from '@headless-tree/core';
+import { AssistiveTreeDescription } from '@headless-tree/react';
+import { useVirtualizer } from '@tanstack/react-virtual';
+import { type MouseEvent, type ReactNode, useRef } from 'react';
+import { addEntries } from '../../actions/addEntries';
+import { duplicate } from '../../actions/duplicate';
+import { focus } from '../../actions/focus';
+import { hide } from '../../actions/hide';
+import { remove } from '../../actions/remove';
+import { rename } from '../../actions/rename';
+import { useEditor } from '../../ui/EditorContext';
+import { LateItems, MenuButton } from '../../ui/MenuButton';
+import { actionEntry, type MenuEntry } from '../../ui/MenuEntry';
+import './hierarchy.css';
+import { HierarchyRow } from './HierarchyRow';
+import { useObjectTree } from './useObjectTree';
+
+const ROW_HEIGHT = 24;
+
+/** The tree of GameObjects: only rows in sight are in the page. */
+export function HierarchyPanel(): ReactNode {
+  const editor = useEditor();
+  const { document } = editor;
+  const scroller = useRef<HTMLDivElement>(null);
+  const anchor = useRef<string | null>(null);
+  const tree = useObjectTree((index) => virtualizer.scrollToIndex(index));
+  const items = tree.getItems();
+  // oxlint-disable-next-line react/incompatible-library -- nothing here is memoised by hand
+  const virtualizer = useVirtualizer({
+    count: items.length,
+    getScrollElement: () => scroller.current,
+    estimateSize: () => ROW_HEIGHT,
+    overscan: 8,
+  });
+
+  const select = (item: ItemInstance<string>, event: MouseEvent): void => {
+    const id = item.getId();
+    item.setFocused();
+    tree.updateDomFocus();
+    const from = items.findIndex((each) => each.getId() === anchor.current);
+    if (event.shiftKey && from >= 0) {
+      const to = item.getItemMeta().index;
+      const range = items.slice(Math.min(from, to), Math.max(from, to) + 1).map((each) => each.getId());
+      // the one clicked is the one chosen last
+      document.selection.set([...range.filter((each) => each !== id), id]);
+      return;
+    }
+    anchor.current = id;
+    if (event.ctrlKey || event.metaKey) document.selection.toggle(id);
+    else document.selection.set([id]);
+  };
+
+  /** A right click on what is not selected selects it. */
+  const contextMenu = (event: MouseEvent): void => {
+    const row = (event.target as HTMLElement).closest<HTMLElement>('[data-object-id]');
+    const id = row?.dataset.objectId;
+    if (id === undefined) document.selection.clear();
+    else if (!document.selection.has(id)) document.selection.set([id]);
+  };
+  const menu = (): MenuEntry[] => {
+    const selected = document.selectedObjects.at(-1) ?? null;
+    const add: MenuEntry = {
+      label: selected ? 'Add below' : 'Add',
+      icon: 'add',
+      entries: addEntries(editor, selected),
+    };
+    if (!selected) return [add];
+    return [add, 'separator', ...[rename, duplicate, remove, hide, focus].map((action) => actionEntry(action, editor))];
+  };
+
+  return (
+    <section className="panel hierarchy" aria-label="Hierarchy">
+      <header className="panel-header">
+        <h2>Hierarchy</h2>
+        <MenuButton label="Add object" icon="add" iconOnly entries={() => addEntries(editor)} />
+      </header>
+      <ContextMenu.Root>
+        <ContextMenu.Trigger
+          ref={scroller}
+          className="tree-scroller"
+          onContextMenu={contextMenu}
+          onClick={(event) => event.target === event.currentTarget && document.selection.clear()}
+        >
+          <AssistiveTreeDescription tree={tree} />
+          <div
+            {...tree.getContainerProps('GameObjects')}
+            className="tree"
+            style={{ height: virtualizer.getTotalSize() }}
+          >
+            {virtualizer.getVirtualItems().map(({ index, start }) => {
+              const item = items[index];
+              const object = item && document.scene.findById(item.getId());
+              if (!object) return null;
+              return (
+                <HierarchyRow
+                  key={object.id}
+                  tree={tree}
+                  item={item}
+                  object={object}
+                  style={{ height: ROW_HEIGHT, transform: `translateY(${start}px)` }}
+                  onSelect={(event) => select(item, event)}
+                />
+              );
+            })}
+            <div className="drag-line" style={tree.getDragLineStyle()} />
+          </div>
+        </ContextMenu.Trigger>
+        <ContextMenu.Portal>
+          <ContextMenu.Positioner className="positioner">
+            <ContextMenu.Popup className="popup">
+              <LateItems entries={menu} />
+            </ContextMenu.Popup>
+          </ContextMenu.Positioner>
+        </ContextMenu.Portal>
+      </ContextMenu.Root>
+    </section>
+  );
+}

@@ -1,0 +1,51 @@
+import type { Field, FieldOwner, FieldValue } from '@farol/engine';
+import { type ComponentType, memo, type ReactNode, useMemo } from 'react';
+import { fieldEditors } from '../../fields';
+import { describeField } from '../../fields/describeField';
+import type { FieldEditorProps } from '../../fields/FieldEditorProps';
+import { labelOfField } from '../../fields/labelOfField';
+import { FieldGesture, type FieldUpdate } from '../../model/FieldGesture';
+import { useEditor } from '../../ui/EditorContext';
+
+interface FieldRowProps {
+  /** All of one type; memoised. */
+  readonly owners: readonly FieldOwner[];
+  readonly name: string;
+  readonly field: Field;
+  /** Null where the owners differ. */
+  readonly value: FieldValue;
+  readonly mixed: boolean;
+  /** Where simulation has taken it; null where it is as authored. */
+  readonly live: string | null;
+}
+
+/** A field with its label: dragged, typed or chosen, it is edited in one step of history. */
+export const FieldRow = memo(function FieldRow({ owners, name, field, value, mixed, live }: FieldRowProps): ReactNode {
+  const editor = useEditor();
+  const gesture = useMemo(() => new FieldGesture(editor.commands, owners, name), [editor, owners, name]);
+  // one editor for each kind: the table's type says so, which a union of its members cannot
+  const Editor = fieldEditors[field.kind] as ComponentType<FieldEditorProps<Field>>;
+  const label = labelOfField(name, field);
+  const description = describeField(field);
+  return (
+    <div className={`field field-${field.kind}`} data-field={name} data-help={description}>
+      <span className="field-label" title={description}>
+        {label}
+      </span>
+      <div className="field-editor">
+        <Editor
+          field={field}
+          value={value as never}
+          mixed={mixed}
+          label={label}
+          description={description}
+          disabled={field.readOnly ?? false}
+          onPreview={(update) => editor.attempt(() => gesture.preview(update as FieldUpdate))}
+          onCommit={(update) => editor.attempt(() => gesture.commit(update as FieldUpdate))}
+          onDiscard={() => gesture.discard()}
+        />
+        {live !== null && <span className="live">now {live}</span>}
+      </div>
+    </div>
+  );
+});

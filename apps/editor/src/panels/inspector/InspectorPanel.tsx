@@ -1,0 +1,36 @@
+import { type FocusEvent, type PointerEvent, type ReactNode, useState } from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import './inspector.css';
+import { ObjectInspector } from './ObjectInspector';
+import { SceneInspector } from './SceneInspector';
+
+/** The values of what is selected; below them the help of the field under the pointer, or with the focus. */
+export function InspectorPanel(): ReactNode {
+  const { document } = useEditor();
+  useSignal(document.selection.changed);
+  useSignal(document.opened);
+  const [help, setHelp] = useState('');
+
+  const show = (event: PointerEvent | FocusEvent): void => {
+    const field = (event.target as HTMLElement).closest<HTMLElement>('[data-help]');
+    setHelp(field?.dataset.help ?? '');
+  };
+
+  return (
+    <section
+      className="panel inspector"
+      aria-label="Inspector"
+      onPointerOver={show}
+      onFocus={show}
+      onPointerLeave={() => setHelp('')}
+    >
+      <header className="panel-header">
+        <h2>Inspector</h2>
+      </header>
+      <div className="inspector-body">
+        {document.selectedObjects.length > 0 ? <ObjectInspector /> : <SceneInspector />}
+      </div>
+      <p className="inspector-help">{help}</p>
+    </section>
+  );
+}

@@ -1,0 +1,76 @@
+import type { Component, GameObject } from '@farol/engine';
+import { type ReactNode, useMemo } from 'react';
+import { addComponent, renameObject, setActive } from '../../model/edits';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { MenuButton } from '../../ui/MenuButton';
+import type { MenuEntry } from '../../ui/MenuEntry';
+import { TextInput } from '../../ui/TextInput';
+import { Toggle } from '../../ui/Toggle';
+import { objectIcon } from '../hierarchy/objectIcon';
+import { ComponentSection } from './ComponentSection';
+
+/** The components that all objects have, one of each object to a group, in the order of the first object. */
+function sharedComponents(objects: readonly GameObject[]): (readonly Component[])[] {
+  const [first, ...others] = objects;
+  if (others.length === 0) return first.components.map((component) => [component]);
+  const types = [...new Set(first.components.map(({ typeName }) => typeName))];
+  return types.flatMap((type) => {
+    const group = objects.flatMap((object) => object.getComponent(type) ?? []);
+    return group.length === objects.length ? [group] : [];
+  });
+}
+
+/** The selected GameObjects: name, whether they are active, and their components. */
+export function ObjectInspector(): ReactNode {
+  const editor = useEditor();
+  const { document, commands } = editor;
+  const structure = useSignal(document.structure);
+  const selection = useSignal(document.selection.changed);
+  const objects = document.selectedObjects;
+  // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revisions stand for the objects and their components
+  const groups = useMemo(() => sharedComponents(document.selectedObjects), [document, structure, selection]);
+  const [first] = objects;
+  const isOne = objects.length === 1;
+  const mixed = objects.some(({ active }) => active !== first.active);
+
+  const menu = (): MenuEntry[] =>
+    [...document.scene.registry.types.values()]
+      .filter(({ typeName }) => typeName !== 'Transform')
+      .map((type) => ({
+        label: type.typeName.replaceAll(/([a-z])([A-Z])/g, '$1 $2'),
+        help: type.help,
+        disabled: type.unique && objects.every((object) => object.getComponent(type.typeName)),
+        run: () => editor.attempt(() => commands.run(addComponent(document.scene, objects, type))),
+      }));
+
+  return (
+    <>
+      <div className="object-header">
+        <Icon name={isOne ? objectIcon(first) : 'duplicate'} />
+        {isOne ? (
+          <TextInput
+            key={first.id}
+            value={first.name}
+            label="Name"
+            onCommit={(name) => name.trim() && commands.run(renameObject(first, name.trim()))}
+          />
+        ) : (
+          <span className="object-count">{objects.length} objects</span>
+        )}
+        <Toggle
+          value={mixed ? null : first.active}
+          label="Active"
+          description="Whether the object and all below it are there: shown, lit, moving."
+          onChange={(active) => commands.run(setActive(objects, active))}
+        />
+      </div>
+      {groups.map((components) => (
+        <ComponentSection key={components.map(({ id }) => id).join()} components={components} />
+      ))}
+      <div className="add-component">
+        <MenuButton label="Add component" icon="add" className="button wide" entries={menu} />
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,50 @@
+import { type ReactNode, useMemo } from 'react';
+import { SetProperty } from '../../model/commands/SetProperty';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { SelectBox } from '../../ui/SelectBox';
+import { TextInput } from '../../ui/TextInput';
+import { FieldList } from './FieldList';
+import { Section } from './Section';
+
+/** The scene as a whole, shown while no object is selected. */
+export function SceneInspector(): ReactNode {
+  const { document, commands } = useEditor();
+  useSignal(document.structure);
+  const { scene } = document;
+  const owners = useMemo(() => [scene.settings], [scene]);
+  const cameras = scene.cameras.map((camera) => ({ value: camera.id, label: camera.gameObject.name }));
+  return (
+    <>
+      <div className="object-header">
+        <Icon name="scene" />
+        <TextInput
+          value={scene.name}
+          label="Name of the scene"
+          onCommit={(name) =>
+            name.trim() && commands.run(new SetProperty('Rename scene', [scene], 'name', name.trim()))
+          }
+        />
+      </div>
+      <Section id="Scene" title="Scene" help="What belongs to the scene as a whole." icon="scene">
+        {cameras.length > 0 && (
+          <div className="field" data-help="The camera that the finished scene is seen with.">
+            <span className="field-label">Camera</span>
+            <div className="field-editor">
+              <SelectBox
+                value={scene.activeCamera?.id ?? null}
+                options={cameras}
+                label="Active camera"
+                onChange={(id) => {
+                  const camera = scene.cameras.find((each) => each.id === id) ?? null;
+                  commands.run(new SetProperty('Set camera', [scene], 'activeCamera', camera));
+                }}
+              />
+            </div>
+          </div>
+        )}
+        <FieldList owners={owners} />
+      </Section>
+    </>
+  );
+}

@@ -1,0 +1,40 @@
+import type { ReactNode } from 'react';
+import { Icon } from '../../ui/Icon';
+import type { IconName } from '../../ui/iconPaths';
+import { usePreferences } from '../../ui/preferences';
+
+interface SectionProps {
+  /** Under this name it is remembered whether the section is folded. */
+  readonly id: string;
+  readonly title: string;
+  readonly help: string;
+  readonly icon: IconName;
+  /** Controls at the right of the title. */
+  readonly controls?: ReactNode;
+  readonly children: ReactNode;
+}
+
+/** A part of the inspector that can be folded. */
+export function Section({ id, title, help, icon, controls, children }: SectionProps): ReactNode {
+  const folded = usePreferences((preferences) => preferences.folded[id] ?? false);
+  const fold = (): void => {
+    usePreferences.setState((before) => ({ folded: { ...before.folded, [id]: !folded } }));
+  };
+  return (
+    <section className="section" aria-label={title}>
+      <header className="section-header">
+        <h3>
+          <button type="button" className="section-title" aria-expanded={!folded} title={help} onClick={fold}>
+            <span className="fold" data-open={!folded}>
+              <Icon name="chevron" size={10} />
+            </span>
+            <Icon name={icon} size={14} />
+            {title}
+          </button>
+        </h3>
+        {controls}
+      </header>
+      {!folded && <div className="section-body">{children}</div>}
+    </section>
+  );
+}

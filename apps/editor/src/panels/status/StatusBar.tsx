@@ -1,0 +1,66 @@
+import { type ReactNode, useCallback } from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { usePoll } from '../../ui/usePoll';
+import './status.css';
+
+/** How often the figures are read, a second. */
+const RATE = 4;
+
+const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+const short = new Intl.NumberFormat('en', { notation: 'compact', maximumFractionDigits: 1 });
+
+/** What is edited, and the figures of the last frame. */
+export function StatusBar(): ReactNode {
+  const { document, viewport, commands, file, fileChanged } = useEditor();
+  useSignal(document.selection.changed);
+  useSignal(document.structure);
+  useSignal(commands.changed);
+  useSignal(fileChanged);
+  const selected = document.selection.ids.length;
+  const rate = usePoll(
+    useCallback(() => {
+      const frames = viewport.statistics.rate(performance.now());
+      return frames === null ? 'at rest' : `${integer.format(frames)} FPS`;
+    }, [viewport]),
+    RATE,
+  );
+  const counts = usePoll(
+    useCallback(() => {
+      const { lights, drawCalls, triangles } = viewport.farol.info;
+      const shown = lights.visible === lights.total ? `${lights.total}` : `${lights.visible} of ${lights.total}`;
+      return `${shown} lights\n${integer.format(drawCalls)} draws\n${short.format(triangles)} triangles`;
+    }, [viewport]),
+    RATE,
+  );
+  const passes = usePoll(
+    useCallback(() => {
+      const { info } = viewport.farol;
+      const onGpu = info.gpuMs !== null;
+      const times = info.passes.map(({ name, cpuMs, gpuMs }) => `${name} ${(onGpu ? (gpuMs ?? 0) : cpuMs).toFixed(2)}`);
+      const total = onGpu ? info.gpuMs! : info.cpuMs;
+      return `${onGpu ? 'GPU' : 'CPU'} ${total.toFixed(2)} ms\n${times.join('\n')}`;
+    }, [viewport]),
+    RATE,
+  );
+  const [total, ...each] = passes.split('\n');
+  return (
+    <footer className="status" aria-label="Status">
+      <span className="status-file">
+        {file.name ?? document.scene.name}
+        {commands.isDirty && <span className="dirty" title="Not saved" aria-label="not saved" />}
+      </span>
+      <span className="dim">{selected === 0 ? 'nothing selected' : `${selected} selected`}</span>
+      <span className="status-space" />
+      <span className="status-passes" title="Time of each pass of the last frame (ms)">
+        {each.map((pass) => (
+          <span key={pass}>{pass}</span>
+        ))}
+      </span>
+      <span>{total}</span>
+      {counts.split('\n').map((count) => (
+        <span key={count}>{count}</span>
+      ))}
+      <span className="status-rate">{rate}</span>
+    </footer>
+  );
+}

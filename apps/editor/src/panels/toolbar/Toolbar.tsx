@@ -1,0 +1,105 @@
+import { techniques, type TechniqueName, views } from '@farol/renderer';
+import type { ReactNode } from 'react';
+import { addEntries } from '../../actions/addEntries';
+import { duplicate } from '../../actions/duplicate';
+import { newScene, openExamples } from '../../actions/newScene';
+import { open } from '../../actions/open';
+import { pause, play, step, stop } from '../../actions/play';
+import { redo } from '../../actions/redo';
+import { remove } from '../../actions/remove';
+import { save, saveAs } from '../../actions/save';
+import { showKeys } from '../../actions/showKeys';
+import { undo } from '../../actions/undo';
+import { ActionButton } from '../../ui/ActionButton';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { MenuButton } from '../../ui/MenuButton';
+import { actionEntry } from '../../ui/MenuEntry';
+import { SelectBox } from '../../ui/SelectBox';
+import { ThemeButton } from './ThemeButton';
+import './toolbar.css';
+
+const techniqueOptions = (Object.keys(techniques) as TechniqueName[]).map((value) => ({
+  value,
+  label: techniques[value].label,
+  help: techniques[value].help,
+}));
+
+const viewOptions = views.map((value) => ({
+  value,
+  label: value.charAt(0).toUpperCase() + value.slice(1).replaceAll('-', ' '),
+}));
+
+/** The bar at the top: file, history, what can be added, play, technique and view. */
+export function Toolbar(): ReactNode {
+  const editor = useEditor();
+  const { document, viewport, commands } = editor;
+  useSignal(commands.changed);
+  useSignal(document.selection.changed);
+  useSignal(document.simulation.changed);
+  useSignal(viewport.changed);
+  const newEntries = [newScene, ...openExamples].map((action) => actionEntry(action, editor));
+  return (
+    <header className="toolbar">
+      <div className="toolbar-part">
+        <span className="brand">
+          <Icon name="lamp" size={18} />
+          Farol
+        </span>
+        <MenuButton
+          label="File"
+          entries={() => [
+            { label: 'New', icon: 'scene', entries: newEntries },
+            ...[open, save, saveAs].map((action) => actionEntry(action, editor)),
+          ]}
+        />
+        <div className="button-group" role="toolbar" aria-label="File and history">
+          <ActionButton action={open} />
+          <ActionButton action={save} />
+          <span className="bar-line" />
+          <ActionButton action={undo} />
+          <ActionButton action={redo} />
+          <span className="bar-line" />
+          <ActionButton action={duplicate} />
+          <ActionButton action={remove} />
+        </div>
+        <MenuButton label="Add" icon="add" entries={() => addEntries(editor)} />
+      </div>
+      <div className="button-group play" role="toolbar" aria-label="Simulation">
+        {[play, pause, step, stop].map((action) => (
+          <ActionButton key={action.id} action={action} />
+        ))}
+      </div>
+      <div className="toolbar-part end">
+        <div className="labelled">
+          <span aria-hidden="true">Technique</span>
+          <SelectBox
+            value={viewport.technique}
+            options={techniqueOptions}
+            label="Technique"
+            onChange={(technique) =>
+              editor.attempt(() => {
+                viewport.technique = technique;
+              })
+            }
+          />
+        </div>
+        <div className="labelled">
+          <span aria-hidden="true">View</span>
+          <SelectBox
+            value={viewport.view}
+            options={viewOptions}
+            label="View"
+            onChange={(view) =>
+              editor.attempt(() => {
+                viewport.view = view;
+              })
+            }
+          />
+        </div>
+        <ThemeButton />
+        <ActionButton action={showKeys} />
+      </div>
+    </header>
+  );
+}

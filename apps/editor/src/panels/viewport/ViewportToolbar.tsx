@@ -1,0 +1,52 @@
+import type { ReactNode } from 'react';
+import { gizmoModes } from '../../actions/gizmoModes';
+import { gizmoSpace } from '../../actions/gizmoSpace';
+import { snap } from '../../actions/snap';
+import { continuous, showGrid, showIcons } from '../../actions/viewportToggles';
+import { ActionButton } from '../../ui/ActionButton';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import type { Viewport } from '../../viewport/Viewport';
+import { SelectBox } from '../../ui/SelectBox';
+
+const EDITOR_CAMERA = '/';
+
+/** @param id - of a camera of the scene; anything else stands for the editor's own */
+function lookThrough(viewport: Viewport, id: string): void {
+  viewport.lookThrough = viewport.document.scene.cameras.find((camera) => camera.id === id) ?? null;
+}
+
+/** What lies over the picture: handles at the left, what is drawn and through which camera at the right. */
+export function ViewportToolbar(): ReactNode {
+  const { document, viewport } = useEditor();
+  useSignal(viewport.changed);
+  useSignal(document.structure);
+  const cameras = document.scene.cameras.map((camera) => ({
+    value: camera.id,
+    label: camera.gameObject.name,
+    help: 'Keys and mouse go to the scene while it plays.',
+  }));
+  return (
+    <div className="viewport-bar">
+      <div className="button-group" role="toolbar" aria-label="Handles">
+        {gizmoModes.map((action) => (
+          <ActionButton key={action.id} action={action} />
+        ))}
+        <span className="bar-line" />
+        <ActionButton action={gizmoSpace} icon={viewport.space === 'local' ? 'local' : 'world'} />
+        <ActionButton action={snap} />
+      </div>
+      <div className="button-group" role="toolbar" aria-label="Display">
+        <ActionButton action={showGrid} />
+        <ActionButton action={showIcons} />
+        <ActionButton action={continuous} />
+        <span className="bar-line" />
+        <SelectBox
+          value={viewport.lookThrough?.id ?? EDITOR_CAMERA}
+          options={[{ value: EDITOR_CAMERA, label: "Editor's camera" }, ...cameras]}
+          label="Look through"
+          onChange={(id) => lookThrough(viewport, id)}
+        />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,36 @@
+import type { ReactNode } from 'react';
+import { type Action, labelOf } from '../actions/Action';
+import { useEditor } from './EditorContext';
+import { Icon } from './Icon';
+import type { IconName } from './iconPaths';
+import { keyText } from './keyText';
+
+interface ActionButtonProps {
+  readonly action: Action;
+  /** In place of the action's own. */
+  readonly icon?: IconName;
+  /** Says the label beside the icon. */
+  readonly withLabel?: boolean;
+}
+
+/** A button that does an action; pressed while the action is on. Whoever renders it listens to what changes the action. */
+export function ActionButton({ action, icon = action.icon, withLabel = false }: ActionButtonProps): ReactNode {
+  const editor = useEditor();
+  const label = labelOf(action, editor);
+  const key = action.keys?.[0];
+  return (
+    <button
+      type="button"
+      className="button"
+      title={key ? `${label} (${keyText(key)})` : label}
+      aria-label={withLabel ? undefined : label}
+      aria-keyshortcuts={key?.replace('Ctrl', 'Control')}
+      aria-pressed={action.checked?.(editor)}
+      disabled={!(action.enabled?.(editor) ?? true)}
+      onClick={() => editor.attempt(() => action.run(editor))}
+    >
+      {icon && <Icon name={icon} />}
+      {withLabel && <span>{label}</span>}
+    </button>
+  );
+}

@@ -1,0 +1,28 @@
+import { type Action, labelOf } from '../actions/Action';
+import type { Editor } from '../Editor';
+import type { IconName } from './iconPaths';
+
+/** One line of a menu: something to do, a submenu, or a line between groups. */
+export type MenuEntry =
+  | {
+      readonly label: string;
+      readonly help?: string;
+      readonly icon?: IconName;
+      /** Key shown at the right. */
+      readonly keys?: string;
+      readonly disabled?: boolean;
+      run(): void;
+    }
+  | { readonly label: string; readonly icon?: IconName; readonly entries: readonly MenuEntry[] }
+  | 'separator';
+
+/** The line of an action. */
+export function actionEntry(action: Action, editor: Editor): MenuEntry {
+  return {
+    label: labelOf(action, editor),
+    icon: action.icon,
+    keys: action.keys?.[0],
+    disabled: !(action.enabled?.(editor) ?? true),
+    run: () => editor.attempt(() => action.run(editor)),
+  };
+}

@@ -1,0 +1,75 @@
+import { Combobox } from '@base-ui/react/combobox';
+import type { ReactNode } from 'react';
+import { Icon } from './Icon';
+
+export interface SearchOption {
+  readonly value: string;
+  readonly label: string;
+}
+
+interface SearchSelectProps {
+  readonly value: string | null;
+  readonly options: readonly SearchOption[];
+  /** What is shown where nothing is chosen. */
+  readonly placeholder: string;
+  /** Accessible name. */
+  readonly label: string;
+  readonly description?: string;
+  readonly disabled?: boolean;
+  onChange(value: string | null): void;
+}
+
+/** One of many values, found by typing a part of its name; or none. */
+export function SearchSelect(props: SearchSelectProps): ReactNode {
+  const { value, options, placeholder, label, description, disabled, onChange } = props;
+  const current = value === null ? null : (options.find((option) => option.value === value) ?? { value, label: value });
+  return (
+    <Combobox.Root
+      items={options}
+      value={current}
+      limit={200}
+      disabled={disabled}
+      autoHighlight
+      isItemEqualToValue={(a: SearchOption, b: SearchOption) => a.value === b.value}
+      onValueChange={(next) => onChange(next?.value ?? null)}
+    >
+      <div className="search-select">
+        <Combobox.Trigger className="select" aria-label={label} aria-description={description}>
+          <span className="select-value">{current?.label ?? placeholder}</span>
+          <Icon name="down" size={12} />
+        </Combobox.Trigger>
+        {current && !disabled && (
+          <button
+            type="button"
+            className="button small"
+            aria-label={`Clear ${label}`}
+            title="Clear"
+            onClick={() => onChange(null)}
+          >
+            <Icon name="close" size={12} />
+          </button>
+        )}
+      </div>
+      <Combobox.Portal>
+        <Combobox.Positioner className="positioner" sideOffset={3} align="end">
+          <Combobox.Popup className="popup search-popup" aria-label={label}>
+            <Combobox.Input className="input" placeholder="Search" aria-label={`Search ${label}`} />
+            <Combobox.Empty className="menu-empty">Nothing of that name.</Combobox.Empty>
+            <Combobox.List className="menu-list">
+              {(option: SearchOption) => (
+                <Combobox.Item key={option.value} value={option} className="menu-item">
+                  <span className="menu-check">
+                    <Combobox.ItemIndicator>
+                      <Icon name="check" size={12} />
+                    </Combobox.ItemIndicator>
+                  </span>
+                  <span className="menu-text">{option.label}</span>
+                </Combobox.Item>
+              )}
+            </Combobox.List>
+          </Combobox.Popup>
+        </Combobox.Positioner>
+      </Combobox.Portal>
+    </Combobox.Root>
+  );
+}

@@ -1,0 +1,33 @@
+import { Checkbox } from '@base-ui/react/checkbox';
+import type { ReactNode } from 'react';
+import { Icon } from './Icon';
+
+interface ToggleProps {
+  /** Null where several values differ. */
+  readonly value: boolean | null;
+  /** Accessible name. */
+  readonly label: string;
+  readonly description?: string;
+  readonly disabled?: boolean;
+  onChange(value: boolean): void;
+}
+
+/** A box that is checked or not. */
+export function Toggle({ value, label, description, disabled, onChange }: ToggleProps): ReactNode {
+  return (
+    <Checkbox.Root
+      className="checkbox"
+      checked={value ?? false}
+      indeterminate={value === null}
+      disabled={disabled}
+      aria-label={label}
+      aria-description={description}
+      title={description}
+      onCheckedChange={(next) => onChange(next)}
+    >
+      <Checkbox.Indicator className="checkbox-mark" keepMounted={false}>
+        {value === null ? <span className="checkbox-dash" /> : <Icon name="check" size={12} />}
+      </Checkbox.Indicator>
+    </Checkbox.Root>
+  );
+}

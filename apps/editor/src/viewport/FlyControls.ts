@@ -1,0 +1,164 @@
+import type CameraControls from 'camera-controls';
+import { type PerspectiveCamera, Vector3 } from 'three';
+
+/** Turn for each pixel of motion (rad). */
+const TURN = 0.0035;
+
+/** Steepest look, from the horizon (rad). */
+const PITCH_LIMIT = Math.PI / 2 - 0.01;
+
+/** What each key moves by: right, up, forward. */
+const directions: Readonly<Record<string, readonly [number, number, number]>> = {
+  KeyW: [0, 0, 1],
+  KeyS: [0, 0, -1],
+  KeyA: [-1, 0, 0],
+  KeyD: [1, 0, 0],
+  KeyQ: [0, -1, 0],
+  KeyE: [0, 1, 0],
+  ArrowUp: [0, 0, 1],
+  ArrowDown: [0, 0, -1],
+  ArrowLeft: [-1, 0, 0],
+  ArrowRight: [1, 0, 0],
+};
+
+const position = new Vector3();
+const direction = new Vector3();
+const right = new Vector3();
+const move = new Vector3();
+const UP = new Vector3(0, 1, 0);
+
+/**
+ * Looks around and flies while the right button is held: motion turns, W A S D Q E move, Shift is faster, the wheel
+ * changes the speed. Keys count only then.
+ */
+export class FlyControls {
+  /** Metres a second. */
+  speed = 6;
+
+  private pointer: number | null = null;
+  private readonly held = new Set<string>();
+  private fast = false;
+  private yaw = 0;
+  private pitch = 0;
+
+  /**
+   * @param canvas - where the button is pressed
+   * @param controls - whose camera is moved; it is at rest meanwhile
+   * @param isEnabled - asked when the button goes down
+   */
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly controls: CameraControls,
+    private readonly isEnabled: () => boolean,
+  ) {
+    canvas.addEventListener('pointerdown', this.pointerDown);
+    canvas.addEventListener('pointermove', this.pointerMove);
+    canvas.addEventListener('pointerup', this.pointerUp);
+    canvas.addEventListener('lostpointercapture', this.pointerUp);
+    canvas.addEventListener('wheel', this.wheel, { capture: true, passive: false });
+    canvas.addEventListener('contextmenu', this.prevent);
+    window.addEventListener('keydown', this.keyDown, true);
+    window.addEventListener('keyup', this.keyUp, true);
+    window.addEventListener('blur', this.end);
+  }
+
+  get isFlying(): boolean {
+    return this.pointer !== null;
+  }
+
+  /** Moves the camera. @returns whether it moved */
+  update(deltaSeconds: number): boolean {
+    if (!this.isFlying) return false;
+    const turned = this.yaw !== 0 || this.pitch !== 0;
+    if (!turned && this.held.size === 0) return false;
+    const { controls } = this;
+    controls.getPosition(position, false);
+    controls.getTarget(direction, false).sub(position);
+    const distance = Math.max(direction.length(), 0.01);
+    direction.divideScalar(distance);
+    this.turn();
+    right.crossVectors(direction, UP).normalize();
+    move.set(0, 0, 0);
+    for (const code of this.held) {
+      const [x, y, z] = directions[code];
+      move.addScaledVector(right, x).addScaledVector(UP, y).addScaledVector(direction, z);
+    }
+    if (move.lengthSq() > 0)
+      position.addScaledVector(move.normalize(), this.speed * (this.fast ? 4 : 1) * deltaSeconds);
+    direction.multiplyScalar(distance).add(position);
+    void controls.setLookAt(position.x, position.y, position.z, direction.x, direction.y, direction.z, false);
+    return true;
+  }
+
+  dispose(): void {
+    const { canvas } = this;
+    canvas.removeEventListener('pointerdown', this.pointerDown);
+    canvas.removeEventListener('pointermove', this.pointerMove);
+    canvas.removeEventListener('pointerup', this.pointerUp);
+    canvas.removeEventListener('lostpointercapture', this.pointerUp);
+    canvas.removeEventListener('wheel', this.wheel, true);
+    canvas.removeEventListener('contextmenu', this.prevent);
+    window.removeEventListener('keydown', this.keyDown, true);
+    window.removeEventListener('keyup', this.keyUp, true);
+    window.removeEventListener('blur', this.end);
+  }
+
+  /** Turns `direction` by what the pointer moved. */
+  private turn(): void {
+    const camera = this.controls.camera as PerspectiveCamera;
+    const scale = TURN * Math.min(1, camera.fov / 60);
+    const pitch = Math.asin(Math.min(1, Math.max(-1, direction.y)));
+    const next = Math.min(PITCH_LIMIT, Math.max(-PITCH_LIMIT, pitch - this.pitch * scale));
+    const yaw = Math.atan2(direction.x, direction.z) - this.yaw * scale;
+    direction.set(Math.sin(yaw) * Math.cos(next), Math.sin(next), Math.cos(yaw) * Math.cos(next));
+    this.yaw = 0;
+    this.pitch = 0;
+  }
+
+  private readonly pointerDown = (event: PointerEvent): void => {
+    if (event.button !== 2 || this.isFlying || !this.isEnabled()) return;
+    this.pointer = event.pointerId;
+    this.canvas.setPointerCapture(event.pointerId);
+    this.canvas.focus({ preventScroll: true });
+  };
+
+  private readonly pointerMove = (event: PointerEvent): void => {
+    if (event.pointerId !== this.pointer) return;
+    this.yaw += event.movementX;
+    this.pitch += event.movementY;
+  };
+
+  private readonly pointerUp = (event: PointerEvent): void => {
+    if (event.pointerId !== this.pointer || (event.buttons & 2) !== 0) return;
+    this.end();
+  };
+
+  private readonly wheel = (event: WheelEvent): void => {
+    if (!this.isFlying) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    this.speed = Math.min(200, Math.max(0.2, this.speed * (event.deltaY < 0 ? 1.2 : 1 / 1.2)));
+  };
+
+  private readonly keyDown = (event: KeyboardEvent): void => {
+    this.fast = event.shiftKey;
+    if (!this.isFlying || !(event.code in directions)) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    this.held.add(event.code);
+  };
+
+  private readonly keyUp = (event: KeyboardEvent): void => {
+    this.fast = event.shiftKey;
+    this.held.delete(event.code);
+  };
+
+  private readonly end = (): void => {
+    this.pointer = null;
+    this.held.clear();
+    this.yaw = 0;
+    this.pitch = 0;
+  };
+
+  private readonly prevent = (event: Event): void => event.preventDefault();
+}

@@ -1,0 +1,225 @@
+import type { FieldValue, GameObject } from '@farol/engine';
+import { type Camera, Euler, MathUtils, Matrix4, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
+import { topmost } from '../model/commands/Placement';
+import { type FieldEdit, SetFields } from '../model/commands/SetFields';
+import type { EditorDocument } from '../model/EditorDocument';
+import type { Gesture } from '../model/Gesture';
+import { boundsOf } from './boundsOf';
+
+export type GizmoMode = 'select' | 'translate' | 'rotate' | 'scale';
+export type GizmoSpace = 'world' | 'local';
+
+/** Steps while snapping: metres, radians, factor. */
+export const snapSteps = { translate: 0.5, rotate: MathUtils.degToRad(15), scale: 0.1 };
+
+/** An object when a drag began: what was authored, and its parent's place in the world. */
+interface Start {
+  readonly object: GameObject;
+  readonly world: Matrix4;
+  readonly parentInverse: Matrix4;
+  readonly worldRotation: Quaternion;
+  readonly parentRotation: Quaternion;
+  readonly scale: Vector3;
+}
+
+const labels = { select: 'Select', translate: 'Move', rotate: 'Rotate', scale: 'Scale' };
+const ONE = new Vector3(1, 1, 1);
+const delta = new Matrix4();
+const turn = new Quaternion();
+const rotation = new Quaternion();
+const euler = new Euler();
+const place = new Vector3();
+
+/** Where an object is by what was authored, whatever simulation has done to it since. */
+function startOf(object: GameObject): Start {
+  const { transform, object3D } = object;
+  const parent = object3D.parent ?? object3D;
+  parent.updateWorldMatrix(true, false);
+  const position = new Vector3(...(transform.getAuthored('position') as [number, number, number]));
+  const scale = new Vector3(...(transform.getAuthored('scale') as [number, number, number]));
+  const [x, y, z] = transform.getAuthored('rotation') as [number, number, number];
+  const local = new Quaternion().setFromEuler(new Euler(x, y, z, 'XYZ'));
+  const parentRotation = new Quaternion().setFromRotationMatrix(new Matrix4().extractRotation(parent.matrixWorld));
+  return {
+    object,
+    world: new Matrix4().compose(position, local, scale).premultiply(parent.matrixWorld),
+    parentInverse: parent.matrixWorld.clone().invert(),
+    worldRotation: parentRotation.clone().multiply(local),
+    parentRotation,
+    scale,
+  };
+}
+
+/**
+ * The handles that move, rotate and scale what is selected: three's TransformControls on a proxy in the middle of the
+ * selection. One drag is one step of history.
+ */
+export class Gizmo {
+  /** To be drawn over the picture. */
+  readonly three = new Object3D();
+
+  private readonly controls: TransformControls;
+  private readonly proxy = new Object3D();
+  private readonly startInverse = new Matrix4();
+  private readonly startRotation = new Quaternion();
+  private starts: Start[] = [];
+  private gesture: Gesture | null = null;
+  private currentMode: GizmoMode = 'translate';
+  private ctrl = false;
+  private isSnapping = false;
+
+  /**
+   * @param onDrag - called when a drag begins (true) and ends (false)
+   * @param onChange - called when the picture must be drawn anew
+   */
+  constructor(
+    private readonly document: EditorDocument,
+    canvas: HTMLCanvasElement,
+    onDrag: (isDragging: boolean) => void,
+    onChange: () => void,
+  ) {
+    this.controls = new TransformControls(new PerspectiveCamera(), canvas);
+    this.controls.size = 0.85;
+    this.three.add(this.proxy, this.controls.getHelper());
+    this.controls.addEventListener('mouseDown', () => this.begin());
+    this.controls.addEventListener('objectChange', () => this.drag());
+    this.controls.addEventListener('mouseUp', () => this.end());
+    this.controls.addEventListener('dragging-changed', ({ value }) => onDrag(value as boolean));
+    this.controls.addEventListener('change', onChange);
+    window.addEventListener('keydown', this.keyChanged, true);
+    window.addEventListener('keyup', this.keyChanged, true);
+  }
+
+  get mode(): GizmoMode {
+    return this.currentMode;
+  }
+
+  set mode(mode: GizmoMode) {
+    this.cancel();
+    this.currentMode = mode;
+    if (mode !== 'select') this.controls.mode = mode;
+  }
+
+  get space(): GizmoSpace {
+    return this.controls.space as GizmoSpace;
+  }
+
+  set space(space: GizmoSpace) {
+    this.controls.space = space;
+  }
+
+  /** Whether drags go by steps; Ctrl turns it round while it is held. */
+  get snapping(): boolean {
+    return this.isSnapping;
+  }
+
+  set snapping(snapping: boolean) {
+    this.isSnapping = snapping;
+    this.applySnapping();
+  }
+
+  /** Whether a handle is under the pointer, or dragged. */
+  get isHot(): boolean {
+    return this.controls.dragging || (this.controls.axis !== null && this.controls.object !== undefined);
+  }
+
+  /** Called before each picture: follows the selection. */
+  update(camera: Camera): void {
+    this.controls.camera = camera;
+    if (this.controls.dragging) return;
+    const objects = this.targets();
+    if (objects.length === 0 || this.currentMode === 'select') {
+      if (this.controls.object) this.controls.detach();
+      return;
+    }
+    this.placeProxy(objects);
+    if (!this.controls.object) this.controls.attach(this.proxy);
+  }
+
+  /** Ends a drag and puts everything back. @returns whether there was one */
+  cancel(): boolean {
+    if (!this.gesture) return false;
+    this.gesture.discard();
+    this.gesture = null;
+    this.controls.dragging = false;
+    this.controls.axis = null;
+    return true;
+  }
+
+  dispose(): void {
+    window.removeEventListener('keydown', this.keyChanged, true);
+    window.removeEventListener('keyup', this.keyChanged, true);
+    this.controls.dispose();
+  }
+
+  private targets(): GameObject[] {
+    const { selectedObjects, scene } = this.document;
+    return selectedObjects.length < 2 ? selectedObjects : topmost(selectedObjects, scene);
+  }
+
+  /** In the middle of the selection, turned as the one chosen last. */
+  private placeProxy(objects: readonly GameObject[]): void {
+    const { proxy } = this;
+    const last = objects.at(-1)!.object3D;
+    if (objects.length === 1) proxy.position.setFromMatrixPosition(last.matrixWorld);
+    else boundsOf(objects).getCenter(proxy.position);
+    proxy.quaternion.setFromRotationMatrix(delta.extractRotation(last.matrixWorld));
+    proxy.scale.copy(ONE);
+    proxy.updateMatrixWorld();
+  }
+
+  private begin(): void {
+    const objects = this.targets();
+    this.placeProxy(objects);
+    this.starts = objects.map(startOf);
+    this.startInverse.copy(this.proxy.matrixWorld).invert();
+    this.startRotation.copy(this.proxy.quaternion).invert();
+    this.gesture = this.document.commands.begin();
+  }
+
+  private drag(): void {
+    if (!this.gesture?.isOpen) return;
+    this.proxy.updateMatrixWorld();
+    delta.copy(this.proxy.matrixWorld).multiply(this.startInverse);
+    turn.copy(this.proxy.quaternion).multiply(this.startRotation);
+    const edits = this.starts.flatMap((start) => this.editsOf(start));
+    const names = this.starts.length === 1 ? this.starts[0].object.name : `${this.starts.length} objects`;
+    this.gesture.preview(new SetFields(`${labels[this.currentMode]} ${names}`, edits));
+  }
+
+  private end(): void {
+    this.gesture?.commit();
+    this.gesture = null;
+  }
+
+  private editsOf({ object, world, parentInverse, worldRotation, parentRotation, scale }: Start): FieldEdit[] {
+    const owner = object.transform;
+    const edits: FieldEdit[] = [];
+    const set = (name: string, value: FieldValue): void => void edits.push({ owner, name, value });
+    if (this.currentMode === 'translate' || this.starts.length > 1) {
+      place.setFromMatrixPosition(world).applyMatrix4(delta).applyMatrix4(parentInverse);
+      set('position', place.toArray());
+    }
+    if (this.currentMode === 'rotate') {
+      rotation.copy(parentRotation).invert().multiply(turn).multiply(worldRotation);
+      euler.setFromQuaternion(rotation, 'XYZ');
+      set('rotation', [euler.x, euler.y, euler.z]);
+    }
+    if (this.currentMode === 'scale') set('scale', place.copy(scale).multiply(this.proxy.scale).toArray());
+    return edits;
+  }
+
+  private applySnapping(): void {
+    const snaps = this.isSnapping !== this.ctrl;
+    this.controls.translationSnap = snaps ? snapSteps.translate : null;
+    this.controls.rotationSnap = snaps ? snapSteps.rotate : null;
+    this.controls.scaleSnap = snaps ? snapSteps.scale : null;
+  }
+
+  private readonly keyChanged = (event: KeyboardEvent): void => {
+    if (event.ctrlKey === this.ctrl) return;
+    this.ctrl = event.ctrlKey;
+    this.applySnapping();
+  };
+}

@@ -1,0 +1,67 @@
+import type { Camera as CameraComponent } from '@farol/engine';
+import { type Camera, Scene, type Vector2, type WebGLRenderer } from 'three';
+import type { EditorDocument } from '../model/EditorDocument';
+import { drawSelection } from './drawSelection';
+import { Grid } from './Grid';
+import { IconPoints } from './IconPoints';
+import { LineSet } from './LineSet';
+import type { PickHit } from './pick';
+
+/**
+ * What the editor draws over the picture: grid, icons, the selection's lines, the gizmo. It is a scene of its own, drawn
+ * by three's renderer into the finished picture, with its depth; the user's scene is not touched.
+ */
+export class Helpers {
+  readonly scene = new Scene();
+
+  private readonly grid = new Grid();
+  private readonly icons = new IconPoints();
+  private readonly lines = new LineSet('#ff9d3c');
+
+  constructor(private readonly document: EditorDocument) {
+    this.scene.add(this.grid, this.icons, this.lines.three);
+  }
+
+  get showGrid(): boolean {
+    return this.grid.visible;
+  }
+
+  set showGrid(show: boolean) {
+    this.grid.visible = show;
+  }
+
+  get showIcons(): boolean {
+    return this.icons.visible;
+  }
+
+  set showIcons(show: boolean) {
+    this.icons.visible = show;
+  }
+
+  /** Draws over the picture that was just drawn with the same camera. */
+  render(webgl: WebGLRenderer, camera: Camera, lookThrough: CameraComponent | null): void {
+    const { scene, selection, selectedObjects } = this.document;
+    if (this.icons.visible) {
+      const selected = new Set(selection.ids);
+      this.icons.refresh(scene, ({ id }) => selected.has(id), webgl.getPixelRatio(), lookThrough);
+    }
+    this.lines.begin();
+    drawSelection(this.lines, selectedObjects, lookThrough);
+    this.lines.end();
+    const { autoClear } = webgl;
+    webgl.autoClear = false;
+    webgl.render(this.scene, camera);
+    webgl.autoClear = autoClear;
+  }
+
+  /** The icon at a point of the picture (normalised device coordinates), whose size is in CSS pixels. */
+  pickIcon(camera: Camera, point: Vector2, width: number, height: number): PickHit | null {
+    return this.icons.visible ? this.icons.pick(camera, point, width, height) : null;
+  }
+
+  dispose(): void {
+    this.grid.dispose();
+    this.icons.dispose();
+    this.lines.dispose();
+  }
+}

@@ -1,0 +1,120 @@
+import { Camera, type Component, type GameObject, Light, type Scene } from '@farol/engine';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Camera as ThreeCamera,
+  DynamicDrawUsage,
+  Points,
+  ShaderMaterial,
+  type Vector2,
+  Vector3,
+} from 'three';
+import { iconKinds, makeIconAtlas } from './iconAtlas';
+import fragmentShader from './icons.frag.glsl?raw';
+import vertexShader from './icons.vert.glsl?raw';
+import type { PickHit } from './pick';
+
+/** Size of an icon in CSS pixels. */
+const SIZE = 20;
+
+const kindOf: Readonly<Record<string, number>> = Object.fromEntries(iconKinds.map((kind, i) => [kind, i]));
+const place = new Vector3();
+
+/** Icons for the lights and cameras of a scene, which can be picked though there is nothing to see of them: one draw. */
+export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
+  private readonly shown: GameObject[] = [];
+
+  constructor() {
+    super(
+      new BufferGeometry(),
+      new ShaderMaterial({
+        name: 'Editor icons',
+        vertexShader,
+        fragmentShader,
+        uniforms: { atlas: { value: makeIconAtlas() }, size: { value: SIZE }, count: { value: iconKinds.length } },
+        transparent: true,
+        depthWrite: false,
+        toneMapped: false,
+      }),
+    );
+    this.frustumCulled = false;
+    this.grow(64);
+  }
+
+  /** Takes over where lights and cameras are now. @param without - a camera that is looked through */
+  refresh(scene: Scene, isSelected: (object: GameObject) => boolean, pixelRatio: number, without: Camera | null): void {
+    this.shown.length = 0;
+    this.material.uniforms.size.value = SIZE * pixelRatio;
+    this.grow(scene.lights.length + scene.cameras.length);
+    for (const light of scene.lights) if (light.isActive) this.addIcon(light, isSelected);
+    for (const camera of scene.cameras) if (camera.isActive && camera !== without) this.addIcon(camera, isSelected);
+    this.geometry.setDrawRange(0, this.shown.length);
+    for (const name in this.geometry.attributes) this.geometry.attributes[name].needsUpdate = true;
+  }
+
+  /**
+   * The icon next to a point of the picture.
+   * @param point - normalised device coordinates
+   * @param width - of the picture (CSS pixels)
+   * @param height - of the picture (CSS pixels)
+   */
+  pick(camera: ThreeCamera, point: Vector2, width: number, height: number): PickHit | null {
+    let nearest: PickHit | null = null;
+    let least = SIZE / 2 + 1;
+    for (const object of this.shown) {
+      place.setFromMatrixPosition(object.object3D.matrixWorld);
+      const distance = place.distanceTo(cameraPlace.setFromMatrixPosition(camera.matrixWorld));
+      place.project(camera);
+      if (place.z < -1 || place.z > 1) continue;
+      const away = Math.hypot(((place.x - point.x) * width) / 2, ((place.y - point.y) * height) / 2);
+      if (away >= least) continue;
+      least = away;
+      nearest = { object, distance };
+    }
+    return nearest;
+  }
+
+  override dispose(): void {
+    this.geometry.dispose();
+    this.material.uniforms.atlas.value.dispose();
+    this.material.dispose();
+  }
+
+  private addIcon(component: Component, isSelected: (object: GameObject) => boolean): void {
+    const { geometry } = this;
+    const { gameObject } = component;
+    const i = this.shown.length;
+    this.shown.push(gameObject);
+    const { elements } = gameObject.object3D.matrixWorld;
+    geometry.attributes.position.setXYZ(i, elements[12], elements[13], elements[14]);
+    geometry.attributes.selected.setX(i, isSelected(gameObject) ? 1 : 0);
+    geometry.attributes.kind.setX(i, component instanceof Light ? kindOf[component.type] : kindOf.camera);
+    if (component instanceof Light) {
+      const [r, g, b] = component.diffuse;
+      const largest = Math.max(r, g, b, 1e-6);
+      geometry.attributes.tint.setXYZ(
+        i,
+        0.25 + (0.75 * r) / largest,
+        0.25 + (0.75 * g) / largest,
+        0.25 + (0.75 * b) / largest,
+      );
+    } else geometry.attributes.tint.setXYZ(i, 0.6, 0.75, 0.9);
+  }
+
+  private grow(count: number): void {
+    const { geometry } = this;
+    if (geometry.attributes.position && geometry.attributes.position.count >= count) return;
+    const room = 2 ** Math.ceil(Math.log2(Math.max(count, 64)));
+    geometry.dispose();
+    for (const [name, size] of [
+      ['position', 3],
+      ['tint', 3],
+      ['kind', 1],
+      ['selected', 1],
+    ] as const) {
+      geometry.setAttribute(name, new BufferAttribute(new Float32Array(room * size), size).setUsage(DynamicDrawUsage));
+    }
+  }
+}
+
+const cameraPlace = new Vector3();

@@ -1,0 +1,276 @@
+import { type Camera as CameraComponent, type GameObject, InputRouter } from '@farol/engine';
+import { FarolRenderer, type TechniqueName, type View } from '@farol/renderer';
+import { type Camera, Vector2, WebGLRenderer } from 'three';
+import type { EditorDocument } from '../model/EditorDocument';
+import { Signal } from '../model/Signal';
+import { boundsOf } from './boundsOf';
+import { EditorCamera } from './EditorCamera';
+import { FrameStatistics } from './FrameStatistics';
+import { Gizmo, type GizmoMode, type GizmoSpace } from './Gizmo';
+import { Helpers } from './Helpers';
+import { hitPoint, pick } from './pick';
+import { PointerPicker } from './PointerPicker';
+
+/** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
+const ICON_REACH = 0.4;
+
+const middle = new Vector2();
+
+/**
+ * The picture of the document: canvas, camera, gizmo, picking, loop. It draws when something changed, each frame while
+ * the scene plays, and always when `continuous` is set. It knows nothing of React.
+ */
+export class Viewport {
+  /** Emits when one of the settings below changes. */
+  readonly changed = new Signal();
+  readonly statistics = new FrameStatistics();
+  readonly webgl: WebGLRenderer;
+  readonly farol: FarolRenderer;
+  readonly editorCamera: EditorCamera;
+  readonly gizmo: Gizmo;
+  readonly helpers: Helpers;
+
+  private readonly input: InputRouter;
+  private readonly picker: PointerPicker;
+  private readonly endings: (() => void)[] = [];
+  private readonly resizer = new ResizeObserver(() => this.resize());
+  private through: CameraComponent | null = null;
+  private always = false;
+  private pending = 1;
+  private request = 0;
+  private last = 0;
+  private width = 1;
+  private height = 1;
+
+  /** @throws Error when the browser has no WebGL 2 */
+  constructor(
+    readonly document: EditorDocument,
+    readonly canvas: HTMLCanvasElement,
+  ) {
+    canvas.tabIndex = 0;
+    canvas.setAttribute('role', 'img');
+    canvas.setAttribute('aria-label', 'Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
+    this.webgl = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.farol = new FarolRenderer(this.webgl, { timing: true });
+    const dragged = (isDragging: boolean): void => {
+      this.editorCamera.enabled = !isDragging && this.through === null;
+    };
+    // hears of the pointer before the camera does, so that a handle is taken and the camera stays
+    this.gizmo = new Gizmo(document, canvas, dragged, () => this.invalidate());
+    this.editorCamera = new EditorCamera(canvas);
+    this.helpers = new Helpers(document);
+    this.helpers.scene.add(this.gizmo.three);
+    this.picker = new PointerPicker(this);
+    this.input = new InputRouter(canvas, window, {
+      dispatchPointer: (event) => this.sceneListens && document.scene.dispatchPointer(event),
+      dispatchKey: (event) => this.sceneListens && document.scene.dispatchKey(event),
+    });
+    const redraw = (): void => this.invalidate();
+    for (const signal of [document.edited, document.selection.changed, document.simulation.changed, this.changed]) {
+      this.endings.push(signal.subscribe(redraw));
+    }
+    this.endings.push(
+      document.assets.onChange(redraw),
+      document.opened.subscribe(() => this.sceneOpened()),
+    );
+    this.endings.push(document.structure.subscribe(() => this.checkCamera()));
+    canvas.addEventListener('webglcontextrestored', redraw);
+    this.request = requestAnimationFrame(this.frame);
+  }
+
+  get technique(): TechniqueName {
+    return this.farol.technique;
+  }
+
+  /** @throws Error naming what the device lacks */
+  set technique(technique: TechniqueName) {
+    this.farol.technique = technique;
+    this.changed.emit();
+  }
+
+  get view(): View {
+    return this.farol.view;
+  }
+
+  set view(view: View) {
+    this.farol.view = view;
+    this.changed.emit();
+  }
+
+  get mode(): GizmoMode {
+    return this.gizmo.mode;
+  }
+
+  set mode(mode: GizmoMode) {
+    this.gizmo.mode = mode;
+    this.changed.emit();
+  }
+
+  get space(): GizmoSpace {
+    return this.gizmo.space;
+  }
+
+  set space(space: GizmoSpace) {
+    this.gizmo.space = space;
+    this.changed.emit();
+  }
+
+  get snapping(): boolean {
+    return this.gizmo.snapping;
+  }
+
+  set snapping(snapping: boolean) {
+    this.gizmo.snapping = snapping;
+    this.changed.emit();
+  }
+
+  get showGrid(): boolean {
+    return this.helpers.showGrid;
+  }
+
+  set showGrid(show: boolean) {
+    this.helpers.showGrid = show;
+    this.changed.emit();
+  }
+
+  get showIcons(): boolean {
+    return this.helpers.showIcons;
+  }
+
+  set showIcons(show: boolean) {
+    this.helpers.showIcons = show;
+    this.changed.emit();
+  }
+
+  /** Whether every frame is drawn, changed or not: to see frame rates. */
+  get continuous(): boolean {
+    return this.always;
+  }
+
+  set continuous(continuous: boolean) {
+    this.always = continuous;
+    this.changed.emit();
+  }
+
+  /** The camera of the scene that is looked through; null for the editor's own. Only then does input go to the scene. */
+  get lookThrough(): CameraComponent | null {
+    return this.through;
+  }
+
+  set lookThrough(camera: CameraComponent | null) {
+    this.through = camera;
+    this.editorCamera.enabled = camera === null;
+    this.changed.emit();
+  }
+
+  /** The three camera of the picture. */
+  get camera(): Camera {
+    return this.through?.isAttached ? this.through.three : this.editorCamera.camera;
+  }
+
+  /** Size of the picture in CSS pixels. */
+  get size(): { width: number; height: number } {
+    return { width: this.width, height: this.height };
+  }
+
+  /** Has the next frame drawn, and a few more, which bring the times of the GPU. */
+  invalidate(): void {
+    this.pending = 4;
+  }
+
+  /** Draws now. */
+  renderNow(): void {
+    this.through?.setViewport(this.width, this.height);
+    this.farol.render(this.document.scene.three, this.camera);
+    this.gizmo.update(this.camera);
+    if (this.view !== 'grid') this.helpers.render(this.webgl, this.camera, this.through);
+    this.statistics.add(performance.now());
+  }
+
+  /**
+   * The GameObject that is seen at a point of the picture: icons of lights and cameras before meshes.
+   * @param point - normalised device coordinates
+   */
+  pick(point: Vector2): GameObject | null {
+    const mesh = pick(this.document.scene, this.camera, point);
+    const icon = this.helpers.pickIcon(this.camera, point, this.width, this.height);
+    if (icon && (!mesh || icon.distance < mesh.distance + ICON_REACH)) return icon.object;
+    return mesh?.object ?? null;
+  }
+
+  /** Looks at the selection, or at everything. */
+  focus(): void {
+    const { selectedObjects, scene } = this.document;
+    const box = boundsOf(selectedObjects.length > 0 ? selectedObjects : scene.roots);
+    if (!box.isEmpty()) this.editorCamera.focus(box);
+  }
+
+  /** Puts the canvas into an element, whose size it follows. */
+  attach(parent: HTMLElement): void {
+    parent.append(this.canvas);
+    this.resizer.observe(parent);
+    this.resize();
+  }
+
+  /** Takes the canvas out of where it is. */
+  detach(): void {
+    this.resizer.disconnect();
+    this.canvas.remove();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.request);
+    this.resizer.disconnect();
+    for (const end of this.endings) end();
+    this.picker.dispose();
+    this.input.dispose();
+    this.gizmo.dispose();
+    this.helpers.dispose();
+    this.editorCamera.dispose();
+    this.farol.dispose();
+    this.webgl.dispose();
+  }
+
+  /** Whether pointer and keys go to the scene's own components. */
+  private get sceneListens(): boolean {
+    return this.through !== null && this.document.simulation.isPlaying;
+  }
+
+  private sceneOpened(): void {
+    this.lookThrough = null;
+    const { scene } = this.document;
+    const { activeCamera } = scene;
+    scene.three.updateMatrixWorld();
+    if (!activeCamera) return this.editorCamera.focus(boundsOf(scene.roots), false);
+    this.editorCamera.matchCamera(activeCamera, (camera) => hitPoint(scene, camera, middle)?.distance ?? null);
+  }
+
+  /** A camera that was taken out cannot be looked through. */
+  private checkCamera(): void {
+    if (this.through && !this.document.scene.cameras.includes(this.through)) this.lookThrough = null;
+  }
+
+  private resize(): void {
+    const parent = this.canvas.parentElement;
+    if (!parent) return;
+    this.width = Math.max(1, parent.clientWidth);
+    this.height = Math.max(1, parent.clientHeight);
+    this.webgl.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.webgl.setSize(this.width, this.height);
+    this.editorCamera.resize(this.width, this.height);
+    // a canvas that was resized is empty until it is drawn
+    this.renderNow();
+  }
+
+  private readonly frame = (now: number): void => {
+    this.request = requestAnimationFrame(this.frame);
+    const elapsed = this.last === 0 ? 0 : (now - this.last) / 1000;
+    this.last = now;
+    const { simulation } = this.document;
+    simulation.advance(elapsed);
+    if (this.editorCamera.update(Math.min(elapsed, 0.1))) this.invalidate();
+    if (!simulation.isPlaying && !this.always && this.pending === 0) return;
+    this.pending = Math.max(0, this.pending - 1);
+    this.renderNow();
+  };
+}

@@ -1,0 +1,92 @@
+import { Camera, type GameObject, Light, ObjectRenderer } from '@farol/engine';
+import { Box3, Matrix4, OrthographicCamera, Vector3 } from 'three';
+import { boundsOf } from './boundsOf';
+import type { LineSet } from './LineSet';
+
+const identity = new Matrix4();
+const unprojected = new Matrix4();
+const clip = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
+const bounds = new Box3();
+const centre = new Vector3();
+const x = new Vector3();
+const y = new Vector3();
+const z = new Vector3();
+const from = new Vector3();
+const to = new Vector3();
+
+/** Sphere of a point light, cone of a spot light, arrow of a directional light. */
+function drawLight(lines: LineSet, light: Light): void {
+  const { matrixWorld } = light.gameObject.object3D;
+  centre.setFromMatrixPosition(matrixWorld);
+  x.setFromMatrixColumn(matrixWorld, 0).normalize();
+  y.setFromMatrixColumn(matrixWorld, 1).normalize();
+  z.setFromMatrixColumn(matrixWorld, 2).normalize().negate();
+  const reach = Math.min(light.reach, 1000);
+  if (light.type === 'point' && Number.isFinite(light.reach)) {
+    x.set(reach, 0, 0);
+    y.set(0, reach, 0);
+    z.set(0, 0, reach);
+    lines.circle(centre, x, y);
+    lines.circle(centre, y, z);
+    lines.circle(centre, z, x);
+  } else if (light.type === 'spot') {
+    const length = Number.isFinite(light.reach) ? reach : 5;
+    const radius = Math.min(length * Math.tan(Math.min(light.cutoff, 1.5)), length * 4);
+    to.copy(centre).addScaledVector(z, length);
+    x.multiplyScalar(radius);
+    y.multiplyScalar(radius);
+    lines.circle(to, x, y);
+    for (const side of [x, y]) {
+      lines.line(centre, from.copy(to).add(side));
+      lines.line(centre, from.copy(to).sub(side));
+    }
+  } else if (light.type === 'directional') {
+    to.copy(centre).addScaledVector(z, 3);
+    lines.line(centre, to);
+    x.multiplyScalar(0.25);
+    y.multiplyScalar(0.25);
+    lines.circle(centre, x, y, 24);
+    from.copy(to).addScaledVector(z, -0.5);
+    lines.line(to, centre.copy(from).add(x));
+    lines.line(to, centre.copy(from).sub(x));
+  }
+}
+
+/** The edges of what a camera sees, shortened to a size that can be overlooked. */
+function drawCamera(lines: LineSet, camera: Camera): void {
+  const { three } = camera;
+  three.updateWorldMatrix(true, false);
+  unprojected.copy(three.projectionMatrixInverse);
+  if (three instanceof OrthographicCamera) {
+    lines.box(clip, unprojected.premultiply(three.matrixWorld));
+    return;
+  }
+  centre.setFromMatrixPosition(three.matrixWorld);
+  const length = Math.min(camera.far, 3);
+  const corners = [-1, 1, 1, -1].map((right, i) => {
+    const point = new Vector3(right, i < 2 ? -1 : 1, 0.5).applyMatrix4(three.projectionMatrixInverse);
+    return point.multiplyScalar(-length / point.z).applyMatrix4(three.matrixWorld);
+  });
+  corners.forEach((each, i) => {
+    lines.line(centre, each);
+    lines.line(each, corners[(i + 1) % 4]);
+  });
+}
+
+/** Adds the lines that show what is selected: boxes, ranges of lights, views of cameras. */
+export function drawSelection(lines: LineSet, objects: readonly GameObject[], lookThrough: Camera | null): void {
+  for (const object of objects) {
+    const geometry = object.getComponent(ObjectRenderer)?.geometry;
+    const light = object.getComponent(Light);
+    const camera = object.getComponent(Camera);
+    if (geometry && !light) {
+      if (!geometry.boundingBox) geometry.computeBoundingBox();
+      lines.box(geometry.boundingBox!, object.object3D.matrixWorld);
+    } else if (!light && !camera && object.children.length > 0) {
+      boundsOf([object], bounds);
+      if (!bounds.isEmpty()) lines.box(bounds, identity);
+    }
+    if (light) drawLight(lines, light);
+    if (camera && camera !== lookThrough) drawCamera(lines, camera);
+  }
+}

@@ -1,0 +1,24 @@
+// Lines of a metre and of ten, one pixel wide, fading with distance.
+uniform float extent;
+varying vec3 vPosition;
+
+float farol_editorGridLine(vec2 cell) {
+  vec2 width = fwidth(cell);
+  vec2 line = abs(fract(cell - 0.5) - 0.5) / width;
+  // lines closer together than a pixel fade out in place of flickering
+  return (1.0 - min(min(line.x, line.y), 1.0)) * (1.0 - smoothstep(0.2, 0.6, max(width.x, width.y)));
+}
+
+void main() {
+  vec2 place = vPosition.xz;
+  float strength = max(0.10 * farol_editorGridLine(place), 0.22 * farol_editorGridLine(place / 10.0));
+  vec2 axis = 1.0 - min(abs(place) / fwidth(place), vec2(1.0));
+  vec3 colour = vec3(0.55);
+  if (axis.y > 0.0) colour = vec3(0.8, 0.12, 0.1);
+  if (axis.x > 0.0) colour = vec3(0.1, 0.25, 0.85);
+  strength = max(strength, 0.45 * max(axis.x, axis.y));
+  strength *= 1.0 - smoothstep(0.3, 1.0, distance(vPosition, cameraPosition) / extent);
+  if (strength < 0.004) discard;
+  gl_FragColor = vec4(colour, strength);
+  #include <colorspace_fragment>
+}

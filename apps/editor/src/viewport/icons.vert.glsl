@@ -1,0 +1,20 @@
+// Places one icon of the atlas on a point of the world, of one size in pixels at any distance.
+attribute float kind;
+attribute vec3 tint;
+attribute float selected;
+uniform float size;
+varying vec3 vTint;
+varying float vKind;
+varying float vSelected;
+
+void main() {
+  vTint = tint;
+  vKind = kind;
+  vSelected = selected;
+  vec4 positionVS = modelViewMatrix * vec4(position, 1.0);
+  // nearer by 0.3 m, so that a lamp does not hide its own icon
+  if (isOrthographic) positionVS.z += 0.3;
+  else positionVS.xyz *= max(0.5, 1.0 - 0.3 / length(positionVS.xyz));
+  gl_Position = projectionMatrix * positionVS;
+  gl_PointSize = size * (selected > 0.5 ? 1.25 : 1.0);
+}
