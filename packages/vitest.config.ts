@@ -1,8 +1,9 @@
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 
 /** One run over the unit tests of all workspaces, in Node. */
 export default defineConfig({
-  root: new URL('..', import.meta.url).pathname,
+  root: fileURLToPath(new URL('..', import.meta.url)),
   test: {
     include: ['packages/*/**/*.test.ts', 'apps/*/src/**/*.test.{ts,tsx}', 'e2e/support/*.test.ts'],
     exclude: ['**/node_modules/**', '**/dist/**'],

@@ -13,7 +13,11 @@ export interface ViewerHandle {
   readonly camera: Camera;
   readonly engineScene: EngineScene;
   readonly state: { scene: string; technique: string; view: string; time: number | null; gui: boolean };
-  readonly known: { scenes: Record<string, object>; techniques: readonly string[]; views: readonly string[] };
+  readonly known: {
+    scenes: Record<string, { parameters: object }>;
+    techniques: readonly string[];
+    views: readonly string[];
+  };
   readonly modelName: string | null;
   renderAt(seconds: number): void;
   setTechnique(name: string): void;
