@@ -4,6 +4,7 @@ import accumulatedOutput from './accumulatedOutput.glsl?raw';
 import ambientLight from './ambientLight.glsl?raw';
 import countView from './countView.glsl?raw';
 import deferredOutput from './deferredOutput.glsl?raw';
+import depthBin from './depthBin.glsl?raw';
 import fullscreen from './fullscreen.glsl?raw';
 import gbufferRead from './gbufferRead.glsl?raw';
 import gbufferWrite from './gbufferWrite.glsl?raw';
@@ -12,6 +13,7 @@ import heatMap from './heatMap.glsl?raw';
 import heatScale from './heatScale.glsl?raw';
 import incidentLight from './incidentLight.glsl?raw';
 import lightAttenuation from './lightAttenuation.glsl?raw';
+import lightList from './lightList.glsl?raw';
 import lightLoopAll from './lightLoopAll.glsl?raw';
 import lightLoopNone from './lightLoopNone.glsl?raw';
 import lightLoopOne from './lightLoopOne.glsl?raw';
@@ -41,6 +43,7 @@ const sources = {
   ambientLight,
   countView,
   deferredOutput,
+  depthBin,
   fullscreen,
   gbufferRead,
   gbufferWrite,
@@ -49,6 +52,7 @@ const sources = {
   heatScale,
   incidentLight,
   lightAttenuation,
+  lightList,
   lightLoopAll,
   lightLoopNone,
   lightLoopOne,

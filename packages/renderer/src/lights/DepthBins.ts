@@ -1,0 +1,193 @@
+import { type GridLights, SHAPE } from './GridLights';
+
+export const BINS = 1024;
+/** Rank without a light. */
+export const NO_LIGHT = 0xffffffff;
+/** Buckets of the sort by depth. */
+const KEYS = 4096;
+/** Widens the range of each light (bins), for depths that a GPU has rounded. */
+const MARGIN = 1 / 32;
+/** Least range of depths that is cut into bins (units of the last place). */
+const LEAST_RANGE = 1 << 20;
+/** Most lights that are put before the bins. */
+const MOST_DEEP = 128;
+const EXTENTS = 256;
+/** Lights that are read at once, and how many times more such pages than for like lights make deep lights worth a try. */
+const PAGE = 128;
+const LONG = 1.5;
+
+/**
+ * Orders lights by depth, cuts depth into bins, and gives each bin the ranks of its first and its last light.
+ * The first and the last bin have no lights. Bins widen with depth: with the bits of a float as an integer, which grow as
+ * its logarithm does, `bin = clamp(int(float(floatBitsToInt(max(depth + shift, 0.0)) - start) * scale), 0, 1023)`.
+ *
+ * Lights that reach over far more others than most do come first of all: they are in no bin and count for every depth.
+ * Else they would widen each bin they touch, and so all that is shaded there.
+ * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
+ */
+export class DepthBins {
+  shift = 0;
+  start = 0;
+  scale = 0;
+  /** First rank | last rank << 16; first above last where there is none. */
+  readonly bins = new Uint32Array(BINS);
+  /** Rank to light of `GridLights`; NO_LIGHT for the ranks that fill the last word of deep lights. */
+  order = new Uint32Array(0);
+  /** Ranks in use. */
+  count = 0;
+  /** Words (of 32 ranks) of deep lights. */
+  deepWords = 0;
+  private first = new Uint16Array(0);
+  private last = new Uint16Array(0);
+  private keys = new Uint16Array(0);
+  private readonly starts = new Uint32Array(KEYS + 1);
+  private readonly before = new Uint32Array(BINS + 1);
+  private readonly extents = new Uint32Array(EXTENTS);
+  private readonly next = new Uint16Array(BINS + 1);
+
+  /** @param perspective false allows depths of 0 and below */
+  build(lights: GridLights, perspective: boolean): void {
+    const { count } = lights;
+    if (this.first.length < count) {
+      this.first = new Uint16Array(count * 2);
+      this.last = new Uint16Array(count * 2);
+      this.keys = new Uint16Array(count * 2);
+      this.order = new Uint32Array(count * 2 + 32);
+    }
+    if (count === 0) {
+      this.count = this.deepWords = this.shift = this.start = this.scale = 0;
+      this.bins.fill(0xffff);
+      return;
+    }
+    this.setScale(Math.max(lights.nearest, -1e30), Math.min(lights.farthest, 1e30), perspective);
+    this.locate(lights);
+    this.rank(count, Infinity);
+    const cost = this.fillBins();
+    const extent = this.countExtents(count);
+    if (cost < LONG * (extent / PAGE + 1)) return;
+    this.rank(count, this.deepLimit(count, extent));
+    if (this.fillBins() > cost * 0.9) {
+      this.rank(count, Infinity);
+      this.fillBins();
+    }
+  }
+
+  private setScale(nearest: number, farthest: number, perspective: boolean): void {
+    // an orthographic range is moved to where it is one octave
+    const size = Math.max(farthest - nearest, 0.01 * Math.max(Math.abs(nearest), Math.abs(farthest)), 1e-6);
+    this.shift = perspective ? 0 : Math.fround(size - nearest);
+    const start = floatBits(nearest + this.shift);
+    const range = Math.max(floatBits(farthest + this.shift) - start, LEAST_RANGE);
+    this.scale = Math.fround((BINS - 4) / range);
+    this.start = start - Math.ceil(2 / this.scale);
+  }
+
+  /** Finds the bins and the key of each light. */
+  private locate({ shapes, count }: GridLights): void {
+    const { first, last, keys, before, shift, scale, start } = this;
+    before.fill(0);
+    for (let i = 0; i < count; i++) {
+      const from = (floatBits(shapes[i * SHAPE + 8] + shift) - start) * scale;
+      const to = (floatBits(shapes[i * SHAPE + 9] + shift) - start) * scale;
+      first[i] = from - MARGIN;
+      last[i] = Math.min(BINS - 2, to + MARGIN);
+      const key = Math.min(KEYS - 1, (from + to) * 2) | 0;
+      keys[i] = key;
+      before[(key >> 2) + 1]++;
+    }
+    for (let bin = 0; bin < BINS; bin++) before[bin + 1] += before[bin];
+  }
+
+  /** Sorts by counting: lights of more than an extent, then the others by the middle of their depth. */
+  private rank(count: number, limit: number): void {
+    const { keys, starts, order } = this;
+    starts.fill(0);
+    let deep = 0;
+    for (let i = 0; i < count; i++) {
+      if (limit < count && this.extent(i) > limit) order[deep++] = i;
+      else starts[keys[i] + 1]++;
+    }
+    this.deepWords = (deep + 31) >> 5;
+    const padded = this.deepWords * 32;
+    order.fill(NO_LIGHT, deep, padded);
+    this.count = count - deep + padded;
+    starts[0] = padded;
+    for (let key = 0; key < KEYS; key++) starts[key + 1] += starts[key];
+    for (let i = 0; i < count; i++) {
+      if (!(limit < count && this.extent(i) > limit)) order[starts[keys[i]]++] = i;
+    }
+  }
+
+  /** How many lights have their middle between the ends of this one. */
+  private extent(i: number): number {
+    return this.before[this.last[i] + 1] - this.before[this.first[i]];
+  }
+
+  /** Counts the extents by size. @returns their mean */
+  private countExtents(count: number): number {
+    const { extents } = this;
+    let sum = 0;
+    extents.fill(0);
+    for (let i = 0; i < count; i++) {
+      const extent = this.extent(i);
+      sum += extent;
+      extents[((extent / (count + 1)) * EXTENTS) | 0]++;
+    }
+    return sum / count;
+  }
+
+  /** The extent above which lights are deep: twice the mean, or so much more that at most MOST_DEEP are. */
+  private deepLimit(count: number, mean: number): number {
+    let step = EXTENTS;
+    for (let deep = 0; step > 0; step--) {
+      deep += this.extents[step - 1];
+      if (deep > MOST_DEEP) break;
+    }
+    return Math.max(2 * mean, (step / EXTENTS) * (count + 1));
+  }
+
+  /** @returns the mean number of pages that are read for a depth */
+  private fillBins(): number {
+    const { bins, order, next, first, last, count } = this;
+    const start = this.deepWords * 32;
+    bins.fill(0xffff);
+    // each bin is set once: `next` leads over those that are
+    for (let bin = 0; bin <= BINS; bin++) next[bin] = bin;
+    for (let rank = start; rank < count; rank++) {
+      const end = last[order[rank]];
+      for (let bin = follow(next, first[order[rank]]); bin <= end; bin = follow(next, bin)) {
+        bins[bin] = rank;
+        next[bin] = bin + 1;
+      }
+    }
+    for (let bin = 0; bin <= BINS; bin++) next[bin] = bin;
+    let pages = 0;
+    for (let rank = count - 1; rank >= start; rank--) {
+      const end = last[order[rank]];
+      for (let bin = follow(next, first[order[rank]]); bin <= end; bin = follow(next, bin)) {
+        pages += ((rank / PAGE) | 0) - ((bins[bin] / PAGE) | 0) + 1;
+        bins[bin] |= rank << 16;
+        next[bin] = bin + 1;
+      }
+    }
+    return pages / BINS + Math.ceil(start / PAGE);
+  }
+}
+
+const float = new Float32Array(1);
+const bits = new Int32Array(float.buffer);
+
+function floatBits(value: number): number {
+  float[0] = value;
+  return bits[0];
+}
+
+/** First bin from this one on that is not set, halving the path on the way. */
+function follow(next: Uint16Array, bin: number): number {
+  let at = bin;
+  while (next[at] !== at) {
+    next[at] = next[next[at]];
+    at = next[at];
+  }
+  return at;
+}

@@ -1,0 +1,114 @@
+import { DepthBins, NO_LIGHT } from './DepthBins';
+import { GridFrame } from './GridFrame';
+import { GridLights } from './GridLights';
+import { TileMasks } from './TileMasks';
+
+/** Most lights of a grid: ranks are 16 bits, and 31 may be left free. */
+export const MOST_LIGHTS = 65_504;
+
+/**
+ * Which lights may reach which pixels: bit masks by tile, and ranges by depth. The lights of a pixel are the bits that are
+ * set in its tile's mask, at the ranks below `deepWords * 32` and between the first and last rank of its depth's bin.
+ * No light that reaches a point is ever missing there; no list can overflow; nothing is allocated but to grow.
+ *
+ * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
+ */
+export class LightGrid {
+  /** Ranks in use. */
+  count = 0;
+  /** Rank to light; 0 for ranks that no tile has. Only the first `count`. */
+  order = new Uint32Array(0);
+  private readonly frame = new GridFrame();
+  private readonly lights = new GridLights();
+  private readonly tileMasks = new TileMasks();
+  private readonly depthBins = new DepthBins();
+
+  /** @param tileSize pixels of a tile's side, above 0 */
+  constructor(readonly tileSize = 32) {
+    if (!(tileSize > 0)) throw new RangeError(`LightGrid: a tile of ${tileSize} pixels; give a size above 0.`);
+  }
+
+  get tilesX(): number {
+    return this.frame.tilesX;
+  }
+
+  /** Rows of tiles; row 0 is the bottom of the picture. */
+  get tilesY(): number {
+    return this.frame.tilesY;
+  }
+
+  /** Words a tile, a multiple of 4. */
+  get words(): number {
+    return this.tileMasks.words;
+  }
+
+  /**
+   * Word `w` of tile `(x, y)` at `((w >> 2) * tilesY * tilesX + y * tilesX + x) * 4 + (w & 3)`: a row of RGBA32UI texels is a
+   * row of tiles, four words a texel. Only the first `tilesX * tilesY * words`; longer than that as a rule.
+   */
+  get masks(): Uint32Array {
+    return this.tileMasks.masks;
+  }
+
+  /** First rank | last rank << 16 of each of 1,024 bins; first above last where there is none. */
+  get bins(): Uint32Array {
+    return this.depthBins.bins;
+  }
+
+  /** Words, from 0 on, whose lights count for every depth. */
+  get deepWords(): number {
+    return this.depthBins.deepWords;
+  }
+
+  /**
+   * Of a depth, -z in view space (m), GLSL finds its bin as
+   * `clamp(int(float(floatBitsToInt(max(depth + depthShift, 0.0)) - depthStart) * depthScale), 0, 1023)`.
+   */
+  get depthShift(): number {
+    return this.depthBins.shift;
+  }
+
+  /** A whole number. */
+  get depthStart(): number {
+    return this.depthBins.start;
+  }
+
+  get depthScale(): number {
+    return this.depthBins.scale;
+  }
+
+  /**
+   * @param count lights, up to MOST_LIGHTS
+   * @param spheres [count, 4] centre in view space and radius (m), finite centres; radius 0 to Infinity
+   * @param projection 16 elements, column-major: perspective, off-centre perspective or orthographic
+   * @param near depth of the near plane (m); above 0 for a perspective
+   * @param far depth of the far plane (m), or Infinity
+   * @param width of the picture (pixels), with height
+   * @param cones [count, 4] unit vector from where the light shines to the light (view space), and the cosine of its cutoff,
+   *   0 to 1; -1 for a sphere. Null: all are spheres
+   * @throws RangeError for too many lights
+   */
+  update(
+    count: number,
+    spheres: ArrayLike<number>,
+    projection: ArrayLike<number>,
+    near: number,
+    far: number,
+    width: number,
+    height: number,
+    cones: ArrayLike<number> | null = null,
+  ): void {
+    if (count > MOST_LIGHTS) throw new RangeError(`LightGrid: ${count} lights; it takes up to ${MOST_LIGHTS}.`);
+    const { frame, lights, depthBins } = this;
+    frame.set(projection, near, far, width, height, this.tileSize);
+    lights.collect(count, spheres, cones, projection, frame);
+    depthBins.build(lights, frame.perspective);
+    this.tileMasks.fill(lights, depthBins.order, depthBins.count, frame);
+    this.count = depthBins.count;
+    if (this.order.length < this.count) this.order = new Uint32Array(depthBins.order.length);
+    for (let rank = 0; rank < this.count; rank++) {
+      const light = depthBins.order[rank];
+      this.order[rank] = light === NO_LIGHT ? 0 : lights.index[light];
+    }
+  }
+}
