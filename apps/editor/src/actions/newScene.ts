@@ -16,6 +16,7 @@ export const newScene: Action = {
     sun.transform.lookAt([6, 8, 4], [0, 0, 0]);
     const sky = new GameObject('Sky');
     sky.addComponent(Light, { type: 'hemisphere', intensity: 0.4 });
+    sky.transform.position = [0, 5, 0];
     for (const object of [camera, sun, sky]) scene.add(object);
     editor.show(scene, { name: null, handle: null });
   },

@@ -21,8 +21,9 @@ CameraControls.install({
 });
 const { ACTION } = CameraControls;
 
-/** Distance (m) of the point that is orbited when nothing is seen there. */
+/** Distance (m) of the point that is orbited when nothing is seen there, not even the ground, and the longest one. */
 const DEFAULT_DISTANCE = 15;
+const FARTHEST_TARGET = 60;
 
 /** What keys do while the canvas has the focus: angles (rad), or with Shift parts of the distance. */
 const nudges: Readonly<
@@ -112,7 +113,9 @@ export class EditorCamera {
   focus(box: Box3, animate = true): void {
     const sphere = box.getBoundingSphere(new Sphere());
     sphere.radius = Math.max(sphere.radius * 1.15, 0.5);
-    void this.controls.fitToSphere(sphere, animate && this.controls.smoothTime > 0);
+    const glide = animate && this.controls.smoothTime > 0;
+    void this.controls.fitToSphere(sphere, glide);
+    if (!glide) this.controls.update(0);
   }
 
   /**
@@ -128,7 +131,8 @@ export class EditorCamera {
     component.updateViewMatrix();
     eye.setFromMatrixPosition(three.matrixWorld);
     front.setFromMatrixColumn(three.matrixWorld, 2).normalize().negate();
-    const distance = Math.min(distanceTo(three) ?? DEFAULT_DISTANCE, 60);
+    const toGround = front.y < 0 ? -eye.y / front.y : DEFAULT_DISTANCE;
+    const distance = Math.min(distanceTo(three) ?? toGround, FARTHEST_TARGET);
     front.multiplyScalar(distance).add(eye);
     void this.controls.setLookAt(eye.x, eye.y, eye.z, front.x, front.y, front.z, false);
     this.controls.update(0);

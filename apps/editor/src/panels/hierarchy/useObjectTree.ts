@@ -24,9 +24,23 @@ const ROOT = '/';
 export const INDENT = 14;
 
 type Item = ItemInstance<string>;
+type Enabled = (tree: TreeInstance<string>) => boolean;
 
 /** After an arrow key the focused item is the selected one, as in other editors. */
-const selectFocused = (tree: TreeInstance<string>): void => tree.setSelectedItems([tree.getFocusedItem().getId()]);
+function selectFocused(tree: TreeInstance<string>): void {
+  tree.updateDomFocus();
+  tree.setSelectedItems([tree.getFocusedItem().getId()]);
+}
+
+/** The settings that headless-tree has for the arrow keys. */
+const arrow = (
+  hotkey: string,
+): { hotkey: string; canRepeat: boolean; preventDefault: boolean; isEnabled: Enabled } => ({
+  hotkey,
+  canRepeat: true,
+  preventDefault: true,
+  isEnabled: (tree) => !tree.getState().dnd,
+});
 
 /** The tree of the document's GameObjects, with selection, renaming, and re-parenting by drag and by keyboard. */
 export function useObjectTree(scrollTo: (index: number) => void): TreeInstance<string> {
@@ -73,10 +87,20 @@ export function useObjectTree(scrollTo: (index: number) => void): TreeInstance<s
     },
     hotkeys: {
       // F2 is an action of the editor's, wherever the focus is
-      renameItem: { isEnabled: () => false },
-      focusNextItem: { handler: (_, self) => (self.focusNextItem(), self.updateDomFocus(), selectFocused(self)) },
+      renameItem: { hotkey: 'F2', isEnabled: () => false, handler: () => {} },
+      focusNextItem: {
+        ...arrow('ArrowDown'),
+        handler: (_, self) => {
+          self.focusNextItem();
+          selectFocused(self);
+        },
+      },
       focusPreviousItem: {
-        handler: (_, self) => (self.focusPreviousItem(), self.updateDomFocus(), selectFocused(self)),
+        ...arrow('ArrowUp'),
+        handler: (_, self) => {
+          self.focusPreviousItem();
+          selectFocused(self);
+        },
       },
     },
     features: [

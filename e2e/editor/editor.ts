@@ -1,0 +1,85 @@
+import type { GameObject, Scene } from '@farol/engine';
+import type { Page } from '@playwright/test';
+
+/** `window.editor` as far as the tests use it; documented in apps/editor/src/Editor.ts. */
+export interface EditorHandle {
+  readonly ready: Promise<void>;
+  readonly document: {
+    readonly scene: Scene;
+    readonly selectedObjects: GameObject[];
+    readonly selection: { readonly ids: readonly string[]; set(ids: readonly string[]): void };
+    readonly simulation: { readonly state: string };
+  };
+  readonly commands: { readonly history: readonly string[]; readonly isDirty: boolean };
+  readonly viewport: {
+    readonly canvas: HTMLCanvasElement;
+    readonly camera: GameObject['object3D'];
+    readonly technique: string;
+    readonly view: string;
+    readonly statistics: { readonly frames: number };
+    readonly editorCamera: { readonly target: { toArray(): number[] } };
+    renderNow(): void;
+  };
+  serialize(): string;
+}
+
+declare global {
+  interface Window {
+    editor: EditorHandle;
+  }
+}
+
+/** Opens the editor with small panels and without the browser's own file dialogs, and waits for the temple. */
+export async function openEditor(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    // the fallbacks, a download and a file input, are what a test can answer
+    Reflect.deleteProperty(window, 'showOpenFilePicker');
+    Reflect.deleteProperty(window, 'showSaveFilePicker');
+  });
+  await page.goto('./');
+  await waitUntilReady(page);
+}
+
+export async function waitUntilReady(page: Page): Promise<void> {
+  await page.waitForFunction(() => 'editor' in window);
+  await page.evaluate(() => window.editor.ready);
+}
+
+/** Goes from the temple to a scene that is quickly drawn: a camera, a sun and a sky. */
+export async function openEmptyScene(page: Page): Promise<void> {
+  await page.getByRole('button', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New' }).press('ArrowRight');
+  await page.getByRole('menuitem', { name: 'Empty scene' }).click();
+  await page.waitForFunction(() => window.editor.document.scene.name === 'Untitled');
+}
+
+/** Adds something from the Add menu: the submenu's name, if it is in one, and its own. */
+export async function addObject(page: Page, ...names: string[]): Promise<void> {
+  await page.getByRole('button', { name: 'Add', exact: true }).click();
+  for (const name of names.slice(0, -1)) await page.getByRole('menuitem', { name, exact: true }).press('ArrowRight');
+  await page.getByRole('menuitem', { name: names.at(-1), exact: true }).click();
+}
+
+export const serialized = (page: Page): Promise<string> => page.evaluate(() => window.editor.serialize());
+
+export const history = (page: Page): Promise<readonly string[]> => page.evaluate(() => window.editor.commands.history);
+
+/** A field of the scene's object of this name, as authored. */
+export const fieldOf = (page: Page, object: string, component: string, field: string): Promise<unknown> =>
+  page.evaluate(([name, type, key]) => window.editor.document.scene.find(name)!.getComponent(type)!.getAuthored(key), [
+    object,
+    component,
+    field,
+  ] as const);
+
+/** Where the middle of an object is on the page (CSS pixels), once a frame is drawn. */
+export const pointOf = (page: Page, object: string): Promise<{ x: number; y: number }> =>
+  page.evaluate((name) => {
+    const { viewport, document } = window.editor;
+    viewport.renderNow();
+    const { object3D } = document.scene.find(name)!;
+    const place = object3D.getWorldPosition(object3D.position.clone());
+    place.project(viewport.camera as never);
+    const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
+    return { x: left + ((place.x + 1) / 2) * width, y: top + ((1 - place.y) / 2) * height };
+  }, object);

@@ -1,0 +1,276 @@
+import { readFile, writeFile } from 'node:fs/promises';
+import { expect, test } from '../support/test';
+import { addObject, fieldOf, history, openEditor, openEmptyScene, pointOf, serialized, waitUntilReady } from './editor';
+
+// a small picture: the software rasteriser draws every pixel on the CPU
+test.use({ viewport: { width: 900, height: 420 }, reducedMotion: 'reduce' });
+
+test('opens the temple with its lights', async ({ page }) => {
+  await openEditor(page);
+  const counts = await page.evaluate(() => ({
+    lights: window.editor.document.scene.lights.filter(({ type }) => type === 'point').length,
+    rows: document.querySelectorAll('[role="treeitem"]').length,
+    frames: window.editor.viewport.statistics.frames,
+  }));
+  expect(counts.lights).toBe(50);
+  expect(counts.rows).toBe(await page.evaluate(() => window.editor.document.scene.roots.length));
+  expect(counts.frames).toBeGreaterThan(0);
+  await expect(page.getByRole('contentinfo', { name: 'Status' })).toContainText('58 lights');
+});
+
+test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page }, info) => {
+  // the temple is loaded twice
+  test.setTimeout(120_000);
+  await openEditor(page);
+  await openEmptyScene(page);
+  const empty = await serialized(page);
+
+  await addObject(page, 'Mesh', 'Box');
+  await expect(page.getByRole('treeitem', { name: 'Box' })).toHaveAttribute('aria-selected', 'true');
+
+  await page.getByRole('button', { name: 'Add component' }).click();
+  await page.getByRole('menuitem', { name: /^Light/ }).click();
+  const light = page.getByRole('region', { name: 'Light', exact: true });
+  await expect(light).toBeVisible();
+
+  // scrub: many values, one step
+  const before = (await history(page)).length;
+  const handle = light.locator('[data-field="intensity"] .number-handle');
+  await handle.scrollIntoViewIfNeeded();
+  const box = (await handle.boundingBox())!;
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  for (let i = 1; i <= 8; i++) await page.mouse.move(box.x + box.width / 2 + i * 5, box.y + box.height / 2);
+  const dragged = (await fieldOf(page, 'Box', 'Light', 'intensity')) as number;
+  expect(dragged).toBeGreaterThan(1);
+  expect((await history(page)).length).toBe(before);
+  await page.mouse.up();
+  expect((await history(page)).length).toBe(before + 1);
+  expect(await fieldOf(page, 'Box', 'Light', 'intensity')).toBe(dragged);
+  await expect(light.getByLabel('Intensity', { exact: true })).toHaveValue(String(dragged));
+
+  // undo works although the number has the focus, and the number follows
+  await page.keyboard.press('Control+z');
+  expect(await fieldOf(page, 'Box', 'Light', 'intensity')).toBe(1);
+  await expect(light.getByLabel('Intensity', { exact: true })).toHaveValue('1');
+  await page.keyboard.press('Control+y');
+  expect(await fieldOf(page, 'Box', 'Light', 'intensity')).toBe(dragged);
+
+  // typed, chosen, checked
+  await light.getByLabel('Range').fill('7.25');
+  await page.keyboard.press('Enter');
+  await light.getByRole('combobox', { name: 'Type' }).click();
+  await page.getByRole('option', { name: 'spot' }).click();
+  await light.getByLabel('Cutoff angle').fill('40');
+  await page.keyboard.press('Tab');
+  expect(await fieldOf(page, 'Box', 'Light', 'cutoff')).toBeCloseTo((40 * Math.PI) / 180, 12);
+  await light.getByLabel('Cast shadow').click();
+
+  const file = info.outputPath('scene.json');
+  const download = page.waitForEvent('download');
+  await page.keyboard.press('Control+s');
+  await (await download).saveAs(file);
+  const saved = await serialized(page);
+  expect(await readFile(file, 'utf8')).toBe(saved);
+  await expect.poll(() => page.evaluate(() => window.editor.commands.isDirty)).toBe(false);
+
+  // all of it back, and again
+  while (await page.evaluate(() => window.editor.commands.history.length)) await page.keyboard.press('Control+z');
+  expect(await serialized(page)).toBe(empty);
+  for (let i = 0; i < 7; i++) await page.keyboard.press('Control+Shift+z');
+  expect(await serialized(page)).toBe(saved);
+
+  await page.reload();
+  await waitUntilReady(page);
+  expect(await serialized(page)).not.toBe(saved);
+  const chooser = page.waitForEvent('filechooser');
+  await page.keyboard.press('Control+o');
+  await (await chooser).setFiles(file);
+  await expect(page.getByRole('treeitem', { name: 'Box' })).toBeVisible();
+  expect(await serialized(page)).toBe(saved);
+  expect(await history(page)).toEqual([]);
+});
+
+test('picks in the picture, moves by the gizmo in one step, deletes and brings back', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await addObject(page, 'Mesh', 'Sphere');
+  await page.keyboard.press('f');
+  await page.keyboard.press('Escape');
+  expect(await page.evaluate(() => window.editor.document.selection.ids)).toEqual([]);
+
+  const middle = await pointOf(page, 'Sphere');
+  await page.mouse.click(middle.x, middle.y);
+  await expect(page.getByRole('treeitem', { name: 'Sphere' })).toHaveAttribute('aria-selected', 'true');
+
+  // the handle of the x axis, where three draws it: 0.85 of a sixth of the picture's height, in perspective
+  const from = (await fieldOf(page, 'Sphere', 'Transform', 'position')) as number[];
+  const before = await serialized(page);
+  const steps = await history(page);
+  const start = await page.evaluate(() => {
+    const { viewport, document } = window.editor;
+    const { object3D } = document.scene.find('Sphere')!;
+    const place = object3D.getWorldPosition(object3D.position.clone());
+    const eye = place.clone().setFromMatrixPosition(viewport.camera.matrixWorld);
+    const { fov } = viewport.camera as unknown as { fov: number };
+    const size = (place.distanceTo(eye) * Math.min(1.9 * Math.tan((Math.PI * fov) / 360), 7) * 0.85) / 4;
+    place.x += size * 0.4;
+    place.project(viewport.camera as never);
+    const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
+    return { x: left + ((place.x + 1) / 2) * width, y: top + ((1 - place.y) / 2) * height };
+  });
+  const along = { x: (start.x - middle.x) * 0.5, y: (start.y - middle.y) * 0.5 };
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  for (let i = 1; i <= 5; i++) await page.mouse.move(start.x + (along.x * i) / 5, start.y + (along.y * i) / 5);
+  await page.mouse.up();
+  const to = (await fieldOf(page, 'Sphere', 'Transform', 'position')) as number[];
+  expect(to[0]).toBeGreaterThan(from[0] + 0.05);
+  expect(to.slice(1)).toEqual(from.slice(1));
+  expect(await history(page)).toEqual([...steps, 'Move Sphere']);
+  await page.keyboard.press('Control+z');
+  expect(await serialized(page)).toBe(before);
+
+  // the sphere stays selected: a drag is no click
+  await page.keyboard.press('Delete');
+  await expect(page.getByRole('treeitem', { name: 'Sphere' })).toHaveCount(0);
+  await page.keyboard.press('Control+z');
+  await expect(page.getByRole('treeitem', { name: 'Sphere' })).toHaveAttribute('aria-selected', 'true');
+  expect(await serialized(page)).toBe(before);
+});
+
+test('picks a light by its icon', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await addObject(page, 'Light', 'Point light');
+  await page.keyboard.press('Escape');
+  const icon = await pointOf(page, 'Point light');
+  await page.mouse.click(icon.x + 5, icon.y - 5);
+  const selected = await page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name));
+  expect(selected).toEqual(['Point light']);
+});
+
+test('re-parents by keyboard, duplicates, renames and hides', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await addObject(page, 'Empty object');
+  await page.keyboard.press('F2');
+  await page.getByLabel('Name of Object').fill('Parent');
+  await page.keyboard.press('Enter');
+  await addObject(page, 'Mesh', 'Torus');
+  const before = await serialized(page);
+
+  // take it up, one place higher is on 'Parent'
+  await page.getByRole('treeitem', { name: 'Torus' }).focus();
+  await page.keyboard.press('Control+Shift+d');
+  const parentOf = (): Promise<string | null> =>
+    page.evaluate(() => window.editor.document.scene.find('Torus')!.parent?.name ?? null);
+  for (let i = 0; i < 6; i++) {
+    await page.keyboard.press('ArrowUp');
+    const target = page.locator('.row.drop-target');
+    if ((await target.count()) === 1 && (await target.getAttribute('aria-label')) === 'Parent') break;
+  }
+  await page.keyboard.press('Enter');
+  expect(await parentOf()).toBe('Parent');
+  await expect(page.getByRole('treeitem', { name: 'Torus' })).toHaveAttribute('aria-level', '2');
+  await page.keyboard.press('Control+z');
+  expect(await parentOf()).toBeNull();
+  expect(await serialized(page)).toBe(before);
+
+  await page.keyboard.press('Control+d');
+  await expect(page.getByRole('treeitem', { name: 'Torus' })).toHaveCount(2);
+  await page.keyboard.press('h');
+  const [active] = await page.evaluate(() => window.editor.document.selectedObjects.map((object) => object.active));
+  expect(active).toBe(false);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  expect(await serialized(page)).toBe(before);
+});
+
+test('re-parents by drag, where it stays in the world', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await addObject(page, 'Empty object');
+  await page.getByLabel('Position x').fill('3');
+  await page.getByLabel('Rotation y').fill('90');
+  await page.keyboard.press('Enter');
+  await addObject(page, 'Mesh', 'Cone');
+  const world = (): Promise<number[]> =>
+    page.evaluate(() => window.editor.document.scene.find('Cone')!.transform.worldPosition.toArray());
+  const before = await world();
+  await page.getByRole('treeitem', { name: 'Cone' }).dragTo(page.getByRole('treeitem', { name: 'Object' }));
+  await expect(page.getByRole('treeitem', { name: 'Cone' })).toHaveAttribute('aria-level', '2');
+  const after = await world();
+  after.forEach((value, i) => expect(value).toBeCloseTo(before[i], 6));
+  expect((await history(page)).at(-1)).toBe('Move Cone');
+});
+
+test('plays, pauses, steps and stops without a trace in the history', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await addObject(page, 'Mesh', 'Box');
+  await page.getByRole('button', { name: 'Add component' }).click();
+  await page.getByRole('menuitem', { name: /^Random Movement/ }).click();
+  const before = await serialized(page);
+  const steps = await history(page);
+  const time = (): Promise<number> => page.evaluate(() => window.editor.document.scene.time);
+  const place = (): Promise<readonly number[]> =>
+    page.evaluate(() => [...window.editor.document.scene.find('Box')!.transform.position]);
+  const authored = await place();
+
+  await page.keyboard.press('Control+p');
+  await expect.poll(time).toBeGreaterThan(0.2);
+  await page.keyboard.press('Control+Shift+p');
+  const paused = await time();
+  expect(await place()).not.toEqual(authored);
+  await expect(page.getByText(/^now /)).toBeVisible();
+  await page.getByRole('button', { name: /^Step/ }).click();
+  expect(await time()).toBeCloseTo(paused + 1 / 60, 6);
+  await page.getByRole('button', { name: /^Stop/ }).click();
+  expect(await time()).toBe(0);
+  expect(await place()).toEqual(authored);
+  expect(await serialized(page)).toBe(before);
+  expect(await history(page)).toEqual(steps);
+});
+
+test('lists all that is wrong with a broken file, and keeps the scene', async ({ page }, info) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await addObject(page, 'Mesh', 'Box');
+  const before = await serialized(page);
+  const file = JSON.parse(before) as {
+    objects: { parent: string | null; components: { type: string; values: Record<string, unknown> }[] }[];
+  };
+  file.objects[0].components[0].values.position = ['a', 0, 0];
+  file.objects[1].parent = 'nobody';
+  file.objects.at(-1)!.components[1].type = 'Teleporter';
+  const path = info.outputPath('broken.json');
+  await writeFile(path, JSON.stringify(file));
+
+  const chooser = page.waitForEvent('filechooser');
+  await page.keyboard.press('Control+o');
+  await page.getByRole('button', { name: 'Discard changes' }).click();
+  await (await chooser).setFiles(path);
+  const dialog = page.getByRole('dialog', { name: 'broken.json cannot be opened' });
+  await expect(dialog.getByRole('listitem')).toHaveCount(3);
+  await expect(dialog).toContainText('objects[0].components[0].values.position');
+  await expect(dialog).toContainText('nobody');
+  await expect(dialog).toContainText('Teleporter');
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  expect(await serialized(page)).toBe(before);
+  expect(await history(page)).toEqual(['Add Box']);
+});
+
+test('switches technique and view', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await page.getByRole('combobox', { name: 'Technique' }).click();
+  await page.getByRole('option', { name: /^Forward, multipass/ }).click();
+  await page.getByRole('combobox', { name: 'View' }).click();
+  await page.getByRole('option', { name: 'Normal' }).click();
+  expect(await page.evaluate(() => [window.editor.viewport.technique, window.editor.viewport.view])).toEqual([
+    'forward',
+    'normal',
+  ]);
+  await expect(page.getByRole('combobox', { name: 'Technique' })).toHaveText(/Forward, multipass/);
+});
