@@ -8,14 +8,13 @@ layout(location = 0) out highp vec4 farol_lighting;
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 float depth = texelFetch(farol_gDepth, pixel, 0).r;
 if (depth >= 1.0) discard;
-vec3 positionVS = farol_unproject(gl_FragCoord.xy / farol_size, depth);
 #ifdef FAROL_COUNT
 farol_lighting = vec4(1.0, 0.0, 0.0, 0.0);
 #else
-FarolLight light = farol_localLight(farol_record, positionVS);
-if (light.attenuation <= 0.0) discard;
-FarolSurface surface = farol_readSurface(pixel, depth, farol_size);
-FarolShading shading = farol_beginShading(surface);
-farol_shade(shading, light);
-farol_lighting = vec4(farol_endShading(shading, surface), 0.0);
+vec4 centre = farol_lightTexel(farol_record, 0);
+vec3 toLight = centre.xyz - farol_unproject(gl_FragCoord.xy / farol_size, depth);
+if (dot(toLight, toLight) >= centre.w * centre.w) discard;
+FarolShading shading = farol_beginShading(pixel, depth, farol_size);
+farol_addBounded(shading, farol_record);
+farol_lighting = vec4(farol_endShading(shading, pixel), 0.0);
 #endif

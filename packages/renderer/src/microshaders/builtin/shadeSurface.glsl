@@ -6,89 +6,138 @@
 uniform highp sampler2D dfgLUT;
 
 struct FarolShading {
-  bool physical;
+  int flags;
   vec3 positionVS;
   vec3 normalVS;
   vec3 viewDirVS;
-  float dotNV; // clamped to 0..1
-  float dotNVRaw;
+  float dotNV; // not clamped
   float alphaSquared; // physical: alpha²; Blinn-Phong: shininess
   float lambdaV; // of the height-correlated Smith term
-  float f0; // of the dielectric, physical only
-  float f90;
+  float diffuse0; // 1 - F at normal incidence, of the layer over the diffuse one
+  float diffuse90; // what Schlick's fifth power takes from that
   vec3 diffuse; // sum of c N·L (1 - F)
-  vec3 specularF0; // sum of c N·L V D (1 - f), f: Schlick's fifth power
-  vec3 specularF90; // sum of c N·L V D f
-  vec3 ambient; // ambient light of the lights themselves
+  vec3 specular; // sum of c N·L V D
+  vec3 grazing; // sum of c N·L V D f, f: Schlick's fifth power
 };
 
-FarolShading farol_beginShading(const in FarolSurface surface) {
+bool farol_isPhysical(const in FarolShading s) {
+  return (s.flags & 3) == 1;
+}
+
+FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, const in vec2 size) {
   FarolShading s;
-  s.physical = (surface.flags & 3) == 1;
-  s.positionVS = surface.positionVS;
-  s.normalVS = surface.normalVS;
-  s.viewDirVS = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-surface.positionVS);
-  s.dotNVRaw = dot(s.normalVS, s.viewDirVS);
-  s.dotNV = clamp(s.dotNVRaw, 0.0, 1.0);
-  if (s.physical) {
-    float roughness = max(surface.material.r, 0.045);
+  s.flags = int(texelFetch(farol_gAlbedo, pixel, 0).a * 255.0 + 0.5);
+  s.positionVS = farol_unproject((vec2(pixel) + 0.5) / size, depth);
+  s.normalVS = farol_decodeNormal(texelFetch(farol_gNormal, pixel, 0).xy);
+  s.viewDirVS = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-s.positionVS);
+  s.dotNV = dot(s.normalVS, s.viewDirVS);
+  if (farol_isPhysical(s)) {
+    vec4 material = texelFetch(farol_gMaterial, pixel, 0);
+    float roughness = max(material.r, 0.045);
     float alpha = roughness * roughness;
+    float dotNV = clamp(s.dotNV, 0.0, 1.0);
     s.alphaSquared = alpha * alpha;
-    s.lambdaV = sqrt(s.alphaSquared + (1.0 - s.alphaSquared) * s.dotNV * s.dotNV);
-    s.f0 = surface.material.b * surface.material.b;
-    s.f90 = surface.material.a;
+    s.lambdaV = sqrt(s.alphaSquared + (1.0 - s.alphaSquared) * dotNV * dotNV);
+    s.diffuse0 = 1.0 - material.b * material.b;
+    s.diffuse90 = material.a - material.b * material.b;
   } else {
-    s.alphaSquared = surface.accumulation.a;
+    s.alphaSquared = texelFetch(farol_gAccumulation, pixel, 0).a;
     s.lambdaV = 0.0;
-    s.f0 = 0.0;
-    s.f90 = 0.0;
+    s.diffuse0 = 1.0;
+    s.diffuse90 = 0.0;
   }
-  s.diffuse = s.specularF0 = s.specularF90 = s.ambient = vec3(0.0);
+  s.diffuse = s.specular = s.grazing = vec3(0.0);
   return s;
 }
 
-void farol_shade(inout FarolShading s, const in FarolLight light) {
+// direction: to the light, unit; colours: what arrives at a surface that faces it
+void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3 diffuseColor, const in vec3 specularColor) {
+  float dotNLRaw = dot(s.normalVS, direction);
+  if (dotNLRaw <= 0.0) return;
+  float dotNL = min(dotNLRaw, 1.0);
+  float dotLV = dot(direction, s.viewDirVS);
+  // half vector h = (l + v) / |l + v|, |l + v|² = 2 + 2 l·v
+  float halfScale = inversesqrt(max(2.0 + 2.0 * dotLV, 1e-8));
+  float dotNH = clamp((dotNLRaw + s.dotNV) * halfScale, 0.0, 1.0);
+  float dotVH = min((1.0 + dotLV) * halfScale, 1.0);
+  float fresnel = exp2((-5.55473 * dotVH - 6.98316) * dotVH);
+  float lobe;
+  if (farol_isPhysical(s)) {
+    float lambdaL = sqrt(s.alphaSquared + (1.0 - s.alphaSquared) * dotNL * dotNL);
+    float d = dotNH * dotNH * (s.alphaSquared - 1.0) + 1.0;
+    // V = 0.5 / (gv + gl), D = alpha² / (pi d²)
+    lobe = 0.1591549431 * s.alphaSquared / (max(dotNL * s.lambdaV + clamp(s.dotNV, 0.0, 1.0) * lambdaL, 1e-6) * d * d);
+  } else {
+    lobe = 0.0795774716 * (s.alphaSquared * 0.5 + 1.0) * pow(dotNH, s.alphaSquared);
+  }
+  lobe *= dotNL;
+  s.diffuse += dotNL * (s.diffuse0 - s.diffuse90 * fresnel) * diffuseColor;
+  s.specular += lobe * specularColor;
+  s.grazing += lobe * fresnel * specularColor;
+}
+
+void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   vec3 diffuseColor = light.color;
   vec3 specularColor = light.color;
   if (light.extension > 0) {
     diffuseColor *= farol_lightTexel(light.extension, 0).rgb;
     specularColor *= farol_lightTexel(light.extension, 1).rgb;
-    s.ambient += farol_lightTexel(light.extension, 2).rgb * light.attenuation;
+    s.diffuse += farol_lightTexel(light.extension, 2).rgb * light.attenuation;
   }
-  float dotNLRaw = dot(s.normalVS, light.direction);
-  if (dotNLRaw <= 0.0) return;
-  float dotNL = min(dotNLRaw, 1.0);
-  float dotLV = dot(light.direction, s.viewDirVS);
-  // half vector h = (l + v) / |l + v|, |l + v|² = 2 + 2 l·v
-  float halfScale = inversesqrt(max(2.0 + 2.0 * dotLV, 1e-8));
-  float dotNH = clamp((dotNLRaw + s.dotNVRaw) * halfScale, 0.0, 1.0);
-  float dotVH = clamp((1.0 + dotLV) * halfScale, 0.0, 1.0);
-  float fresnel = exp2((-5.55473 * dotVH - 6.98316) * dotVH);
-  float specular;
-  float diffuse = dotNL;
-  if (s.physical) {
-    float visibility = 0.5 / max(dotNL * s.lambdaV + s.dotNV * sqrt(s.alphaSquared + (1.0 - s.alphaSquared) * dotNL * dotNL), 1e-6);
-    float d = dotNH * dotNH * (s.alphaSquared - 1.0) + 1.0;
-    specular = dotNL * visibility * 0.3183098861 * s.alphaSquared / (d * d);
-    diffuse *= 1.0 - (s.f0 * (1.0 - fresnel) + s.f90 * fresnel);
-  } else {
-    specular = dotNL * 0.25 * 0.3183098861 * (s.alphaSquared * 0.5 + 1.0) * pow(dotNH, s.alphaSquared);
-  }
-  s.diffuse += diffuse * diffuseColor;
-  s.specularF90 += specular * fresnel * specularColor;
-  s.specularF0 += specular * (1.0 - fresnel) * specularColor;
+  farol_addLight(s, light.direction, diffuseColor, specularColor);
 }
 
-vec3 farol_endShading(const in FarolShading s, const in FarolSurface surface) {
-  vec3 albedo = surface.albedo;
-  if (s.physical) {
-    vec3 f0 = mix(vec3(s.f0), surface.albedo, surface.material.g);
-    vec2 dfg = texture(dfgLUT, vec2(surface.material.r, s.dotNV)).rg;
-    vec3 compensation = 1.0 + f0 * (1.0 / (dfg.x + dfg.y) - 1.0);
-    albedo *= 1.0 - surface.material.g;
-    return (s.diffuse + s.ambient) * albedo * 0.3183098861 + (f0 * s.specularF0 + s.f90 * s.specularF90) * compensation;
+// a light with a range: point lights of three, most of all lights, take the short way
+void farol_addBounded(inout FarolShading s, const in int record) {
+  vec4 centre = farol_lightTexel(record, 0);
+  vec3 toLight = centre.xyz - s.positionVS;
+  float distanceSquared = dot(toLight, toLight);
+  float ratio = distanceSquared / (centre.w * centre.w);
+  if (ratio >= 1.0) return;
+  vec4 color = farol_lightTexel(record, 1);
+  vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
+  vec3 diffuseColor;
+  vec3 specularColor;
+  if (color.w >= 0.0) {
+    float window = 1.0 - ratio * ratio;
+    float falloff = color.w == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * color.w);
+    diffuseColor = specularColor = color.rgb * (window * window / max(falloff, 0.01));
+  } else {
+    FarolLight light = farol_localLight(record, s.positionVS);
+    if (light.attenuation <= 0.0) return;
+    diffuseColor = specularColor = light.color;
+    if (light.extension > 0) {
+      diffuseColor *= farol_lightTexel(light.extension, 0).rgb;
+      specularColor *= farol_lightTexel(light.extension, 1).rgb;
+      s.diffuse += farol_lightTexel(light.extension, 2).rgb * light.attenuation;
+    }
   }
-  float strength = (surface.flags & 3) == 2 ? surface.material.a : 0.0;
-  vec3 f0 = surface.material.rgb * surface.material.rgb;
-  return (s.diffuse + s.ambient) * albedo * 0.3183098861 + (f0 * s.specularF0 + s.specularF90) * strength;
+  farol_addLight(s, direction, diffuseColor, specularColor);
+}
+
+// directional lights and lights without a range
+void farol_addUnbounded(inout FarolShading s) {
+  int last = farol_lightCounts.x + farol_lightCounts.y;
+  for (int i = 0; i < last; i++) {
+    FarolLight light;
+    if (i < farol_lightCounts.x) light = farol_directionalLight(i);
+    else light = farol_localLight(i, s.positionVS);
+    farol_addExtended(s, light);
+  }
+}
+
+// the radiance that the pixel's surface sends to the eye
+vec3 farol_endShading(const in FarolShading s, const in ivec2 pixel) {
+  vec3 albedo = texelFetch(farol_gAlbedo, pixel, 0).rgb;
+  albedo *= albedo;
+  vec4 material = texelFetch(farol_gMaterial, pixel, 0);
+  if (farol_isPhysical(s)) {
+    vec3 f0 = mix(vec3(material.b * material.b), albedo, material.g);
+    vec2 dfg = texture(dfgLUT, vec2(material.r, clamp(s.dotNV, 0.0, 1.0))).rg;
+    vec3 compensation = 1.0 + f0 * (1.0 / (dfg.x + dfg.y) - 1.0);
+    return s.diffuse * albedo * ((1.0 - material.g) * 0.3183098861) + (f0 * (s.specular - s.grazing) + material.a * s.grazing) * compensation;
+  }
+  float strength = (s.flags & 3) == 2 ? material.a : 0.0;
+  vec3 f0 = material.rgb * material.rgb;
+  return s.diffuse * albedo * 0.3183098861 + (f0 * (s.specular - s.grazing) + s.grazing) * strength;
 }

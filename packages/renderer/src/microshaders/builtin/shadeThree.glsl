@@ -21,6 +21,7 @@
 #endif
 #define FAROL_SHADE(light) \
   farol_lightsEvaluated += 1.0; \
+  if (light.attenuation > 0.0) { \
   directLight.direction = light.direction; directLight.color = light.color; directLight.visible = true; \
   ReflectedLight farol_before = reflectedLight; FAROL_SAVE_CLEARCOAT FAROL_SAVE_SHEEN \
   RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight); \
@@ -30,4 +31,4 @@
       + farol_lightTexel(light.extension, 2).rgb * light.attenuation * BRDF_Lambert(FAROL_DIFFUSE_COLOR); \
     reflectedLight.directSpecular = mix(farol_before.directSpecular, reflectedLight.directSpecular, farol_specular.rgb); \
     FAROL_SCALE_CLEARCOAT FAROL_SCALE_SHEEN \
-  }
+  } }

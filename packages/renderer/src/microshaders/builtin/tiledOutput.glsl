@@ -7,22 +7,24 @@
 uniform highp sampler2D farol_overdrawMap;
 uniform vec2 farol_size;
 uniform int farol_view; // 0 final, 1 lighting, 2 counts
-#define FAROL_SHADE(light) farol_lightsEvaluated += 1.0; if (light.attenuation > 0.0) farol_shade(shading, light);
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
 float depth = texelFetch(farol_gDepth, pixel, 0).r;
-float farol_lightsEvaluated = 0.0;
-gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);
-if (depth < 1.0) {
-  FarolSurface surface = farol_readSurface(pixel, depth, farol_size);
-  FarolShading shading = farol_beginShading(surface);
-  FAROL_FOR_EACH_LIGHT(shading.positionVS)
-  vec3 radiance = farol_endShading(shading, surface);
-  if (farol_view == 0) radiance += surface.accumulation.rgb;
-  gl_FragColor = farol_output(radiance, -surface.positionVS.z, (surface.flags & 8) != 0, (surface.flags & 4) != 0);
-} else if (farol_view != 2) discard;
-if (farol_view == 2) {
-  float counted = farol_lightsEvaluated + texelFetch(farol_overdrawMap, pixel, 0).r;
-  gl_FragColor = vec4(farol_heatMap(counted * farol_heatScale), 1.0);
-}
 gl_FragDepth = depth;
+if (farol_view == 2) {
+  float counted = texelFetch(farol_overdrawMap, pixel, 0).r;
+  if (depth < 1.0) {
+    vec3 positionVS = farol_unproject((vec2(pixel) + 0.5) / farol_size, depth);
+    counted += float(farol_tileRun.x);
+    FAROL_FOR_EACH_LISTED(positionVS) counted += 1.0; FAROL_END_LISTED
+  }
+  gl_FragColor = vec4(farol_heatMap(counted * farol_heatScale), 1.0);
+} else {
+  if (depth >= 1.0) discard;
+  FarolShading shading = farol_beginShading(pixel, depth, farol_size);
+  farol_addUnbounded(shading);
+  FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addBounded(shading, farol_record); FAROL_END_LISTED
+  vec3 radiance = farol_endShading(shading, pixel);
+  if (farol_view == 0) radiance += texelFetch(farol_gAccumulation, pixel, 0).rgb;
+  gl_FragColor = farol_output(radiance, -shading.positionVS.z, (shading.flags & 8) != 0, (shading.flags & 4) != 0);
+}
