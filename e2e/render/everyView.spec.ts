@@ -8,8 +8,6 @@ const mayBeFlat = new Set(['emissive', 'metalness', 'roughness']);
 /** Few lights and objects, of the scenes that let one choose. */
 const few = { lights: 12, n: 4, m: 4 };
 
-test.describe.configure({ mode: 'parallel' });
-
 /**
  * Every scene by every technique in every view draws something, and without a word from the console. The names are read
  * from the page's registries, so that a new scene, technique or view is in. Two tests share the scenes, for two workers.
