@@ -2,7 +2,7 @@ import { isFlat } from '../support/images';
 import { expect, test } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
 
-/** Views that are rightly one colour where a scene has nothing of the kind: no glow, no metal, no fewer lights. */
+/** Views that are rightly one colour where a scene has nothing of the kind: no glow, no metal, one roughness. */
 const mayBeFlat = new Set(['emissive', 'metalness', 'roughness']);
 
 /** Few lights and objects, of the scenes that let one choose. */
