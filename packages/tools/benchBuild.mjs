@@ -1,0 +1,89 @@
+import { execFileSync } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, readdirSync, rmSync, statSync, symlinkSync } from 'node:fs';
+import { join } from 'node:path';
+import { root } from './root.mjs';
+
+/**
+ * Builds the viewer of a checkout, and the packages that it is made of.
+ *
+ * @param {string} checkout folder of the repository
+ * @returns {Promise<string>} folder of the built viewer
+ */
+export async function buildViewer(checkout) {
+  const { build } = await import('vite');
+  for (const part of ['packages/renderer', 'packages/engine', 'apps/viewer']) {
+    const folder = join(checkout, part);
+    await build({ root: folder, configFile: join(folder, 'vite.config.ts'), logLevel: 'warn' });
+  }
+  return join(checkout, 'apps/viewer/dist');
+}
+
+/**
+ * Builds the viewer of another commit, in a temporary worktree that uses this checkout's installed packages.
+ *
+ * @param {string} ref
+ * @param {string} to folder to put it into; what was there goes
+ * @returns {Promise<string>} `to`
+ * @throws {Error} when git knows no such commit
+ */
+export async function buildReference(ref, to) {
+  const commit = commitOf(ref);
+  if (!commit)
+    throw new Error(`--against ${ref}: it is neither a folder with a built viewer nor a commit that git knows.`);
+  const worktree = join(root, '.cache/bench', `worktree-${process.pid}`);
+  git('worktree', 'prune');
+  git('worktree', 'add', '--quiet', '--detach', worktree, commit);
+  try {
+    linkModules(worktree);
+    const dist = await buildViewer(worktree);
+    rmSync(to, { recursive: true, force: true });
+    cpSync(dist, to, { recursive: true });
+  } finally {
+    git('worktree', 'remove', '--force', worktree);
+  }
+  return to;
+}
+
+/** Full name of a commit, or null when git, the repository or the commit is not there. @param {string} ref */
+export function commitOf(ref) {
+  try {
+    return git('rev-parse', '--verify', '--quiet', '--end-of-options', `${ref}^{commit}`).trim();
+  } catch {
+    return null;
+  }
+}
+
+/** @param {string} folder whether it holds a built viewer */
+export const isBuilt = (folder) => existsSync(join(folder, 'index.html'));
+
+/** Links the installed packages, less the repository's own, which must be the worktree's. @param {string} worktree */
+function linkModules(worktree) {
+  const own = '@farol';
+  const from = join(root, 'node_modules');
+  const to = join(worktree, 'node_modules');
+  mkdirSync(join(to, own), { recursive: true });
+  for (const name of readdirSync(from)) {
+    // A cache that a build writes to must not be shared, and a worktree has no use for commands.
+    if (name !== own && !name.startsWith('.')) link(join(from, name), join(to, name));
+  }
+  for (const top of ['packages', 'apps']) {
+    for (const name of readdirSync(join(worktree, top))) {
+      const folder = join(worktree, top, name);
+      if (statSync(folder).isDirectory()) link(folder, join(to, own, name));
+    }
+  }
+  const sponza = 'public/models/Sponza'; // not in git, and the scene that is compared
+  if (existsSync(join(root, sponza))) link(join(root, sponza), join(worktree, sponza));
+}
+
+/** @param {string} target a folder @param {string} path */
+function link(target, path) {
+  if (existsSync(path)) return;
+  mkdirSync(join(path, '..'), { recursive: true });
+  symlinkSync(target, path, 'junction');
+}
+
+/** @param {string[]} args */
+function git(...args) {
+  return execFileSync('git', args, { cwd: root, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+}

@@ -1,0 +1,61 @@
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize, resolve, sep } from 'node:path';
+
+/** @type {Record<string, string>} */
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.json': 'application/json',
+  '.gltf': 'model/gltf+json',
+  '.glb': 'model/gltf-binary',
+  '.wasm': 'application/wasm',
+  '.png': 'image/png',
+  '.jpg': 'image/jpeg',
+  '.svg': 'image/svg+xml',
+  '.webp': 'image/webp',
+  '.xml': 'text/xml',
+};
+
+/**
+ * Serves a built app to this machine only, on a free port, by Node alone. Pages are cross-origin isolated, which gives
+ * their clock 5 µs in place of 100.
+ *
+ * @param {string} folder
+ * @returns {Promise<{ url: string, close(): Promise<void> }>} the URL ends in a slash
+ */
+export async function serveFolder(folder) {
+  const top = resolve(folder);
+  const server = createServer(async (request, response) => {
+    try {
+      const { pathname } = new URL(request.url ?? '/', 'http://localhost');
+      const path = normalize(
+        join(top, decodeURIComponent(pathname.endsWith('/') ? `${pathname}index.html` : pathname)),
+      );
+      if (!path.startsWith(top + sep)) throw new Error('outside of the folder');
+      const body = await readFile(path);
+      response.writeHead(200, {
+        'content-type': types[extname(path)] ?? 'application/octet-stream',
+        'cross-origin-opener-policy': 'same-origin',
+        'cross-origin-embedder-policy': 'require-corp',
+      });
+      response.end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((done, failed) => {
+    server.once('error', failed).listen(0, '127.0.0.1', () => done(undefined));
+  });
+  const address = server.address();
+  if (!address || typeof address === 'string') throw new Error(`The server of ${folder} has no port.`);
+  return {
+    url: `http://127.0.0.1:${address.port}/`,
+    close: () =>
+      new Promise((done) => {
+        server.close(() => done());
+        server.closeAllConnections();
+      }),
+  };
+}
