@@ -13,6 +13,7 @@ import { TwinCache } from './materials/TwinCache';
 import type { MicroShaderRegistry } from './microshaders';
 import { createRegistry } from './microshaders/createRegistry';
 import { OverdrawPass } from './passes/OverdrawPass';
+import { gridUniforms } from './passes/LightGridPass';
 import { tileUniforms } from './passes/LightTilesPass';
 import type { Pass } from './passes/Pass';
 import { SurfaceViewPass } from './passes/SurfaceViewPass';
@@ -57,6 +58,7 @@ export class FarolRenderer {
     farol_lightIndex: { value: 0 },
     farol_heatScale: { value: 1 / 32 },
     ...tileUniforms(),
+    ...gridUniforms(),
   };
   private readonly sceneViews = new WeakMap<Object3D, SceneView>();
   private readonly passLists = new Map<TechniqueName, Pass[]>();
@@ -135,9 +137,10 @@ export class FarolRenderer {
     if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
     collectLights(scene, camera, this.webgl, this.found, this.nested);
-    this.lights.update(this.found, camera, (techniques[this.techniqueName] as Technique).lightOrder);
-    this.setUniforms();
     this.frame.begin(scene, camera, this.viewName);
+    if (this.viewName === 'grid') this.frame.quarter();
+    this.lights.update(this.found, camera, (techniques[this.techniqueName] as Technique).lightOrder, this.frame);
+    this.setUniforms();
     this.sceneView = this.viewOf(scene);
     this.sceneView.render(camera, this.nested, this.frame.queue, this.draw);
     this.recorder.end(this.techniqueName, this.lights, this.targetBytes());
@@ -195,15 +198,13 @@ export class FarolRenderer {
       return;
     }
     if (frame.view === 'overdraw') this.run(this.overdraw.name, () => this.overdraw.render(frame));
-    const grid = frame.view === 'grid';
-    if (grid) frame.quarter();
     for (const pass of this.passesOf(this.techniqueName)) {
       this.recorder.beginPass(pass.name);
       pass.render(frame);
       this.recorder.endPass();
     }
     if (frame.view === 'overdraw' && !this.hasOutput()) this.overdraw.show(frame);
-    if (grid) this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
+    if (frame.view === 'grid') this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
     frame.bindTarget();
   }
 
@@ -220,7 +221,7 @@ export class FarolRenderer {
   private passesOf(name: TechniqueName): Pass[] {
     let passes = this.passLists.get(name);
     if (passes === undefined) {
-      passes = techniques[name].passes({ lightIndex: this.uniforms.farol_lightIndex, tiles: this.uniforms });
+      passes = techniques[name].passes({ lightIndex: this.uniforms.farol_lightIndex, tiles: this.uniforms, grid: this.uniforms });
       validatePasses(name, passes);
       this.passLists.set(name, passes);
     }

@@ -47,6 +47,8 @@ export class Frame {
   readonly viewport = new Vector4();
   width = 1;
   height = 1;
+  /** Bytes that passes have sent in this frame. */
+  uploadedBytes = 0;
   /** Counts of the view 'overdraw' in this frame. */
   overdraw: Texture | null = null;
   private face = 0;
@@ -70,6 +72,7 @@ export class Frame {
     this.scene = scene as Scene;
     this.camera = camera;
     this.view = view;
+    this.uploadedBytes = 0;
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     this.face = webgl.getActiveCubeFace();
     this.level = webgl.getActiveMipmapLevel();

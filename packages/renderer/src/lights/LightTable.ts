@@ -1,4 +1,4 @@
-import type { Camera, DirectionalLight, HemisphereLight, Light, Matrix4, PointLight, SpotLight, WebGLRenderer } from 'three';
+import type { Camera, DirectionalLight, HemisphereLight, Light, Matrix4, PerspectiveCamera, PointLight, SpotLight, WebGLRenderer } from 'three';
 import { Color, Vector3 } from 'three';
 import { DataTable } from './DataTable';
 import { FLOATS_PER_RECORD, RECORDS_PER_ROW } from './lightRecord';
@@ -7,6 +7,7 @@ import { viewFrustumPlanes } from './viewFrustumPlanes';
 import { sphereOutsidePlanes } from './sphereOutsidePlanes';
 import { coneBoundingSphere } from './coneBoundingSphere';
 import { DepthOrder } from './DepthOrder';
+import { LightGrid } from './LightGrid';
 
 const NO_DATA: FarolLightData = {};
 /** Cones wider than this are drawn and culled as spheres (rad). */
@@ -20,8 +21,17 @@ const coneSphere = new Float64Array(4);
 const skyColour: [number, number, number] = [0, 0, 0];
 const groundColour: [number, number, number] = [0, 0, 0];
 
-/** How the lights with a range lie in the table: spheres before cones, or near to far by their centres. */
-export type LightOrder = 'by-volume' | 'by-depth';
+/**
+ * How the lights with a range lie in the table: spheres before cones, near to far by their centres, or by the ranks of the
+ * light grid, which is then made.
+ */
+export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
+
+/** What is drawn to: the grid's tiles are cut from it. */
+export interface PictureSize {
+  readonly width: number;
+  readonly height: number;
+}
 
 /**
  * All managed lights of a frame as one float texture, in view space, in runs: directional, local without a range, local
@@ -42,29 +52,26 @@ export class LightTable {
   readonly ambient = new Float32Array(12);
   /** Bounding sphere of each local light with a range, a texel each, [x, y, z, r] in view space (m); r negative for a cone. */
   readonly culling = new DataTable(RECORDS_PER_ROW);
-  /** View-space sphere [x, y, z, r] (m) of each local light with a range, r its range. */
-  bounds = new Float32Array(64);
-  /** View-space [axis to the light, cos cutoff] of each local light with a range; cos -1 for a sphere. */
-  axes = new Float32Array(64);
+  /** View-space sphere [x, y, z, r] (m) of each local light with a range, r its range; in the order of `rank`. */
+  bounds = new Float64Array(64);
+  /** View-space [axis to the light, cos cutoff] of the same lights; cos -1 for a sphere. */
+  axes = new Float64Array(64);
+  /** Record of a light with a range, less `firstBounded`, to its place in `bounds`. Only the first `bounded`. */
+  rank: Uint32Array = new Uint32Array(64);
+  /** Records of lights with a range; a grid may leave some empty. */
+  bounded = 0;
+  /** Tile masks and depth bins, up to date after an update 'by-grid'. */
+  readonly grid = new LightGrid();
   private readonly directionals: DirectionalLight[] = [];
   private readonly unboundeds: Light[] = [];
   private readonly boundeds: Light[] = [];
-  /** Of `boundeds`: centre (view space), range, then axis into the cone and cosine (-1: sphere), then bounding sphere. */
-  private found = new Float64Array(12 * 64);
+  /** Bounding sphere of each of `boundeds`. */
+  private around = new Float64Array(64);
   private readonly depthOrder = new DepthOrder();
+  private volumes = new Uint32Array(64);
   private readonly warned = new WeakSet<Light>();
   private extensions = 0;
   private firstExtension = 0;
-
-  /** Lights with a range. */
-  get bounded(): number {
-    return this.spheres + this.cones;
-  }
-
-  /** Local lights, with and without a range. */
-  get local(): number {
-    return this.unbounded + this.spheres + this.cones;
-  }
 
   /** Record of the first local light with a range. */
   get firstBounded(): number {
@@ -75,16 +82,18 @@ export class LightTable {
    * Fills the table. World matrices must be up to date.
    * @param lights the managed lights that are visible to the camera's layers
    * @param camera gives view space; its frustum drops lights that reach nothing it sees
+   * @param size of what is drawn to (pixels)
    */
-  update(lights: readonly Light[], camera: Camera, order: LightOrder): void {
+  update(lights: readonly Light[], camera: Camera, order: LightOrder, size: PictureSize): void {
     const view = camera.matrixWorldInverse;
     viewFrustumPlanes(camera.projectionMatrix.elements, planes);
     this.classify(lights, view);
     this.directional = this.directionals.length;
     this.unbounded = this.unboundeds.length;
     this.visible += this.directional + this.unbounded + this.boundeds.length;
+    this.setRanks(order, camera, size);
     this.reserve();
-    this.firstExtension = this.directional + this.local;
+    this.firstExtension = this.firstBounded + this.bounded;
     this.extensions = 0;
     let record = 0;
     for (const light of this.directionals) this.writeDirectional(record++, light, view);
@@ -92,19 +101,30 @@ export class LightTable {
       position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
       this.writeLocal(record++, light, view);
     }
-    if (order === 'by-depth') {
-      const sorted = this.depthOrder.sort(this.boundeds.length, this.found, 12, 2);
-      for (let k = 0; k < this.boundeds.length; k++) this.writeBounded(record++, k, sorted[k], view);
-    } else {
-      let k = 0;
-      for (const cones of [false, true]) {
-        for (let i = 0; i < this.boundeds.length; i++) {
-          if (this.found[i * 12 + 7] > -1 === cones) this.writeBounded(record++, k++, i, view);
-        }
-      }
-    }
+    for (let k = 0; k < this.bounded; k++) this.writeBounded(record++, k, view);
     this.table.used((record + this.extensions) * FLOATS_PER_RECORD);
-    this.culling.used(this.boundeds.length * 4);
+    this.culling.used(this.bounded * 4);
+  }
+
+  /** Says which record each light with a range gets. */
+  private setRanks(order: LightOrder, camera: Camera, size: PictureSize): void {
+    const count = this.boundeds.length;
+    const { bounds, axes, grid } = this;
+    this.bounded = count;
+    if (order === 'by-grid') {
+      const { near, far } = camera as PerspectiveCamera;
+      grid.update(count, bounds, camera.projectionMatrix.elements, near, far, size.width, size.height, this.cones > 0 ? axes : null);
+      this.rank = grid.order;
+      this.bounded = grid.count;
+    } else if (order === 'by-depth') {
+      this.rank = this.depthOrder.sort(count, bounds, 4, 2);
+    } else {
+      if (this.volumes.length < count) this.volumes = new Uint32Array(count * 2);
+      this.rank = this.volumes;
+      let sphere = 0;
+      let cone = this.spheres;
+      for (let i = 0; i < count; i++) this.rank[axes[i * 4 + 3] > -1 ? cone++ : sphere++] = i;
+    }
   }
 
   /** Sends what changed. */
@@ -134,7 +154,11 @@ export class LightTable {
     this.ambient.fill(0);
     this.total = lights.length;
     this.visible = 0;
-    if (this.found.length < lights.length * 12) this.found = new Float64Array(lights.length * 24);
+    if (this.bounds.length < lights.length * 4) {
+      this.bounds = new Float64Array(lights.length * 8);
+      this.axes = new Float64Array(lights.length * 8);
+      this.around = new Float64Array(lights.length * 8);
+    }
     for (const light of lights) {
       if (!this.isFinite(light)) continue;
       const l = light as PointLight & SpotLight & DirectionalLight & { isPointLight?: boolean };
@@ -161,31 +185,27 @@ export class LightTable {
     const y = v[1] * wx + v[5] * wy + v[9] * wz + v[13];
     const z = v[2] * wx + v[6] * wy + v[10] * wz + v[14];
     if (sphereOutsidePlanes(planes, x, y, z, range)) return;
-    const { found } = this;
-    const at = this.boundeds.length * 12;
+    const { bounds, axes, around } = this;
+    const at = this.boundeds.length * 4;
     const spot = light as SpotLight;
-    found[at] = x;
-    found[at + 1] = y;
-    found[at + 2] = z;
-    found[at + 3] = range;
+    bounds[at] = around[at] = x;
+    bounds[at + 1] = around[at + 1] = y;
+    bounds[at + 2] = around[at + 2] = z;
+    bounds[at + 3] = around[at + 3] = range;
     if (spot.isSpotLight === true && spot.angle < WIDEST_CONE) {
       this.axisOf(spot, view);
       coneBoundingSphere(x, y, z, -target.x, -target.y, -target.z, range, spot.angle, coneSphere);
       if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) return;
-      found[at + 4] = target.x;
-      found[at + 5] = target.y;
-      found[at + 6] = target.z;
-      found[at + 7] = Math.cos(spot.angle);
-      found.set(coneSphere, at + 8);
+      axes[at] = target.x;
+      axes[at + 1] = target.y;
+      axes[at + 2] = target.z;
+      axes[at + 3] = Math.cos(spot.angle);
+      around.set(coneSphere, at);
       this.cones++;
     } else {
-      found[at + 4] = found[at + 5] = 0;
-      found[at + 6] = 1;
-      found[at + 7] = -1;
-      found[at + 8] = x;
-      found[at + 9] = y;
-      found[at + 10] = z;
-      found[at + 11] = range;
+      axes[at] = axes[at + 1] = 0;
+      axes[at + 2] = 1;
+      axes[at + 3] = -1;
       this.spheres++;
     }
     this.boundeds.push(light);
@@ -217,14 +237,9 @@ export class LightTable {
   }
 
   private reserve(): void {
-    const records = this.directional + this.local;
     // every light may need an extension record
-    this.table.reserve(records * 2 * FLOATS_PER_RECORD);
+    this.table.reserve((this.firstBounded + this.bounded) * 2 * FLOATS_PER_RECORD);
     this.culling.reserve(this.bounded * 4);
-    if (this.bounds.length < this.bounded * 4) {
-      this.bounds = new Float32Array(this.bounded * 8);
-      this.axes = new Float32Array(this.bounded * 8);
-    }
   }
 
   private writeDirectional(record: number, light: DirectionalLight, view: Matrix4): void {
@@ -240,19 +255,15 @@ export class LightTable {
     table.set4(at + 12, 0, 0, 0, extension);
   }
 
-  /** Writes light `i` of those found as the k-th with a range. */
-  private writeBounded(record: number, k: number, i: number, view: Matrix4): void {
-    const { found, bounds, axes } = this;
-    const f = i * 12;
-    const to = k * 4;
-    position.set(found[f], found[f + 1], found[f + 2]);
+  /** Writes the k-th light with a range. */
+  private writeBounded(record: number, k: number, view: Matrix4): void {
+    const { bounds, axes, around } = this;
+    const i = this.rank[k];
+    const at = i * 4;
+    position.set(bounds[at], bounds[at + 1], bounds[at + 2]);
     this.writeLocal(record, this.boundeds[i], view);
-    for (let c = 0; c < 4; c++) {
-      bounds[to + c] = found[f + c];
-      axes[to + c] = found[f + 4 + c];
-    }
-    const radius = found[f + 11];
-    this.culling.set4(to, found[f + 8], found[f + 9], found[f + 10], found[f + 7] > -1 ? -radius : radius);
+    const radius = around[at + 3];
+    this.culling.set4(k * 4, around[at], around[at + 1], around[at + 2], axes[at + 3] > -1 ? -radius : radius);
   }
 
   /** Writes the record of a point or spot light whose view-space centre is in `position`. */

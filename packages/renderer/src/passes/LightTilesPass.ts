@@ -24,7 +24,7 @@ const LIGHTS_PER_QUAD = 128;
 const TILE_SHIFT = 4;
 
 /** Uniforms by which lightTiles.glsl and lightLoopTiled.glsl find the lists; one set a FarolRenderer. */
-export interface TileUniforms {
+export interface TileUniforms extends Record<string, IUniform> {
   readonly farol_tiles: { value: number[] };
   readonly farol_tileRun: { value: number[] };
   readonly farol_tileMask: IUniform<Texture | null>;

@@ -53,10 +53,10 @@ export class MultipassLightsPass implements Pass {
     for (let i = 0; i < lights.directional + lights.unbounded; i++) this.drawLight(frame, i, -1);
     const { state } = frame.webgl;
     for (let k = 0; k < lights.bounded; k++) {
-      if (!this.setScissor(frame, k)) continue;
+      if (!this.setScissor(frame, lights.rank[k])) continue;
       state.scissor(scissor);
       state.setScissorTest(true);
-      this.drawLight(frame, lights.firstBounded + k, k);
+      this.drawLight(frame, lights.firstBounded + k, lights.rank[k]);
     }
     state.setScissorTest(false);
   }

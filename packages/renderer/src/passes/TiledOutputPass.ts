@@ -4,7 +4,6 @@ import type { Frame } from '../Frame';
 import { FullscreenMesh } from './FullscreenMesh';
 import type { GBufferPass } from './GBufferPass';
 import { gbufferUniforms, setGBufferUniforms } from './gbufferUniforms';
-import type { TileUniforms } from './LightTilesPass';
 import { fogUniforms, OUTPUT_COUNTS, OUTPUT_FINAL, OUTPUT_LIGHTING } from './outputUniforms';
 import type { Pass } from './Pass';
 import { OutputMaterial } from './PassMaterial';
@@ -21,10 +20,13 @@ export class TiledOutputPass implements Pass {
   private readonly triangle = new FullscreenMesh();
   private material: OutputMaterial | null = null;
 
-  /** @param loop microshader that walks the lists */
+  /**
+   * @param lists uniforms of the lists
+   * @param loop microshader that walks them
+   */
   constructor(
     private readonly gbuffer: GBufferPass,
-    private readonly tiles: TileUniforms,
+    private readonly lists: Record<string, IUniform>,
     private readonly loop: string,
   ) {}
 
@@ -40,7 +42,7 @@ export class TiledOutputPass implements Pass {
       uniforms: {
         ...frame.uniforms,
         ...this.uniforms,
-        ...this.tiles,
+        ...this.lists,
         ...fogUniforms(),
         dfgLUT: { value: null },
         farol_view: this.view,

@@ -1,4 +1,5 @@
 import type { LightOrder } from '../lights/LightTable';
+import type { GridUniforms } from '../passes/LightGridPass';
 import type { TileUniforms } from '../passes/LightTilesPass';
 import type { Pass } from '../passes/Pass';
 
@@ -8,6 +9,8 @@ export interface TechniqueContext {
   readonly lightIndex: { value: number };
   /** Where the light lists of tiles are. */
   readonly tiles: TileUniforms;
+  /** Where the light grid is. */
+  readonly grid: GridUniforms;
 }
 
 /** A way of drawing: an array of passes. */
@@ -16,8 +19,6 @@ export interface Technique {
   readonly label: string;
   /** One line of help. */
   readonly help: string;
-  /** Microshader by which forward draws of this technique loop over the lights. */
-  readonly loop: string;
   /** How its passes want the lights in the table. */
   readonly lightOrder: LightOrder;
   /** True if it draws to float colour targets. */

@@ -11,7 +11,6 @@ import type { Technique } from './Technique';
 export const deferred: Technique = {
   label: 'Deferred shading',
   help: 'Surfaces into a G-buffer once, then each light over the pixels of its volume.',
-  loop: 'lightLoopAll',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   passes() {

@@ -10,7 +10,6 @@ import type { Technique } from './Technique';
 export const forward: Technique = {
   label: 'Forward, multipass',
   help: 'Ambient and emissive once, then one additive pass for each light over the objects it reaches.',
-  loop: 'lightLoopAll',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   passes({ lightIndex }) {

@@ -8,7 +8,6 @@ import type { Technique } from './Technique';
 export const forwardSinglePass: Technique = {
   label: 'Forward, single pass',
   help: 'Each object once; its shader loops over all lights.',
-  loop: 'lightLoopAll',
   lightOrder: 'by-volume',
   needsFloatTargets: false,
   passes: () => forwardTail('lightLoopAll'),

@@ -1,3 +1,5 @@
+import { clusteredDeferred } from './clusteredDeferred';
+import { clusteredForward } from './clusteredForward';
 import { deferred } from './deferred';
 import { forward } from './forward';
 import { forwardSinglePass } from './forwardSinglePass';
@@ -12,6 +14,8 @@ export const techniques = {
   deferred,
   'tiled-deferred': tiledDeferred,
   'tiled-forward': tiledForward,
+  'clustered-deferred': clusteredDeferred,
+  'clustered-forward': clusteredForward,
 } as const satisfies Record<string, Technique>;
 
 export type TechniqueName = keyof typeof techniques;

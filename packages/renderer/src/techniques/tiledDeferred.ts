@@ -12,7 +12,6 @@ import type { Technique } from './Technique';
 export const tiledDeferred: Technique = {
   label: 'Tiled deferred',
   help: 'A light list for each tile, within the depths in it, over a G-buffer.',
-  loop: 'lightLoopTiled',
   lightOrder: 'by-depth',
   needsFloatTargets: true,
   passes({ tiles }) {

@@ -10,7 +10,6 @@ import type { Technique } from './Technique';
 export const tiledForward: Technique = {
   label: 'Tiled forward',
   help: 'A light list for each tile, walked by the materials themselves.',
-  loop: 'lightLoopTiled',
   lightOrder: 'by-depth',
   needsFloatTargets: false,
   passes({ tiles }) {

@@ -14,6 +14,7 @@ import heatScale from './heatScale.glsl?raw';
 import incidentLight from './incidentLight.glsl?raw';
 import lightAttenuation from './lightAttenuation.glsl?raw';
 import lightList from './lightList.glsl?raw';
+import lightListClustered from './lightListClustered.glsl?raw';
 import lightLoopAll from './lightLoopAll.glsl?raw';
 import lightLoopNone from './lightLoopNone.glsl?raw';
 import lightLoopOne from './lightLoopOne.glsl?raw';
@@ -53,6 +54,7 @@ const sources = {
   incidentLight,
   lightAttenuation,
   lightList,
+  lightListClustered,
   lightLoopAll,
   lightLoopNone,
   lightLoopOne,

@@ -1,0 +1,60 @@
+import { DataTexture, NearestFilter, RedIntegerFormat, RGBAIntegerFormat, UnsignedIntType, type WebGLRenderer } from 'three';
+
+/** A texture of unsigned 32-bit words, filled from an array that belongs to somebody else. Grows; uploads what is in use. */
+export class WordTable {
+  texture: DataTexture;
+  /** Bytes sent by the last `upload`. */
+  uploadedBytes = 0;
+  private fresh = true;
+
+  /** @param channels words a texel, 1 or 4 */
+  constructor(private readonly channels: 1 | 4) {
+    this.texture = this.make(1, 1);
+  }
+
+  /** Bytes of the texture. */
+  get bytes(): number {
+    return this.texture.image.width * this.texture.image.height * this.channels * 4;
+  }
+
+  /**
+   * Sends the first rows.
+   * @param words row after row, at least width * rows * channels
+   * @param width texels a row
+   */
+  upload(webgl: WebGLRenderer, words: Uint32Array, width: number, rows: number): void {
+    if (this.texture.image.width !== width || this.texture.image.height < rows) {
+      this.texture.dispose();
+      this.texture = this.make(width, Math.ceil(rows * 1.25) + 1);
+      this.fresh = true;
+    }
+    if (this.fresh) {
+      webgl.initTexture(this.texture);
+      this.fresh = false;
+    }
+    const gl = webgl.getContext() as WebGL2RenderingContext;
+    const { state } = webgl;
+    const { __webglTexture } = webgl.properties.get(this.texture) as { __webglTexture: WebGLTexture };
+    state.bindTexture(gl.TEXTURE_2D, __webglTexture);
+    state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+    const format = this.channels === 1 ? gl.RED_INTEGER : gl.RGBA_INTEGER;
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, format, gl.UNSIGNED_INT, words, 0);
+    state.unbindTexture();
+    this.uploadedBytes = width * rows * this.channels * 4;
+  }
+
+  dispose(): void {
+    this.texture.dispose();
+  }
+
+  private make(width: number, height: number): DataTexture {
+    const format = this.channels === 1 ? RedIntegerFormat : RGBAIntegerFormat;
+    const texture = new DataTexture(new Uint32Array(width * height * this.channels), width, height, format, UnsignedIntType);
+    texture.internalFormat = this.channels === 1 ? 'R32UI' : 'RGBA32UI';
+    texture.magFilter = texture.minFilter = NearestFilter;
+    texture.needsUpdate = true;
+    return texture;
+  }
+}

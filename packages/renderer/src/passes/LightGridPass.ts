@@ -1,0 +1,67 @@
+import type { IUniform, Texture } from 'three';
+import type { Frame } from '../Frame';
+import { WordTable } from '../lights/WordTable';
+import type { Pass } from './Pass';
+
+const BINS = 1024;
+
+/** Uniforms by which lightListClustered.glsl finds the clusters; one set a FarolRenderer. */
+export interface GridUniforms extends Record<string, IUniform> {
+  readonly farol_grid: { value: number[] };
+  readonly farol_gridDepth: { value: number[] };
+  readonly farol_gridMasks: IUniform<Texture | null>;
+  readonly farol_gridBins: IUniform<Texture | null>;
+}
+
+export function gridUniforms(): GridUniforms {
+  return {
+    farol_grid: { value: [5, 1, 0, 0] },
+    farol_gridDepth: { value: [0, 0, 0] },
+    farol_gridMasks: { value: null },
+    farol_gridBins: { value: null },
+  };
+}
+
+const float = new Float32Array(1);
+const bits = new Int32Array(float.buffer);
+
+/** Brings the light grid, made on the CPU with the light table, to the GPU. */
+export class LightGridPass implements Pass {
+  readonly name = 'light lists';
+  readonly reads = [] as const;
+  readonly writes = ['light-lists'] as const;
+  private readonly masks = new WordTable(4);
+  private readonly bins = new WordTable(1);
+
+  constructor(private readonly uniforms: GridUniforms) {}
+
+  get bytes(): number {
+    return this.masks.bytes + this.bins.bytes;
+  }
+
+  render(frame: Frame): void {
+    const { uniforms, masks, bins } = this;
+    const { grid, bounded, firstBounded } = frame.lights;
+    masks.upload(frame.webgl, grid.masks, Math.max(1, grid.tilesX), Math.max(1, (grid.tilesY * grid.words) / 4));
+    bins.upload(frame.webgl, grid.bins, BINS, 1);
+    frame.uploadedBytes += masks.uploadedBytes + bins.uploadedBytes;
+    uniforms.farol_gridMasks.value = masks.texture;
+    uniforms.farol_gridBins.value = bins.texture;
+    const sizes = uniforms.farol_grid.value;
+    sizes[0] = Math.log2(grid.tileSize);
+    sizes[1] = grid.tilesY;
+    sizes[2] = bounded > 0 ? grid.deepWords : 0;
+    sizes[3] = firstBounded;
+    // the start goes as the float whose bits it is, which no float of its value could hold
+    bits[0] = grid.depthStart;
+    const depth = uniforms.farol_gridDepth.value;
+    depth[0] = grid.depthShift;
+    depth[1] = float[0];
+    depth[2] = grid.depthScale;
+  }
+
+  dispose(): void {
+    this.masks.dispose();
+    this.bins.dispose();
+  }
+}

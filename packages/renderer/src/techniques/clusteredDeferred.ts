@@ -1,0 +1,25 @@
+import { GBufferPass } from '../passes/GBufferPass';
+import { LightGridPass } from '../passes/LightGridPass';
+import { TiledOutputPass } from '../passes/TiledOutputPass';
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/**
+ * Clustered deferred shading: lights by tile and depth over a G-buffer, transparent things by the same lists.
+ * @see Olsson, Billeter and Assarsson 2012, Clustered Deferred and Forward Shading; Drobot 2017 (z-binning)
+ */
+export const clusteredDeferred: Technique = {
+  label: 'Clustered deferred',
+  help: 'Light lists by tile and depth, over a G-buffer.',
+  lightOrder: 'by-grid',
+  needsFloatTargets: true,
+  passes({ tiles, grid }) {
+    const gbuffer = new GBufferPass();
+    return [
+      gbuffer,
+      new LightGridPass(grid),
+      new TiledOutputPass(gbuffer, { ...tiles, ...grid }, 'lightListClustered'),
+      ...forwardTail('lightListClustered', ['light-lists']),
+    ];
+  },
+};

@@ -1,0 +1,16 @@
+import { LightGridPass } from '../passes/LightGridPass';
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/**
+ * Clustered forward shading: lights by tile and depth, walked by three's own materials; transparent things and
+ * multisampling as in stock three.
+ * @see Olsson, Billeter and Assarsson 2012, Clustered Deferred and Forward Shading; Drobot 2017 (z-binning)
+ */
+export const clusteredForward: Technique = {
+  label: 'Clustered forward',
+  help: 'Light lists by tile and depth, walked by the materials themselves.',
+  lightOrder: 'by-grid',
+  needsFloatTargets: false,
+  passes: ({ grid }) => [new LightGridPass(grid), ...forwardTail('lightListClustered', ['light-lists'])],
+};
