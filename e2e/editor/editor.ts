@@ -15,6 +15,7 @@ export interface EditorHandle {
     readonly canvas: HTMLCanvasElement;
     readonly camera: GameObject['object3D'];
     readonly technique: string;
+    readonly mode: string;
     readonly view: string;
     readonly statistics: { readonly frames: number };
     readonly editorCamera: { readonly target: { toArray(): number[] } };

@@ -274,3 +274,26 @@ test('switches technique and view', async ({ page }) => {
   ]);
   await expect(page.getByRole('combobox', { name: 'Technique' })).toHaveText(/Forward, multipass/);
 });
+
+test('flies while the right button is held, and only then', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  const eye = (): Promise<number[]> =>
+    page.evaluate(() => window.editor.viewport.camera.position.toArray().map((value) => Number(value.toFixed(4))));
+  const before = await eye();
+  await page.locator('canvas').hover({ position: { x: 160, y: 250 } });
+  await page.keyboard.press('r');
+  await page.keyboard.down('w');
+  expect(await page.evaluate(() => window.editor.viewport.mode)).toBe('translate');
+  await page.keyboard.up('w');
+  expect(await eye()).toEqual(before);
+
+  await page.keyboard.press('r');
+  await page.mouse.down({ button: 'right' });
+  await page.keyboard.down('w');
+  await expect.poll(eye).not.toEqual(before);
+  await page.keyboard.up('w');
+  await page.mouse.up({ button: 'right' });
+  expect(await page.evaluate(() => window.editor.viewport.mode)).toBe('scale');
+  expect(await history(page)).toEqual([]);
+});

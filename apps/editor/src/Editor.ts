@@ -50,6 +50,7 @@ export class Editor {
     this.document.assets.onChange(({ kind, error }) => {
       if (kind === 'failed' && error) this.notices.show('error', error.message);
     });
+    this.watchPicture();
     this.ready = this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
   }
 
@@ -132,5 +133,18 @@ export class Editor {
     this.openFile = file;
     this.fileChanged.emit();
     this.viewport.renderNow();
+  }
+
+  private watchPicture(): void {
+    const { viewport, notices } = this;
+    viewport.onError = (error) => {
+      const text = `The picture cannot be drawn: ${error instanceof Error ? error.message : String(error)}`;
+      if (notices.current.some((notice) => notice.text === text)) return;
+      console.error(error);
+      notices.show('error', text);
+    };
+    viewport.canvas.addEventListener('webglcontextlost', () => {
+      notices.show('error', 'The graphics device was lost. The picture comes back by itself; if not, save and reload.');
+    });
   }
 }

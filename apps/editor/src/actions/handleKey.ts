@@ -26,6 +26,8 @@ export function handleKey(editor: Editor, event: KeyboardEvent): boolean {
   if (event.defaultPrevented || event.isComposing || editor.dialogs.current) return false;
   const focus = focusOf(event.target);
   if (focus === 'popup') return false;
+  // a scene that is played through one of its cameras has the letters for itself
+  if (editor.viewport.sceneListens && !event.ctrlKey && !event.metaKey && event.key.length === 1) return false;
   for (const action of actions) {
     const combination = action.keys?.find((keys) => matchKey(keys, event));
     if (combination === undefined || !counts(action, combination, focus)) continue;

@@ -64,6 +64,8 @@ export class Gizmo {
   private readonly startInverse = new Matrix4();
   private readonly startRotation = new Quaternion();
   private starts: Start[] = [];
+  private targetList: GameObject[] = [];
+  private targetsRevision = -1;
   private gesture: Gesture | null = null;
   private currentMode: GizmoMode = 'translate';
   private ctrl = false;
@@ -81,6 +83,7 @@ export class Gizmo {
   ) {
     this.controls = new TransformControls(new PerspectiveCamera(), canvas);
     this.controls.size = 0.85;
+    this.controls.setColors('#f0525c', '#5fb83e', '#3f86f2', '#ffc857');
     this.three.add(this.proxy, this.controls.getHelper());
     this.controls.addEventListener('mouseDown', () => this.begin());
     this.controls.addEventListener('objectChange', () => this.drag());
@@ -153,9 +156,15 @@ export class Gizmo {
     this.controls.dispose();
   }
 
+  /** The selected objects that are not below another one of them; asked each frame, so found once for each change. */
   private targets(): GameObject[] {
-    const { selectedObjects, scene } = this.document;
-    return selectedObjects.length < 2 ? selectedObjects : topmost(selectedObjects, scene);
+    const { selection, structure, selectedObjects, scene } = this.document;
+    const revision = selection.changed.revision + structure.revision;
+    if (revision !== this.targetsRevision) {
+      this.targetList = selectedObjects.length < 2 ? selectedObjects : topmost(selectedObjects, scene);
+      this.targetsRevision = revision;
+    }
+    return this.targetList;
   }
 
   /** In the middle of the selection, turned as the one chosen last. */

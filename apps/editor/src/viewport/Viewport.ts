@@ -21,6 +21,8 @@ const middle = new Vector2();
  * the scene plays, and always when `continuous` is set. It knows nothing of React.
  */
 export class Viewport {
+  /** Takes what goes wrong while a frame is drawn. */
+  onError: (error: unknown) => void = () => {};
   /** Emits when one of the settings below changes. */
   readonly changed = new Signal();
   readonly statistics = new FrameStatistics();
@@ -163,6 +165,11 @@ export class Viewport {
     this.changed.emit();
   }
 
+  /** Whether pointer and keys go to the scene's own components. */
+  get sceneListens(): boolean {
+    return this.through !== null && this.document.simulation.isPlaying;
+  }
+
   /** The three camera of the picture. */
   get camera(): Camera {
     return this.through?.isAttached ? this.through.three : this.editorCamera.camera;
@@ -231,11 +238,6 @@ export class Viewport {
     this.webgl.dispose();
   }
 
-  /** Whether pointer and keys go to the scene's own components. */
-  private get sceneListens(): boolean {
-    return this.through !== null && this.document.simulation.isPlaying;
-  }
-
   private sceneOpened(): void {
     this.lookThrough = null;
     const { scene } = this.document;
@@ -271,6 +273,10 @@ export class Viewport {
     if (this.editorCamera.update(Math.min(elapsed, 0.1))) this.invalidate();
     if (!simulation.isPlaying && !this.always && this.pending === 0) return;
     this.pending = Math.max(0, this.pending - 1);
-    this.renderNow();
+    try {
+      this.renderNow();
+    } catch (error) {
+      this.onError(error);
+    }
   };
 }

@@ -2,7 +2,7 @@ import { ContextMenu } from '@base-ui/react/context-menu';
 import type { ItemInstance } from '@headless-tree/core';
 import { AssistiveTreeDescription } from '@headless-tree/react';
 import { useVirtualizer } from '@tanstack/react-virtual';
-import { type MouseEvent, type ReactNode, useRef } from 'react';
+import { type MouseEvent, type ReactNode, useCallback, useRef } from 'react';
 import { addEntries } from '../../actions/addEntries';
 import { duplicate } from '../../actions/duplicate';
 import { focus } from '../../actions/focus';
@@ -13,7 +13,7 @@ import { useEditor } from '../../ui/EditorContext';
 import { LateItems, MenuButton } from '../../ui/MenuButton';
 import { actionEntry, type MenuEntry } from '../../ui/MenuEntry';
 import './hierarchy.css';
-import { HierarchyRow } from './HierarchyRow';
+import { HierarchyRow, rowState } from './HierarchyRow';
 import { useObjectTree } from './useObjectTree';
 
 const ROW_HEIGHT = 24;
@@ -25,31 +25,35 @@ export function HierarchyPanel(): ReactNode {
   const scroller = useRef<HTMLDivElement>(null);
   const anchor = useRef<string | null>(null);
   const tree = useObjectTree((index) => virtualizer.scrollToIndex(index));
-  const items = tree.getItems();
+  const rows = tree.getItems();
   // oxlint-disable-next-line react/incompatible-library -- nothing here is memoised by hand
   const virtualizer = useVirtualizer({
-    count: items.length,
+    count: rows.length,
     getScrollElement: () => scroller.current,
     estimateSize: () => ROW_HEIGHT,
     overscan: 8,
   });
 
-  const select = (item: ItemInstance<string>, event: MouseEvent): void => {
-    const id = item.getId();
-    item.setFocused();
-    tree.updateDomFocus();
-    const from = items.findIndex((each) => each.getId() === anchor.current);
-    if (event.shiftKey && from >= 0) {
-      const to = item.getItemMeta().index;
-      const range = items.slice(Math.min(from, to), Math.max(from, to) + 1).map((each) => each.getId());
-      // the one clicked is the one chosen last
-      document.selection.set([...range.filter((each) => each !== id), id]);
-      return;
-    }
-    anchor.current = id;
-    if (event.ctrlKey || event.metaKey) document.selection.toggle(id);
-    else document.selection.set([id]);
-  };
+  const select = useCallback(
+    (item: ItemInstance<string>, event: MouseEvent): void => {
+      const id = item.getId();
+      item.setFocused();
+      tree.updateDomFocus();
+      const items = tree.getItems();
+      const from = items.findIndex((each) => each.getId() === anchor.current);
+      if (event.shiftKey && from >= 0) {
+        const to = item.getItemMeta().index;
+        const range = items.slice(Math.min(from, to), Math.max(from, to) + 1).map((each) => each.getId());
+        // the one clicked is the one chosen last
+        document.selection.set([...range.filter((each) => each !== id), id]);
+        return;
+      }
+      anchor.current = id;
+      if (event.ctrlKey || event.metaKey) document.selection.toggle(id);
+      else document.selection.set([id]);
+    },
+    [document, tree],
+  );
 
   /** A right click on what is not selected selects it. */
   const contextMenu = (event: MouseEvent): void => {
@@ -89,7 +93,7 @@ export function HierarchyPanel(): ReactNode {
             style={{ height: virtualizer.getTotalSize() }}
           >
             {virtualizer.getVirtualItems().map(({ index, start }) => {
-              const item = items[index];
+              const item = rows[index];
               const object = item && document.scene.findById(item.getId());
               if (!object) return null;
               return (
@@ -98,8 +102,10 @@ export function HierarchyPanel(): ReactNode {
                   tree={tree}
                   item={item}
                   object={object}
-                  style={{ height: ROW_HEIGHT, transform: `translateY(${start}px)` }}
-                  onSelect={(event) => select(item, event)}
+                  top={start}
+                  height={ROW_HEIGHT}
+                  state={rowState(tree, item, object)}
+                  onSelect={select}
                 />
               );
             })}

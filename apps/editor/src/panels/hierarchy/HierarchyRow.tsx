@@ -1,6 +1,6 @@
 import type { GameObject } from '@farol/engine';
 import type { ItemInstance, TreeInstance } from '@headless-tree/core';
-import type { CSSProperties, MouseEvent, ReactNode } from 'react';
+import { memo, type MouseEvent, type ReactNode } from 'react';
 import { setActive } from '../../model/edits';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -11,16 +11,30 @@ interface HierarchyRowProps {
   readonly tree: TreeInstance<string>;
   readonly item: ItemInstance<string>;
   readonly object: GameObject;
-  readonly style: CSSProperties;
+  /** From the top of the tree, and how high it is (CSS pixels). */
+  readonly top: number;
+  readonly height: number;
+  /** See `rowState`: the row is rendered again when this differs. */
+  readonly state: string;
   /** Called when the row is clicked. */
-  onSelect(event: MouseEvent): void;
+  onSelect(item: ItemInstance<string>, event: MouseEvent): void;
+}
+
+/** Everything that a row shows, as one text. */
+export function rowState(tree: TreeInstance<string>, item: ItemInstance<string>, object: GameObject): string {
+  const { level, setSize, posInSet } = item.getItemMeta();
+  return [
+    ...[object.name, objectIcon(object), object.active, object.activeInHierarchy, object.children.length > 0],
+    ...[level, setSize, posInSet, item.isSelected(), item.isFocused(), item.isExpanded()],
+    ...[item.isUnorderedDragTarget(), item.isRenaming() ? tree.getRenamingValue() : null],
+  ].join('\n');
 }
 
 /** One GameObject: fold, icon, name, and whether it is shown. */
-export function HierarchyRow({ tree, item, object, style, onSelect }: HierarchyRowProps): ReactNode {
+export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps): ReactNode {
+  const { tree, item, object, top, height, onSelect } = props;
   const editor = useEditor();
   const hasChildren = object.children.length > 0;
-  const props = item.getProps();
   const states = [
     'row',
     item.isSelected() && 'selected',
@@ -29,12 +43,12 @@ export function HierarchyRow({ tree, item, object, style, onSelect }: HierarchyR
   ];
   return (
     <div
-      {...props}
+      {...item.getProps()}
       className={states.filter(Boolean).join(' ')}
-      style={{ ...style, paddingInlineStart: 6 + item.getItemMeta().level * INDENT }}
+      style={{ height, transform: `translateY(${top}px)`, paddingInlineStart: 6 + item.getItemMeta().level * INDENT }}
       aria-expanded={hasChildren ? item.isExpanded() : undefined}
       data-object-id={object.id}
-      onClick={onSelect}
+      onClick={(event) => onSelect(item, event)}
       onDoubleClick={() => editor.viewport.focus()}
     >
       <button
@@ -88,4 +102,4 @@ export function HierarchyRow({ tree, item, object, style, onSelect }: HierarchyR
       </button>
     </div>
   );
-}
+});

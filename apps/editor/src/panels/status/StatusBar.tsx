@@ -1,4 +1,4 @@
-import { type ReactNode, useCallback } from 'react';
+import { type ReactNode, useCallback, useEffect } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { usePoll } from '../../ui/usePoll';
 import './status.css';
@@ -16,6 +16,10 @@ export function StatusBar(): ReactNode {
   useSignal(document.structure);
   useSignal(commands.changed);
   useSignal(fileChanged);
+  const name = file.name ?? document.scene.name;
+  useEffect(() => {
+    window.document.title = `${name} – Farol`;
+  }, [name]);
   const selected = document.selection.ids.length;
   const rate = usePoll(
     useCallback(() => {
@@ -46,8 +50,8 @@ export function StatusBar(): ReactNode {
   return (
     <footer className="status" aria-label="Status">
       <span className="status-file">
-        {file.name ?? document.scene.name}
-        {commands.isDirty && <span className="dirty" title="Not saved" aria-label="not saved" />}
+        {name}
+        {commands.isDirty && <span className="dirty" role="img" title="Not saved" aria-label="not saved" />}
       </span>
       <span className="dim">{selected === 0 ? 'nothing selected' : `${selected} selected`}</span>
       <span className="status-space" />
