@@ -19,7 +19,7 @@ Draws scene × technique × lights × size in Chromium, in turns, and writes ben
   --against REF       measure another build in turns with this one: a git ref, or a folder with a built viewer
   --build-only        build, put the viewers into OUT/now and OUT/against, and measure nothing
   --out DIR           default bench-results
-  --help
+  --help              this text
 
 The browser is CHROMIUM_PATH, or the one that npm test finds. Figures are medians of the rounds' medians; p95 is over the
 frames of all rounds.`;

@@ -1,0 +1,35 @@
+import { mkdtempSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { request } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterEach, beforeEach, expect, it } from 'vitest';
+import { serveFolder } from './benchServe.mjs';
+
+let folder: string;
+beforeEach(() => {
+  folder = mkdtempSync(join(tmpdir(), 'farol-serve-'));
+  mkdirSync(join(folder, 'dist'));
+  writeFileSync(join(folder, 'dist/index.html'), 'the page');
+  writeFileSync(join(folder, 'secret.txt'), 'not for you');
+});
+afterEach(() => rmSync(folder, { recursive: true }));
+
+/** Status of a path as it stands; fetch would take the dots out. */
+const status = (url: string, path: string) =>
+  new Promise((done) => request(url, { path }, (answer) => done(answer.resume().statusCode)).end());
+
+it('serves a folder and nothing outside of it, isolated for a fine clock', async () => {
+  const server = await serveFolder(join(folder, 'dist'));
+  try {
+    const page = await fetch(`${server.url}?scene=temple`);
+    expect(await page.text()).toBe('the page');
+    expect(page.headers.get('content-type')).toMatch(/^text\/html/);
+    expect(page.headers.get('cross-origin-embedder-policy')).toBe('require-corp');
+    expect(await status(server.url, '/missing.js')).toBe(404);
+    for (const path of ['/../secret.txt', '/%2e%2e/secret.txt', '/..%2fsecret.txt', '/..%5csecret.txt', '/%']) {
+      expect(await status(server.url, path), path).toBe(404);
+    }
+  } finally {
+    await server.close();
+  }
+});
