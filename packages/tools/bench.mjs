@@ -40,7 +40,7 @@ async function bench(options) {
   const servers = await Promise.all(builds.map(({ folder }) => serveFolder(folder)));
   try {
     const known = [];
-    for (const { url } of servers) known.push(await browser.known(url, options.timeout));
+    for (const { url } of servers) known.push(await browser.known(url, Math.max(60, options.timeout)));
     const cases = benchCases(options, known);
     const urls = servers.map(({ url }) => url);
     const measured = await measureAll(options, { browser, builds, cases, urls });

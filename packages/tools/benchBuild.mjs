@@ -13,7 +13,7 @@ export async function buildViewer(checkout) {
   const { build } = await import('vite');
   for (const part of ['packages/renderer', 'packages/engine', 'apps/viewer']) {
     const folder = join(checkout, part);
-    await build({ root: folder, configFile: join(folder, 'vite.config.ts'), logLevel: 'warn' });
+    await build({ root: folder, configFile: join(folder, 'vite.config.ts'), logLevel: 'error' });
   }
   return join(checkout, 'apps/viewer/dist');
 }
