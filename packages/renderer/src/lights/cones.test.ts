@@ -127,7 +127,8 @@ describe('coneBoundingSphere', () => {
       const cone = randomCone(random, 20);
       const [x, y, z, r] = coneBoundingSphere(...cone.apex, ...cone.axis, cone.range, cone.angle, sphere);
       const distance = (p: Vector) => Math.hypot(p[0] - x, p[1] - y, p[2] - z);
-      for (let k = 0; k < 50; k++) expect(distance(randomPoint(cone, random))).toBeLessThanOrEqual(r * (1 + 1e-9));
+      const farthest = Math.max(...Array.from({ length: 50 }, () => distance(randomPoint(cone, random))));
+      expect(farthest).toBeLessThanOrEqual(r * (1 + 1e-9));
       // points of the cone on the sphere, on opposite sides: the rim, or the rim and the apex
       expect(distance(pointOf(cone, 1, 0, 1))).toBeCloseTo(r, 9);
       expect(distance(pointOf(cone, 1, Math.PI, 1))).toBeCloseTo(r, 9);
@@ -141,7 +142,7 @@ describe('coneIntersectsSphere', () => {
   it('is true exactly when a point of the cone is in the sphere', () => {
     const random = createRandom(41);
     const found = { touching: 0, apart: 0 };
-    for (let i = 0; i < 600; i++) {
+    for (let i = 0; i < 300; i++) {
       const cone = randomCone(random, 10);
       const centre = randomDirection(random).map((c, k) => cone.apex[k] + c * cone.range * 1.6 * random()) as Vector;
       // the least distance over the section of the cone through the centre, by a grid
@@ -168,7 +169,7 @@ describe('coneIntersectsSphere', () => {
         found.apart++;
       }
     }
-    expect(found.apart).toBeGreaterThan(100);
+    expect(found.apart).toBeGreaterThan(50);
   });
 });
 

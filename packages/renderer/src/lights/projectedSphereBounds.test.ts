@@ -44,7 +44,7 @@ function sampledBounds(
 describe.each(testCameras)('the rectangle of a sphere, $name', (camera) => {
   const { projection, near, far } = camera;
   const reach = Math.min(far, 60);
-  const spheres = randomSpheres(250, createRandom(11), camera, reach, reach / 8);
+  const spheres = randomSpheres(120, createRandom(11), camera, reach, reach / 8);
 
   it('holds every point of it that is between near and far', () => {
     const random = createRandom(5);
@@ -70,7 +70,7 @@ describe.each(testCameras)('the rectangle of a sphere, $name', (camera) => {
           ).toBe(true);
       }
     }
-    expect(points).toBeGreaterThan(5000);
+    expect(points).toBeGreaterThan(2000);
   });
 
   it('is no larger than it, to within a thousandth', () => {

@@ -84,7 +84,7 @@ export function randomSpheres(
   const spheres = new Float32Array(count * 4);
   for (let i = 0; i < count; i++) {
     const atCamera = random() < 0.1;
-    const depth = atCamera ? (random() * 2 - 1) * radius : (random() * 1.1 - 0.1) * reach;
+    const depth = atCamera ? (random() * 2 - 1) * radius : (random() * 1.3 - 0.1) * reach;
     const w = m[11] === 0 ? 1 : Math.abs(depth);
     const u = (random() * 2 - 1) * 1.5;
     const v = (random() * 2 - 1) * 1.5;

@@ -4,7 +4,6 @@ import accumulatedOutput from './accumulatedOutput.glsl?raw';
 import ambientLight from './ambientLight.glsl?raw';
 import countView from './countView.glsl?raw';
 import deferredOutput from './deferredOutput.glsl?raw';
-import depthBin from './depthBin.glsl?raw';
 import fullscreen from './fullscreen.glsl?raw';
 import gbufferRead from './gbufferRead.glsl?raw';
 import gbufferWrite from './gbufferWrite.glsl?raw';
@@ -44,7 +43,6 @@ const sources = {
   ambientLight,
   countView,
   deferredOutput,
-  depthBin,
   fullscreen,
   gbufferRead,
   gbufferWrite,
