@@ -48,7 +48,7 @@ export function importViolations(files, manifests) {
  * @param {ReadonlyMap<string, { dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
 function violation(path, specifier, { from, may }, manifests) {
-  const forTests = /\.test\.tsx?$|(^|\/)\w+\.config\.ts$/.test(path);
+  const forTests = /\.(test|bench)\.tsx?$|(^|\/)\w+\.config\.ts$/.test(path);
   if (specifier.startsWith('.')) {
     const target = normalize(join(dirname(path), specifier));
     if (may.some((folder) => target === folder || target.startsWith(`${folder}/`))) return null;
