@@ -16,7 +16,7 @@ export const MOST_LIGHTS = 65_504;
 export class LightGrid {
   /** Ranks in use. */
   count = 0;
-  /** Rank to light; 0 for ranks that no tile has. Only the first `count`. */
+  /** Rank to light; NO_LIGHT for ranks that stand empty. Only the first `count`. */
   order = new Uint32Array(0);
   private readonly frame = new GridFrame();
   private readonly lights = new GridLights();
@@ -108,7 +108,7 @@ export class LightGrid {
     if (this.order.length < this.count) this.order = new Uint32Array(depthBins.order.length);
     for (let rank = 0; rank < this.count; rank++) {
       const light = depthBins.order[rank];
-      this.order[rank] = light === NO_LIGHT ? 0 : lights.index[light];
+      this.order[rank] = light === NO_LIGHT ? NO_LIGHT : lights.index[light];
     }
   }
 }

@@ -6,6 +6,7 @@ import type { FarolAttenuation, FarolLightData } from './FarolLightData';
 import { viewFrustumPlanes } from './viewFrustumPlanes';
 import { sphereOutsidePlanes } from './sphereOutsidePlanes';
 import { coneBoundingSphere } from './coneBoundingSphere';
+import { NO_LIGHT } from './DepthBins';
 import { DepthOrder } from './DepthOrder';
 import { LightGrid } from './LightGrid';
 
@@ -259,6 +260,13 @@ export class LightTable {
   private writeBounded(record: number, k: number, view: Matrix4): void {
     const { bounds, axes, around } = this;
     const i = this.rank[k];
+    if (i === NO_LIGHT) {
+      // lights nothing, for loops that know no lists
+      this.table.set4(record * FLOATS_PER_RECORD, 0, 0, 0, 1);
+      this.table.set4(record * FLOATS_PER_RECORD + 4, 0, 0, 0, 2);
+      this.culling.set4(k * 4, 0, 0, 1e30, 0);
+      return;
+    }
     const at = i * 4;
     position.set(bounds[at], bounds[at + 1], bounds[at + 2]);
     this.writeLocal(record, this.boundeds[i], view);

@@ -7,12 +7,12 @@ export type TwinShader = Pick<WebGLProgramParametersWithUniforms, 'uniforms' | '
 export interface TwinKind {
   /** Part of the program's cache key: one kind, one key. */
   readonly key: string;
-  /** Microshaders whose headers the fragment shader gets; a live edit of any compiles the twins anew. */
-  readonly chunks: readonly string[];
+  /** Microshaders whose headers the fragment shader of a source's twin gets; a live edit of any compiles the twins anew. */
+  chunks(source: Material): readonly string[];
   /** Values the twin owns in place of its source's, such as blending. */
   readonly properties?: Partial<Material> & { fog?: boolean };
   /** More of the cache key, from what the patch reads of the source. */
   variant?(source: Material): string;
-  /** Rewrites the fragment shader; `header` is the resolved text of `chunks`. Must not touch the source. */
+  /** Rewrites the fragment shader; `header` is the resolved text of `chunks(source)`. Must not touch the source. */
   patch(shader: TwinShader, source: Material, header: string): void;
 }

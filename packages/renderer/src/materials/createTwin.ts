@@ -16,19 +16,20 @@ export interface TwinContext {
  */
 export function createTwin(source: Material, kind: TwinKind, context: TwinContext): Material {
   const twin = Object.create(source) as Material;
+  const chunks = kind.chunks(source);
   const own = (name: string, value: unknown) =>
     Object.defineProperty(twin, name, { value, writable: true, configurable: true, enumerable: true });
   Object.defineProperty(twin, 'id', { value: new BaseMaterial().id });
   Object.defineProperty(twin, 'version', {
-    get: () => source.version + context.revision(kind.chunks),
+    get: () => source.version + context.revision(chunks),
     set: () => undefined,
   });
   own('_listeners', undefined);
-  own('customProgramCacheKey', () => `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.revision(kind.chunks)}:${source.customProgramCacheKey()}`);
+  own('customProgramCacheKey', () => `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.revision(chunks)}:${source.customProgramCacheKey()}`);
   own('onBeforeCompile', (shader: TwinShader, webgl: WebGLRenderer) => {
     source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);
     shader.uniforms = { ...shader.uniforms, ...context.uniforms } as TwinShader['uniforms'];
-    kind.patch(shader, source, context.header(kind.chunks));
+    kind.patch(shader, source, context.header(chunks));
   });
   for (const [name, value] of Object.entries(kind.properties ?? {})) own(name, value);
   return twin;

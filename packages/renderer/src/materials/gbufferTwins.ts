@@ -40,7 +40,7 @@ export const gbufferViewTwin: TwinKind = litTwin({
 /** MeshBasicMaterial in the views: its colour is emissive. */
 export const gbufferUnlitTwin: TwinKind = {
   key: 'gbuffer-unlit',
-  chunks: [],
+  chunks: () => [],
   properties: { fog: false },
   patch(shader: TwinShader) {
     const at = shader.fragmentShader.lastIndexOf('}');

@@ -23,10 +23,11 @@ const PARS = '#include <lights_pars_begin>';
 /** A kind of twin of lit materials: three's shader with Farol's light loop in it. */
 export function litTwin(options: LitTwinOptions): TwinKind {
   const chunks = ['ambientLight', options.loop, 'shadeThree', ...(options.chunks ?? [])];
+  const toonChunks = ['ambientLight', loopOfToon(options.loop), 'shadeThree', ...(options.chunks ?? [])];
   const begin = () => lightsFragmentBegin(options.withThreeLights ?? true);
   return {
     key: options.key,
-    chunks,
+    chunks: (source) => ((source as Material & { isMeshToonMaterial?: boolean }).isMeshToonMaterial ? toonChunks : chunks),
     ...(options.properties && { properties: options.properties }),
     ...(options.variant && { variant: options.variant }),
     patch(shader: TwinShader, source: Material, header: string) {
@@ -36,6 +37,11 @@ export function litTwin(options: LitTwinOptions): TwinKind {
       shader.fragmentShader = text;
     },
   };
+}
+
+/** Toon shading takes derivatives in the light loop, which mean nothing unless all pixels go through the same lights. */
+function loopOfToon(loop: string): string {
+  return loop === 'lightLoopNone' || loop === 'lightLoopOne' ? loop : 'lightLoopAll';
 }
 
 function beforeLastBrace(text: string, statements: string): string {

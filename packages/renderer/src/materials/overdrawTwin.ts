@@ -4,7 +4,7 @@ import type { TwinKind, TwinShader } from './TwinKind';
 /** Adds one where the material would have been shaded. */
 export const overdrawTwin: TwinKind = {
   key: 'overdraw',
-  chunks: [],
+  chunks: () => [],
   properties: {
     blending: CustomBlending,
     blendEquation: AddEquation,

@@ -19,9 +19,15 @@
   #define FAROL_SAVE_SHEEN
   #define FAROL_SCALE_SHEEN
 #endif
+// what gets nothing of a light is not shaded; toon shading takes derivatives in here, which all pixels must come by
+#ifdef TOON
+  #define FAROL_IS_LIT(light) true
+#else
+  #define FAROL_IS_LIT(light) light.attenuation > 0.0
+#endif
 #define FAROL_SHADE(light) \
   farol_lightsEvaluated += 1.0; \
-  if (light.attenuation > 0.0) { \
+  if (FAROL_IS_LIT(light)) { \
   directLight.direction = light.direction; directLight.color = light.color; directLight.visible = true; \
   ReflectedLight farol_before = reflectedLight; FAROL_SAVE_CLEARCOAT FAROL_SAVE_SHEEN \
   RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight); \
