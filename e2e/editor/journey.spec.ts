@@ -297,3 +297,66 @@ test('flies while the right button is held, and only then', async ({ page }) => 
   expect(await page.evaluate(() => window.editor.viewport.mode)).toBe('scale');
   expect(await history(page)).toEqual([]);
 });
+
+test('edits several objects at once, and goes back with Escape', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await addObject(page, 'Light', 'Point light');
+  await addObject(page, 'Light', 'Spot light');
+  await page.getByRole('treeitem', { name: 'Point light' }).click({ modifiers: ['Control'] });
+  const light = page.getByRole('region', { name: 'Light', exact: true });
+  const intensities = (): Promise<unknown[]> =>
+    Promise.all(['Point light', 'Spot light'].map((name) => fieldOf(page, name, 'Light', 'intensity')));
+  const before = await intensities();
+  const steps = await history(page);
+
+  const intensity = light.getByLabel('Intensity', { exact: true });
+  await expect(intensity).toHaveValue('');
+  await intensity.fill('33');
+  expect(await intensities()).toEqual([33, 33]);
+  await page.keyboard.press('Escape');
+  expect(await intensities()).toEqual(before);
+  expect(await history(page)).toEqual(steps);
+
+  await intensity.fill('44');
+  await page.keyboard.press('Enter');
+  expect(await intensities()).toEqual([44, 44]);
+  expect(await history(page)).toEqual([...steps, 'Set intensity of Light']);
+
+  // a drag over the colour picker: one step
+  await light.getByRole('button', { name: 'Colour', exact: true }).click();
+  const picker = (await page.locator('.react-colorful__saturation').boundingBox())!;
+  await page.mouse.move(picker.x + 20, picker.y + 20);
+  await page.mouse.down();
+  for (let i = 1; i <= 5; i++) await page.mouse.move(picker.x + 20 + i * 12, picker.y + 20 + i * 8);
+  await page.mouse.up();
+  await page.keyboard.press('Escape');
+  expect(await history(page)).toEqual([...steps, 'Set intensity of Light', 'Set colour of Light']);
+  expect(await fieldOf(page, 'Spot light', 'Light', 'diffuse')).not.toEqual([1, 1, 1]);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  expect(await intensities()).toEqual(before);
+  expect(await fieldOf(page, 'Spot light', 'Light', 'diffuse')).toEqual([1, 1, 1]);
+});
+
+test('enables, resets and removes components', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await page.getByRole('treeitem', { name: 'Sun' }).click();
+  const before = await serialized(page);
+  const light = page.getByRole('region', { name: 'Light', exact: true });
+  await light.getByRole('checkbox', { name: 'Light enabled' }).click();
+  expect(await page.evaluate(() => window.editor.document.scene.find('Sun')!.getComponent('Light')!.enabled)).toBe(
+    false,
+  );
+  await light.getByRole('button', { name: 'Light menu' }).click();
+  await page.getByRole('menuitem', { name: /^Reset/ }).click();
+  expect(await fieldOf(page, 'Sun', 'Light', 'type')).toBe('point');
+  await light.getByRole('button', { name: 'Light menu' }).click();
+  await page.getByRole('menuitem', { name: 'Remove' }).click();
+  await expect(light).toHaveCount(0);
+  expect(await history(page)).toEqual(['Disable Light', 'Reset Light', 'Remove Light']);
+  for (let i = 0; i < 3; i++) await page.keyboard.press('Control+z');
+  await expect(light.getByRole('combobox', { name: 'Type' })).toHaveText('directional');
+  expect(await serialized(page)).toBe(before);
+});

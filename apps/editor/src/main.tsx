@@ -22,7 +22,14 @@ try {
   const editor = new Editor(document.createElement('canvas'), { dragon: dragonUrl });
   window.editor = editor;
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
-  window.addEventListener('keydown', (event) => handleKey(editor, event) && event.preventDefault());
+  for (const isCapture of [true, false]) {
+    const keyDown = (event: KeyboardEvent): void => {
+      if (!handleKey(editor, event, isCapture)) return;
+      event.preventDefault();
+      event.stopPropagation();
+    };
+    window.addEventListener('keydown', keyDown, isCapture);
+  }
   window.addEventListener('beforeunload', (event) => editor.commands.isDirty && event.preventDefault());
   createRoot(place).render(
     <StrictMode>

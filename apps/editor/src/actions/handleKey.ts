@@ -3,12 +3,12 @@ import type { Action } from './Action';
 import { actions } from './index';
 import { matchKey } from './matchKey';
 
-/** What the focus is in. */
-type Focus = 'page' | 'text' | 'number' | 'popup';
+/** What the focus is in. A menu or a list takes letters as text does: they choose what begins with them. */
+type Focus = 'page' | 'text' | 'number';
 
 function focusOf(target: EventTarget | null): Focus {
   if (!(target instanceof HTMLElement)) return 'page';
-  if (target.closest('[role="menu"], [role="listbox"], [role="dialog"], [role="alertdialog"]')) return 'popup';
+  if (target.closest('[role="menu"], [role="listbox"], [role="dialog"], [role="alertdialog"]')) return 'text';
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return 'text';
   if (!(target instanceof HTMLInputElement)) return 'page';
   if (['checkbox', 'radio', 'button', 'range'].includes(target.type)) return 'page';
@@ -21,14 +21,19 @@ function counts(action: Action, combination: string, focus: Focus): boolean {
   return focus === 'number' && /^[a-z]$/i.test(combination);
 }
 
-/** Does the action of a key. @returns whether there is one; the browser shall do nothing with the key then */
-export function handleKey(editor: Editor, event: KeyboardEvent): boolean {
+/**
+ * Does the action of a key.
+ * @param isCapture - before the focused element hears of the key: only actions that count in every place, which no menu
+ * that is just closing shall swallow; else those that count where the focus is
+ * @returns whether there is one; nobody else shall do anything with the key then
+ */
+export function handleKey(editor: Editor, event: KeyboardEvent, isCapture: boolean): boolean {
   if (event.defaultPrevented || event.isComposing || editor.dialogs.current) return false;
-  const focus = focusOf(event.target);
-  if (focus === 'popup') return false;
   // a scene that is played through one of its cameras has the letters for itself
   if (editor.viewport.sceneListens && !event.ctrlKey && !event.metaKey && event.key.length === 1) return false;
+  const focus = focusOf(event.target);
   for (const action of actions) {
+    if ((action.inFields ?? false) !== isCapture) continue;
     const combination = action.keys?.find((keys) => matchKey(keys, event));
     if (combination === undefined || !counts(action, combination, focus)) continue;
     takeOverField(event.target);
