@@ -114,7 +114,14 @@ function addLights(scene: THREE.Scene, mix: LightMix, count: number, penumbra?: 
     if (kind === 'point') light = new THREE.PointLight(colour, power, 4, 2);
     else if (kind === 'unbounded') light = new THREE.PointLight(colour, power * 0.1, 0, i % 2 ? 2 : 1.4);
     else if (kind === 'spot') {
-      const spot = new THREE.SpotLight(colour, power * 3, i % 3 ? 7 : 0, i % 5 ? 0.5 : 1.3, penumbra ?? (i % 4) / 5 + 0.1, 2);
+      const spot = new THREE.SpotLight(
+        colour,
+        power * 3,
+        i % 3 ? 7 : 0,
+        i % 5 ? 0.5 : 1.3,
+        penumbra ?? (i % 4) / 5 + 0.1,
+        2,
+      );
       spot.target.position.set(place.x + next() - 0.5, place.y - next(), -1);
       scene.add(spot.target);
       light = spot;

@@ -20,7 +20,11 @@ interface Pair {
 }
 
 /** Draws a scene by stock three once, and by each technique. */
-async function drawAll(page: Page, options: Omit<MaterialSceneOptions, 'environment'>, environment: boolean): Promise<Pair[]> {
+async function drawAll(
+  page: Page,
+  options: Omit<MaterialSceneOptions, 'environment'>,
+  environment: boolean,
+): Promise<Pair[]> {
   return page.evaluate(
     ([width, height, options, environment]) => {
       const { Bench, compareImages, farol, isFlat, materialScene } = window.testPage;

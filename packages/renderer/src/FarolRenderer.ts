@@ -1,5 +1,5 @@
 import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
-import { checkDevice } from './checkDevice';
+import { checkDevice, hasFloatTargets } from './checkDevice';
 import { collectLights } from './collectLights';
 import { compileByDrawing } from './compileByDrawing';
 import { type View, isSurfaceView, views } from './debug/views';
@@ -21,10 +21,11 @@ import { validatePasses } from './passes/validatePasses';
 import { refuseArrays } from './refuseArrays';
 import { SceneView } from './SceneView';
 import { type TechniqueName, techniques } from './techniques';
+import { TechniqueChooser } from './techniques/TechniqueChooser';
 import type { Technique } from './techniques/Technique';
 
 export interface FarolOptions {
-  /** Key of `techniques`. Default 'deferred'. */
+  /** Key of `techniques`. Default 'auto'. */
   technique?: TechniqueName;
   /** Default 'final'. */
   view?: View;
@@ -68,7 +69,12 @@ export class FarolRenderer {
   private readonly surfaceView = new SurfaceViewPass();
   private readonly found: Light[] = [];
   private readonly nested: Light[] = [];
-  private techniqueName: TechniqueName = 'deferred';
+  private techniqueName: TechniqueName = 'auto';
+  /** What draws this frame: the technique, or what 'auto' picked, and why. */
+  private active: TechniqueName = 'deferred';
+  private reason = '';
+  private readonly chooser = new TechniqueChooser();
+  private floatTargets = true;
   private viewName: View = 'final';
   private sceneView!: SceneView;
   private disposed = false;
@@ -83,6 +89,7 @@ export class FarolRenderer {
     options: FarolOptions = {},
   ) {
     checkDevice(webgl, false);
+    this.floatTargets = hasFloatTargets(webgl);
     this.microshaders = createRegistry(webgl);
     this.twins = new TwinCache({
       uniforms: this.uniforms,
@@ -92,7 +99,7 @@ export class FarolRenderer {
     this.frame = new Frame(webgl, this.lights, this.twins, this.uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
     this.timing = options.timing ?? false;
-    this.technique = options.technique ?? 'deferred';
+    this.technique = options.technique ?? 'auto';
     this.view = options.view ?? 'final';
   }
 
@@ -139,11 +146,13 @@ export class FarolRenderer {
     collectLights(scene, camera, this.webgl, this.found, this.nested);
     this.frame.begin(scene, camera, this.viewName);
     if (this.viewName === 'grid') this.frame.quarter();
-    this.lights.update(this.found, camera, (techniques[this.techniqueName] as Technique).lightOrder, this.frame);
+    this.lights.collect(this.found, camera);
+    this.pick();
+    this.lights.write(camera, (techniques[this.active] as Technique).lightOrder, this.frame);
     this.setUniforms();
     this.sceneView = this.viewOf(scene);
     this.sceneView.render(camera, this.nested, this.frame.queue, this.draw);
-    this.recorder.end(this.techniqueName, this.lights, this.targetBytes());
+    this.recorder.end(this.active, this.reason, this.lights, this.frame.uploadedBytes, this.targetBytes());
   }
 
   /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */
@@ -172,6 +181,22 @@ export class FarolRenderer {
     this.recorder.dispose();
   }
 
+  private pick(): void {
+    const { lights } = this;
+    this.active = this.techniqueName;
+    this.reason = 'asked for';
+    if (this.techniqueName !== 'auto') return;
+    const { bounded, coverage, directional, unbounded } = lights;
+    const choice = this.chooser.choose({
+      bounded,
+      coverage,
+      everywhere: directional + unbounded,
+      floatTargets: this.floatTargets,
+    });
+    this.active = choice.technique;
+    this.reason = choice.reason;
+  }
+
   private setUniforms(): void {
     const { lights, uniforms } = this;
     lights.upload(this.webgl);
@@ -198,7 +223,7 @@ export class FarolRenderer {
       return;
     }
     if (frame.view === 'overdraw') this.run(this.overdraw.name, () => this.overdraw.render(frame));
-    for (const pass of this.passesOf(this.techniqueName)) {
+    for (const pass of this.passesOf(this.active)) {
       this.recorder.beginPass(pass.name);
       pass.render(frame);
       this.recorder.endPass();
@@ -215,13 +240,17 @@ export class FarolRenderer {
   }
 
   private hasOutput(): boolean {
-    return this.passesOf(this.techniqueName).some((pass) => pass.name === 'output');
+    return this.passesOf(this.active).some((pass) => pass.name === 'output');
   }
 
   private passesOf(name: TechniqueName): Pass[] {
     let passes = this.passLists.get(name);
     if (passes === undefined) {
-      passes = techniques[name].passes({ lightIndex: this.uniforms.farol_lightIndex, tiles: this.uniforms, grid: this.uniforms });
+      passes = techniques[name].passes({
+        lightIndex: this.uniforms.farol_lightIndex,
+        tiles: this.uniforms,
+        grid: this.uniforms,
+      });
       validatePasses(name, passes);
       this.passLists.set(name, passes);
     }

@@ -29,8 +29,22 @@ export interface FrameUniforms {
   readonly [name: string]: { value: unknown };
 }
 
-type Draw = (camera: Camera, scene: Scene, geometry: BufferGeometry, material: Material, object: Object3D, group: GeometryGroup | null) => void;
-type MaterialCallback = (r: WebGLRenderer, s: Scene, c: Camera, g: BufferGeometry, o: Object3D, p: GeometryGroup | null) => void;
+type Draw = (
+  camera: Camera,
+  scene: Scene,
+  geometry: BufferGeometry,
+  material: Material,
+  object: Object3D,
+  group: GeometryGroup | null,
+) => void;
+type MaterialCallback = (
+  r: WebGLRenderer,
+  s: Scene,
+  c: Camera,
+  g: BufferGeometry,
+  o: Object3D,
+  p: GeometryGroup | null,
+) => void;
 
 const TRANSPARENT = new Vector4(0, 0, 0, 0);
 const size = new Vector2();
@@ -132,7 +146,8 @@ export class Frame {
   copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget): void {
     const { gl } = this;
     const { properties, state } = this.webgl;
-    const framebuffer = (target: WebGLRenderTarget) => (properties.get(target) as { __webglFramebuffer: WebGLFramebuffer }).__webglFramebuffer;
+    const framebuffer = (target: WebGLRenderTarget) =>
+      (properties.get(target) as { __webglFramebuffer: WebGLFramebuffer }).__webglFramebuffer;
     state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer(from));
     state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, framebuffer(to));
     gl.blitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, gl.DEPTH_BUFFER_BIT, gl.NEAREST);

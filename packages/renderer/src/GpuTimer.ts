@@ -16,13 +16,14 @@ interface TimerExtension {
 export class GpuTimer {
   /** Last known GPU time of each pass (ms). */
   readonly times = new Map<string, number>();
-  private readonly extension: TimerExtension | null;
+  private extension: TimerExtension | null = null;
   private readonly pending: Pending[] = [];
   private readonly free: WebGLQuery[] = [];
   private running = false;
 
   constructor(private readonly gl: WebGL2RenderingContext) {
-    this.extension = gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
+    this.start();
+    gl.canvas.addEventListener('webglcontextrestored', this.start);
   }
 
   get available(): boolean {
@@ -58,7 +59,15 @@ export class GpuTimer {
     }
   }
 
+  /** Begins anew: the queries of a lost context are gone with it, and its extensions must be asked for again. */
+  private readonly start = (): void => {
+    this.pending.length = this.free.length = 0;
+    this.running = false;
+    this.extension = this.gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
+  };
+
   dispose(): void {
+    this.gl.canvas.removeEventListener('webglcontextrestored', this.start);
     for (const { query } of this.pending) this.gl.deleteQuery(query);
     for (const query of this.free) this.gl.deleteQuery(query);
     this.pending.length = this.free.length = 0;

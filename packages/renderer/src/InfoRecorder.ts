@@ -65,9 +65,10 @@ export class InfoRecorder {
     this.pass = null;
   }
 
-  end(technique: string, lights: LightTable, targetBytes: number): void {
+  end(technique: string, reason: string, lights: LightTable, uploadedBytes: number, targetBytes: number): void {
     const { info } = this;
     info.technique = technique;
+    info.reason = reason;
     info.drawCalls = info.triangles = 0;
     let gpu = 0;
     let timed = false;
@@ -84,7 +85,7 @@ export class InfoRecorder {
     info.lights.visible = lights.visible;
     info.programs = this.webgl.info.programs?.length ?? 0;
     info.targetBytes = targetBytes;
-    info.uploadBytes = lights.uploadedBytes;
+    info.uploadBytes = lights.uploadedBytes + uploadedBytes;
     info.cpuMs = performance.now() - this.started;
   }
 

@@ -18,7 +18,15 @@ import type { RenderItemSort, RenderQueue } from './RenderQueue';
 interface RenderList {
   opaque: unknown[];
   transmissive: unknown[];
-  push(object: Object3D, geometry: BufferGeometry, material: Material, groupOrder: number, z: number, group: GeometryGroup | null, camera: Camera): void;
+  push(
+    object: Object3D,
+    geometry: BufferGeometry,
+    material: Material,
+    groupOrder: number,
+    z: number,
+    group: GeometryGroup | null,
+    camera: Camera,
+  ): void;
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void;
   finish(): void;
 }
@@ -38,6 +46,7 @@ export class SceneView {
   private readonly masks: number[] = [];
   private readonly driver: Mesh;
   private lists: RenderList[] = [];
+  private takenFrom: unknown = null;
   private queue: RenderQueue | null = null;
   private draw: (() => void) | null = null;
 
@@ -49,9 +58,11 @@ export class SceneView {
     if (scene.isScene === true) {
       this.view = Object.create(scene) as Scene;
       this.own('onBeforeRender', (r: WebGLRenderer, _: Scene, camera: Camera, target: WebGLRenderTarget) =>
-        (scene.onBeforeRender as unknown as (...a: unknown[]) => void)(r, scene, camera, target));
+        (scene.onBeforeRender as unknown as (...a: unknown[]) => void)(r, scene, camera, target),
+      );
       this.own('onAfterRender', (r: WebGLRenderer, _: Scene, camera: Camera) =>
-        (scene.onAfterRender as unknown as (...a: unknown[]) => void)(r, scene, camera));
+        (scene.onAfterRender as unknown as (...a: unknown[]) => void)(r, scene, camera),
+      );
     } else {
       this.view = new Object3D();
     }
@@ -68,6 +79,7 @@ export class SceneView {
    * @param draw does the drawing; called once more for three's transmission target if something transmits
    */
   render(camera: Camera, lights: readonly Light[], queue: RenderQueue, draw: () => void): void {
+    if (this.takenFrom !== this.webgl.renderLists) this.takeLists(); // three made new ones for a restored context
     this.queue = queue;
     this.draw = draw;
     queue.clear();
@@ -142,6 +154,8 @@ export class SceneView {
   }
 
   private takeLists(): void {
+    this.lists = [];
+    this.takenFrom = this.webgl.renderLists;
     for (let depth = 0; depth < NESTING; depth++) {
       const list = this.webgl.renderLists.get(this.view as Scene, depth) as unknown as RenderList;
       const { push, finish } = list;

@@ -1,11 +1,4 @@
-import {
-  HalfFloatType,
-  RGBAFormat,
-  RGFormat,
-  UnsignedByteType,
-  type PixelFormat,
-  type TextureDataType,
-} from 'three';
+import { HalfFloatType, RGBAFormat, RGFormat, UnsignedByteType, type PixelFormat, type TextureDataType } from 'three';
 
 /** One colour attachment of the G-buffer. */
 export interface GBufferAttachment {

@@ -42,7 +42,8 @@ export function isPlainOpaque(material: Material): boolean {
 export function shadingModelOf(material: Material): ShadingModel | null {
   const m = material as AnyMaterial;
   if (m.color !== undefined && exceedsOne(m.color)) return null;
-  if (m.isMeshStandardMaterial) return m.isMeshPhysicalMaterial && !isPlainPhysical(m as MeshPhysicalMaterial) ? null : 'standard';
+  if (m.isMeshStandardMaterial)
+    return m.isMeshPhysicalMaterial && !isPlainPhysical(m as MeshPhysicalMaterial) ? null : 'standard';
   if (m.isMeshPhongMaterial) return m.envMap || exceedsOne((m as MeshPhongMaterial).specular) ? null : 'phong';
   if (m.isMeshLambertMaterial) return m.envMap ? null : 'lambert';
   return null;
@@ -50,7 +51,11 @@ export function shadingModelOf(material: Material): ShadingModel | null {
 
 /** The flags of a material, 0 to 15, as the G-buffer keeps them. */
 export function flagsOf(material: Material, model: ShadingModel): number {
-  return shadingModels[model] + ((material as AnyMaterial).fog === false ? 0 : FLAG_FOG) + (material.toneMapped ? FLAG_TONE_MAPPED : 0);
+  return (
+    shadingModels[model] +
+    ((material as AnyMaterial).fog === false ? 0 : FLAG_FOG) +
+    (material.toneMapped ? FLAG_TONE_MAPPED : 0)
+  );
 }
 
 function exceedsOne(color: Color): boolean {

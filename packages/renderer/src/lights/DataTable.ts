@@ -56,7 +56,8 @@ export class DataTable {
   upload(webgl: WebGLRenderer): void {
     this.uploadedBytes = 0;
     const rowFloats = this.width * 4;
-    if (this.fresh) {
+    const gone = (webgl.properties.get(this.texture) as { __webglTexture?: WebGLTexture }).__webglTexture === undefined;
+    if (this.fresh || gone) {
       webgl.initTexture(this.texture);
       this.fresh = false;
       this.uploadedBytes = this.data.byteLength;

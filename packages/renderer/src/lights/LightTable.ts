@@ -1,4 +1,14 @@
-import type { Camera, DirectionalLight, HemisphereLight, Light, Matrix4, PerspectiveCamera, PointLight, SpotLight, WebGLRenderer } from 'three';
+import type {
+  Camera,
+  DirectionalLight,
+  HemisphereLight,
+  Light,
+  Matrix4,
+  PerspectiveCamera,
+  PointLight,
+  SpotLight,
+  WebGLRenderer,
+} from 'three';
 import { Color, Vector3 } from 'three';
 import { DataTable } from './DataTable';
 import { FLOATS_PER_RECORD, RECORDS_PER_ROW } from './lightRecord';
@@ -51,8 +61,6 @@ export class LightTable {
   visible = 0;
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
   readonly ambient = new Float32Array(12);
-  /** Bounding sphere of each local light with a range, a texel each, [x, y, z, r] in view space (m); r negative for a cone. */
-  readonly culling = new DataTable(RECORDS_PER_ROW);
   /** View-space sphere [x, y, z, r] (m) of each local light with a range, r its range; in the order of `rank`. */
   bounds = new Float64Array(64);
   /** View-space [axis to the light, cos cutoff] of the same lights; cos -1 for a sphere. */
@@ -61,16 +69,19 @@ export class LightTable {
   rank: Uint32Array = new Uint32Array(64);
   /** Records of lights with a range; a grid may leave some empty. */
   bounded = 0;
+  /** Estimate of how many lights with a range lie over a pixel, whatever its depth. */
+  coverage = 0;
   /** Tile masks and depth bins, up to date after an update 'by-grid'. */
   readonly grid = new LightGrid();
   private readonly directionals: DirectionalLight[] = [];
   private readonly unboundeds: Light[] = [];
   private readonly boundeds: Light[] = [];
-  /** Bounding sphere of each of `boundeds`. */
-  private around = new Float64Array(64);
+  /** Of each of `boundeds`: colour times intensity and decay if a plain point light, else decay -1. */
+  private plain = new Float64Array(64);
   private readonly depthOrder = new DepthOrder();
   private volumes = new Uint32Array(64);
   private readonly warned = new WeakSet<Light>();
+  private projection: ArrayLike<number> = [];
   private extensions = 0;
   private firstExtension = 0;
 
@@ -80,18 +91,27 @@ export class LightTable {
   }
 
   /**
-   * Fills the table. World matrices must be up to date.
+   * Sorts out the lights of a frame. World matrices must be up to date.
    * @param lights the managed lights that are visible to the camera's layers
    * @param camera gives view space; its frustum drops lights that reach nothing it sees
-   * @param size of what is drawn to (pixels)
    */
-  update(lights: readonly Light[], camera: Camera, order: LightOrder, size: PictureSize): void {
-    const view = camera.matrixWorldInverse;
+  collect(lights: readonly Light[], camera: Camera): void {
     viewFrustumPlanes(camera.projectionMatrix.elements, planes);
-    this.classify(lights, view);
+    this.coverage = 0;
+    this.projection = camera.projectionMatrix.elements;
+    this.classify(lights, camera.matrixWorldInverse);
     this.directional = this.directionals.length;
     this.unbounded = this.unboundeds.length;
     this.visible += this.directional + this.unbounded + this.boundeds.length;
+    this.bounded = this.boundeds.length;
+  }
+
+  /**
+   * Fills the table with what was collected.
+   * @param size of what is drawn to (pixels)
+   */
+  write(camera: Camera, order: LightOrder, size: PictureSize): void {
+    const view = camera.matrixWorldInverse;
     this.setRanks(order, camera, size);
     this.reserve();
     this.firstExtension = this.firstBounded + this.bounded;
@@ -104,7 +124,6 @@ export class LightTable {
     }
     for (let k = 0; k < this.bounded; k++) this.writeBounded(record++, k, view);
     this.table.used((record + this.extensions) * FLOATS_PER_RECORD);
-    this.culling.used(this.bounded * 4);
   }
 
   /** Says which record each light with a range gets. */
@@ -114,7 +133,16 @@ export class LightTable {
     this.bounded = count;
     if (order === 'by-grid') {
       const { near, far } = camera as PerspectiveCamera;
-      grid.update(count, bounds, camera.projectionMatrix.elements, near, far, size.width, size.height, this.cones > 0 ? axes : null);
+      grid.update(
+        count,
+        bounds,
+        camera.projectionMatrix.elements,
+        near,
+        far,
+        size.width,
+        size.height,
+        this.cones > 0 ? axes : null,
+      );
       this.rank = grid.order;
       this.bounded = grid.count;
     } else if (order === 'by-depth') {
@@ -131,22 +159,20 @@ export class LightTable {
   /** Sends what changed. */
   upload(webgl: WebGLRenderer): void {
     this.table.upload(webgl);
-    this.culling.upload(webgl);
   }
 
   /** Bytes sent by the last `upload`. */
   get uploadedBytes(): number {
-    return this.table.uploadedBytes + this.culling.uploadedBytes;
+    return this.table.uploadedBytes;
   }
 
   /** Bytes of the textures. */
   get bytes(): number {
-    return this.table.bytes + this.culling.bytes;
+    return this.table.bytes;
   }
 
   dispose(): void {
     this.table.dispose();
-    this.culling.dispose();
   }
 
   private classify(lights: readonly Light[], view: Matrix4): void {
@@ -158,7 +184,7 @@ export class LightTable {
     if (this.bounds.length < lights.length * 4) {
       this.bounds = new Float64Array(lights.length * 8);
       this.axes = new Float64Array(lights.length * 8);
-      this.around = new Float64Array(lights.length * 8);
+      this.plain = new Float64Array(lights.length * 8);
     }
     for (const light of lights) {
       if (!this.isFinite(light)) continue;
@@ -186,13 +212,21 @@ export class LightTable {
     const y = v[1] * wx + v[5] * wy + v[9] * wz + v[13];
     const z = v[2] * wx + v[6] * wy + v[10] * wz + v[14];
     if (sphereOutsidePlanes(planes, x, y, z, range)) return;
-    const { bounds, axes, around } = this;
+    const { bounds, axes, plain } = this;
     const at = this.boundeds.length * 4;
     const spot = light as SpotLight;
-    bounds[at] = around[at] = x;
-    bounds[at + 1] = around[at + 1] = y;
-    bounds[at + 2] = around[at + 2] = z;
-    bounds[at + 3] = around[at + 3] = range;
+    const isPlain = spot.isSpotLight !== true && light.userData.farol === undefined;
+    if (isPlain) {
+      const { color, intensity } = light;
+      plain[at] = color.r * intensity;
+      plain[at + 1] = color.g * intensity;
+      plain[at + 2] = color.b * intensity;
+    }
+    plain[at + 3] = isPlain ? (light as PointLight).decay : -1;
+    bounds[at] = x;
+    bounds[at + 1] = y;
+    bounds[at + 2] = z;
+    bounds[at + 3] = range;
     if (spot.isSpotLight === true && spot.angle < WIDEST_CONE) {
       this.axisOf(spot, view);
       coneBoundingSphere(x, y, z, -target.x, -target.y, -target.z, range, spot.angle, coneSphere);
@@ -201,7 +235,6 @@ export class LightTable {
       axes[at + 1] = target.y;
       axes[at + 2] = target.z;
       axes[at + 3] = Math.cos(spot.angle);
-      around.set(coneSphere, at);
       this.cones++;
     } else {
       axes[at] = axes[at + 1] = 0;
@@ -210,6 +243,14 @@ export class LightTable {
       this.spheres++;
     }
     this.boundeds.push(light);
+    this.coverage += this.coverageOf(-z, range);
+  }
+
+  /** Share of the picture that a sphere covers, roughly, 0 to 1. */
+  private coverageOf(depth: number, radius: number): number {
+    const p = this.projection;
+    const scale = p[11] === 0 ? radius : radius / Math.max(depth, radius);
+    return Math.min(1, (Math.PI / 4) * scale * scale * Math.abs(p[0] * p[5]));
   }
 
   private addAmbient(light: Light): void {
@@ -240,7 +281,6 @@ export class LightTable {
   private reserve(): void {
     // every light may need an extension record
     this.table.reserve((this.firstBounded + this.bounded) * 2 * FLOATS_PER_RECORD);
-    this.culling.reserve(this.bounded * 4);
   }
 
   private writeDirectional(record: number, light: DirectionalLight, view: Matrix4): void {
@@ -258,20 +298,24 @@ export class LightTable {
 
   /** Writes the k-th light with a range. */
   private writeBounded(record: number, k: number, view: Matrix4): void {
-    const { bounds, axes, around } = this;
+    const { bounds } = this;
     const i = this.rank[k];
     if (i === NO_LIGHT) {
       // lights nothing, for loops that know no lists
       this.table.set4(record * FLOATS_PER_RECORD, 0, 0, 0, 1);
       this.table.set4(record * FLOATS_PER_RECORD + 4, 0, 0, 0, 2);
-      this.culling.set4(k * 4, 0, 0, 1e30, 0);
       return;
     }
     const at = i * 4;
+    const { plain, table } = this;
+    if (plain[at + 3] >= 0) {
+      const to = record * FLOATS_PER_RECORD;
+      table.set4(to, bounds[at], bounds[at + 1], bounds[at + 2], bounds[at + 3]);
+      table.set4(to + 4, plain[at], plain[at + 1], plain[at + 2], plain[at + 3]);
+      return;
+    }
     position.set(bounds[at], bounds[at + 1], bounds[at + 2]);
     this.writeLocal(record, this.boundeds[i], view);
-    const radius = around[at + 3];
-    this.culling.set4(k * 4, around[at], around[at + 1], around[at + 2], axes[at + 3] > -1 ? -radius : radius);
   }
 
   /** Writes the record of a point or spot light whose view-space centre is in `position`. */
@@ -285,7 +329,14 @@ export class LightTable {
     const i = light.intensity;
     table.set4(at, position.x, position.y, position.z, rangeOf(point));
     if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, -1 - point.decay);
-    else table.set4(at + 4, light.color.r * i, light.color.g * i, light.color.b * i, plain ? point.decay : -1 - point.decay);
+    else
+      table.set4(
+        at + 4,
+        light.color.r * i,
+        light.color.g * i,
+        light.color.b * i,
+        plain ? point.decay : -1 - point.decay,
+      );
     if (spot !== null) {
       this.axisOf(spot, view);
       table.set4(at + 8, target.x, target.y, target.z, Math.cos(spot.angle));
@@ -361,7 +412,10 @@ function ratio(part: number, whole: number): number {
 function isBlack(light: Light): boolean {
   const { r, g, b } = light.color;
   const data = light.userData.farol as FarolLightData | undefined;
-  return light.intensity === 0 || (r === 0 && g === 0 && b === 0 && data?.ambient === undefined && data?.specular === undefined);
+  return (
+    light.intensity === 0 ||
+    (r === 0 && g === 0 && b === 0 && data?.ambient === undefined && data?.specular === undefined)
+  );
 }
 
 /** Distance from which the light gives exactly nothing (m); 0 when there is none. */

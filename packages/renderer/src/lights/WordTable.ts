@@ -1,4 +1,11 @@
-import { DataTexture, NearestFilter, RedIntegerFormat, RGBAIntegerFormat, UnsignedIntType, type WebGLRenderer } from 'three';
+import {
+  DataTexture,
+  NearestFilter,
+  RedIntegerFormat,
+  RGBAIntegerFormat,
+  UnsignedIntType,
+  type WebGLRenderer,
+} from 'three';
 
 /** A texture of unsigned 32-bit words, filled from an array that belongs to somebody else. Grows; uploads what is in use. */
 export class WordTable {
@@ -28,14 +35,15 @@ export class WordTable {
       this.texture = this.make(width, Math.ceil(rows * 1.25) + 1);
       this.fresh = true;
     }
-    if (this.fresh) {
+    const held = () => webgl.properties.get(this.texture) as { __webglTexture?: WebGLTexture };
+    // three forgets its textures when a lost context is restored
+    if (this.fresh || held().__webglTexture === undefined) {
       webgl.initTexture(this.texture);
       this.fresh = false;
     }
     const gl = webgl.getContext() as WebGL2RenderingContext;
     const { state } = webgl;
-    const { __webglTexture } = webgl.properties.get(this.texture) as { __webglTexture: WebGLTexture };
-    state.bindTexture(gl.TEXTURE_2D, __webglTexture);
+    state.bindTexture(gl.TEXTURE_2D, held().__webglTexture!);
     state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
     state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
     state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
@@ -51,7 +59,13 @@ export class WordTable {
 
   private make(width: number, height: number): DataTexture {
     const format = this.channels === 1 ? RedIntegerFormat : RGBAIntegerFormat;
-    const texture = new DataTexture(new Uint32Array(width * height * this.channels), width, height, format, UnsignedIntType);
+    const texture = new DataTexture(
+      new Uint32Array(width * height * this.channels),
+      width,
+      height,
+      format,
+      UnsignedIntType,
+    );
     texture.internalFormat = this.channels === 1 ? 'R32UI' : 'RGBA32UI';
     texture.magFilter = texture.minFilter = NearestFilter;
     texture.needsUpdate = true;

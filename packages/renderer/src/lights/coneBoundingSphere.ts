@@ -8,7 +8,15 @@
  * @see Wronski 2017, Cull that cone
  */
 export function coneBoundingSphere(
-  x: number, y: number, z: number, dx: number, dy: number, dz: number, range: number, angle: number, out: Float64Array,
+  x: number,
+  y: number,
+  z: number,
+  dx: number,
+  dy: number,
+  dz: number,
+  range: number,
+  angle: number,
+  out: Float64Array,
 ): Float64Array {
   const wide = angle > Math.PI / 4;
   const distance = wide ? range * Math.cos(angle) : range / (2 * Math.cos(angle));

@@ -22,10 +22,15 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   Object.defineProperty(twin, 'id', { value: new BaseMaterial().id });
   Object.defineProperty(twin, 'version', {
     get: () => source.version + context.revision(chunks),
-    set: () => undefined,
+    // three's switch of sides on transparent materials must not reach the source; Frame draws the sides by twins
+    set() {},
   });
   own('_listeners', undefined);
-  own('customProgramCacheKey', () => `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.revision(chunks)}:${source.customProgramCacheKey()}`);
+  own(
+    'customProgramCacheKey',
+    () =>
+      `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.revision(chunks)}:${source.customProgramCacheKey()}`,
+  );
   own('onBeforeCompile', (shader: TwinShader, webgl: WebGLRenderer) => {
     source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);
     shader.uniforms = { ...shader.uniforms, ...context.uniforms } as TwinShader['uniforms'];

@@ -15,5 +15,9 @@ export function isLit(material: Material): boolean {
   if (!m.isShaderMaterial) return false;
   const shader = material as ShaderMaterial;
   const text = shader.fragmentShader;
-  return shader.lights === true && text.includes('#include <lights_pars_begin>') && text.includes('#include <lights_fragment_begin>');
+  return (
+    shader.lights === true &&
+    text.includes('#include <lights_pars_begin>') &&
+    text.includes('#include <lights_fragment_begin>')
+  );
 }

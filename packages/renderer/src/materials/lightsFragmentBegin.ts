@@ -1,8 +1,9 @@
 import { ShaderChunk } from 'three';
 import { replaceOnce } from './replaceOnce';
 
-const CHUNK = 'three\'s lights_fragment_begin';
-const MULTISCATTERING_GATE = '#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )';
+const CHUNK = "three's lights_fragment_begin";
+const MULTISCATTERING_GATE =
+  '#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )';
 const FIRST_LOOP = '#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )';
 const INDIRECT = '#if defined( RE_IndirectDiffuse )';
 const AMBIENT = 'vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );';
@@ -22,6 +23,7 @@ export function lightsFragmentBegin(withThreeLights: boolean): string {
   text = replaceOnce(text, AMBIENT, `${AMBIENT}\nirradiance += farol_ambientIrradiance(geometryNormal);`, CHUNK);
   const start = text.indexOf(FIRST_LOOP);
   const end = text.indexOf(INDIRECT);
-  if (start < 0 || end < start) throw new Error(`Farol: the light loops were not found in ${CHUNK}; Farol is made for three 0.187.`);
+  if (start < 0 || end < start)
+    throw new Error(`Farol: the light loops were not found in ${CHUNK}; Farol is made for three 0.187.`);
   return text.slice(0, start) + LOOP + (withThreeLights ? text.slice(start, end) : '') + text.slice(end);
 }

@@ -27,7 +27,8 @@ export function litTwin(options: LitTwinOptions): TwinKind {
   const begin = () => lightsFragmentBegin(options.withThreeLights ?? true);
   return {
     key: options.key,
-    chunks: (source) => ((source as Material & { isMeshToonMaterial?: boolean }).isMeshToonMaterial ? toonChunks : chunks),
+    chunks: (source) =>
+      (source as Material & { isMeshToonMaterial?: boolean }).isMeshToonMaterial ? toonChunks : chunks,
     ...(options.properties && { properties: options.properties }),
     ...(options.variant && { variant: options.variant }),
     patch(shader: TwinShader, source: Material, header: string) {

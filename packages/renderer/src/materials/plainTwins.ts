@@ -2,5 +2,15 @@ import { BackSide, FrontSide } from 'three';
 import type { TwinKind } from './TwinKind';
 
 /** The two halves of an unlit transparent double-sided material, so that its side need not be switched on the host's. */
-export const plainBack: TwinKind = { key: 'back', chunks: () => [], properties: { side: BackSide }, patch: () => undefined };
-export const plainFront: TwinKind = { key: 'front', chunks: () => [], properties: { side: FrontSide }, patch: () => undefined };
+export const plainBack: TwinKind = {
+  key: 'back',
+  chunks: () => [],
+  properties: { side: BackSide },
+  patch: () => undefined,
+};
+export const plainFront: TwinKind = {
+  key: 'front',
+  chunks: () => [],
+  properties: { side: FrontSide },
+  patch: () => undefined,
+};

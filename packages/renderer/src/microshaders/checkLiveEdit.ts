@@ -42,7 +42,9 @@ function withNewText(source: string, registry: MicroShaderRegistry, names: reado
     if (!source.includes(`// <${name}>`)) continue;
     const [headers, main = ''] = registry.compose([], [name]).fragmentShader.split(/^void main\(\) \{$/m);
     const [beforeMain, ...rest] = text.split(/^void main\(\) \{$/m);
-    text = [replaceFrames(beforeMain, headers, name), ...rest.map((part) => replaceFrames(part, main, name))].join('void main() {');
+    text = [replaceFrames(beforeMain, headers, name), ...rest.map((part) => replaceFrames(part, main, name))].join(
+      'void main() {',
+    );
   }
   return text;
 }
@@ -54,7 +56,9 @@ function replaceFrames(text: string, composed: string, name: string): string {
   const own = framesOf(composed).get(name);
   if (own === undefined) return text;
   const known = framesOf(text);
-  const added = [...framesOf(composed)].filter(([other]) => other !== name && !known.has(other)).map(([, frame]) => frame);
+  const added = [...framesOf(composed)]
+    .filter(([other]) => other !== name && !known.has(other))
+    .map(([, frame]) => frame);
   const place = known.get(name);
   return place === undefined ? text : text.replace(place, () => resolveThree([...added, own].join('')));
 }

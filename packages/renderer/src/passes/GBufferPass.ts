@@ -31,8 +31,10 @@ export class GBufferPass implements Pass {
     for (const item of frame.queue.opaque) {
       if (!item.plain) continue;
       if (this.forView) {
-        if (item.lit && !(item.material as Material & { isShaderMaterial?: boolean }).isShaderMaterial) frame.drawTwin(item, gbufferViewTwin);
-        else if ((item.material as Material & { isMeshBasicMaterial?: boolean }).isMeshBasicMaterial) frame.drawTwin(item, gbufferUnlitTwin);
+        if (item.lit && !(item.material as Material & { isShaderMaterial?: boolean }).isShaderMaterial)
+          frame.drawTwin(item, gbufferViewTwin);
+        else if ((item.material as Material & { isMeshBasicMaterial?: boolean }).isMeshBasicMaterial)
+          frame.drawTwin(item, gbufferUnlitTwin);
       } else if (item.lit && shadingModelOf(item.material) !== null) {
         frame.drawTwin(item, gbufferTwin);
         item.drawn = true;

@@ -47,6 +47,7 @@ interface Materials {
   readonly fine: PassMaterial;
   readonly summary: PassMaterial;
   readonly depth: PassMaterial | null;
+  readonly blocks: PassMaterial | null;
 }
 
 /**
@@ -63,13 +64,14 @@ export class LightTilesPass implements Pass {
   private readonly fine = listTarget();
   private readonly summary = listTarget();
   private readonly depths = listTarget();
+  private readonly blocks = listTarget();
   private readonly own = {
     ...unprojectUniforms(),
     farol_size: { value: new Vector2() },
-    farol_culling: { value: null as Texture | null },
     farol_coarseMask: { value: null as Texture | null },
     farol_tileDepth: { value: null as Texture | null },
     farol_sceneDepth: { value: null as Texture | null },
+    farol_blocks: { value: null as Texture | null },
   };
   private readonly triangle = new FullscreenMesh();
   private materials: Materials | null = null;
@@ -85,7 +87,10 @@ export class LightTilesPass implements Pass {
   }
 
   get bytes(): number {
-    return [this.coarse, this.fine, this.summary, this.depths].reduce((sum, t) => sum + t.width * t.height * 16, 0);
+    return [this.coarse, this.fine, this.summary, this.depths, this.blocks].reduce(
+      (sum, t) => sum + t.width * t.height * 16,
+      0,
+    );
   }
 
   render(frame: Frame): void {
@@ -97,7 +102,9 @@ export class LightTilesPass implements Pass {
     this.setUniforms(frame, x, y, quads, pages);
     const materials = (this.materials ??= this.make(frame));
     if (lights.bounded === 0) return;
-    if (materials.depth !== null) {
+    if (materials.depth !== null && materials.blocks !== null) {
+      setSize(this.blocks, Math.ceil(frame.width / 4), Math.ceil(frame.height / 4));
+      this.draw(frame, this.blocks, materials.blocks);
       setSize(this.depths, x, y);
       this.draw(frame, this.depths, materials.depth);
     }
@@ -105,17 +112,20 @@ export class LightTilesPass implements Pass {
     this.draw(frame, this.coarse, materials.coarse);
     fit(this.fine, x * y * quads);
     this.draw(frame, this.fine, materials.fine);
+    // a list of one quad is its own summary
+    if (quads === 1) return;
     fit(this.summary, x * y * pages);
     this.draw(frame, this.summary, materials.summary);
   }
 
   dispose(): void {
-    for (const target of [this.coarse, this.fine, this.summary, this.depths]) target.dispose();
+    for (const target of [this.coarse, this.fine, this.summary, this.depths, this.blocks]) target.dispose();
     const { materials } = this;
     materials?.coarse.dispose();
     materials?.fine.dispose();
     materials?.summary.dispose();
     materials?.depth?.dispose();
+    materials?.blocks?.dispose();
     this.materials = null;
   }
 
@@ -134,9 +144,9 @@ export class LightTilesPass implements Pass {
     tiles.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     setUnprojectUniforms(own, frame.camera);
     own.farol_size.value.set(frame.width, frame.height);
-    own.farol_culling.value = frame.lights.culling.texture;
     own.farol_coarseMask.value = this.coarse.texture;
     own.farol_tileDepth.value = this.depths.texture;
+    own.farol_blocks.value = this.blocks.texture;
     own.farol_sceneDepth.value = this.sceneDepth?.() ?? null;
   }
 
@@ -171,12 +181,15 @@ export class LightTilesPass implements Pass {
       fine: material('light lists', 'tileMask', depth),
       summary: material('light list summary', 'tileSummary', {}),
       depth: this.use === 'none' ? null : material('tile depths', 'tileDepth', {}),
+      blocks: this.use === 'none' ? null : material('tile depth blocks', 'tileDepthBlocks', {}),
     };
     // all targets get their storage, since a list that is empty is bound all the same, and all programs are linked
     for (const target of [this.coarse, this.fine, this.summary]) {
       fit(target, 1);
       frame.bind(target);
     }
+    frame.bind(this.blocks);
+    if (materials.blocks !== null) frame.compileMesh(this.triangle, materials.blocks);
     frame.bind(this.depths);
     if (materials.depth !== null) frame.compileMesh(this.triangle, materials.depth);
     frame.bind(this.coarse);

@@ -26,7 +26,12 @@ const SPHERE_VERTICES = 576;
 /** 12 segments of a side and a cap, 3 vertices each. */
 const CONE_VERTICES = 72;
 
-const ADDITIVE = { blending: CustomBlending, blendEquation: AddEquation, blendSrc: OneFactor, blendDst: OneFactor } as const;
+const ADDITIVE = {
+  blending: CustomBlending,
+  blendEquation: AddEquation,
+  blendSrc: OneFactor,
+  blendDst: OneFactor,
+} as const;
 /** Back faces behind the surface: right with the camera inside the volume, and nothing to do where the volume floats before it. */
 const VOLUME = { ...ADDITIVE, side: BackSide, depthTest: true, depthFunc: GreaterEqualDepth } as const;
 
@@ -74,7 +79,9 @@ export class LightVolumesPass implements Pass {
     this.prepareTarget(frame, gbuffer);
     setGBufferUniforms(this.uniforms, gbuffer, frame);
     const { lights } = frame;
-    const materials = isCountView(frame.view) ? (this.counting ??= this.make(frame, true)) : (this.shading ??= this.make(frame, false));
+    const materials = isCountView(frame.view)
+      ? (this.counting ??= this.make(frame, true))
+      : (this.shading ??= this.make(frame, false));
     if (lights.directional + lights.unbounded > 0) frame.drawMesh(this.triangle, materials.global);
     if (lights.spheres > 0) {
       this.firstRecord.value = lights.firstBounded;

@@ -1,4 +1,16 @@
-import { type Material, DepthTexture, FloatType, HalfFloatType, NearestFilter, Sphere, Vector3, Vector4, WebGLRenderTarget, type BufferGeometry, type Object3D } from 'three';
+import {
+  type Material,
+  DepthTexture,
+  FloatType,
+  HalfFloatType,
+  NearestFilter,
+  Sphere,
+  Vector3,
+  Vector4,
+  WebGLRenderTarget,
+  type BufferGeometry,
+  type Object3D,
+} from 'three';
 import type { Frame } from '../Frame';
 import { coneIntersectsSphere } from '../lights/coneIntersectsSphere';
 import { projectedSphereBounds } from '../lights/projectedSphereBounds';
@@ -115,10 +127,21 @@ export class MultipassLightsPass implements Pass {
         if (
           axes[b + 3] > -1 &&
           !coneIntersectsSphere(
-            bounds[b], bounds[b + 1], bounds[b + 2], -axes[b], -axes[b + 1], -axes[b + 2], bounds[b + 3], Math.acos(axes[b + 3]),
-            spheres[i * 4], spheres[i * 4 + 1], spheres[i * 4 + 2], spheres[i * 4 + 3],
+            bounds[b],
+            bounds[b + 1],
+            bounds[b + 2],
+            -axes[b],
+            -axes[b + 1],
+            -axes[b + 2],
+            bounds[b + 3],
+            Math.acos(axes[b + 3]),
+            spheres[i * 4],
+            spheres[i * 4 + 1],
+            spheres[i * 4 + 2],
+            spheres[i * 4 + 3],
           )
-        ) continue;
+        )
+          continue;
       }
       frame.drawTwin(items[i], kind);
     }
@@ -129,7 +152,17 @@ export class MultipassLightsPass implements Pass {
     const { bounds } = frame.lights;
     const { camera, width, height } = frame;
     const b = k * 4;
-    if (!projectedSphereBounds(bounds[b], bounds[b + 1], bounds[b + 2], bounds[b + 3], camera.projectionMatrix.elements, rectangle)) return false;
+    if (
+      !projectedSphereBounds(
+        bounds[b],
+        bounds[b + 1],
+        bounds[b + 2],
+        bounds[b + 3],
+        camera.projectionMatrix.elements,
+        rectangle,
+      )
+    )
+      return false;
     const x0 = Math.max(0, Math.floor((rectangle[0] * 0.5 + 0.5) * width));
     const y0 = Math.max(0, Math.floor((rectangle[1] * 0.5 + 0.5) * height));
     const x1 = Math.min(width, Math.ceil((rectangle[2] * 0.5 + 0.5) * width));
@@ -150,8 +183,14 @@ export class MultipassLightsPass implements Pass {
         continue;
       }
       centre.copy(bound.center).applyMatrix4(object.matrixWorld).applyMatrix4(frame.camera.matrixWorldInverse);
-      const displacement = items[i].material as { displacementMap?: unknown; displacementScale?: number; displacementBias?: number };
-      const more = displacement.displacementMap ? Math.abs(displacement.displacementScale ?? 0) + Math.abs(displacement.displacementBias ?? 0) : 0;
+      const displacement = items[i].material as {
+        displacementMap?: unknown;
+        displacementScale?: number;
+        displacementBias?: number;
+      };
+      const more = displacement.displacementMap
+        ? Math.abs(displacement.displacementScale ?? 0) + Math.abs(displacement.displacementBias ?? 0)
+        : 0;
       this.spheres[at] = centre.x;
       this.spheres[at + 1] = centre.y;
       this.spheres[at + 2] = centre.z;
@@ -165,4 +204,3 @@ function boundingSphereOf(object: Object3D, geometry: BufferGeometry): Sphere | 
   const own = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere;
   return own ?? geometry.boundingSphere;
 }
-

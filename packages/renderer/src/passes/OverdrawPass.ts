@@ -20,7 +20,11 @@ export class OverdrawPass {
 
   render(frame: Frame): void {
     const { width, height } = frame;
-    this.target ??= new WebGLRenderTarget(1, 1, { type: HalfFloatType, minFilter: NearestFilter, magFilter: NearestFilter });
+    this.target ??= new WebGLRenderTarget(1, 1, {
+      type: HalfFloatType,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+    });
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     frame.bind(this.target);
     frame.clear(1, true);

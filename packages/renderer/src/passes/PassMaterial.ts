@@ -3,7 +3,16 @@ import type { MicroShaderRegistry } from '../microshaders';
 
 export interface PassMaterialOptions extends Pick<
   ShaderMaterialParameters,
-  'blending' | 'blendSrc' | 'blendDst' | 'depthTest' | 'depthWrite' | 'depthFunc' | 'side' | 'fog' | 'toneMapped' | 'defines'
+  | 'blending'
+  | 'blendSrc'
+  | 'blendDst'
+  | 'depthTest'
+  | 'depthWrite'
+  | 'depthFunc'
+  | 'side'
+  | 'fog'
+  | 'toneMapped'
+  | 'defines'
 > {
   readonly name: string;
   /** Microshaders whose mains make the vertex shader. */
@@ -13,7 +22,8 @@ export interface PassMaterialOptions extends Pick<
   readonly uniforms: Record<string, IUniform>;
 }
 
-const PRECISION = 'precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp usampler2D;\n';
+const PRECISION =
+  'precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp usampler2D;\n';
 // three's chunks are written for GLSL 1
 const GLSL1_NAMES = '#define texture2D texture\n#define varying in\n';
 

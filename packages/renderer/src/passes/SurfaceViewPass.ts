@@ -7,7 +7,15 @@ import { gbufferUniforms, setGBufferUniforms } from './gbufferUniforms';
 import { OutputMaterial } from './PassMaterial';
 
 /** `farol_view` of surfaceView.glsl. */
-const CODES: Partial<Record<View, number>> = { albedo: 0, normal: 1, depth: 2, position: 3, roughness: 4, metalness: 5, emissive: 6 };
+const CODES: Partial<Record<View, number>> = {
+  albedo: 0,
+  normal: 1,
+  depth: 2,
+  position: 3,
+  roughness: 4,
+  metalness: 5,
+  emissive: 6,
+};
 
 /** Where 'grid' puts its panels, in halves of the viewport; the final picture is at the lower right (thesis 4.1). */
 const PANELS = [

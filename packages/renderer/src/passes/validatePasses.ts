@@ -10,7 +10,9 @@ export function validatePasses(technique: string, passes: readonly Pick<Pass, 'n
   for (const pass of passes) {
     for (const resource of pass.reads) {
       if (!written.has(resource)) {
-        throw new Error(`Technique "${technique}": pass "${pass.name}" reads "${resource}", which no earlier pass writes.`);
+        throw new Error(
+          `Technique "${technique}": pass "${pass.name}" reads "${resource}", which no earlier pass writes.`,
+        );
       }
       if (resource !== 'target' && pass.writes.includes(resource)) {
         throw new Error(`Technique "${technique}": pass "${pass.name}" reads and writes "${resource}".`);

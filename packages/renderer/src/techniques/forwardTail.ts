@@ -4,7 +4,13 @@ import type { Pass, Resource } from '../passes/Pass';
 /**
  * What ends every technique: the opaque items it has not drawn, then what transmits, then what is transparent, back to
  * front, each lit by all the lights that the loop gives it.
+ * @param loop microshader that loops over the lights
+ * @param behind the loop of what transmits or is transparent, where lists hold opaque depths alone; default `loop`
  */
-export function forwardTail(loop: string, reads: readonly Resource[] = []): Pass[] {
-  return (['opaque', 'transmissive', 'transparent'] as const).map((list) => new ForwardPass({ name: list, list, loop, reads }));
+export function forwardTail(loop: string, reads: readonly Resource[] = [], behind = loop): Pass[] {
+  return [
+    new ForwardPass({ name: 'opaque', list: 'opaque', loop, reads }),
+    new ForwardPass({ name: 'transmissive', list: 'transmissive', loop: behind, reads }),
+    new ForwardPass({ name: 'transparent', list: 'transparent', loop: behind, reads }),
+  ];
 }

@@ -1,7 +1,9 @@
+import { auto } from './auto';
 import { clusteredDeferred } from './clusteredDeferred';
 import { clusteredForward } from './clusteredForward';
 import { deferred } from './deferred';
 import { forward } from './forward';
+import { forwardPlus } from './forwardPlus';
 import { forwardSinglePass } from './forwardSinglePass';
 import { tiledDeferred } from './tiledDeferred';
 import { tiledForward } from './tiledForward';
@@ -9,11 +11,13 @@ import type { Technique } from './Technique';
 
 /** All techniques by key. A new one is a file and a line here. */
 export const techniques = {
+  auto,
   forward,
   'forward-single-pass': forwardSinglePass,
   deferred,
   'tiled-deferred': tiledDeferred,
   'tiled-forward': tiledForward,
+  'forward-plus': forwardPlus,
   'clustered-deferred': clusteredDeferred,
   'clustered-forward': clusteredForward,
 } as const satisfies Record<string, Technique>;

@@ -10,6 +10,19 @@ struct FarolLight {
   int extension; // record of the extension, 0 when there is none
 };
 
+// exponent: of the thesis's spot light, -1 for three's penumbra
+float farol_angularAttenuation(const in float angleCosine, const in float cutoff, const in float penumbra, const in float exponent) {
+  if (exponent >= 0.0) return angleCosine > cutoff ? pow(max(angleCosine, 0.0), exponent) : 0.0;
+  return smoothstep(cutoff, penumbra, angleCosine);
+}
+
+float farol_extendedAttenuation(const in int extension, const in float lightDistance, const in float range, const in float decay) {
+  vec4 falloff = farol_lightTexel(extension, 3);
+  if (falloff.w == 1.0) return farol_nearFarAttenuation(lightDistance, falloff.x, falloff.y);
+  if (falloff.w == 2.0) return farol_polynomialAttenuation(lightDistance, falloff.xyz, range);
+  return farol_distanceAttenuation(lightDistance, range, decay);
+}
+
 FarolLight farol_directionalLight(const in int index) {
   FarolLight light;
   light.direction = farol_lightTexel(index, 0).xyz;
@@ -35,17 +48,11 @@ FarolLight farol_localLight(const in int index, const in vec3 positionVS) {
     vec4 cone = farol_lightTexel(index, 3);
     light.extension = int(cone.w);
     float angleCosine = dot(light.direction, axis.xyz);
-    float angular = cone.y >= 0.0
-      ? (angleCosine > axis.w ? pow(max(angleCosine, 0.0), cone.y) : 0.0)
-      : smoothstep(axis.w, cone.x, angleCosine);
-    light.attenuation = 0.0;
-    if (angular > 0.0) {
-      vec4 falloff = vec4(0.0);
-      if (light.extension > 0) falloff = farol_lightTexel(light.extension, 3);
-      light.attenuation = angular * (
-        falloff.w == 1.0 ? farol_nearFarAttenuation(lightDistance, falloff.x, falloff.y)
-        : falloff.w == 2.0 ? farol_polynomialAttenuation(lightDistance, falloff.xyz, centre.w)
-        : farol_distanceAttenuation(lightDistance, centre.w, -1.0 - color.w));
+    light.attenuation = farol_angularAttenuation(angleCosine, axis.w, cone.x, cone.y);
+    if (light.attenuation > 0.0) {
+      light.attenuation *= light.extension > 0
+        ? farol_extendedAttenuation(light.extension, lightDistance, centre.w, -1.0 - color.w)
+        : farol_distanceAttenuation(lightDistance, centre.w, -1.0 - color.w);
     }
   }
   light.color = color.rgb * light.attenuation;

@@ -4,6 +4,7 @@ import accumulatedOutput from './accumulatedOutput.glsl?raw';
 import ambientLight from './ambientLight.glsl?raw';
 import countView from './countView.glsl?raw';
 import deferredOutput from './deferredOutput.glsl?raw';
+import depthOnly from './depthOnly.glsl?raw';
 import fullscreen from './fullscreen.glsl?raw';
 import gbufferRead from './gbufferRead.glsl?raw';
 import gbufferWrite from './gbufferWrite.glsl?raw';
@@ -30,6 +31,7 @@ import shadeSurface from './shadeSurface.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import surfaceView from './surfaceView.glsl?raw';
 import tileDepth from './tileDepth.glsl?raw';
+import tileDepthBlocks from './tileDepthBlocks.glsl?raw';
 import tileMask from './tileMask.glsl?raw';
 import tileSummary from './tileSummary.glsl?raw';
 import tiledOutput from './tiledOutput.glsl?raw';
@@ -43,6 +45,7 @@ const sources = {
   ambientLight,
   countView,
   deferredOutput,
+  depthOnly,
   fullscreen,
   gbufferRead,
   gbufferWrite,
@@ -69,6 +72,7 @@ const sources = {
   shadeThree,
   surfaceView,
   tileDepth,
+  tileDepthBlocks,
   tileMask,
   tileSummary,
   tiledOutput,

@@ -30,7 +30,7 @@ FarolLight farol_unboundedLight(const in int record, const in vec3 positionVS) {
        farol_quad = farol_quad + 1 < farol_deepQuads ? farol_quad + 1 : max(farol_quad + 1, farol_ranks.x >> 7)) { \
     uvec4 farol_mask = texelFetch(farol_gridMasks, ivec2(farol_tile.x, farol_quad * farol_grid.y + farol_tile.y), 0); \
     int farol_start = farol_quad * 128; \
-    for (int farol_part = 0; farol_part < 4; farol_part++, farol_mask = farol_mask.yzwx, farol_start += 32) \
+    for (; farol_mask != uvec4(0u); farol_mask = uvec4(farol_mask.yzw, 0u), farol_start += 32) \
       for (uint farol_bits = farol_mask.x & (farol_bitsFrom(farol_start, 0, farol_deep - 1) | farol_bitsFrom(farol_start, farol_ranks.x, farol_ranks.y)); \
            farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
         int farol_record = farol_grid.w + farol_start + farol_lowestBit(farol_bits);

@@ -96,23 +96,29 @@ void farol_addBounded(inout FarolShading s, const in int record) {
   if (ratio >= 1.0) return;
   vec4 color = farol_lightTexel(record, 1);
   vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
-  vec3 diffuseColor;
-  vec3 specularColor;
-  if (color.w >= 0.0) {
-    float window = 1.0 - ratio * ratio;
-    float falloff = color.w == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * color.w);
-    diffuseColor = specularColor = color.rgb * (window * window / max(falloff, 0.01));
-  } else {
-    FarolLight light = farol_localLight(record, s.positionVS);
-    if (light.attenuation <= 0.0) return;
-    diffuseColor = specularColor = light.color;
-    if (light.extension > 0) {
-      diffuseColor *= farol_lightTexel(light.extension, 0).rgb;
-      specularColor *= farol_lightTexel(light.extension, 1).rgb;
-      s.diffuse += farol_lightTexel(light.extension, 2).rgb * light.attenuation;
+  float decay = color.w >= 0.0 ? color.w : -1.0 - color.w;
+  float window = 1.0 - ratio * ratio;
+  float attenuation = window * window / max(decay == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * decay), 0.01);
+  vec3 specularScale = vec3(1.0);
+  if (color.w < 0.0) {
+    vec4 axis = farol_lightTexel(record, 2);
+    vec4 cone = farol_lightTexel(record, 3);
+    int extension = int(cone.w);
+    vec3 ambient = vec3(0.0);
+    if (extension > 0) {
+      attenuation = farol_extendedAttenuation(extension, sqrt(distanceSquared), centre.w, decay);
+      vec3 diffuseScale = farol_lightTexel(extension, 0).rgb;
+      // the sums take one colour; the specular one may have another scale
+      specularScale = farol_lightTexel(extension, 1).rgb / max(diffuseScale, 1e-6);
+      color.rgb *= max(diffuseScale, 1e-6);
+      ambient = farol_lightTexel(extension, 2).rgb;
     }
+    attenuation *= farol_angularAttenuation(dot(direction, axis.xyz), axis.w, cone.x, cone.y);
+    if (attenuation <= 0.0) return;
+    s.diffuse += ambient * attenuation;
   }
-  farol_addLight(s, direction, diffuseColor, specularColor);
+  color.rgb *= attenuation;
+  farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
 }
 
 // directional lights and lights without a range

@@ -2,7 +2,7 @@
 // Harada 2012, A 2.5D Culling for Forward+
 #include "lightTiles"
 #include "unproject"
-uniform highp sampler2D farol_sceneDepth;
+uniform highp usampler2D farol_blocks;
 uniform vec2 farol_size;
 layout(location = 0) out highp uvec4 farol_tileDepthOut; // bits of nearest and farthest (m), slices
 
@@ -11,17 +11,15 @@ float farol_viewDistance(const in float depth) {
   return -(farol_unprojectZ.x + farol_unprojectZ.y * e) / (farol_unprojectZ.z + farol_unprojectZ.w * e);
 }
 //# main
-ivec2 first = ivec2(gl_FragCoord.xy) << farol_tiles.x;
-ivec2 last = min(first + (1 << farol_tiles.x), ivec2(farol_size));
+ivec2 first = ivec2(gl_FragCoord.xy) << (farol_tiles.x - 2);
+ivec2 last = min(first + (1 << (farol_tiles.x - 2)), (ivec2(farol_size) + 3) >> 2);
 float nearest = 2.0;
 float farthest = -1.0;
 for (int y = first.y; y < last.y; y++) {
   for (int x = first.x; x < last.x; x++) {
-    float depth = texelFetch(farol_sceneDepth, ivec2(x, y), 0).r;
-    if (depth < 1.0) {
-      nearest = min(nearest, depth);
-      farthest = max(farthest, depth);
-    }
+    vec2 block = uintBitsToFloat(texelFetch(farol_blocks, ivec2(x, y), 0).xy);
+    nearest = min(nearest, block.x);
+    farthest = max(farthest, block.y);
   }
 }
 if (farthest < 0.0) {
@@ -33,8 +31,12 @@ if (farthest < 0.0) {
   float scale = 32.0 / max(to - from, 1e-6);
   for (int y = first.y; y < last.y; y++) {
     for (int x = first.x; x < last.x; x++) {
-      float depth = texelFetch(farol_sceneDepth, ivec2(x, y), 0).r;
-      if (depth < 1.0) slices |= 1u << uint(clamp((farol_viewDistance(depth) - from) * scale, 0.0, 31.0));
+      vec2 block = uintBitsToFloat(texelFetch(farol_blocks, ivec2(x, y), 0).xy);
+      if (block.y >= 0.0) {
+        int low = int(clamp((farol_viewDistance(block.x) - from) * scale, 0.0, 31.0));
+        int high = int(clamp((farol_viewDistance(block.y) - from) * scale, 0.0, 31.0));
+        slices |= farol_bitsFrom(0, low, high);
+      }
     }
   }
   farol_tileDepthOut = uvec4(floatBitsToUint(from), floatBitsToUint(to), slices, 0u);

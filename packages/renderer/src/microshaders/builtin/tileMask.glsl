@@ -1,10 +1,9 @@
-// Which of 128 lights touch one tile: a bounding sphere (and cone) against the tile's frustum, and the box and slices of
+// Which of 128 lights touch one tile: the sphere of its range (and its cone) against the tile's frustum, and the box and slices of
 // the depths in it where these are known. FAROL_COARSE: all lights against blocks of 4 × 4 tiles, which the fine tiles follow.
 // Olsson and Assarsson 2011, Tiled Shading; Harada 2012, A 2.5D Culling for Forward+; Wronski 2017, Cull that cone
 #include "lightTiles"
 #include "lightTable"
 #include "unproject"
-uniform highp sampler2D farol_culling;
 uniform highp usampler2D farol_coarseMask;
 uniform highp usampler2D farol_tileDepth;
 uniform vec2 farol_size;
@@ -42,7 +41,7 @@ FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
 }
 
 bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int light) {
-  float radius = abs(sphere.w) * 1.0001;
+  float radius = sphere.w * 1.0001;
   float k = mix(1.0, -sphere.z, farol_perspective);
   vec4 sides = vec4(sphere.xy - tile.slopes.xy * k, tile.slopes.zw * k - sphere.xy) * tile.scales;
   if (min(min(sides.x, sides.y), min(sides.z, sides.w)) < -radius) return false;
@@ -55,14 +54,15 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
   int last = int(clamp(slices.y, 0.0, 31.0));
   if ((tile.slices & farol_bitsFrom(0, max(first - 1, 0), min(last + 1, 31))) == 0u) return false;
 #endif
-  if (sphere.w < 0.0) { // a cone against the sphere round the box
-    vec4 apex = farol_lightTexel(farol_tileRun.x + light, 0);
+  if (farol_lightTexel(farol_tileRun.x + light, 1).w < 0.0) { // a cone against the sphere round the box
     vec4 axis = farol_lightTexel(farol_tileRun.x + light, 2);
-    vec3 towards = 0.5 * (tile.low + tile.high) - apex.xyz;
-    float around = 0.5 * length(tile.high - tile.low) * 1.0001;
-    float along = -dot(towards, axis.xyz);
-    float across = sqrt(max(dot(towards, towards) - along * along, 0.0));
-    if (axis.w * across - along * sqrt(1.0 - axis.w * axis.w) > around || along > around + apex.w || along < -around) return false;
+    if (axis.w > -1.0) {
+      vec3 towards = 0.5 * (tile.low + tile.high) - sphere.xyz;
+      float around = 0.5 * length(tile.high - tile.low) * 1.0001;
+      float along = -dot(towards, axis.xyz);
+      float across = sqrt(max(dot(towards, towards) - along * along, 0.0));
+      if (axis.w * across - along * sqrt(1.0 - axis.w * axis.w) > around || along < -around) return false;
+    }
   }
 #endif
   return true;
@@ -73,8 +73,7 @@ uint farol_touching(const in FarolTile tile, const in uint candidates, const in 
   for (uint bits = candidates; bits != 0u; bits &= bits - 1u) {
     int bit = farol_lowestBit(bits);
     int light = start + bit;
-    vec4 sphere = texelFetch(farol_culling, ivec2(light & 255, light >> 8), 0);
-    if (farol_touches(tile, sphere, light)) touching |= 1u << uint(bit);
+    if (farol_touches(tile, farol_lightTexel(farol_tileRun.x + light, 0), light)) touching |= 1u << uint(bit);
   }
   return touching;
 }

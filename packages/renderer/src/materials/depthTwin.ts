@@ -1,0 +1,26 @@
+import { BackSide, DoubleSide, FrontSide, type Material } from 'three';
+import { replaceOnce } from './replaceOnce';
+import type { TwinKind, TwinShader } from './TwinKind';
+
+const AFTER_TESTS = '#include <alphahash_fragment>';
+
+/** Depth alone: three's own vertex stage, and of the fragment stage what may discard. */
+export const depthTwin: TwinKind = {
+  key: 'depth',
+  chunks: () => [],
+  properties: { colorWrite: false },
+  patch(shader: TwinShader, source: Material) {
+    shader.fragmentShader = replaceOnce(
+      shader.fragmentShader,
+      AFTER_TESTS,
+      `${AFTER_TESTS}\ngl_FragColor = vec4(0.0);\nif (true) return;`,
+      `the fragment shader of material "${source.name || source.type}"`,
+    );
+  },
+};
+
+/** True for materials of which the depth twin can be made. */
+export function hasDepthTwin(material: Material): boolean {
+  const m = material as Material & { isShaderMaterial?: boolean };
+  return m.isShaderMaterial !== true && [FrontSide, BackSide, DoubleSide].includes(m.side as never);
+}

@@ -1,0 +1,9 @@
+// Writes depth alone to the host's target from a depth texture, a rounding step farther so that equal depths pass.
+// Farol
+#include "viewport"
+uniform highp sampler2D farol_sceneDepth;
+//# main
+float depth = texelFetch(farol_sceneDepth, ivec2(gl_FragCoord.xy - farol_offset), 0).r;
+if (depth >= 1.0) discard;
+gl_FragColor = vec4(0.0);
+gl_FragDepth = min(depth + 1.2e-7, 1.0);

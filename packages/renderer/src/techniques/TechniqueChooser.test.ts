@@ -1,0 +1,44 @@
+import { describe, expect, it } from 'vitest';
+import { TechniqueChooser, type SceneFigures } from './TechniqueChooser';
+
+const scene = (figures: Partial<SceneFigures>): SceneFigures => ({
+  bounded: 100,
+  everywhere: 1,
+  coverage: 1,
+  floatTargets: true,
+  ...figures,
+});
+
+describe('TechniqueChooser', () => {
+  it('takes lists from three lights on, and a G-buffer where many lie over a pixel', () => {
+    expect(new TechniqueChooser().choose(scene({ bounded: 1, everywhere: 1 })).technique).toBe('forward-single-pass');
+    expect(new TechniqueChooser().choose(scene({ bounded: 2 })).technique).toBe('clustered-forward');
+    expect(new TechniqueChooser().choose(scene({ coverage: 20 })).technique).toBe('tiled-deferred');
+  });
+
+  it('never takes a G-buffer without float targets, and leaves it at once when they go', () => {
+    const chooser = new TechniqueChooser();
+    expect(new TechniqueChooser().choose(scene({ coverage: 20, floatTargets: false })).technique).toBe(
+      'clustered-forward',
+    );
+    chooser.choose(scene({ coverage: 20 }));
+    expect(chooser.choose(scene({ coverage: 20, floatTargets: false })).technique).toBe('clustered-forward');
+  });
+
+  it('does not flicker round the bound, and follows a lasting change after some frames', () => {
+    const chooser = new TechniqueChooser();
+    const first = chooser.choose(scene({ coverage: 2.9 })).technique;
+    const seen = new Set<string>();
+    for (let i = 0; i < 100; i++) seen.add(chooser.choose(scene({ coverage: i % 2 ? 2.8 : 3.3 })).technique);
+    expect([...seen]).toEqual([first]);
+    const frames: string[] = [];
+    for (let i = 0; i < 20; i++) frames.push(chooser.choose(scene({ coverage: 50 })).technique);
+    expect(frames[0]).toBe(first);
+    expect(frames.indexOf('tiled-deferred')).toBe(7);
+    expect(frames.at(-1)).toBe('tiled-deferred');
+  });
+
+  it('says why', () => {
+    expect(new TechniqueChooser().choose(scene({ coverage: 20 })).reason).toContain('many lights over a pixel');
+  });
+});

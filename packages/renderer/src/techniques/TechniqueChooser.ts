@@ -1,0 +1,74 @@
+/** Cheap figures of a frame, known before anything is drawn. */
+export interface SceneFigures {
+  /** Lights with a range, in view. */
+  readonly bounded: number;
+  /** Lights that reach every pixel: directional ones and those without a range. */
+  readonly everywhere: number;
+  /** Lights with a range over a pixel, whatever its depth, on average. */
+  readonly coverage: number;
+  /** Whether float colour targets can be drawn to. */
+  readonly floatTargets: boolean;
+}
+
+/** What the chooser picks from. */
+export type ChosenTechnique = 'forward-single-pass' | 'clustered-forward' | 'tiled-deferred';
+
+export interface Choice {
+  readonly technique: ChosenTechnique;
+  readonly reason: string;
+}
+
+/** Few enough lights that a list costs more than it saves. */
+const FEW_LIGHTS = 2;
+/** Lights over a pixel from which a G-buffer pays; measured, see PERFORMANCE.md. */
+const MANY_OVER_A_PIXEL = 4;
+/** A choice stays until its bound is passed by this factor, this many frames in a row. */
+const SLACK = 1.3;
+const PATIENCE = 8;
+
+const choices: Record<ChosenTechnique, Choice> = {
+  'forward-single-pass': {
+    technique: 'forward-single-pass',
+    reason: 'two lights or fewer: lists would cost more than they save',
+  },
+  'clustered-forward': {
+    technique: 'clustered-forward',
+    reason: 'few lights over a pixel: a G-buffer would cost more than it saves',
+  },
+  'tiled-deferred': {
+    technique: 'tiled-deferred',
+    reason: 'many lights over a pixel: each surface is lit once, by the list of its tile',
+  },
+};
+
+/**
+ * Picks a technique for a frame from cheap figures, and keeps to it unless another has been better for some frames.
+ * Without allocation.
+ */
+export class TechniqueChooser {
+  private current: Choice | null = null;
+  private waited = 0;
+
+  choose(figures: SceneFigures): Choice {
+    const best = choices[this.best(figures, 1)];
+    const { current } = this;
+    if (current === null) return (this.current = best);
+    // the choice stays while it is best when seen with slack in its favour
+    const holds =
+      best === current ||
+      this.best(figures, SLACK) === current.technique ||
+      this.best(figures, 1 / SLACK) === current.technique;
+    this.waited = holds ? 0 : this.waited + 1;
+    const impossible = current.technique === 'tiled-deferred' && !figures.floatTargets;
+    if (impossible || this.waited >= PATIENCE) {
+      this.current = best;
+      this.waited = 0;
+    }
+    return this.current!;
+  }
+
+  private best({ bounded, everywhere, coverage, floatTargets }: SceneFigures, scale: number): ChosenTechnique {
+    if (bounded + everywhere <= FEW_LIGHTS) return 'forward-single-pass';
+    return floatTargets && (coverage + everywhere) * scale > MANY_OVER_A_PIXEL ? 'tiled-deferred' : 'clustered-forward';
+  }
+}

@@ -1,0 +1,12 @@
+import type { Technique } from './Technique';
+
+/** Not a technique but the choice of one, by `TechniqueChooser`, anew for each frame. */
+export const auto: Technique = {
+  label: 'Automatic',
+  help: 'Picks the technique that is fastest for what is in view; says which and why in the figures.',
+  lightOrder: 'by-volume',
+  needsFloatTargets: false,
+  passes() {
+    throw new Error('The technique "auto" has no passes of its own; FarolRenderer draws with the one it picks.');
+  },
+};

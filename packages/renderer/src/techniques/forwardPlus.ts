@@ -1,0 +1,22 @@
+import { DepthPrepass } from '../passes/DepthPrepass';
+import { LightTilesPass } from '../passes/LightTilesPass';
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/**
+ * Forward+: a depth pre-pass, light lists of tiles within the depths in them and the slices that hold anything (2.5D
+ * culling), then three's own materials over these lists.
+ * @see Harada, McKee and Yang 2012, Forward+; Harada 2012, A 2.5D Culling for Forward+; thesis 2.2.3.3.5
+ */
+export const forwardPlus: Technique = {
+  label: 'Forward+',
+  help: 'Depth first, then light lists within the depths of each tile, walked by the materials.',
+  lightOrder: 'by-depth',
+  needsFloatTargets: false,
+  passes({ tiles }) {
+    const depth = new DepthPrepass();
+    const lists = new LightTilesPass(tiles, 'slices', () => depth.target!.depthTexture!, ['scene-depth']);
+    // the lists know only what is opaque: what lies before it is lit by all lights
+    return [depth, lists, ...forwardTail('lightLoopTiled', ['light-lists'], 'lightLoopAll')];
+  },
+};
