@@ -1,0 +1,118 @@
+/** What one frame of a scene asks for. */
+export interface SceneCounts {
+  /** Opaque objects, one material each. */
+  objects: number;
+  /** Pairs of a light and an object that it may reach, a light without a range reaching all. */
+  pairs: number;
+}
+
+/** What a technique may take. */
+export interface Budget {
+  /** Draw calls of a frame. */
+  draws(scene: SceneCounts): number;
+  /** Passes of a frame, those that draw nothing included. */
+  passes: number;
+  /** Bytes of targets for each pixel, light lists included, with 1,000 lights. */
+  bytesPerPixel: number;
+  /** Bytes of light lists sent when one of 1,000 lights moves. */
+  listsOfOne: number;
+  /** Bytes of light lists sent when all of 1,000 lights move. */
+  listsOfAll: number;
+  /** Bytes of JavaScript memory that a frame allocates for each light. */
+  garbageOfLight: number;
+  /** The same for each object. */
+  garbageOfObject: number;
+}
+
+/** Global lights, spheres, cones. */
+const VOLUMES = 3;
+/** Coarse lists, lists, summary. */
+const LISTS = 3;
+/** Depths of blocks and of tiles. */
+const DEPTHS = 2;
+const OUTPUT = 1;
+/** Passes: opaque, transmissive, transparent. */
+const TAIL = 3;
+/** RGBA16F accumulation, RG16F normal, RGBA8 albedo, RGBA8 material, 32-bit depth. */
+const GBUFFER = 24;
+/** A bit a light and tile of 16 × 16 pixels, with room to grow by a quarter, and what is a row of 2,048 texels at least. */
+const LISTS_BYTES = 4;
+
+/**
+ * Of a technique that has no row below: it draws an object twice at most and nothing a light, and sends lists made on the
+ * CPU. Its garbage is numbers that V8 puts on the heap to pass them to a function, 12 bytes each, and arrays of lights that
+ * are emptied and filled again, 14 bytes a light each; three itself takes 24 bytes an object
+ * and some more a draw.
+ */
+const ordinary: Budget = {
+  draws: ({ objects }) => 2 * objects + 12,
+  passes: 10,
+  bytesPerPixel: 64,
+  listsOfOne: 65_536,
+  listsOfAll: 262_144,
+  garbageOfLight: 260,
+  garbageOfObject: 120,
+};
+
+/** Lists made on the GPU, or none. */
+const withoutCpuLists = { listsOfOne: 0, listsOfAll: 0, garbageOfLight: 110, garbageOfObject: 70 };
+
+const budgets: Record<string, Partial<Budget>> = {
+  // base, a draw for each pair, output; 32-bit float sum and depth
+  forward: {
+    ...withoutCpuLists,
+    draws: ({ objects, pairs }) => objects + pairs + OUTPUT,
+    passes: 2 + TAIL,
+    bytesPerPixel: 20,
+    garbageOfLight: 210,
+  },
+  'forward-single-pass': {
+    ...withoutCpuLists,
+    draws: ({ objects }) => objects,
+    passes: TAIL,
+    bytesPerPixel: 0,
+  },
+  // G-buffer; half-float light and a copy of depth
+  deferred: {
+    ...withoutCpuLists,
+    draws: ({ objects }) => objects + VOLUMES + OUTPUT,
+    passes: 3 + TAIL,
+    bytesPerPixel: GBUFFER + 12,
+  },
+  'tiled-deferred': {
+    ...withoutCpuLists,
+    draws: ({ objects }) => objects + DEPTHS + LISTS + OUTPUT,
+    passes: 3 + TAIL,
+    bytesPerPixel: GBUFFER + LISTS_BYTES,
+  },
+  'tiled-forward': {
+    ...withoutCpuLists,
+    draws: ({ objects }) => objects + LISTS,
+    passes: 1 + TAIL,
+    bytesPerPixel: LISTS_BYTES,
+  },
+  // the G-buffer and the materials draw each object; light buffers of diffuse and specular in half floats, with depth
+  'light-prepass': { listsOfOne: 0, listsOfAll: 0, draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT },
+  inferred: { listsOfOne: 0, listsOfAll: 0, draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT + 1 },
+  'forward-plus': {
+    ...withoutCpuLists,
+    // each object's depth into a target of 8 bytes a pixel, on to the canvas, then each object
+    draws: ({ objects }) => 2 * objects + DEPTHS + LISTS + OUTPUT,
+    passes: 2 + TAIL,
+    bytesPerPixel: 8 + LISTS_BYTES,
+    garbageOfObject: 120,
+  },
+  // lists made on the CPU
+  'clustered-deferred': {
+    draws: ({ objects }) => objects + OUTPUT,
+    passes: 3 + TAIL,
+    bytesPerPixel: GBUFFER + LISTS_BYTES,
+  },
+  'clustered-forward': { draws: ({ objects }) => objects, passes: 1 + TAIL, bytesPerPixel: LISTS_BYTES },
+};
+
+/** What `technique` may take; a new one takes what is ordinary until it gets a row of its own. */
+export const budgetOf = (technique: string): Budget => ({ ...ordinary, ...budgets[technique] });
+
+/** Techniques that draw an object again for each light that reaches it; all others draw as often under any lights. */
+export const drawsByLight = new Set(['forward']);

@@ -1,0 +1,102 @@
+import { expect, test } from './perfTest';
+
+/** How many lights, or draws, are as hot as can be. */
+const HOTTEST = 16;
+
+/** microshaders/builtin/heatMap.glsl, whose claims claims.spec.ts holds. */
+function heatMap(heat: number): number[] {
+  if (heat <= 0) return [0, 0, 0];
+  const t = Math.min(heat, 1) * 4;
+  return [t - 2, t < 3 ? t : 4 - t, 2 - t].map((value) => Math.min(1, Math.max(0, value)));
+}
+
+/** The count that a colour stands for. */
+function countOf(colour: number[]): number {
+  const distance = (count: number) =>
+    heatMap(count / HOTTEST).reduce((sum, value, channel) => sum + Math.abs(value - colour[channel]), 0);
+  const counts = Array.from({ length: HOTTEST }, (_, count) => count);
+  const nearest = counts.reduce((best, count) => (distance(count) < distance(best) ? count : best), 0);
+  expect(distance(nearest), `${colour} is a colour of the heat map`).toBeLessThan(0.02);
+  return nearest;
+}
+
+/** Points of a wall and how many of the lights before it reach each one. */
+const stacks = [0, 1, 3, 7];
+const LIGHTS = stacks.reduce((sum, count) => sum + count, 0);
+
+test('the light count of a pixel is what the technique evaluates there', async ({ page }) => {
+  const measured = await page.evaluate(
+    ([hottest, stacks]) => {
+      const { perf, testPage } = window;
+      const { three } = testPage;
+      const [width, height] = [128, 32];
+      const bench = new testPage.Bench(width, height);
+      bench.farol.heatMapMaximum = hottest;
+      bench.farol.view = 'light-count';
+      const scene = new three.Scene();
+      const camera = new three.OrthographicCamera(-8, 8, 2, -2, 0.1, 10);
+      camera.position.z = 5;
+      scene.add(new three.Mesh(new three.PlaneGeometry(16, 4), new three.MeshStandardMaterial()));
+      stacks.forEach((count, stack) => {
+        for (let i = 0; i < count; i++) {
+          const light = new three.PointLight(0xffffff, 1, 1);
+          light.position.set(4 * stack - 6, 0, 0.2 + 0.05 * i); // 4 apart, 1 m of range: no stack reaches another
+          scene.add(light);
+        }
+      });
+      return perf.techniques.map((technique) => {
+        const { data } = bench.byTechnique(technique, scene, camera);
+        const colours = stacks.map((_, stack) => {
+          const pixel = 4 * ((height / 2) * width + (stack + 0.5) * (width / stacks.length));
+          return Array.from(data.slice(pixel, pixel + 3));
+        });
+        return { technique, drawn: bench.farol.info.technique, colours };
+      });
+    },
+    [HOTTEST, stacks] as const,
+  );
+
+  for (const { technique, drawn, colours } of measured) {
+    const counts = colours.map(countOf);
+    if (drawn === 'forward-single-pass') {
+      expect(counts, `${technique}: every light, everywhere`).toEqual(stacks.map(() => LIGHTS));
+    } else {
+      // 4 m are 32 pixels: lists of tiles of up to 32 pixels, volumes and scissors all tell these stacks apart
+      expect(counts, `${technique}: the lights that reach the pixel`).toEqual(stacks);
+    }
+  }
+});
+
+test('the overdraw of a pixel is how often it is shaded', async ({ page }) => {
+  const measured = await page.evaluate((hottest) => {
+    const { perf, testPage } = window;
+    const { three } = testPage;
+    const bench = new testPage.Bench(32, 32);
+    bench.farol.heatMapMaximum = hottest;
+    bench.farol.view = 'overdraw';
+    const camera = new three.OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
+    camera.position.z = 10;
+    const draw = (technique: (typeof perf.techniques)[number], layers: number, nearFirst: boolean) => {
+      const scene = new three.Scene();
+      for (let i = 0; i < layers; i++) {
+        const layer = new three.Mesh(new three.PlaneGeometry(2, 2), new three.MeshStandardMaterial());
+        layer.position.z = i; // the last is the nearest
+        layer.renderOrder = nearFirst ? -i : i;
+        scene.add(layer);
+      }
+      const { data } = bench.byTechnique(technique, scene, camera);
+      return Array.from(data.slice(4 * 528, 4 * 528 + 3));
+    };
+    return perf.techniques.map((technique) => ({
+      ...{ technique, farFirst: draw(technique, 5, false), nearFirst: draw(technique, 5, true) },
+      ...{ drawn: bench.farol.info.technique, none: draw(technique, 0, true) },
+    }));
+  }, HOTTEST);
+
+  for (const { technique, drawn, farFirst, nearFirst, none } of measured) {
+    expect(countOf(none), `${technique}: an empty scene`).toBe(0);
+    expect(countOf(nearFirst), `${technique}: the nearest of 5 layers first`).toBe(1);
+    // with depth known beforehand the order does not count
+    expect(countOf(farFirst), `${technique}: the farthest of 5 layers first`).toBe(drawn === 'forward-plus' ? 1 : 5);
+  }
+});
