@@ -1,23 +1,44 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat, type WebGLRenderer } from 'three';
 
+/** Textures in turn: one that the GPU may still read for an earlier frame is not written to. */
+const TURNS = 3;
+
+/** One of the textures, and what of the data it does not have yet. */
+interface Slot {
+  texture: DataTexture;
+  fresh: boolean;
+  firstChanged: number;
+  lastChanged: number;
+}
+
 /**
- * A growable float texture that uploads only rows whose content changed since the last upload.
+ * A growable float texture that uploads only rows whose content changed, and nothing where nothing did.
  * Without allocation while it does not grow.
  */
 export class DataTable {
-  texture: DataTexture;
   /** The texels, 4 floats each, row after row. */
   data: Float32Array<ArrayBuffer>;
   /** Bytes sent by the last `upload`. */
   uploadedBytes = 0;
+  private slots: Slot[] = [];
+  private current = 0;
   private firstChanged = Infinity;
   private lastChanged = -1;
-  private fresh = true;
 
   /** @param width texels a row */
   constructor(readonly width: number) {
     this.data = new Float32Array(width * 4);
-    this.texture = this.makeTexture();
+    this.makeSlots();
+  }
+
+  /** The texture with the content of the last `upload`. */
+  get texture(): DataTexture {
+    return this.slots[this.current].texture;
+  }
+
+  /** Size of the textures in bytes. */
+  get bytes(): number {
+    return this.data.byteLength * TURNS;
   }
 
   /** Makes room for so many floats; content is lost when it grows. */
@@ -26,9 +47,8 @@ export class DataTable {
     let rows = this.data.length / (this.width * 4);
     while (rows * this.width * 4 < floats) rows *= 2;
     this.data = new Float32Array(rows * this.width * 4);
-    this.texture.dispose();
-    this.texture = this.makeTexture();
-    this.fresh = true;
+    this.dispose();
+    this.makeSlots();
   }
 
   /** Writes one texel at a float offset, and remembers whether it changed. */
@@ -55,18 +75,34 @@ export class DataTable {
   /** Sends the rows that changed. Call inside a frame, before the texture is drawn with. */
   upload(webgl: WebGLRenderer): void {
     this.uploadedBytes = 0;
+    if (this.lastChanged >= this.firstChanged) {
+      for (const slot of this.slots) {
+        slot.firstChanged = Math.min(slot.firstChanged, this.firstChanged);
+        slot.lastChanged = Math.max(slot.lastChanged, this.lastChanged);
+      }
+      this.firstChanged = Infinity;
+      this.lastChanged = -1;
+      this.current = (this.current + 1) % TURNS;
+    }
+    this.send(webgl, this.slots[this.current]);
+  }
+
+  dispose(): void {
+    for (const slot of this.slots) slot.texture.dispose();
+  }
+
+  private send(webgl: WebGLRenderer, slot: Slot): void {
+    const properties = webgl.properties.get(slot.texture) as { __webglTexture?: WebGLTexture };
     const rowFloats = this.width * 4;
-    const gone = (webgl.properties.get(this.texture) as { __webglTexture?: WebGLTexture }).__webglTexture === undefined;
-    if (this.fresh || gone) {
-      webgl.initTexture(this.texture);
-      this.fresh = false;
+    if (slot.fresh || properties.__webglTexture === undefined) {
+      webgl.initTexture(slot.texture);
+      slot.fresh = false;
       this.uploadedBytes = this.data.byteLength;
-    } else if (this.lastChanged >= this.firstChanged) {
-      const first = Math.floor(this.firstChanged / rowFloats);
-      const rows = Math.floor(this.lastChanged / rowFloats) - first + 1;
+    } else if (slot.lastChanged >= slot.firstChanged) {
+      const first = Math.floor(slot.firstChanged / rowFloats);
+      const rows = Math.floor(slot.lastChanged / rowFloats) - first + 1;
       const gl = webgl.getContext() as WebGL2RenderingContext;
       const { state } = webgl;
-      const properties = webgl.properties.get(this.texture) as { __webglTexture: WebGLTexture };
       state.bindTexture(gl.TEXTURE_2D, properties.__webglTexture);
       state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
       state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
@@ -75,23 +111,22 @@ export class DataTable {
       state.unbindTexture();
       this.uploadedBytes = rows * rowFloats * 4;
     }
-    this.firstChanged = Infinity;
-    this.lastChanged = -1;
+    slot.firstChanged = Infinity;
+    slot.lastChanged = -1;
   }
 
-  /** Size of the texture in bytes. */
-  get bytes(): number {
-    return this.data.byteLength;
-  }
-
-  dispose(): void {
-    this.texture.dispose();
-  }
-
-  private makeTexture(): DataTexture {
-    const texture = new DataTexture(this.data, this.width, this.data.length / (this.width * 4), RGBAFormat, FloatType);
-    texture.magFilter = texture.minFilter = NearestFilter;
-    texture.needsUpdate = true;
-    return texture;
+  private makeSlots(): void {
+    this.slots = Array.from({ length: TURNS }, () => {
+      const texture = new DataTexture(
+        this.data,
+        this.width,
+        this.data.length / (this.width * 4),
+        RGBAFormat,
+        FloatType,
+      );
+      texture.magFilter = texture.minFilter = NearestFilter;
+      texture.needsUpdate = true;
+      return { texture, fresh: true, firstChanged: Infinity, lastChanged: -1 };
+    });
   }
 }

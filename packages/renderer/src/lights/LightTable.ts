@@ -71,6 +71,8 @@ export class LightTable {
   bounded = 0;
   /** Estimate of how many lights with a range lie over a pixel, whatever its depth. */
   coverage = 0;
+  /** Quads of 128 records, from the first on, that hold only point lights as three has them; after an update 'by-depth'. */
+  plainQuads = 0;
   /** Tile masks and depth bins, up to date after an update 'by-grid'. */
   readonly grid = new LightGrid();
   private readonly directionals: DirectionalLight[] = [];
@@ -79,7 +81,7 @@ export class LightTable {
   /** Of each of `boundeds`: colour times intensity and decay if a plain point light, else decay -1. */
   private plain = new Float64Array(64);
   private readonly depthOrder = new DepthOrder();
-  private volumes = new Uint32Array(64);
+  private volumes: Uint32Array = new Uint32Array(64);
   private readonly warned = new WeakSet<Light>();
   private projection: ArrayLike<number> = [];
   private extensions = 0;
@@ -146,7 +148,7 @@ export class LightTable {
       this.rank = grid.order;
       this.bounded = grid.count;
     } else if (order === 'by-depth') {
-      this.rank = this.depthOrder.sort(count, bounds, 4, 2);
+      this.rank = this.volumes = this.plainFirst(count, this.depthOrder.sort(count, bounds, 4, 2));
     } else {
       if (this.volumes.length < count) this.volumes = new Uint32Array(count * 2);
       this.rank = this.volumes;
@@ -244,6 +246,25 @@ export class LightTable {
     }
     this.boundeds.push(light);
     this.coverage += this.coverageOf(-z, range);
+  }
+
+  /** Keeps an order, but plain point lights come first, and the others from a new quad of 128 on. */
+  private plainFirst(count: number, order: Uint32Array): Uint32Array {
+    const { plain } = this;
+    let plains = 0;
+    for (let i = 0; i < count; i++) if (plain[i * 4 + 3] >= 0) plains++;
+    this.plainQuads = Math.ceil(plains / 128);
+    this.bounded = plains === count ? count : this.plainQuads * 128 + count - plains;
+    const ranks = this.volumes.length < this.bounded ? new Uint32Array(this.bounded * 2) : this.volumes;
+    ranks.fill(NO_LIGHT, plains, this.bounded);
+    let a = 0;
+    let b = this.plainQuads * 128;
+    for (let k = 0; k < count; k++) {
+      const i = order[k];
+      if (plain[i * 4 + 3] >= 0) ranks[a++] = i;
+      else ranks[b++] = i;
+    }
+    return ranks;
   }
 
   /** Share of the picture that a sphere covers, roughly, 0 to 1. */

@@ -139,6 +139,7 @@ export class LightTilesPass implements Pass {
     run[0] = frame.lights.firstBounded;
     run[1] = frame.lights.bounded;
     run[2] = pages;
+    run[3] = frame.lights.plainQuads;
     tiles.farol_tileMask.value = this.fine.texture;
     tiles.farol_tileSummary.value = this.summary.texture;
     tiles.farol_offset.value.set(frame.viewport.x, frame.viewport.y);

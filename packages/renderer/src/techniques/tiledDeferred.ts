@@ -16,7 +16,7 @@ export const tiledDeferred: Technique = {
   needsFloatTargets: true,
   passes({ tiles }) {
     const gbuffer = new GBufferPass();
-    const lists = new LightTilesPass(tiles, 'bounds', () => gbuffer.gbuffer!.depth, ['gbuffer']);
+    const lists = new LightTilesPass(tiles, 'slices', () => gbuffer.gbuffer!.depth, ['gbuffer']);
     return [gbuffer, lists, new TiledOutputPass(gbuffer, tiles, 'lightLoopTiled'), ...forwardTail('lightLoopAll')];
   },
 };

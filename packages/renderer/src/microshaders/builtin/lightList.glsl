@@ -1,5 +1,4 @@
-// Walks the light list of the pixel's tile. Whoever includes it defines FAROL_LISTED_BITS(bits, start, positionVS): the bits
-// of a word of the list, lights start to start + 31, that count at a position.
+// Walks the light list of the pixel's tile.
 // Olsson and Assarsson 2011, Tiled Shading; the bit lists after Drobot 2017, Improved Culling for Tiled and Clustered Rendering
 #include "lightTiles"
 #include "viewport"
@@ -22,18 +21,30 @@ uvec4 farol_summaryOf(const in int list, const in int page) {
   return texelFetch(farol_tileSummary, farol_listTexel(list * farol_tileRun.z + page), 0);
 }
 
-// opens five loops; farol_record is the light's record
-#define FAROL_FOR_EACH_LISTED(positionVS) \
-  int farol_list = farol_tileOf(gl_FragCoord.xy); \
+// the bits of a summary word that stand for quads first to last
+uint farol_quadsFrom(const in uint bits, const in int start, const in int first, const in int last) {
+  return bits & farol_bitsFrom(start, first, last);
+}
+
+// opens five loops over quads first to last; farol_record is the light's record
+#define FAROL_FOR_EACH_LISTED_IN(positionVS, firstQuad, lastQuad) \
   for (int farol_page = 0; farol_page < farol_tileRun.z; farol_page++) { \
     uvec4 farol_summary = farol_summaryOf(farol_list, farol_page); \
-    for (int farol_word = 0; farol_word < 4 && farol_summary != uvec4(0u); farol_word++, farol_summary = uvec4(farol_summary.yzw, 0u)) \
-      for (uint farol_quads = farol_summary.x; farol_quads != 0u; farol_quads &= farol_quads - 1u) { \
-        int farol_start = (farol_page * 128 + farol_word * 32 + farol_lowestBit(farol_quads)) * 128; \
+    for (int farol_word = farol_page * 128; farol_summary != uvec4(0u); farol_word += 32, farol_summary = uvec4(farol_summary.yzw, 0u)) \
+      for (uint farol_quads = farol_quadsFrom(farol_summary.x, farol_word, firstQuad, lastQuad); farol_quads != 0u; farol_quads &= farol_quads - 1u) { \
+        int farol_start = (farol_word + farol_lowestBit(farol_quads)) * 128; \
         uvec4 farol_mask = texelFetch(farol_tileMask, farol_listTexel(farol_list * farol_tiles.w + (farol_start >> 7)), 0); \
         for (; farol_mask != uvec4(0u); farol_mask = uvec4(farol_mask.yzw, 0u), farol_start += 32) \
-          for (uint farol_bits = FAROL_LISTED_BITS(farol_mask.x, farol_start, positionVS); farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
+          for (uint farol_bits = farol_mask.x; farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
             int farol_record = farol_tileRun.x + farol_start + farol_lowestBit(farol_bits);
+#define FAROL_FOR_EACH_LISTED(positionVS) \
+  int farol_list = farol_tileOf(gl_FragCoord.xy); \
+  FAROL_FOR_EACH_LISTED_IN(positionVS, 0, farol_tiles.w - 1)
+// plain point lights by one loop, the others by another, so that the first stays short
+#define FAROL_SHADE_LISTED(shading) \
+  int farol_list = farol_tileOf(gl_FragCoord.xy); \
+  FAROL_FOR_EACH_LISTED_IN(shading.positionVS, 0, farol_tileRun.w - 1) farol_addPoint(shading, farol_record); FAROL_END_LISTED \
+  FAROL_FOR_EACH_LISTED_IN(shading.positionVS, farol_tileRun.w, farol_tiles.w - 1) farol_addBounded(shading, farol_record); FAROL_END_LISTED
 #define FAROL_END_LISTED }}}
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \

@@ -35,6 +35,8 @@ FarolLight farol_unboundedLight(const in int record, const in vec3 positionVS) {
            farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
         int farol_record = farol_grid.w + farol_start + farol_lowestBit(farol_bits);
 #define FAROL_END_LISTED }}
+#define FAROL_SHADE_LISTED(shading) \
+  FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addBounded(shading, farol_record); FAROL_END_LISTED
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \
   for (int farol_i = 0; farol_i < farol_grid.w; farol_i++) { FarolLight farol_light = farol_unboundedLight(farol_i, positionVS); FAROL_SHADE(farol_light) } \

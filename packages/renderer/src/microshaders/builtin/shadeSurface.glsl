@@ -121,6 +121,20 @@ void farol_addBounded(inout FarolShading s, const in int record) {
   farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
 }
 
+// a point light of three
+void farol_addPoint(inout FarolShading s, const in int record) {
+  vec4 centre = farol_lightTexel(record, 0);
+  vec3 toLight = centre.xyz - s.positionVS;
+  float distanceSquared = dot(toLight, toLight);
+  float ratio = distanceSquared / (centre.w * centre.w);
+  if (ratio >= 1.0) return;
+  vec4 color = farol_lightTexel(record, 1);
+  float window = 1.0 - ratio * ratio;
+  float falloff = color.w == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * color.w);
+  color.rgb *= window * window / max(falloff, 0.01);
+  farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color.rgb, color.rgb);
+}
+
 // directional lights and lights without a range
 void farol_addUnbounded(inout FarolShading s) {
   int last = farol_lightCounts.x + farol_lightCounts.y;

@@ -23,7 +23,7 @@ if (farol_view == 2) {
   if (depth >= 1.0) discard;
   FarolShading shading = farol_beginShading(pixel, depth, farol_size);
   farol_addUnbounded(shading);
-  FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addBounded(shading, farol_record); FAROL_END_LISTED
+  FAROL_SHADE_LISTED(shading)
   vec3 radiance = farol_endShading(shading, pixel);
   if (farol_view == 0) radiance += texelFetch(farol_gAccumulation, pixel, 0).rgb;
   gl_FragColor = farol_output(radiance, -shading.positionVS.z, (shading.flags & 8) != 0, (shading.flags & 4) != 0);
