@@ -4,16 +4,24 @@ import { expect, test } from './perfTest';
 test('targets take no more a pixel than each technique may, are told truly, and go with dispose', async ({ page }) => {
   const measured = await page.evaluate(() => {
     const { perf } = window;
+    perf.drawNothing(); // what is sent and held does not hang on it
     const [width, height] = [160, 90];
     perf.world('forward-single-pass', { width, height }).draw(); // what three itself makes once
     return perf.techniques.map((technique) => {
       const before = perf.textureBytes();
       const world = perf.world(technique, { objects: 4, lights: 1000, width, height });
       const { info } = world.farol;
-      world.draw();
+      // light data may take turns between textures: lights that move bring all of them out
+      const draw = () => {
+        for (let i = 0; i < 4; i++) {
+          for (const light of world.lights) light.position.x += 0.001;
+          world.draw();
+        }
+      };
+      draw();
       const small = { counted: perf.textureBytes() - before, told: info.targetBytes, drawn: info.technique };
       world.setSize(2 * width, 2 * height);
-      world.draw();
+      draw();
       const large = { counted: perf.textureBytes() - before, told: info.targetBytes, drawn: info.technique };
       world.dispose();
       const pixels = 3 * width * height;
@@ -29,7 +37,7 @@ test('targets take no more a pixel than each technique may, are told truly, and 
     if (small.drawn === large.drawn) expect(perPixel, seen).toBeLessThanOrEqual(budgetOf(small.drawn).bytesPerPixel);
     // room that is set aside and not drawn to yet may be told, but nothing may be kept quiet
     expect(small.told, `${technique}: bytes that Farol tells of`).toBeGreaterThanOrEqual(small.counted);
-    expect(small.told, `${technique}: bytes that Farol tells of`).toBeLessThanOrEqual(1.5 * small.counted + 1024);
+    expect(small.told, `${technique}: bytes that Farol tells of`).toBeLessThanOrEqual(1.3 * small.counted);
     expect(left, `${technique}: bytes left after dispose`).toBe(0);
   }
 });
