@@ -4,6 +4,8 @@ import { WordTable } from '../lights/WordTable';
 import type { Pass } from './Pass';
 
 const BINS = 1024;
+/** What is sent when there are no lights to list: a texture must be bound all the same. */
+const NO_WORDS = new Uint32Array(4);
 
 /** Uniforms by which lightListClustered.glsl finds the clusters; one set a FarolRenderer. */
 export interface GridUniforms extends Record<string, IUniform> {
@@ -42,7 +44,10 @@ export class LightGridPass implements Pass {
   render(frame: Frame): void {
     const { uniforms, masks, bins } = this;
     const { grid, bounded, firstBounded } = frame.lights;
-    masks.upload(frame.webgl, grid.masks, Math.max(1, grid.tilesX), Math.max(1, (grid.tilesY * grid.words) / 4));
+    const words = bounded > 0 ? grid.masks : NO_WORDS;
+    const rows = bounded > 0 ? Math.max(1, (grid.tilesY * grid.words) / 4) : 1;
+    const width = bounded > 0 ? Math.max(1, grid.tilesX) : 1;
+    masks.upload(frame.webgl, words, width, rows);
     bins.upload(frame.webgl, grid.bins, BINS, 1);
     frame.uploadedBytes += masks.uploadedBytes + bins.uploadedBytes;
     uniforms.farol_gridMasks.value = masks.texture;

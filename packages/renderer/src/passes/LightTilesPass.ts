@@ -101,6 +101,7 @@ export class LightTilesPass implements Pass {
     const pages = Math.ceil(quads / 128);
     this.setUniforms(frame, x, y, quads, pages);
     const materials = (this.materials ??= this.make(frame));
+    this.giveStorage(frame);
     if (lights.bounded === 0) return;
     if (materials.depth !== null && materials.blocks !== null) {
       setSize(this.blocks, Math.ceil(frame.width / 4), Math.ceil(frame.height / 4));
@@ -151,6 +152,16 @@ export class LightTilesPass implements Pass {
     own.farol_sceneDepth.value = this.sceneDepth?.() ?? null;
   }
 
+  /** A list that is not made this frame is bound all the same, so its texture must be there; also after a lost context. */
+  private giveStorage(frame: Frame): void {
+    for (const target of [this.fine, this.summary]) {
+      const { __webglTexture } = frame.webgl.properties.get(target.texture) as { __webglTexture?: WebGLTexture };
+      if (__webglTexture !== undefined) continue;
+      fit(target, 1);
+      frame.bind(target);
+    }
+  }
+
   private draw(frame: Frame, target: WebGLRenderTarget, material: PassMaterial): void {
     frame.bind(target);
     frame.drawMesh(this.triangle, material);
@@ -184,11 +195,8 @@ export class LightTilesPass implements Pass {
       depth: this.use === 'none' ? null : material('tile depths', 'tileDepth', {}),
       blocks: this.use === 'none' ? null : material('tile depth blocks', 'tileDepthBlocks', {}),
     };
-    // all targets get their storage, since a list that is empty is bound all the same, and all programs are linked
-    for (const target of [this.coarse, this.fine, this.summary]) {
-      fit(target, 1);
-      frame.bind(target);
-    }
+    // all programs are linked now, each with a target of its kind
+    this.giveStorage(frame);
     frame.bind(this.blocks);
     if (materials.blocks !== null) frame.compileMesh(this.triangle, materials.blocks);
     frame.bind(this.depths);

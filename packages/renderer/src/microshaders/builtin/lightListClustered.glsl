@@ -9,6 +9,7 @@ uniform highp ivec4 farol_grid; // pixels a side, as a power of two; tiles in y;
 uniform highp vec3 farol_gridDepth; // shift (m), start, scale
 
 uvec2 farol_depthBin(const in float depth) {
+  if (farol_lightCounts.z == 0) return uvec2(1u, 0u);
   int bin = int(float(floatBitsToInt(max(depth + farol_gridDepth.x, 0.0)) - floatBitsToInt(farol_gridDepth.y)) * farol_gridDepth.z);
   uint ranks = texelFetch(farol_gridBins, ivec2(clamp(bin, 0, 1023), 0), 0).x;
   return uvec2(ranks & 65535u, ranks >> 16);
