@@ -22,6 +22,11 @@ export interface Budget {
   garbageOfLight: number;
   /** The same for each object. */
   garbageOfObject: number;
+  /** How often a pixel is shaded when an object covers it, and how often a light that reaches it is evaluated there. */
+  shadings: number;
+  lightings: number;
+  /** Depth is known before anything is shaded: what is hidden is not shaded, whatever the order. */
+  depthFirst: boolean;
 }
 
 /** Global lights, spheres, cones. */
@@ -52,6 +57,9 @@ const ordinary: Budget = {
   listsOfAll: 262_144,
   garbageOfLight: 260,
   garbageOfObject: 120,
+  shadings: 1,
+  lightings: 1,
+  depthFirst: false,
 };
 
 /** Lists made on the GPU, or none. */
@@ -92,8 +100,20 @@ const budgets: Record<string, Partial<Budget>> = {
     bytesPerPixel: LISTS_BYTES,
   },
   // the G-buffer and the materials draw each object; light buffers of diffuse and specular in half floats, with depth
-  'light-prepass': { listsOfOne: 0, listsOfAll: 0, draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT },
-  inferred: { listsOfOne: 0, listsOfAll: 0, draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT + 1 },
+  'light-prepass': {
+    ...withoutCpuLists,
+    draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT,
+    garbageOfObject: 120,
+    shadings: 2,
+  },
+  // the same at half of the width and height but for the materials
+  inferred: {
+    ...withoutCpuLists,
+    draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT + 1,
+    garbageOfObject: 120,
+    shadings: 1.25,
+    lightings: 0.25,
+  },
   'forward-plus': {
     ...withoutCpuLists,
     // each object's depth into a target of 8 bytes a pixel, on to the canvas, then each object
@@ -101,6 +121,7 @@ const budgets: Record<string, Partial<Budget>> = {
     passes: 2 + TAIL,
     bytesPerPixel: 8 + LISTS_BYTES,
     garbageOfObject: 120,
+    depthFirst: true,
   },
   // lists made on the CPU
   'clustered-deferred': {

@@ -1,24 +1,18 @@
+import { budgetOf } from './budgets';
 import { expect, test } from './perfTest';
 
 /** How many lights, or draws, are as hot as can be. */
 const HOTTEST = 16;
 
-/** microshaders/builtin/heatMap.glsl, whose claims claims.spec.ts holds. */
-function heatMap(heat: number): number[] {
-  if (heat <= 0) return [0, 0, 0];
-  const t = Math.min(heat, 1) * 4;
-  return [t - 2, t < 3 ? t : 4 - t, 2 - t].map((value) => Math.min(1, Math.max(0, value)));
+/** The count that a colour stands for: the inverse of microshaders/builtin/heatMap.glsl, whose claims claims.spec.ts holds. */
+function countOf([red, green, blue]: number[]): number {
+  if (red === 0 && green === 0 && blue === 0) return 0;
+  const t = blue >= 1 ? green : blue > 0 ? 2 - blue : red < 1 ? 2 + red : 4 - green;
+  return (t / 4) * HOTTEST;
 }
 
-/** The count that a colour stands for. */
-function countOf(colour: number[]): number {
-  const distance = (count: number) =>
-    heatMap(count / HOTTEST).reduce((sum, value, channel) => sum + Math.abs(value - colour[channel]), 0);
-  const counts = Array.from({ length: HOTTEST }, (_, count) => count);
-  const nearest = counts.reduce((best, count) => (distance(count) < distance(best) ? count : best), 0);
-  expect(distance(nearest), `${colour} is a colour of the heat map`).toBeLessThan(0.02);
-  return nearest;
-}
+/** Planes one behind the other. */
+const LAYERS = 5;
 
 /** Points of a wall and how many of the lights before it reach each one. */
 const stacks = [0, 1, 3, 7];
@@ -58,45 +52,49 @@ test('the light count of a pixel is what the technique evaluates there', async (
 
   for (const { technique, drawn, colours } of measured) {
     const counts = colours.map(countOf);
-    if (drawn === 'forward-single-pass') {
-      expect(counts, `${technique}: every light, everywhere`).toEqual(stacks.map(() => LIGHTS));
-    } else {
-      // 4 m are 32 pixels: lists of tiles of up to 32 pixels, volumes and scissors all tell these stacks apart
-      expect(counts, `${technique}: the lights that reach the pixel`).toEqual(stacks);
-    }
+    // 4 m are 32 pixels: lists of tiles of up to 32 pixels, volumes and scissors all tell these stacks apart
+    const listed = drawn === 'forward-single-pass' ? stacks.map(() => LIGHTS) : stacks;
+    counts.forEach((count, stack) => {
+      const wanted = listed[stack] * budgetOf(drawn).lightings;
+      expect(count, `${technique}: lights evaluated where ${stacks[stack]} reach the pixel`).toBeCloseTo(wanted, 1);
+    });
   }
 });
 
 test('the overdraw of a pixel is how often it is shaded', async ({ page }) => {
-  const measured = await page.evaluate((hottest) => {
-    const { perf, testPage } = window;
-    const { three } = testPage;
-    const bench = new testPage.Bench(32, 32);
-    bench.farol.heatMapMaximum = hottest;
-    bench.farol.view = 'overdraw';
-    const camera = new three.OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
-    camera.position.z = 10;
-    const draw = (technique: (typeof perf.techniques)[number], layers: number, nearFirst: boolean) => {
-      const scene = new three.Scene();
-      for (let i = 0; i < layers; i++) {
-        const layer = new three.Mesh(new three.PlaneGeometry(2, 2), new three.MeshStandardMaterial());
-        layer.position.z = i; // the last is the nearest
-        layer.renderOrder = nearFirst ? -i : i;
-        scene.add(layer);
-      }
-      const { data } = bench.byTechnique(technique, scene, camera);
-      return Array.from(data.slice(4 * 528, 4 * 528 + 3));
-    };
-    return perf.techniques.map((technique) => ({
-      ...{ technique, farFirst: draw(technique, 5, false), nearFirst: draw(technique, 5, true) },
-      ...{ drawn: bench.farol.info.technique, none: draw(technique, 0, true) },
-    }));
-  }, HOTTEST);
+  const measured = await page.evaluate(
+    ([hottest, layers]) => {
+      const { perf, testPage } = window;
+      const { three } = testPage;
+      const bench = new testPage.Bench(32, 32);
+      bench.farol.heatMapMaximum = hottest;
+      bench.farol.view = 'overdraw';
+      const camera = new three.OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
+      camera.position.z = 10;
+      const draw = (technique: (typeof perf.techniques)[number], count: number, nearFirst: boolean) => {
+        const scene = new three.Scene();
+        for (let i = 0; i < count; i++) {
+          const layer = new three.Mesh(new three.PlaneGeometry(2, 2), new three.MeshStandardMaterial());
+          layer.position.z = i; // the last is the nearest
+          layer.renderOrder = nearFirst ? -i : i;
+          scene.add(layer);
+        }
+        const { data } = bench.byTechnique(technique, scene, camera);
+        return Array.from(data.slice(4 * 528, 4 * 528 + 3));
+      };
+      return perf.techniques.map((technique) => ({
+        ...{ technique, farFirst: draw(technique, layers, false), nearFirst: draw(technique, layers, true) },
+        ...{ drawn: bench.farol.info.technique, none: draw(technique, 0, true) },
+      }));
+    },
+    [HOTTEST, LAYERS] as const,
+  );
 
   for (const { technique, drawn, farFirst, nearFirst, none } of measured) {
+    const { shadings, depthFirst } = budgetOf(drawn);
     expect(countOf(none), `${technique}: an empty scene`).toBe(0);
-    expect(countOf(nearFirst), `${technique}: the nearest of 5 layers first`).toBe(1);
-    // with depth known beforehand the order does not count
-    expect(countOf(farFirst), `${technique}: the farthest of 5 layers first`).toBe(drawn === 'forward-plus' ? 1 : 5);
+    expect(countOf(nearFirst), `${technique}: the nearest of ${LAYERS} layers first`).toBeCloseTo(shadings, 1);
+    const all = depthFirst ? shadings : LAYERS * shadings;
+    expect(countOf(farFirst), `${technique}: the farthest of ${LAYERS} layers first`).toBeCloseTo(all, 1);
   }
 });
