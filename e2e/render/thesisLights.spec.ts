@@ -83,7 +83,7 @@ test('attenuations, cutoff exponent and separate colours of the thesis, by every
         expect(
           Math.abs(seen[name][c] * Math.PI - colour[c]),
           `${technique}, ${name}, channel ${c}: ${seen[name]}`,
-        ).toBeLessThan(technique === 'inferred' ? 0.05 : 0.006);
+        ).toBeLessThan((technique as string) === 'inferred' ? 0.05 : 0.006);
       }
     }
   }
