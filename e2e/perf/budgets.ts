@@ -41,7 +41,7 @@ const TAIL = 3;
 /** RGBA16F accumulation, RG16F normal, RGBA8 albedo, RGBA8 material, 32-bit depth. */
 const GBUFFER = 24;
 /** A bit a light and tile of 16 × 16 pixels, with room to grow by a quarter, and what is a row of 2,048 texels at least. */
-const LISTS_BYTES = 4;
+const LISTS_BYTES = 2;
 
 /**
  * Of a technique that has no row below: it draws an object twice at most and nothing a light, and sends lists made on the
@@ -103,6 +103,7 @@ const budgets: Record<string, Partial<Budget>> = {
   'light-prepass': {
     ...withoutCpuLists,
     draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT,
+    bytesPerPixel: 40,
     garbageOfObject: 120,
     shadings: 2,
   },
@@ -110,6 +111,7 @@ const budgets: Record<string, Partial<Budget>> = {
   inferred: {
     ...withoutCpuLists,
     draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT + 1,
+    bytesPerPixel: 10,
     garbageOfObject: 120,
     shadings: 1.25,
     lightings: 0.25,
