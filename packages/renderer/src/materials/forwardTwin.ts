@@ -15,8 +15,11 @@ export interface ForwardTwins {
   readonly front: TwinKind;
 }
 
-/** Lit materials shaded in one draw by all lights that the loop visits. */
-export function forwardTwins(loop: string): (view: View) => ForwardTwins {
+/**
+ * Lit materials shaded in one draw by all lights that the loop visits.
+ * @param adapt makes of each kind what is used in its place
+ */
+export function forwardTwins(loop: string, adapt = (kind: TwinKind): TwinKind => kind): (view: View) => ForwardTwins {
   const made = new Map<string, ForwardTwins>();
   return (view) => {
     const atEnd = AT_END[view];
@@ -24,13 +27,15 @@ export function forwardTwins(loop: string): (view: View) => ForwardTwins {
     let twins = made.get(mode);
     if (twins === undefined) {
       const kind = (part: string, properties?: TwinKind['properties']) =>
-        litTwin({
-          key: `forward-${loop}-${mode}${part}`,
-          loop,
-          ...(mode === 'light-count' && { chunks: ['heatMap', 'heatScale'] }),
-          ...(atEnd !== undefined && { atEnd }),
-          ...(properties && { properties }),
-        });
+        adapt(
+          litTwin({
+            key: `forward-${loop}-${mode}${part}`,
+            loop,
+            ...(mode === 'light-count' && { chunks: ['heatMap', 'heatScale'] }),
+            ...(atEnd !== undefined && { atEnd }),
+            ...(properties && { properties }),
+          }),
+        );
       twins = { whole: kind(''), back: kind('-back', { side: BackSide }), front: kind('-front', { side: FrontSide }) };
       made.set(mode, twins);
     }

@@ -1,7 +1,8 @@
 import type { Frame } from '../Frame';
 
 /** A thing passes hand to one another. `target` is what the host draws to; it is there from the start. */
-export type Resource = 'target' | 'gbuffer' | 'lighting' | 'light-lists' | 'light-buffer' | 'scene-depth';
+export type Resource =
+  'target' | 'gbuffer' | 'thin-gbuffer' | 'lighting' | 'light-lists' | 'light-buffer' | 'scene-depth';
 
 /** One step of a technique. It owns its targets and programs. */
 export interface Pass {

@@ -5,6 +5,8 @@ import { deferred } from './deferred';
 import { forward } from './forward';
 import { forwardPlus } from './forwardPlus';
 import { forwardSinglePass } from './forwardSinglePass';
+import { inferred } from './inferred';
+import { lightPrepass } from './lightPrepass';
 import { tiledDeferred } from './tiledDeferred';
 import { tiledForward } from './tiledForward';
 import type { Technique } from './Technique';
@@ -15,6 +17,8 @@ export const techniques = {
   forward,
   'forward-single-pass': forwardSinglePass,
   deferred,
+  'light-prepass': lightPrepass,
+  inferred,
   'tiled-deferred': tiledDeferred,
   'tiled-forward': tiledForward,
   'forward-plus': forwardPlus,

@@ -1,16 +1,14 @@
-// Directional lights and lights without a range over every pixel of the G-buffer.
+// Directional lights and lights without a range over every pixel; how it is lit, the chunk before says (volumeLighting).
 // Thesis 3.2.3.2
-#include "shadeSurface"
-uniform vec2 farol_size;
-layout(location = 0) out highp vec4 farol_lighting;
+#include "lightTable"
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);
-float depth = texelFetch(farol_gDepth, pixel, 0).r;
+float depth = FAROL_SURFACE_DEPTH(pixel);
 if (depth >= 1.0) discard;
 #ifdef FAROL_COUNT
-farol_lighting = vec4(float(farol_lightCounts.x + farol_lightCounts.y), 0.0, 0.0, 0.0);
+FAROL_COUNT_PIXEL(float(farol_lightCounts.x + farol_lightCounts.y))
 #else
-FarolShading shading = farol_beginShading(pixel, depth, farol_size);
-farol_addUnbounded(shading);
-farol_lighting = vec4(farol_endShading(shading, pixel), 0.0);
+FAROL_BEGIN_PIXEL
+FAROL_UNBOUNDED_PIXEL
+FAROL_END_PIXEL
 #endif

@@ -13,12 +13,16 @@ import heatMap from './heatMap.glsl?raw';
 import heatScale from './heatScale.glsl?raw';
 import incidentLight from './incidentLight.glsl?raw';
 import lightAttenuation from './lightAttenuation.glsl?raw';
+import lightBufferCounts from './lightBufferCounts.glsl?raw';
+import lightBufferFilter from './lightBufferFilter.glsl?raw';
 import lightList from './lightList.glsl?raw';
 import lightListClustered from './lightListClustered.glsl?raw';
 import lightLoopAll from './lightLoopAll.glsl?raw';
+import lightLoopBuffer from './lightLoopBuffer.glsl?raw';
 import lightLoopNone from './lightLoopNone.glsl?raw';
 import lightLoopOne from './lightLoopOne.glsl?raw';
 import lightLoopTiled from './lightLoopTiled.glsl?raw';
+import lightSums from './lightSums.glsl?raw';
 import lightTable from './lightTable.glsl?raw';
 import lightTiles from './lightTiles.glsl?raw';
 import lightVolumeCone from './lightVolumeCone.glsl?raw';
@@ -29,15 +33,20 @@ import output from './output.glsl?raw';
 import positionFromDepth from './positionFromDepth.glsl?raw';
 import shadeSurface from './shadeSurface.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
+import sumLight from './sumLight.glsl?raw';
 import surfaceView from './surfaceView.glsl?raw';
+import thinGBufferRead from './thinGBufferRead.glsl?raw';
+import thinGBufferWrite from './thinGBufferWrite.glsl?raw';
 import tileDepth from './tileDepth.glsl?raw';
 import tileDepthBlocks from './tileDepthBlocks.glsl?raw';
+import tiledOutput from './tiledOutput.glsl?raw';
 import tileMask from './tileMask.glsl?raw';
 import tileSummary from './tileSummary.glsl?raw';
-import tiledOutput from './tiledOutput.glsl?raw';
 import unproject from './unproject.glsl?raw';
 import viewDepth from './viewDepth.glsl?raw';
 import viewport from './viewport.glsl?raw';
+import volumeLightBuffer from './volumeLightBuffer.glsl?raw';
+import volumeLighting from './volumeLighting.glsl?raw';
 
 /** Sources by name. A new microshader is a file and a line here. */
 const sources = {
@@ -54,12 +63,16 @@ const sources = {
   heatScale,
   incidentLight,
   lightAttenuation,
+  lightBufferCounts,
+  lightBufferFilter,
   lightList,
   lightListClustered,
   lightLoopAll,
+  lightLoopBuffer,
   lightLoopNone,
   lightLoopOne,
   lightLoopTiled,
+  lightSums,
   lightTable,
   lightTiles,
   lightVolumeCone,
@@ -70,15 +83,20 @@ const sources = {
   positionFromDepth,
   shadeSurface,
   shadeThree,
+  sumLight,
   surfaceView,
+  thinGBufferRead,
+  thinGBufferWrite,
   tileDepth,
   tileDepthBlocks,
+  tiledOutput,
   tileMask,
   tileSummary,
-  tiledOutput,
   unproject,
   viewDepth,
   viewport,
+  volumeLightBuffer,
+  volumeLighting,
 };
 
 export type BuiltinMicroShader = keyof typeof sources;

@@ -1,20 +1,19 @@
-// One light over the pixels of its volume, added to the lighting buffer.
+// One light over the pixels of its volume, added up; how a pixel is lit, the chunk before says (volumeLighting).
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
-#include "shadeSurface"
-uniform vec2 farol_size;
+#include "lightTable"
+#include "unproject"
 flat in highp int farol_record;
-layout(location = 0) out highp vec4 farol_lighting;
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);
-float depth = texelFetch(farol_gDepth, pixel, 0).r;
+float depth = FAROL_SURFACE_DEPTH(pixel);
 if (depth >= 1.0) discard;
 #ifdef FAROL_COUNT
-farol_lighting = vec4(1.0, 0.0, 0.0, 0.0);
+FAROL_COUNT_PIXEL(1.0)
 #else
 vec4 centre = farol_lightTexel(farol_record, 0);
 vec3 toLight = centre.xyz - farol_unproject(gl_FragCoord.xy / farol_size, depth);
 if (dot(toLight, toLight) >= centre.w * centre.w) discard;
-FarolShading shading = farol_beginShading(pixel, depth, farol_size);
-farol_addBounded(shading, farol_record);
-farol_lighting = vec4(farol_endShading(shading, pixel), 0.0);
+FAROL_BEGIN_PIXEL
+FAROL_BOUNDED_PIXEL(farol_record)
+FAROL_END_PIXEL
 #endif

@@ -1,0 +1,15 @@
+import { HalfFloatType, RGBAFormat } from 'three';
+import type { GBufferAttachment } from './gbufferLayout';
+
+/**
+ * The thin G-buffer: 8 bytes a texel and 32-bit float depth. Position is rebuilt from depth. The encoding is
+ * microshaders/builtin/thinGBufferWrite.glsl, addLight.glsl and lightBufferFilter.glsl.
+ */
+export const thinGBufferLayout = {
+  name: 'surface',
+  format: RGBAFormat,
+  type: HalfFloatType,
+  bytes: 8,
+  holds:
+    'xy: view-space normal, octahedral; z: specular lobe: roughness (2 more where F90 is below 1), -1 - Blinn-Phong shininess, 0 for none; w: number of the object, 0 for nothing',
+} as const satisfies GBufferAttachment;

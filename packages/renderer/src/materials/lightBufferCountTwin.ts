@@ -1,0 +1,15 @@
+import { overdrawTwin } from './overdrawTwin';
+import type { TwinKind } from './TwinKind';
+
+const OUTPUTS = 'layout(location = 1) out highp vec4 farol_out1;\nlayout(location = 2) out highp vec4 farol_out2;\n';
+
+/** Adds one to the first attachment of the light buffer where the thin G-buffer would have been written. */
+export const lightBufferCountTwin: TwinKind = {
+  ...overdrawTwin,
+  key: 'light-buffer-count',
+  patch(shader, source, header) {
+    overdrawTwin.patch(shader, source, header);
+    const at = shader.fragmentShader.lastIndexOf('}');
+    shader.fragmentShader = `${OUTPUTS}${shader.fragmentShader.slice(0, at)}farol_out1 = farol_out2 = vec4(0.0);\n}`;
+  },
+};

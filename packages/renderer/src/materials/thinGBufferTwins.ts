@@ -1,0 +1,64 @@
+import { BackSide, FrontSide, NoBlending, ShaderChunk, type IUniform, type Vector2 } from 'three';
+import type { ForwardTwins } from './forwardTwin';
+import { litTwin } from './litTwin';
+import { withObject } from './objectAttribute';
+import { replaceOnce } from './replaceOnce';
+import type { TwinKind } from './TwinKind';
+
+/** Twins that write the thin G-buffer: of opaque materials, and of the layers of transparent ones. */
+export interface ThinGBufferTwins {
+  readonly opaque: TwinKind;
+  readonly stippled: ForwardTwins;
+}
+
+const SPECULAR_ANTIALIASING = 'vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );';
+
+/** three widens highlights by how the normal changes from pixel to pixel; a texel may be wider than a pixel. */
+function byPixels(text: string): string {
+  const chunk = replaceOnce(
+    ShaderChunk.lights_physical_fragment,
+    SPECULAR_ANTIALIASING,
+    SPECULAR_ANTIALIASING.replace('max(', 'farol_thinScale * max('),
+    "three's lights_physical_fragment",
+  );
+  return `uniform float farol_thinScale;\n${text.replace('#include <lights_physical_fragment>', () => chunk)}`;
+}
+
+/** @param scale texels of the buffer a pixel of the picture, along a side */
+export function thinGBufferTwins(scale: IUniform<number>, shift: IUniform<Vector2>): ThinGBufferTwins {
+  const kind = (part: string, atEnd: string, properties: TwinKind['properties']): TwinKind => {
+    const lit = litTwin({
+      key: `thin-gbuffer${part}`,
+      loop: 'lightLoopNone',
+      withThreeLights: false,
+      chunks: ['thinGBufferWrite'],
+      properties: { fog: false, ...properties },
+      rewrite: byPixels,
+      atEnd,
+    });
+    return withObject({
+      ...lit,
+      patch(shader, source, header) {
+        lit.patch(shader, source, header);
+        shader.uniforms.farol_thinScale = scale;
+        shader.uniforms.farol_thinShift = shift;
+        const at = shader.vertexShader.lastIndexOf('}');
+        shader.vertexShader = `uniform highp vec2 farol_thinShift;\n${shader.vertexShader.slice(0, at)}gl_Position.xy += farol_thinShift * gl_Position.w;\n}`;
+      },
+    });
+  };
+  const stippled = (part: string, properties: TwinKind['properties']) =>
+    kind(`-stippled${part}`, 'FAROL_STIPPLE\nFAROL_WRITE_THIN', {
+      blending: NoBlending,
+      depthWrite: true,
+      ...properties,
+    });
+  return {
+    opaque: kind('', 'FAROL_WRITE_THIN', {}),
+    stippled: {
+      whole: stippled('', {}),
+      back: stippled('-back', { side: BackSide }),
+      front: stippled('-front', { side: FrontSide }),
+    },
+  };
+}

@@ -1,0 +1,17 @@
+// Writes what lights need to know of a lit material of three: normal, specular lobe, object; layout in gbuffer/thinGBufferLayout.ts.
+// Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5); Cigolle et al. 2014 (normals)
+#include "octahedralNormal"
+varying highp vec2 farol_object; // number of the object; corner of the stipple that it takes, 0: all
+#if defined( STANDARD )
+  #define FAROL_LOBE (material.specularF90 < 1.0 ? 2.0 + material.roughness : material.roughness)
+#elif defined( PHONG )
+  #define FAROL_LOBE (-1.0 - material.specularShininess)
+#else
+  #define FAROL_LOBE 0.0
+#endif
+#define FAROL_WRITE_THIN gl_FragColor = vec4(farol_encodeNormal(normal), FAROL_LOBE, floor(farol_object.x + 0.5));
+// one texel of each two by two is left to a transparent layer, and nothing of it where it is not seen
+#define FAROL_STIPPLE { \
+  ivec2 farol_corner = ivec2(gl_FragCoord.xy) & 1; \
+  if (farol_corner.x + 2 * farol_corner.y != int(farol_object.y + 0.5) || gl_FragColor.a < 0.004) discard; \
+}

@@ -1,0 +1,105 @@
+import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, Vector2, WebGLRenderTarget } from 'three';
+import type { Frame } from '../Frame';
+import { thinGBufferLayout } from '../gbuffer/thinGBufferLayout';
+import { isLightBufferMaterial } from '../materials/isLightBufferMaterial';
+import { resetObject, setObject } from '../materials/objectAttribute';
+import { thinGBufferTwins, type ThinGBufferTwins } from '../materials/thinGBufferTwins';
+import type { RenderItem } from '../RenderItem';
+import { drawLayers } from './drawLayers';
+import { gridShift } from './gridShift';
+import { objectNumber } from './objectNumbers';
+import type { Pass } from './Pass';
+
+/** How large the buffers of lighting are, and what is in them. */
+export interface ThinGBufferOptions {
+  /** Texels a pixel of the picture, along a side: above 0, at most 1. Read each frame. */
+  readonly scale: { value: number };
+  /** Transparent things are in it too, each layer in one texel of each two by two. */
+  readonly stipple: boolean;
+}
+
+/**
+ * Draws what the light buffer can light, with no more than lights need to know of it: normal, specular lobe, depth, and
+ * which object it is.
+ * @see Engel 2009, The Light Pre-Pass Renderer; Kircher and Lawrance 2009, Inferred Lighting; thesis 2.2.3.3.2
+ */
+export class ThinGBufferPass implements Pass {
+  readonly name = 'thin g-buffer';
+  readonly reads = [] as const;
+  readonly writes = ['thin-gbuffer', 'scene-depth'] as const;
+  target: WebGLRenderTarget | null = null;
+  /** How far the picture is moved in the buffer (normalised device coordinates), by `gridShift`. */
+  readonly shift = { value: new Vector2() };
+  /** The opaque items drawn; the n-th has `objectNumber(n)`. */
+  readonly items: RenderItem[] = [];
+  private readonly twins: ThinGBufferTwins;
+  private readonly scale = { value: 1 };
+
+  constructor(private readonly options: ThinGBufferOptions) {
+    this.twins = thinGBufferTwins(this.scale, this.shift);
+  }
+
+  get bytes(): number {
+    return this.target ? this.target.width * this.target.height * (thinGBufferLayout.bytes + 4) : 0;
+  }
+
+  render(frame: Frame): void {
+    this.prepareTarget(frame);
+    const { items } = this;
+    items.length = 0;
+    for (const item of frame.queue.opaque) {
+      if (!item.plain || !item.lit || !isLightBufferMaterial(item.material)) continue;
+      setObject(frame.gl, objectNumber(items.length), 0);
+      frame.drawTwin(item, this.twins.opaque);
+      items.push(item);
+    }
+    if (this.options.stipple) this.drawTransparent(frame);
+    resetObject(frame.gl);
+  }
+
+  /** True for a transparent item whose layers are in the buffer. */
+  isStippled(item: RenderItem): boolean {
+    const { material, lit } = item;
+    return (
+      this.options.stipple &&
+      lit &&
+      material.depthTest &&
+      material.depthFunc === LessEqualDepth &&
+      isLightBufferMaterial(material)
+    );
+  }
+
+  dispose(): void {
+    this.target?.depthTexture?.dispose();
+    this.target?.dispose();
+    this.target = null;
+    this.items.length = 0;
+  }
+
+  private prepareTarget(frame: Frame): void {
+    const scale = this.options.scale.value;
+    const width = Math.max(1, Math.ceil(frame.width * scale));
+    const height = Math.max(1, Math.ceil(frame.height * scale));
+    this.target ??= new WebGLRenderTarget(1, 1, {
+      format: thinGBufferLayout.format,
+      type: thinGBufferLayout.type,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      depthTexture: new DepthTexture(1, 1, FloatType),
+    });
+    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
+    this.scale.value = height / frame.height;
+    const x = gridShift(frame.width, width) * (2 / frame.width);
+    const y = gridShift(frame.height, height) * (2 / frame.height);
+    this.shift.value.set(x, y);
+    frame.bind(this.target);
+    frame.clear(1, true);
+  }
+
+  private drawTransparent(frame: Frame): void {
+    let layer = 0;
+    for (const item of frame.queue.transparent) {
+      if (this.isStippled(item)) layer = drawLayers(frame, item, this.twins.stippled, this.items.length, layer);
+    }
+  }
+}

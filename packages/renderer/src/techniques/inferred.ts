@@ -1,0 +1,37 @@
+import { LightBufferPass } from '../passes/LightBufferPass';
+import { LitMaterialsPass } from '../passes/LitMaterialsPass';
+import { StippledPass } from '../passes/StippledPass';
+import { ThinGBufferPass } from '../passes/ThinGBufferPass';
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/** Texels of the buffers a pixel of the picture, along a side. */
+const SCALE = 0.5;
+
+/**
+ * Inferred lighting: light pre-pass with both buffers at half the resolution, joined to the materials at full resolution by
+ * a filter that takes light only from texels of the same object, depth and normal. Transparent things are lit by the same
+ * buffers: each layer of them has one texel of each two by two.
+ *
+ * What that costs:
+ * - Light that changes within two pixels (fine normal maps, small highlights, hard edges of light) is smoothed.
+ * - A transparent layer has a sample of light every four pixels, and takes it from what is behind it. Three layers over one
+ *   another are lit right; of more, those farther away take the light of the nearest texel that is like them.
+ * - Things smaller than two pixels, and parts of them, may have no sample and take that of the texel most like them.
+ * - Objects are told apart by number up to 2,047 in a frame; beyond that, two of one number only by depth and normal.
+ * @see Kircher and Lawrance 2009, Inferred Lighting: Fast dynamic lighting and shadows for opaque and translucent objects,
+ *   https://doi.org/10.1145/1581073.1581080; thesis 2.2.3.3.3
+ */
+export const inferred: Technique = {
+  label: 'Inferred lighting',
+  help: 'Light pre-pass with its buffers at half the resolution, joined by a filter that keeps to edges.',
+  lightOrder: 'by-volume',
+  needsFloatTargets: true,
+  passes() {
+    const surfaces = new ThinGBufferPass({ scale: { value: SCALE }, stipple: true });
+    const lights = new LightBufferPass(surfaces);
+    const materials = new LitMaterialsPass(surfaces, lights);
+    const [opaque, transmissive] = forwardTail('lightLoopAll');
+    return [surfaces, lights, materials, opaque, transmissive, new StippledPass(surfaces, materials, 'lightLoopAll')];
+  },
+};

@@ -1,0 +1,23 @@
+import { LightBufferPass } from '../passes/LightBufferPass';
+import { LitMaterialsPass } from '../passes/LitMaterialsPass';
+import { ThinGBufferPass } from '../passes/ThinGBufferPass';
+import { forwardTail } from './forwardTail';
+import type { Technique } from './Technique';
+
+/**
+ * Light pre-pass (deferred lighting): normals and specular lobes into a thin G-buffer, the lights into a light buffer with
+ * diffuse and specular apart, then the materials once more, each lit by what the light buffer holds: any number of models.
+ * @see Engel 2009, Designing a Renderer for Multiple Lights: The Light Pre-Pass Renderer (ShaderX7, 8.5),
+ *   https://diaryofagraphicsprogrammer.blogspot.com/2008/03/light-pre-pass-renderer.html; thesis 2.2.3.3.2
+ */
+export const lightPrepass: Technique = {
+  label: 'Light pre-pass',
+  help: 'Normals first, then the lights into a buffer, then the materials once more, lit by that buffer.',
+  lightOrder: 'by-volume',
+  needsFloatTargets: true,
+  passes() {
+    const surfaces = new ThinGBufferPass({ scale: { value: 1 }, stipple: false });
+    const lights = new LightBufferPass(surfaces);
+    return [surfaces, lights, new LitMaterialsPass(surfaces, lights), ...forwardTail('lightLoopAll')];
+  },
+};
