@@ -1,6 +1,6 @@
-import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
+import type { Camera, Object3D, WebGLRenderer } from 'three';
 import { checkDevice, hasFloatTargets } from './checkDevice';
-import { collectLights } from './collectLights';
+import { collectLights, type FoundLights } from './collectLights';
 import { compileByDrawing } from './compileByDrawing';
 import { type View, isSurfaceView, views } from './debug/views';
 import { unknownName } from './errors';
@@ -67,8 +67,7 @@ export class FarolRenderer {
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
   private readonly overdraw = new OverdrawPass();
   private readonly surfaceView = new SurfaceViewPass();
-  private readonly found: Light[] = [];
-  private readonly nested: Light[] = [];
+  private readonly found: FoundLights = { all: [], count: 0, nested: [] };
   private techniqueName: TechniqueName = 'auto';
   /** What draws this frame: the technique, or what 'auto' picked, and why. */
   private active: TechniqueName = 'deferred';
@@ -143,15 +142,15 @@ export class FarolRenderer {
     this.recorder.begin(this.timing);
     if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
-    collectLights(scene, camera, this.webgl, this.found, this.nested);
+    collectLights(scene, camera, this.webgl, this.found);
     this.frame.begin(scene, camera, this.viewName);
     if (this.viewName === 'grid') this.frame.quarter();
-    this.lights.collect(this.found, camera);
+    this.lights.collect(this.found.all, camera);
     this.pick();
     this.lights.write(camera, (techniques[this.active] as Technique).lightOrder, this.frame);
     this.setUniforms();
     this.sceneView = this.viewOf(scene);
-    this.sceneView.render(camera, this.nested, this.frame.queue, this.draw);
+    this.sceneView.render(camera, this.found.nested, this.frame.queue, this.draw);
     this.recorder.end(this.active, this.reason, this.lights, this.frame.uploadedBytes, this.targetBytes());
   }
 
@@ -222,13 +221,14 @@ export class FarolRenderer {
       frame.bindTarget();
       return;
     }
-    if (frame.view === 'overdraw') this.run(this.overdraw.name, () => this.overdraw.render(frame));
+    if (frame.view === 'overdraw')
+      this.run(this.overdraw.name, () => this.overdraw.render(frame, this.hasPass('depth')));
     for (const pass of this.passesOf(this.active)) {
       this.recorder.beginPass(pass.name);
       pass.render(frame);
       this.recorder.endPass();
     }
-    if (frame.view === 'overdraw' && !this.hasOutput()) this.overdraw.show(frame);
+    if (frame.view === 'overdraw' && !this.hasPass('output')) this.overdraw.show(frame);
     if (frame.view === 'grid') this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
     frame.bindTarget();
   }
@@ -239,8 +239,8 @@ export class FarolRenderer {
     this.recorder.endPass();
   }
 
-  private hasOutput(): boolean {
-    return this.passesOf(this.active).some((pass) => pass.name === 'output');
+  private hasPass(name: string): boolean {
+    return this.passesOf(this.active).some((pass) => pass.name === name);
   }
 
   private passesOf(name: TechniqueName): Pass[] {

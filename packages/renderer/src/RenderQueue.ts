@@ -29,10 +29,13 @@ export class RenderQueue {
   readonly transparent: RenderItem[] = [];
   private readonly pool: RenderItem[] = [];
   private used = 0;
+  private opaques = 0;
+  private transmissives = 0;
+  private transparents = 0;
 
   clear(): void {
     this.used = 0;
-    this.opaque.length = this.transmissive.length = this.transparent.length = 0;
+    this.opaques = this.transmissives = this.transparents = 0;
   }
 
   push(
@@ -67,11 +70,17 @@ export class RenderQueue {
     item.lit = isLit(material);
     item.plain = list === this.opaque && isPlainOpaque(material);
     item.drawn = false;
-    list.push(item);
+    // the lists are cut to their length when all is in, and so keep their storage
+    if (list === this.opaque) list[this.opaques++] = item;
+    else if (list === this.transparent) list[this.transparents++] = item;
+    else list[this.transmissives++] = item;
   }
 
-  /** Lets go of objects of earlier, larger frames. */
-  trim(): void {
+  /** Ends the lists, and lets go of objects of earlier, larger frames. */
+  finish(): void {
+    this.opaque.length = this.opaques;
+    this.transmissive.length = this.transmissives;
+    this.transparent.length = this.transparents;
     for (let i = this.used; i < this.pool.length && this.pool[i].object !== null; i++) {
       const item = this.pool[i] as { -readonly [K in keyof RenderItem]: RenderItem[K] | null };
       item.object = item.geometry = item.material = item.group = null;

@@ -171,7 +171,7 @@ export class SceneView {
       };
       list.finish = () => {
         this.restore();
-        this.queue?.trim();
+        this.queue?.finish();
         push(driver, driver.geometry, driver.material as Material, 0, 0, null, this.anyCamera);
         finish();
       };

@@ -1,41 +1,34 @@
 import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
 import { isManagedLight } from './lights/isManagedLight';
 
-/**
- * Finds the managed lights that the camera's layers see, parents before children.
- * @param out gets the lights
- * @param nested gets those of them that are not children of `root` itself, or have children
- */
-export function collectLights(
-  root: Object3D,
-  camera: Camera,
-  webgl: WebGLRenderer,
-  out: Light[],
-  nested: Light[],
-): void {
-  out.length = nested.length = 0;
-  if (root.visible) visit(root, 0, camera, webgl, out, nested);
+/** Lights of a frame, in arrays that keep their length so that they need not grow again. */
+export interface FoundLights {
+  /** All managed lights, then whatever earlier frames left. */
+  readonly all: Light[];
+  /** How many of `all` are of this frame. */
+  count: number;
+  /** Those of them that three's traversal would meet: not children of the root itself, or with children of their own. */
+  readonly nested: Light[];
 }
 
-function visit(
-  object: Object3D,
-  depth: number,
-  camera: Camera,
-  webgl: WebGLRenderer,
-  out: Light[],
-  nested: Light[],
-): void {
+/** Finds the managed lights that the camera's layers see, parents before children. */
+export function collectLights(root: Object3D, camera: Camera, webgl: WebGLRenderer, found: FoundLights): void {
+  found.count = 0;
+  found.nested.length = 0;
+  if (root.visible) visit(root, 0, camera, webgl, found);
+  // what earlier frames had more of is let go
+  if (found.all.length > found.count) found.all.length = found.count;
+}
+
+function visit(object: Object3D, depth: number, camera: Camera, webgl: WebGLRenderer, found: FoundLights): void {
   const { children } = object;
-  if (
-    (object as Light).isLight === true &&
-    object.layers.test(camera.layers) &&
-    isManagedLight(object as Light, webgl)
-  ) {
-    out.push(object as Light);
-    if (depth !== 1 || children.length > 0) nested.push(object as Light);
+  const light = object as Light;
+  if (light.isLight === true && object.layers.test(camera.layers) && isManagedLight(light, webgl)) {
+    found.all[found.count++] = light;
+    if (depth !== 1 || children.length > 0) found.nested.push(light);
   }
   for (let i = 0; i < children.length; i++) {
     const child = children[i];
-    if (child.visible) visit(child, depth + 1, camera, webgl, out, nested);
+    if (child.visible) visit(child, depth + 1, camera, webgl, found);
   }
 }

@@ -77,7 +77,9 @@ export class LightTable {
   readonly grid = new LightGrid();
   private readonly directionals: DirectionalLight[] = [];
   private readonly unboundeds: Light[] = [];
+  /** The lights with a range that are kept, and how many are of this frame. */
   private readonly boundeds: Light[] = [];
+  private kept = 0;
   /** Of each of `boundeds`: colour times intensity and decay if a plain point light, else decay -1. */
   private plain = new Float64Array(64);
   private readonly depthOrder = new DepthOrder();
@@ -104,6 +106,7 @@ export class LightTable {
     this.classify(lights, camera.matrixWorldInverse);
     this.directional = this.directionals.length;
     this.unbounded = this.unboundeds.length;
+    if (this.boundeds.length > this.kept) this.boundeds.length = this.kept;
     this.visible += this.directional + this.unbounded + this.boundeds.length;
     this.bounded = this.boundeds.length;
   }
@@ -178,7 +181,8 @@ export class LightTable {
   }
 
   private classify(lights: readonly Light[], view: Matrix4): void {
-    this.directionals.length = this.unboundeds.length = this.boundeds.length = 0;
+    this.directionals.length = this.unboundeds.length = 0;
+    this.kept = 0;
     this.spheres = this.cones = 0;
     this.ambient.fill(0);
     this.total = lights.length;
@@ -195,7 +199,7 @@ export class LightTable {
         if (isBlack(light)) continue;
         const range = rangeOf(l);
         if (range <= 0) this.unboundeds.push(light);
-        else this.findBounded(light, range, view);
+        else this.findBounded(light, view);
       } else if (l.isDirectionalLight) {
         if (!isBlack(light)) this.directionals.push(l);
       } else if ('isHemisphereLight' in light) this.addHemisphere(light as HemisphereLight, view);
@@ -204,7 +208,8 @@ export class LightTable {
   }
 
   /** Keeps a light with a range unless the frustum says that it reaches nothing that is seen. */
-  private findBounded(light: Light, range: number, view: Matrix4): void {
+  private findBounded(light: Light, view: Matrix4): void {
+    const range = rangeOf(light as PointLight);
     const v = view.elements;
     const m = light.matrixWorld.elements;
     const wx = m[12];
@@ -215,7 +220,7 @@ export class LightTable {
     const z = v[2] * wx + v[6] * wy + v[10] * wz + v[14];
     if (sphereOutsidePlanes(planes, x, y, z, range)) return;
     const { bounds, axes, plain } = this;
-    const at = this.boundeds.length * 4;
+    const at = this.kept * 4;
     const spot = light as SpotLight;
     const isPlain = spot.isSpotLight !== true && light.userData.farol === undefined;
     if (isPlain) {
@@ -244,7 +249,7 @@ export class LightTable {
       axes[at + 3] = -1;
       this.spheres++;
     }
-    this.boundeds.push(light);
+    this.boundeds[this.kept++] = light;
     this.coverage += this.coverageOf(-z, range);
   }
 

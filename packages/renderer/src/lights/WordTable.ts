@@ -7,12 +7,19 @@ import {
   type WebGLRenderer,
 } from 'three';
 
-/** A texture of unsigned 32-bit words, filled from an array that belongs to somebody else. Grows; uploads what is in use. */
+/**
+ * A texture of unsigned 32-bit words, filled from an array that belongs to somebody else. Grows; uploads what is in use, and
+ * nothing where that is what was sent last.
+ */
 export class WordTable {
   texture: DataTexture;
   /** Bytes sent by the last `upload`. */
   uploadedBytes = 0;
   private fresh = true;
+  /** The texture does not have what was sent last. */
+  private stale = true;
+  /** What was sent last. */
+  private sent = new Uint32Array(0);
 
   /** @param channels words a texel, 1 or 4 */
   constructor(private readonly channels: 1 | 4) {
@@ -40,7 +47,10 @@ export class WordTable {
     if (this.fresh || held().__webglTexture === undefined) {
       webgl.initTexture(this.texture);
       this.fresh = false;
+      this.stale = true;
     }
+    this.uploadedBytes = 0;
+    if (!this.differs(words, width * rows * this.channels)) return;
     const gl = webgl.getContext() as WebGL2RenderingContext;
     const { state } = webgl;
     state.bindTexture(gl.TEXTURE_2D, held().__webglTexture!);
@@ -51,6 +61,20 @@ export class WordTable {
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, format, gl.UNSIGNED_INT, words, 0);
     state.unbindTexture();
     this.uploadedBytes = width * rows * this.channels * 4;
+  }
+
+  /** Compares with what was sent last, and keeps what is to be sent now. */
+  private differs(words: Uint32Array, count: number): boolean {
+    const { sent } = this;
+    if (!this.stale && sent.length >= count) {
+      let i = 0;
+      while (i < count && sent[i] === words[i]) i++;
+      if (i === count) return false;
+    }
+    if (sent.length < count) this.sent = new Uint32Array(count * 2);
+    for (let i = 0; i < count; i++) this.sent[i] = words[i];
+    this.stale = false;
+    return true;
   }
 
   dispose(): void {

@@ -1,5 +1,6 @@
 import { HalfFloatType, NearestFilter, Vector2, WebGLRenderTarget, type IUniform, type Texture } from 'three';
 import type { Frame } from '../Frame';
+import { depthTwin, hasDepthTwin } from '../materials/depthTwin';
 import { canCountOverdraw, overdrawTwin } from '../materials/overdrawTwin';
 import type { RenderItem } from '../RenderItem';
 import { FullscreenMesh } from './FullscreenMesh';
@@ -18,7 +19,8 @@ export class OverdrawPass {
     return this.target ? this.target.width * this.target.height * 12 : 0;
   }
 
-  render(frame: Frame): void {
+  /** @param depthFirst the technique draws depth before it shades */
+  render(frame: Frame, depthFirst: boolean): void {
     const { width, height } = frame;
     this.target ??= new WebGLRenderTarget(1, 1, {
       type: HalfFloatType,
@@ -28,6 +30,11 @@ export class OverdrawPass {
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     frame.bind(this.target);
     frame.clear(1, true);
+    if (depthFirst) {
+      for (const item of frame.queue.opaque) {
+        if (item.plain && item.lit && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
+      }
+    }
     this.count(frame, frame.queue.opaque);
     this.count(frame, frame.queue.transmissive);
     this.count(frame, frame.queue.transparent);
