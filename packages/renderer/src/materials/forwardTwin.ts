@@ -3,10 +3,15 @@ import type { View } from '../debug/views';
 import { litTwin } from './litTwin';
 import type { TwinKind } from './TwinKind';
 
-const AT_END: Partial<Record<View, string>> = {
-  lighting: 'gl_FragColor.rgb = reflectedLight.directDiffuse + reflectedLight.directSpecular;',
-  'light-count': 'gl_FragColor = vec4(farol_heatMap(farol_lightsEvaluated * farol_heatScale), 1.0);',
-};
+const OPAQUE = '#include <opaque_fragment>';
+const DIRECT_LIGHT = 'reflectedLight.directDiffuse + reflectedLight.directSpecular;';
+
+/** Shows direct light alone, with three's tone mapping, colour space and fog where the shader has them. */
+function onlyDirect(text: string): string {
+  return text.replace(OPAQUE, `outgoingLight = ${DIRECT_LIGHT}\n${OPAQUE}`);
+}
+
+const COUNT = 'gl_FragColor = vec4(farol_heatMap(farol_lightsEvaluated * farol_heatScale), 1.0);';
 
 /** The three sides of one forward kind: as the source has it, and the two halves of a transparent double-sided draw. */
 export interface ForwardTwins {
@@ -22,8 +27,7 @@ export interface ForwardTwins {
 export function forwardTwins(loop: string, adapt = (kind: TwinKind): TwinKind => kind): (view: View) => ForwardTwins {
   const made = new Map<string, ForwardTwins>();
   return (view) => {
-    const atEnd = AT_END[view];
-    const mode = atEnd === undefined ? 'final' : view;
+    const mode = view === 'lighting' || view === 'light-count' ? view : 'final';
     let twins = made.get(mode);
     if (twins === undefined) {
       const kind = (part: string, properties?: TwinKind['properties']) =>
@@ -31,8 +35,8 @@ export function forwardTwins(loop: string, adapt = (kind: TwinKind): TwinKind =>
           litTwin({
             key: `forward-${loop}-${mode}${part}`,
             loop,
-            ...(mode === 'light-count' && { chunks: ['heatMap', 'heatScale'] }),
-            ...(atEnd !== undefined && { atEnd }),
+            ...(mode === 'light-count' && { chunks: ['heatMap', 'heatScale'], atEnd: COUNT }),
+            ...(mode === 'lighting' && { rewrite: onlyDirect }),
             ...(properties && { properties }),
           }),
         );
