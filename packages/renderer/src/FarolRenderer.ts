@@ -73,6 +73,7 @@ export class FarolRenderer {
   private active: TechniqueName = 'deferred';
   private reason = '';
   private readonly chooser = new TechniqueChooser();
+  private readonly lightingScale = { value: 0.5 };
   private floatTargets = true;
   private viewName: View = 'final';
   private sceneView!: SceneView;
@@ -122,6 +123,22 @@ export class FarolRenderer {
     if (!views.includes(name)) throw unknownName('view', name, views);
     if (name !== 'final') checkDevice(this.webgl, true);
     this.viewName = name;
+  }
+
+  /**
+   * Texels of the lighting buffers of the technique 'inferred' a pixel of the picture, along a side; takes effect on the next
+   * frame. Default 0.5.
+   * @throws RangeError unless above 0 and at most 1
+   */
+  get inferredScale(): number {
+    return this.lightingScale.value;
+  }
+
+  set inferredScale(scale: number) {
+    if (!(scale > 0 && scale <= 1)) {
+      throw new RangeError(`FarolRenderer: inferredScale is ${scale}; give a number above 0 and at most 1.`);
+    }
+    this.lightingScale.value = scale;
   }
 
   /** Figures of the last frame. */
@@ -250,6 +267,7 @@ export class FarolRenderer {
         lightIndex: this.uniforms.farol_lightIndex,
         tiles: this.uniforms,
         grid: this.uniforms,
+        inferredScale: this.lightingScale,
       });
       validatePasses(name, passes);
       this.passLists.set(name, passes);

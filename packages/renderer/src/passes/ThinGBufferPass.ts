@@ -13,7 +13,7 @@ import type { Pass } from './Pass';
 /** How large the buffers of lighting are, and what is in them. */
 export interface ThinGBufferOptions {
   /** Texels a pixel of the picture, along a side: above 0, at most 1. Read each frame. */
-  readonly scale: { value: number };
+  readonly scale: { readonly value: number };
   /** Transparent things are in it too, each layer in one texel of each two by two. */
   readonly stipple: boolean;
 }

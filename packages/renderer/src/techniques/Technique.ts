@@ -11,6 +11,8 @@ export interface TechniqueContext {
   readonly tiles: TileUniforms;
   /** Where the light grid is. */
   readonly grid: GridUniforms;
+  /** Texels of the buffers of 'inferred' a pixel, along a side: above 0, at most 1. May change from frame to frame. */
+  readonly inferredScale: { readonly value: number };
 }
 
 /** A way of drawing: an array of passes. */

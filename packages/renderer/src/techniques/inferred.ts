@@ -5,15 +5,13 @@ import { ThinGBufferPass } from '../passes/ThinGBufferPass';
 import { forwardTail } from './forwardTail';
 import type { Technique } from './Technique';
 
-/** Texels of the buffers a pixel of the picture, along a side. */
-const SCALE = 0.5;
-
 /**
- * Inferred lighting: light pre-pass with both buffers at half the resolution, joined to the materials at full resolution by
- * a filter that takes light only from texels of the same object, depth and normal. Transparent things are lit by the same
+ * Inferred lighting: light pre-pass with both buffers at a fraction of the resolution (`FarolRenderer.inferredScale`, a half by
+ * default), joined to the materials at full resolution by a filter that takes light only from texels of the same object,
+ * depth and normal. Transparent things are lit by the same
  * buffers: each layer of them has one texel of each two by two.
  *
- * What that costs:
+ * What that costs, at a half:
  * - Light that changes within two pixels (fine normal maps, small highlights, hard edges of light) is smoothed.
  * - A transparent layer has a sample of light every four pixels, and takes it from what is behind it. Three layers over one
  *   another are lit right; of more, those farther away take the light of the nearest texel that is like them.
@@ -27,8 +25,8 @@ export const inferred: Technique = {
   help: 'Light pre-pass with its buffers at half the resolution, joined by a filter that keeps to edges.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
-  passes() {
-    const surfaces = new ThinGBufferPass({ scale: { value: SCALE }, stipple: true });
+  passes({ inferredScale }) {
+    const surfaces = new ThinGBufferPass({ scale: inferredScale, stipple: true });
     const lights = new LightBufferPass(surfaces);
     const materials = new LitMaterialsPass(surfaces, lights);
     const [opaque, transmissive] = forwardTail('lightLoopAll');
