@@ -1,3 +1,4 @@
+import { beforeLastBrace } from './beforeLastBrace';
 import { overdrawTwin } from './overdrawTwin';
 import type { TwinKind } from './TwinKind';
 
@@ -9,7 +10,6 @@ export const lightBufferCountTwin: TwinKind = {
   key: 'light-buffer-count',
   patch(shader, source, header) {
     overdrawTwin.patch(shader, source, header);
-    const at = shader.fragmentShader.lastIndexOf('}');
-    shader.fragmentShader = `${OUTPUTS}${shader.fragmentShader.slice(0, at)}farol_out1 = farol_out2 = vec4(0.0);\n}`;
+    shader.fragmentShader = `${OUTPUTS}${beforeLastBrace(shader.fragmentShader, 'farol_out1 = farol_out2 = vec4(0.0);')}`;
   },
 };

@@ -1,4 +1,5 @@
 import type { Material } from 'three';
+import { beforeLastBrace } from './beforeLastBrace';
 import { lightsFragmentBegin } from './lightsFragmentBegin';
 import type { TwinKind, TwinShader } from './TwinKind';
 
@@ -43,9 +44,4 @@ export function litTwin(options: LitTwinOptions): TwinKind {
 /** Toon shading takes derivatives in the light loop, which mean nothing unless all pixels go through the same lights. */
 function loopOfToon(loop: string): string {
   return loop === 'lightLoopNone' || loop === 'lightLoopOne' ? loop : 'lightLoopAll';
-}
-
-function beforeLastBrace(text: string, statements: string): string {
-  const at = text.lastIndexOf('}');
-  return `${text.slice(0, at)}\n${statements}\n${text.slice(at)}`;
 }

@@ -1,3 +1,4 @@
+import { beforeLastBrace } from './beforeLastBrace';
 import type { TwinKind } from './TwinKind';
 
 /** WebGL 2 has at least 16 vertex attributes; three's own materials need fewer. */
@@ -23,9 +24,7 @@ export function withObject(kind: TwinKind): TwinKind {
     ...kind,
     patch(shader, source, header) {
       kind.patch(shader, source, header);
-      const text = shader.vertexShader;
-      const at = text.lastIndexOf('}');
-      shader.vertexShader = `${DECLARATION}${text.slice(0, at)}${NUMBER}${text.slice(at)}`;
+      shader.vertexShader = `${DECLARATION}${beforeLastBrace(shader.vertexShader, NUMBER)}`;
     },
   };
 }

@@ -1,4 +1,5 @@
-import { BackSide, FrontSide, NoBlending, ShaderChunk, type IUniform, type Vector2 } from 'three';
+import { BackSide, FrontSide, NoBlending, ShaderChunk, type IUniform, type Vector4 } from 'three';
+import { beforeLastBrace } from './beforeLastBrace';
 import type { ForwardTwins } from './forwardTwin';
 import { litTwin } from './litTwin';
 import { withObject } from './objectAttribute';
@@ -24,8 +25,13 @@ function byPixels(text: string): string {
   return `uniform float farol_thinScale;\n${text.replace('#include <lights_physical_fragment>', () => chunk)}`;
 }
 
-/** @param scale texels of the buffer a pixel of the picture, along a side */
-export function thinGBufferTwins(scale: IUniform<number>, shift: IUniform<Vector2>): ThinGBufferTwins {
+const FIT = 'gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;';
+
+/**
+ * @param scale texels of the buffer a pixel of the picture, along a side
+ * @param fit from the picture's normalised device coordinates to the buffer's: scale, shift
+ */
+export function thinGBufferTwins(scale: IUniform<number>, fit: IUniform<Vector4>): ThinGBufferTwins {
   const kind = (part: string, atEnd: string, properties: TwinKind['properties']): TwinKind => {
     const lit = litTwin({
       key: `thin-gbuffer${part}`,
@@ -41,9 +47,8 @@ export function thinGBufferTwins(scale: IUniform<number>, shift: IUniform<Vector
       patch(shader, source, header) {
         lit.patch(shader, source, header);
         shader.uniforms.farol_thinScale = scale;
-        shader.uniforms.farol_thinShift = shift;
-        const at = shader.vertexShader.lastIndexOf('}');
-        shader.vertexShader = `uniform highp vec2 farol_thinShift;\n${shader.vertexShader.slice(0, at)}gl_Position.xy += farol_thinShift * gl_Position.w;\n}`;
+        shader.uniforms.farol_fit = fit;
+        shader.vertexShader = `uniform highp vec4 farol_fit;\n${beforeLastBrace(shader.vertexShader, FIT)}`;
       },
     });
   };

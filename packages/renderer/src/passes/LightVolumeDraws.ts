@@ -6,6 +6,7 @@ import {
   InstancedBufferGeometry,
   Mesh,
   OneFactor,
+  Vector4,
   type IUniform,
 } from 'three';
 import { isCountView } from '../debug/views';
@@ -93,7 +94,13 @@ export class LightVolumeDraws {
         name: `${this.label} ${name}`,
         vertex: [vertex],
         fragment: [this.target, fragment],
-        uniforms: { ...frame.uniforms, ...this.uniforms, farol_firstRecord: this.firstRecord, dfgLUT: { value: null } },
+        uniforms: {
+          ...frame.uniforms,
+          farol_fit: { value: new Vector4(1, 1, 0, 0) },
+          ...this.uniforms,
+          farol_firstRecord: this.firstRecord,
+          dfgLUT: { value: null },
+        },
         defines: count ? { FAROL_COUNT: '' } : {},
         ...state,
       });

@@ -1,4 +1,4 @@
-import type { IUniform, Texture } from 'three';
+import { Vector2, type IUniform, type Texture } from 'three';
 import type { Frame } from '../Frame';
 import type { ForwardTwins } from '../materials/forwardTwin';
 import { lightBufferTwins } from '../materials/lightBufferTwins';
@@ -26,6 +26,7 @@ export class LitMaterialsPass implements Pass {
   readonly twins: (view: View) => ForwardTwins;
   private readonly uniforms = lightBufferUniforms();
   private readonly overdraw: IUniform<Texture | null> = { value: null };
+  private readonly offset = { value: new Vector2() };
   private readonly triangle = new FullscreenMesh();
   private counts: OutputMaterial | null = null;
 
@@ -60,11 +61,12 @@ export class LitMaterialsPass implements Pass {
 
   private showCounts(frame: Frame): void {
     this.overdraw.value = frame.overdraw;
+    this.offset.value.set(frame.viewport.x, frame.viewport.y);
     this.counts ??= new OutputMaterial(frame.microshaders, {
       name: 'Farol light buffer counts',
       vertex: ['fullscreen'],
       fragment: ['lightBufferCounts'],
-      uniforms: { ...frame.uniforms, ...this.uniforms, farol_overdrawMap: this.overdraw },
+      uniforms: { ...frame.uniforms, ...this.uniforms, farol_overdrawMap: this.overdraw, farol_offset: this.offset },
     });
     frame.drawMesh(this.triangle, this.counts);
   }

@@ -1,4 +1,4 @@
-import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, Vector2, WebGLRenderTarget } from 'three';
+import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, Vector4, WebGLRenderTarget } from 'three';
 import type { Frame } from '../Frame';
 import { thinGBufferLayout } from '../gbuffer/thinGBufferLayout';
 import { isLightBufferMaterial } from '../materials/isLightBufferMaterial';
@@ -6,7 +6,7 @@ import { resetObject, setObject } from '../materials/objectAttribute';
 import { thinGBufferTwins, type ThinGBufferTwins } from '../materials/thinGBufferTwins';
 import type { RenderItem } from '../RenderItem';
 import { drawLayers } from './drawLayers';
-import { gridShift } from './gridShift';
+import { gridFit, gridTexels } from './gridFit';
 import { objectNumber } from './objectNumbers';
 import type { Pass } from './Pass';
 
@@ -28,15 +28,16 @@ export class ThinGBufferPass implements Pass {
   readonly reads = [] as const;
   readonly writes = ['thin-gbuffer', 'scene-depth'] as const;
   target: WebGLRenderTarget | null = null;
-  /** How far the picture is moved in the buffer (normalised device coordinates), by `gridShift`. */
-  readonly shift = { value: new Vector2() };
+  /** Texels a pixel, along a side. */
+  readonly scale = { value: 1 };
+  /** From the picture's normalised device coordinates to the buffer's, by `gridFit`. */
+  readonly fit = { value: new Vector4(1, 1, 0, 0) };
   /** The opaque items drawn; the n-th has `objectNumber(n)`. */
   readonly items: RenderItem[] = [];
   private readonly twins: ThinGBufferTwins;
-  private readonly scale = { value: 1 };
 
   constructor(private readonly options: ThinGBufferOptions) {
-    this.twins = thinGBufferTwins(this.scale, this.shift);
+    this.twins = thinGBufferTwins(this.scale, this.fit);
   }
 
   get bytes(): number {
@@ -78,8 +79,10 @@ export class ThinGBufferPass implements Pass {
 
   private prepareTarget(frame: Frame): void {
     const scale = this.options.scale.value;
-    const width = Math.max(1, Math.ceil(frame.width * scale));
-    const height = Math.max(1, Math.ceil(frame.height * scale));
+    const width = gridTexels(frame.width, scale);
+    const height = gridTexels(frame.height, scale);
+    this.scale.value = scale;
+    gridFit(frame.width, frame.height, scale, this.fit.value);
     this.target ??= new WebGLRenderTarget(1, 1, {
       format: thinGBufferLayout.format,
       type: thinGBufferLayout.type,
@@ -88,10 +91,6 @@ export class ThinGBufferPass implements Pass {
       depthTexture: new DepthTexture(1, 1, FloatType),
     });
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
-    this.scale.value = height / frame.height;
-    const x = gridShift(frame.width, width) * (2 / frame.width);
-    const y = gridShift(frame.height, height) * (2 / frame.height);
-    this.shift.value.set(x, y);
     frame.bind(this.target);
     frame.clear(1, true);
   }

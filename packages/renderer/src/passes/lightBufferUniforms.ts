@@ -1,5 +1,6 @@
 import { Vector2, Vector4, type IUniform, type Texture } from 'three';
 import type { Frame } from '../Frame';
+import { gridShift } from './gridFit';
 import type { LightBufferPass } from './LightBufferPass';
 import type { ThinGBufferPass } from './ThinGBufferPass';
 import { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from './unprojectUniforms';
@@ -10,6 +11,8 @@ export interface ThinGBufferUniforms extends UnprojectUniforms {
   farol_thinDepth: IUniform<Texture | null>;
   /** Texels. */
   farol_size: IUniform<Vector2>;
+  /** From the picture's normalised device coordinates to the buffer's. */
+  farol_fit: IUniform<Vector4>;
 }
 
 /** Uniforms of lightBufferFilter.glsl and lightBufferCounts.glsl. */
@@ -26,6 +29,7 @@ export function thinGBufferUniforms(): ThinGBufferUniforms {
     farol_thinSurface: { value: null },
     farol_thinDepth: { value: null },
     farol_size: { value: new Vector2() },
+    farol_fit: { value: new Vector4() },
   };
 }
 
@@ -45,9 +49,10 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
   uniforms.farol_thinDepth.value = target.depthTexture;
   uniforms.farol_size.value.set(target.width, target.height);
   setUnprojectUniforms(uniforms, frame.camera);
-  const offset = uniforms.farol_unprojectXY.value;
-  offset.z -= source.shift.value.x;
-  offset.w -= source.shift.value.y;
+  const { x, y, z, w } = source.fit.value;
+  uniforms.farol_fit.value.set(x, y, z, w);
+  const unproject = uniforms.farol_unprojectXY.value;
+  unproject.set(unproject.x / x, unproject.y / y, unproject.z * x - z, unproject.w * y - w);
 }
 
 export function setLightBufferUniforms(
@@ -57,13 +62,11 @@ export function setLightBufferUniforms(
   frame: Frame,
 ): void {
   setThinGBufferUniforms(uniforms, source, frame);
-  const { textures, width, height } = lights.target!;
+  const { textures } = lights.target!;
   uniforms.farol_sums0.value = textures[0];
   uniforms.farol_sums1.value = textures[1];
   uniforms.farol_sums2.value = textures[2];
-  const { viewport } = frame;
-  const { x, y } = source.shift.value;
-  const left = viewport.x - x * 0.5 * frame.width;
-  const bottom = viewport.y - y * 0.5 * frame.height;
-  uniforms.farol_lightGrid.value.set(width / frame.width, height / frame.height, left, bottom);
+  const scale = source.scale.value;
+  const shift = gridShift(scale);
+  uniforms.farol_lightGrid.value.set(scale, scale, frame.viewport.x - shift, frame.viewport.y - shift);
 }

@@ -2,11 +2,12 @@
 // Farol
 #include "heatMap"
 #include "heatScale"
+#include "viewport"
 uniform highp sampler2D farol_sums0;
 uniform highp sampler2D farol_overdrawMap;
-uniform highp vec4 farol_lightGrid; // texels a pixel (x, y); where the picture lies in the target (pixels)
+uniform highp vec4 farol_lightGrid; // texels a pixel (x, y); pixels to take off first (x, y)
 //# main
-vec2 pixel = gl_FragCoord.xy - farol_lightGrid.zw;
-float counted = texelFetch(farol_sums0, ivec2(pixel * farol_lightGrid.xy), 0).r * farol_lightGrid.x * farol_lightGrid.y;
-counted += texelFetch(farol_overdrawMap, ivec2(pixel), 0).r;
+ivec2 texel = ivec2((gl_FragCoord.xy - farol_lightGrid.zw) * farol_lightGrid.xy);
+float counted = texelFetch(farol_sums0, min(texel, textureSize(farol_sums0, 0) - 1), 0).r * farol_lightGrid.x * farol_lightGrid.y;
+counted += texelFetch(farol_overdrawMap, ivec2(gl_FragCoord.xy - farol_offset), 0).r;
 gl_FragColor = vec4(farol_heatMap(counted * farol_heatScale), 1.0);

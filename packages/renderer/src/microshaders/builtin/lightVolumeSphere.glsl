@@ -3,6 +3,7 @@
 #include "lightTable"
 uniform highp mat4 projectionMatrix;
 uniform highp int farol_firstRecord;
+uniform highp vec4 farol_fit; // of the buffer to the picture: scale, shift (normalised device coordinates)
 flat out highp int farol_record;
 //# main
 const int SEGMENTS = 12;
@@ -20,3 +21,4 @@ vec3 offset = centre.w * 1.06 * vec3(sin(latitude) * cos(longitude), cos(latitud
 gl_Position = projectionMatrix * vec4(centre.xyz + offset, 1.0);
 // what lies beyond the far plane still covers its pixels
 if (gl_Position.w > 0.0) gl_Position.z = min(gl_Position.z, gl_Position.w);
+gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;

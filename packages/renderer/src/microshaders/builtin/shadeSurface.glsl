@@ -97,8 +97,7 @@ void farol_addBounded(inout FarolShading s, const in int record) {
   vec4 color = farol_lightTexel(record, 1);
   vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
   float decay = color.w >= 0.0 ? color.w : -1.0 - color.w;
-  float window = 1.0 - ratio * ratio;
-  float attenuation = window * window / max(decay == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * decay), 0.01);
+  float attenuation = farol_boundedAttenuation(distanceSquared, ratio, decay);
   vec3 specularScale = vec3(1.0);
   if (color.w < 0.0) {
     vec4 axis = farol_lightTexel(record, 2);
@@ -129,9 +128,7 @@ void farol_addPoint(inout FarolShading s, const in int record) {
   float ratio = distanceSquared / (centre.w * centre.w);
   if (ratio >= 1.0) return;
   vec4 color = farol_lightTexel(record, 1);
-  float window = 1.0 - ratio * ratio;
-  float falloff = color.w == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * color.w);
-  color.rgb *= window * window / max(falloff, 0.01);
+  color.rgb *= farol_boundedAttenuation(distanceSquared, ratio, color.w);
   farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color.rgb, color.rgb);
 }
 
