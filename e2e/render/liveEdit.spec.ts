@@ -15,7 +15,7 @@ test('a microshader replaced while the scene runs changes the picture of every t
     const name = 'lightAttenuation';
     const { microshaders } = bench.farol;
     const good = microshaders.get(name)!;
-    const half = { ...good, header: good.header.replace('return falloff;', 'return 0.5 * falloff;') };
+    const half = { ...good, header: good.header.replaceAll('return falloff;', 'return 0.5 * falloff;') };
     const broken = { ...good, header: good.header.replace('return falloff;', 'return fallof;') };
     return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
       const before = bench.byTechnique(technique, scene, camera);
