@@ -1,5 +1,5 @@
 import type { GameObject, Scene } from '@farol/engine';
-import type { Page } from '@playwright/test';
+import { expect, type Page } from '@playwright/test';
 
 /** `window.editor` as far as the tests use it; documented in apps/editor/src/Editor.ts. */
 export interface EditorHandle {
@@ -52,6 +52,7 @@ export async function openEmptyScene(page: Page): Promise<void> {
   await page.getByRole('menuitem', { name: 'New' }).press('ArrowRight');
   await page.getByRole('menuitem', { name: 'Empty scene' }).click();
   await page.waitForFunction(() => window.editor.document.scene.name === 'Untitled');
+  await menuIsGone(page);
 }
 
 /** Adds something from the Add menu: the submenu's name, if it is in one, and its own. */
@@ -59,7 +60,11 @@ export async function addObject(page: Page, ...names: string[]): Promise<void> {
   await page.getByRole('button', { name: 'Add', exact: true }).click();
   for (const name of names.slice(0, -1)) await page.getByRole('menuitem', { name, exact: true }).press('ArrowRight');
   await page.getByRole('menuitem', { name: names.at(-1), exact: true }).click();
+  await menuIsGone(page);
 }
+
+/** A menu on its way out still takes letters and Escape for itself, as menus do. */
+const menuIsGone = (page: Page): Promise<void> => expect(page.getByRole('menu')).toHaveCount(0);
 
 export const serialized = (page: Page): Promise<string> => page.evaluate(() => window.editor.serialize());
 
