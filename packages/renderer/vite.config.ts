@@ -1,14 +1,36 @@
+import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vite';
 import { minifyGlsl } from '../tools/minifyGlsl.mjs';
 
-/** The published bundle: one ES module, three left to the host. Its types come from `tsc -b`. */
+interface Manifest {
+  exports: Record<string, { development: string; default: string }>;
+  peerDependencies: Record<string, string>;
+}
+const manifest = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as Manifest;
+const peers = Object.keys(manifest.peerDependencies);
+
+/**
+ * The published bundle: an ES module for each of the package's exports, what they share in chunks, the peers left to the
+ * host. Its types come from `tsc -b`.
+ */
 export default defineConfig({
   publicDir: false,
   plugins: [minifyGlsl()],
   build: {
     target: 'es2022',
-    lib: { entry: 'src/index.ts', formats: ['es'], fileName: 'index' },
+    lib: {
+      entry: Object.fromEntries(
+        Object.values(manifest.exports).map((paths) => [
+          paths.default.replace(/^\.\/dist\/|\.js$/g, ''),
+          paths.development,
+        ]),
+      ),
+      formats: ['es'],
+    },
     emptyOutDir: false,
-    rolldownOptions: { external: [/^three($|\/)/], output: { minify: true } },
+    rolldownOptions: {
+      external: (id) => peers.some((peer) => id === peer || id.startsWith(`${peer}/`)),
+      output: { minify: true, entryFileNames: '[name].js', chunkFileNames: 'chunks/[name].js' },
+    },
   },
 });

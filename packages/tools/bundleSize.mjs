@@ -1,18 +1,50 @@
-import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { readFileSync } from 'node:fs';
+import { dirname, join, normalize } from 'node:path/posix';
 import { gzipSync } from 'node:zlib';
+import { parseSync } from 'vite';
 
 /** Bytes that @farol/renderer may take: minified, gzipped, three left out. */
 export const rendererLimit = 45_000;
 
 /**
- * Bytes of all JavaScript of a built package after gzip, each file by itself as a server would send it.
+ * Bytes of an entry of a built package after gzip: the file and all that it imports of the package at start, each file by
+ * itself as a server would send it. What only other entries import, or what is imported late, is not counted.
  *
  * @param {string} folder its dist
- * @throws {Error} when there is no JavaScript: a package that was not built is not small
+ * @param {string} entry file in it, with `/`
+ * @throws {Error} when a file is missing: a package that was not built is not small
  */
-export function bundleSize(folder) {
-  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.js'));
-  if (files.length === 0) throw new Error(`${folder} holds no JavaScript: build the package first.`);
-  return files.reduce((sum, name) => sum + gzipSync(readFileSync(join(folder, name)), { level: 9 }).length, 0);
+export function bundleSize(folder, entry = 'index.js') {
+  /** @type {Map<string, number>} */
+  const sizes = new Map();
+  const add = (/** @type {string} */ file) => {
+    if (sizes.has(file)) return;
+    const source = read(join(folder, file));
+    sizes.set(file, gzipSync(source, { level: 9 }).length);
+    for (const specifier of importsOf(file, source)) {
+      if (specifier.startsWith('.')) add(normalize(join(dirname(file), specifier)));
+    }
+  };
+  add(entry);
+  return [...sizes.values()].reduce((sum, size) => sum + size, 0);
+}
+
+/** @param {string} file */
+function read(file) {
+  try {
+    return readFileSync(file, 'utf8');
+  } catch (error) {
+    throw new Error(`${file} is not there: build the package first.`, { cause: error });
+  }
+}
+
+/** @param {string} file @param {string} source @returns {string[]} */
+function importsOf(file, source) {
+  const { module } = parseSync(file, source);
+  return [
+    ...module.staticImports.map((entry) => entry.moduleRequest.value),
+    ...module.staticExports.flatMap(({ entries }) =>
+      entries.flatMap(({ moduleRequest }) => (moduleRequest ? [moduleRequest.value] : [])),
+    ),
+  ];
 }

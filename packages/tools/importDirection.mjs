@@ -3,14 +3,23 @@ import { parseSync } from 'vite';
 
 /**
  * Who may import whom, as one table. A source file goes by the first row whose `from` is a folder above it; `may` lists
- * folders of the repository and packages. Packages must also be declared by the file's workspace.
+ * folders of the repository and packages, `not` folders in those that are left out. Packages must also be declared by the
+ * file's workspace, and their exports name what may be imported of them.
  *
  * microshaders <- the rest of renderer; renderer and engine speak plain three; engine -> renderer; apps -> both;
- * nothing imports apps; the browser tests use published entry points only.
+ * nothing imports apps; the browser tests use published entry points only. The renderer's other entries plug it into one
+ * library each: its core knows none of them.
  */
 export const importRules = [
   { from: 'packages/renderer/src/microshaders', may: ['packages/renderer/src/microshaders', 'three'] },
-  { from: 'packages/renderer', may: ['packages/renderer', 'three'] },
+  { from: 'packages/renderer/src/three-pass', may: ['packages/renderer', 'three'] },
+  { from: 'packages/renderer/src/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
+  { from: 'packages/renderer/src/r3f', may: ['packages/renderer', 'three', 'react', '@react-three/fiber'] },
+  {
+    from: 'packages/renderer',
+    may: ['packages/renderer', 'three'],
+    not: ['packages/renderer/src/three-pass', 'packages/renderer/src/postprocessing', 'packages/renderer/src/r3f'],
+  },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
   { from: 'apps/editor', may: ['apps/editor', '*'] },
@@ -24,7 +33,7 @@ const apps = ['@farol/viewer', '@farol/editor'];
  * Checks every import of a set of files against {@link importRules}.
  *
  * @param {ReadonlyMap<string, string>} files source by path from the repository's root, with `/`
- * @param {ReadonlyMap<string, { dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
+ * @param {ReadonlyMap<string, { name?: string, exports?: object, dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  *   package.json by workspace folder, '' for the root
  * @returns {string[]} one line a violation: file, import and why; empty when all is well
  */
@@ -44,14 +53,16 @@ export function importViolations(files, manifests) {
 /**
  * @param {string} path
  * @param {string} specifier
- * @param {{ from: string, may: string[] }} rule
- * @param {ReadonlyMap<string, { dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
+ * @param {{ from: string, may: string[], not?: string[] }} rule
+ * @param {ReadonlyMap<string, { name?: string, exports?: object, dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
-function violation(path, specifier, { from, may }, manifests) {
+function violation(path, specifier, { from, may, not = [] }, manifests) {
   const forTests = /\.(test|bench)\.tsx?$|(^|\/)\w+\.config\.ts$/.test(path);
   if (specifier.startsWith('.')) {
     const target = normalize(join(dirname(path), specifier));
-    if (may.some((folder) => target === folder || target.startsWith(`${folder}/`))) return null;
+    const within = (/** @type {string} */ folder) => target === folder || target.startsWith(`${folder}/`);
+    if (not.some(within)) return `${from} does not know what plugs it in`;
+    if (may.some(within)) return null;
     if (forTests && target.startsWith('packages/tools/')) return null;
     return `${from} may import ${may.join(', ')} only`;
   }
@@ -60,14 +71,25 @@ function violation(path, specifier, { from, may }, manifests) {
   }
   const name = packageOf(specifier);
   if (apps.includes(name)) return 'nothing imports an app';
-  if (name.startsWith('@farol/') && name !== '@farol/tools' && specifier !== name) {
-    return `only the published entry ${name} may be imported`;
+  if (name.startsWith('@farol/') && name !== '@farol/tools' && !entriesOf(name, manifests).includes(specifier)) {
+    return `only the published entries of ${name} may be imported: ${entriesOf(name, manifests).join(', ')}`;
   }
   // Tests and configurations run from the root, and may use its tools on top.
   const ofRoot = name === '@farol/tools' || name in (manifests.get('')?.devDependencies ?? {});
   if (forTests && ofRoot) return null;
   if (!may.includes('*') && !may.includes(name)) return `${from} may import ${may.join(', ')} only`;
   return declared(name, path, manifests) ? null : `its workspace does not declare ${name}`;
+}
+
+/**
+ * What a package of the repository exports, by the names it is imported by.
+ *
+ * @param {string} name
+ * @param {ReadonlyMap<string, { name?: string, exports?: object }>} manifests
+ */
+function entriesOf(name, manifests) {
+  const manifest = [...manifests.values()].find((manifest) => manifest.name === name);
+  return Object.keys(manifest?.exports ?? { '.': null }).map((entry) => name + entry.slice(1));
 }
 
 /** @param {string} specifier */
@@ -80,7 +102,7 @@ function packageOf(specifier) {
 
 /**
  * @param {string} name @param {string} path
- * @param {ReadonlyMap<string, { dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
+ * @param {ReadonlyMap<string, { name?: string, exports?: object, dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
 function declared(name, path, manifests) {
   const workspace = [...manifests.keys()].find((folder) => folder !== '' && path.startsWith(`${folder}/`));

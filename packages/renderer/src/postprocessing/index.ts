@@ -1,0 +1,1 @@
+export { FarolPass } from './FarolPass';

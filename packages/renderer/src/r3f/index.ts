@@ -1,0 +1,1 @@
+export { Farol, type FarolProps } from './Farol';
