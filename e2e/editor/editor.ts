@@ -44,6 +44,8 @@ export async function openEditor(page: Page): Promise<void> {
 export async function waitUntilReady(page: Page): Promise<void> {
   await page.waitForFunction(() => 'editor' in window);
   await page.evaluate(() => window.editor.ready);
+  // the panels load on their own
+  await page.waitForFunction(() => window.editor.viewport.canvas.isConnected);
 }
 
 /** Goes from the temple to a scene that is quickly drawn: a camera, a sun and a sky. */

@@ -15,6 +15,9 @@ function focusOf(target: EventTarget | null): Focus {
   return target.dataset.numeric === undefined ? 'text' : 'number';
 }
 
+/** What the space bar belongs to while it has the focus. */
+const PRESSABLE = 'button, a, input, select, summary, [role="tab"], [role="treeitem"], [role="option"]';
+
 function counts(action: Action, combination: string, focus: Focus): boolean {
   if (focus === 'page' || action.inFields) return true;
   // a letter cannot be typed into a number: it is a hot key there too
@@ -36,6 +39,7 @@ export function handleKey(editor: Editor, event: KeyboardEvent, isCapture: boole
     if ((action.inFields ?? false) !== isCapture) continue;
     const combination = action.keys?.find((keys) => matchKey(keys, event));
     if (combination === undefined || !counts(action, combination, focus)) continue;
+    if (combination === 'Space' && event.target instanceof Element && event.target.closest(PRESSABLE)) continue;
     takeOverField(event.target);
     if (action.enabled?.(editor) ?? true) editor.attempt(() => action.run(editor));
     return true;

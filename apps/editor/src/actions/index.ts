@@ -13,6 +13,7 @@ import { remove } from './remove';
 import { rename } from './rename';
 import { save, saveAs } from './save';
 import { showKeys } from './showKeys';
+import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showPanels';
 import { snap } from './snap';
 import { undo } from './undo';
 import { continuous, showGrid, showIcons } from './viewportToggles';
@@ -42,5 +43,9 @@ export const actions: readonly Action[] = [
   pause,
   step,
   stop,
+  nextPanel,
+  previousPanel,
+  maximiseViewport,
+  resetPanels,
   showKeys,
 ];

@@ -14,8 +14,9 @@ export interface KeyPress {
  */
 export function matchKey(combination: string, press: KeyPress): boolean {
   const parts = combination.split('+');
-  const key = parts.pop()!;
-  const isSign = /^[^a-z0-9]$/i.test(key);
+  const name = parts.pop()!;
+  const key = name === 'Space' ? ' ' : name;
+  const isSign = /^[^a-z0-9 ]$/i.test(key);
   if (parts.includes('Ctrl') !== (press.ctrlKey || press.metaKey)) return false;
   if (parts.includes('Alt') !== press.altKey) return false;
   // a sign such as '?' says itself whether it needs Shift

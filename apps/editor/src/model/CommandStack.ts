@@ -36,6 +36,11 @@ export class CommandStack {
     return this.done.map(({ label }) => label);
   }
 
+  /** Labels of all steps that can be done again, the next one first. */
+  get future(): readonly string[] {
+    return this.undone.map(({ label }) => label).toReversed();
+  }
+
   /** Whether the document differs from what was last saved. */
   get isDirty(): boolean {
     return (this.done.at(-1) ?? null) !== this.savedAt;

@@ -1,19 +1,33 @@
-import type { ComponentType } from 'react';
-import { HierarchyPanel } from './hierarchy/HierarchyPanel';
-import { InspectorPanel } from './inspector/InspectorPanel';
-import { ViewportPanel } from './viewport/ViewportPanel';
+import { PanelRegistry } from '../layout/PanelRegistry';
 
-/** A part of the editor's window. */
-export interface Panel {
-  readonly id: string;
-  readonly title: string;
-  readonly place: 'left' | 'middle' | 'right';
-  readonly component: ComponentType;
-}
-
-/** All panels. A new one is a folder and a line here. */
-export const panels: readonly Panel[] = [
-  { id: 'hierarchy', title: 'Hierarchy', place: 'left', component: HierarchyPanel },
-  { id: 'viewport', title: 'Viewport', place: 'middle', component: ViewportPanel },
-  { id: 'inspector', title: 'Inspector', place: 'right', component: InspectorPanel },
-];
+/** All panels, loaded when they are first in front. A new one is a folder and a line here. */
+export const panels = new PanelRegistry([
+  {
+    id: 'hierarchy',
+    title: 'Hierarchy',
+    icon: 'tree',
+    place: 'left',
+    load: () => import('./hierarchy/HierarchyPanel').then(({ HierarchyPanel }) => HierarchyPanel),
+  },
+  {
+    id: 'viewport',
+    title: 'Viewport',
+    icon: 'camera',
+    place: 'middle',
+    load: () => import('./viewport/ViewportPanel').then(({ ViewportPanel }) => ViewportPanel),
+  },
+  {
+    id: 'inspector',
+    title: 'Inspector',
+    icon: 'sliders',
+    place: 'right',
+    load: () => import('./inspector/InspectorPanel').then(({ InspectorPanel }) => InspectorPanel),
+  },
+  {
+    id: 'history',
+    title: 'History',
+    icon: 'undo',
+    place: 'right',
+    load: () => import('./history/HistoryPanel').then(({ HistoryPanel }) => HistoryPanel),
+  },
+]);

@@ -3,9 +3,6 @@ import { persist } from 'zustand/middleware';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
 export interface Preferences {
-  /** Widths of the panels at the sides (CSS pixels). */
-  left: number;
-  right: number;
   /** Components that are folded in the inspector, by type. */
   folded: Readonly<Record<string, boolean>>;
   /** 'system' follows the system's light or dark. */
@@ -13,5 +10,5 @@ export interface Preferences {
 }
 
 export const usePreferences = create<Preferences>()(
-  persist((): Preferences => ({ left: 240, right: 340, folded: {}, theme: 'dark' }), { name: 'farol-editor' }),
+  persist((): Preferences => ({ folded: {}, theme: 'dark' }), { name: 'farol-editor' }),
 );

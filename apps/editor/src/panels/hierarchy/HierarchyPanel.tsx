@@ -76,7 +76,6 @@ export function HierarchyPanel(): ReactNode {
   return (
     <section className="panel hierarchy" aria-label="Hierarchy">
       <header className="panel-header">
-        <h2>Hierarchy</h2>
         <MenuButton label="Add object" icon="add" iconOnly entries={() => addEntries(editor)} />
       </header>
       <ContextMenu.Root>

@@ -1,5 +1,5 @@
 import type { Component } from '@farol/engine';
-import type { ReactNode } from 'react';
+import { type ReactNode, useState } from 'react';
 import { removeComponents, setEnabled } from '../../model/edits';
 import { SetFields } from '../../model/commands/SetFields';
 import { useEditor } from '../../ui/EditorContext';
@@ -23,8 +23,12 @@ const icons: Readonly<Record<string, IconName>> = {
 
 const words = (typeName: string): string => typeName.replaceAll(/([a-z])([A-Z])/g, '$1 $2');
 
-/** A component of the selected objects: its fields, whether it is enabled, and its menu. @param components - memoised */
-export function ComponentSection({ components }: { components: readonly Component[] }): ReactNode {
+/**
+ * A component of the selected objects: its fields, whether it is enabled, and its menu.
+ * @param props.components - the key says which: others need another section, so that an edit under way keeps its owners
+ */
+export function ComponentSection(props: { components: readonly Component[] }): ReactNode {
+  const [components] = useState(props.components);
   const editor = useEditor();
   const { commands, document } = editor;
   useOwnersRevision(components);

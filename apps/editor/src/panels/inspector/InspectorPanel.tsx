@@ -24,9 +24,6 @@ export function InspectorPanel(): ReactNode {
       onFocus={show}
       onPointerLeave={() => setHelp('')}
     >
-      <header className="panel-header">
-        <h2>Inspector</h2>
-      </header>
       <div className="inspector-body">
         {document.selectedObjects.length > 0 ? <ObjectInspector /> : <SceneInspector />}
       </div>

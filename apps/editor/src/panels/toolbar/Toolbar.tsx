@@ -4,6 +4,7 @@ import { addEntries } from '../../actions/addEntries';
 import { duplicate } from '../../actions/duplicate';
 import { newScene, openExamples } from '../../actions/newScene';
 import { open } from '../../actions/open';
+import { panelEntries } from '../../actions/panelEntries';
 import { pause, play, step, stop } from '../../actions/play';
 import { redo } from '../../actions/redo';
 import { remove } from '../../actions/remove';
@@ -64,6 +65,7 @@ export function Toolbar(): ReactNode {
           <ActionButton action={remove} />
         </div>
         <MenuButton label="Add" icon="add" entries={() => addEntries(editor)} />
+        <MenuButton label="Panels" icon="panels" entries={() => panelEntries(editor)} />
       </div>
       <div className="button-group play" role="toolbar" aria-label="Simulation">
         {[play, pause, step, stop].map((action) => (

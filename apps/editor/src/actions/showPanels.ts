@@ -1,0 +1,71 @@
+import { groupWith } from '../layout/LayoutNode';
+import { currentLayout, layoutActions, useLayout } from '../layout/useLayout';
+import { panels } from '../panels';
+import type { Action } from './Action';
+
+/** Puts the focus into a panel once it is there. */
+function focusPanel(id: string): void {
+  requestAnimationFrame(() => document.getElementById(`panel-${id}`)?.focus());
+}
+
+/** The panel whose tab or content has the focus. */
+function focusedPanel(): string | null {
+  const place = document.activeElement?.closest('[role="tabpanel"], [role="tab"]');
+  return place?.id.replace(/^(panel|tab)-/, '') ?? null;
+}
+
+/** Goes round the panels in front. */
+function goRound(by: 1 | -1): void {
+  const shown = [...document.querySelectorAll('.dock-panel:not([hidden])')].map(({ id }) => id.replace('panel-', ''));
+  const at = shown.indexOf(focusedPanel() ?? '');
+  const next = at < 0 ? (by > 0 ? 0 : shown.length - 1) : (at + by + shown.length) % shown.length;
+  if (shown[next]) focusPanel(shown[next]);
+}
+
+export const nextPanel: Action = {
+  id: 'panels.next',
+  label: 'Go to the next panel',
+  keys: ['F6'],
+  inFields: true,
+  run: () => goRound(1),
+};
+
+export const previousPanel: Action = {
+  id: 'panels.previous',
+  label: 'Go to the panel before',
+  keys: ['Shift+F6'],
+  inFields: true,
+  run: () => goRound(-1),
+};
+
+export const maximiseViewport: Action = {
+  id: 'panels.maximise',
+  label: () => (useLayout.getState().maximised === null ? 'Maximise the viewport' : 'Show all panels'),
+  keys: ['Space'],
+  icon: 'maximise',
+  run: () => layoutActions.maximise(useLayout.getState().maximised === null ? 'viewport' : null),
+  checked: () => useLayout.getState().maximised !== null,
+};
+
+export const resetPanels: Action = {
+  id: 'panels.reset',
+  label: 'Panels as at first',
+  icon: 'panels',
+  run: () => layoutActions.reset(),
+};
+
+/** One action for each panel: shows it, puts the focus there, or closes it when it is in front. */
+export const showPanels = (): Action[] =>
+  panels.list.map(({ id, title, icon }) => ({
+    id: `panels.show.${id}`,
+    label: title,
+    icon,
+    run() {
+      if (groupWith(currentLayout(), id)?.active === id) layoutActions.close(id);
+      else {
+        layoutActions.open(id);
+        focusPanel(id);
+      }
+    },
+    checked: () => layoutActions.isOpen(id),
+  }));

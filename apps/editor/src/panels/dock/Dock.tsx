@@ -1,0 +1,85 @@
+import { type ReactNode, useLayoutEffect, useRef, useState, useSyncExternalStore } from 'react';
+import { currentLayout, useLayout } from '../../layout/useLayout';
+import { groupWith } from '../../layout/LayoutNode';
+import { placeLayout, type Rectangle } from '../../layout/placeLayout';
+import { useSignal } from '../../ui/EditorContext';
+import { panels } from '../index';
+import './dock.css';
+import { DockEdge } from './DockEdge';
+import { DockGroup } from './DockGroup';
+import { DockPanel } from './DockPanel';
+import { TAB_HEIGHT } from './TabStrip';
+import { type TabDrag, useTabDrag } from './useTabDrag';
+
+/** The style of a rectangle of the dock. */
+export const styleOf = ({ x, y, width, height }: Rectangle): Record<string, number> => ({
+  left: x,
+  top: y,
+  width,
+  height,
+});
+
+/**
+ * The panels. Each lies in the dock itself, not within its group, so that one that is moved elsewhere stays what it is:
+ * the picture keeps its device, a list its place.
+ */
+export function Dock({ children }: { children?: ReactNode }): ReactNode {
+  const place = useRef<HTMLElement>(null);
+  const [size, setSize] = useState<readonly [number, number] | null>(null);
+  useLayoutEffect(() => {
+    const element = place.current!;
+    const measure = (): void => setSize([element.clientWidth, element.clientHeight]);
+    const observer = new ResizeObserver(measure);
+    observer.observe(element);
+    measure();
+    return () => observer.disconnect();
+  }, []);
+  useSignal(panels.changed);
+  const layout = useSyncExternalStore(useLayout.subscribe, currentLayout);
+  const maximised = useLayout((state) => state.maximised);
+  const [width, height] = size ?? [0, 0];
+  const all = placeLayout(layout, width, height);
+  const alone = maximised === null ? undefined : groupWith(layout, maximised);
+  const placed = alone ? { groups: [{ group: alone, rectangle: { x: 0, y: 0, width, height } }], edges: [] } : all;
+  const drag = useTabDrag(place, placed.groups);
+  return (
+    <main ref={place} className="dock">
+      {size !== null && (
+        <>
+          {placed.groups.map(({ group, rectangle }) => (
+            <DockGroup key={group.id} group={group} rectangle={rectangle} groups={placed.groups} onDrag={drag.begin} />
+          ))}
+          {all.groups.flatMap(({ group }) => {
+            const shown = placed.groups.find((each) => each.group.id === group.id);
+            return group.panels.map((id) => (
+              <DockPanel
+                key={id}
+                id={id}
+                isInFront={shown !== undefined && id === group.active}
+                rectangle={shown ? belowTabs(shown.rectangle) : null}
+              />
+            ));
+          })}
+          {placed.edges.map((edge) => (
+            <DockEdge key={`${edge.path.join('.')}/${edge.index}`} edge={edge} layout={layout} />
+          ))}
+          <DropMark drag={drag.current} />
+        </>
+      )}
+      {children}
+    </main>
+  );
+}
+
+const belowTabs = ({ x, y, width, height }: Rectangle): Rectangle => ({
+  x,
+  y: y + TAB_HEIGHT,
+  width,
+  height: Math.max(0, height - TAB_HEIGHT),
+});
+
+/** Where a dragged tab would come to be. */
+function DropMark({ drag }: { drag: TabDrag | null }): ReactNode {
+  if (!drag?.mark) return null;
+  return <div className="drop-mark" style={styleOf(drag.mark)} />;
+}

@@ -1,0 +1,99 @@
+import { ContextMenu } from '@base-ui/react/context-menu';
+import { type KeyboardEvent, type PointerEvent, type ReactNode, useSyncExternalStore } from 'react';
+import type { DropSide, PanelGroup } from '../../layout/LayoutNode';
+import type { PlacedGroup } from '../../layout/placeLayout';
+import { layoutActions, useLayout } from '../../layout/useLayout';
+import { Icon } from '../../ui/Icon';
+import { LateItems } from '../../ui/MenuButton';
+import { panels } from '../index';
+import { dropTowards } from './dropTowards';
+import { tabEntries } from './tabEntries';
+
+/** CSS pixels. */
+export const TAB_HEIGHT = 30;
+
+const towards: Readonly<Record<string, Exclude<DropSide, 'centre'>>> = {
+  ArrowLeft: 'left',
+  ArrowRight: 'right',
+  ArrowUp: 'top',
+  ArrowDown: 'bottom',
+};
+
+interface TabStripProps {
+  readonly group: PanelGroup;
+  readonly groups: readonly PlacedGroup[];
+  onDrag(panel: string, event: PointerEvent): void;
+}
+
+/** The focus goes where the tab has gone, once it is there. */
+function focusTab(panel: string): void {
+  requestAnimationFrame(() => document.getElementById(`tab-${panel}`)?.focus());
+}
+
+/**
+ * The tabs of a group. Arrow keys go from one to the next, Alt+Shift and an arrow key moves the panel, Delete closes it;
+ * the menu has the same.
+ */
+export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
+  const { panels: ids, active } = group;
+  const maximised = useSyncExternalStore(useLayout.subscribe, () => useLayout.getState().maximised);
+  const keyDown = (event: KeyboardEvent, panel: string): void => {
+    const side = towards[event.key];
+    if (event.altKey && event.shiftKey && side) {
+      const drop = dropTowards(groups, panel, side);
+      if (drop) layoutActions.move(panel, drop);
+      focusTab(panel);
+    } else if (event.altKey || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    else if (event.key === 'Delete') layoutActions.close(panel);
+    else {
+      const at = ids.indexOf(panel);
+      const to = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: ids.length - 1 }[event.key];
+      if (to === undefined) return;
+      const next = ids[(to + ids.length) % ids.length];
+      layoutActions.open(next);
+      focusTab(next);
+    }
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  return (
+    <div className="tabs">
+      <div className="tab-list" role="tablist" aria-label={`Panels with ${panels.get(active)?.title ?? active}`}>
+        {ids.map((id) => {
+          const panel = panels.get(id);
+          if (!panel) return null;
+          const isActive = id === active;
+          return (
+            <ContextMenu.Root key={id}>
+              <ContextMenu.Trigger
+                id={`tab-${id}`}
+                className="tab"
+                role="tab"
+                aria-selected={isActive}
+                aria-controls={isActive ? `panel-${id}` : undefined}
+                tabIndex={isActive ? 0 : -1}
+                data-panel={id}
+                title={`${panel.title}: drag it elsewhere; right button: menu`}
+                onPointerDown={(event) => onDrag(id, event)}
+                onClick={() => layoutActions.open(id)}
+                onDoubleClick={() => layoutActions.maximise(maximised === null ? id : null)}
+                onAuxClick={(event) => event.button === 1 && layoutActions.close(id)}
+                onKeyDown={(event) => keyDown(event, id)}
+              >
+                <Icon name={panel.icon} size={14} />
+                <span>{panel.title}</span>
+              </ContextMenu.Trigger>
+              <ContextMenu.Portal>
+                <ContextMenu.Positioner className="positioner">
+                  <ContextMenu.Popup className="popup">
+                    <LateItems entries={() => tabEntries(panel, groups, maximised !== null)} />
+                  </ContextMenu.Popup>
+                </ContextMenu.Positioner>
+              </ContextMenu.Portal>
+            </ContextMenu.Root>
+          );
+        })}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,61 @@
+import type { DropSide } from '../../layout/LayoutNode';
+import type { PlacedGroup } from '../../layout/placeLayout';
+import type { Panel } from '../../layout/PanelRegistry';
+import { layoutActions } from '../../layout/useLayout';
+import type { MenuEntry } from '../../ui/MenuEntry';
+import { panels } from '../index';
+import { dropTowards } from './dropTowards';
+
+const sides: readonly (readonly [Exclude<DropSide, 'centre'>, string, string])[] = [
+  ['left', 'Move left', 'Alt+Shift+←'],
+  ['right', 'Move right', 'Alt+Shift+→'],
+  ['top', 'Move up', 'Alt+Shift+↑'],
+  ['bottom', 'Move down', 'Alt+Shift+↓'],
+];
+
+const halves: readonly (readonly [Exclude<DropSide, 'centre'>, string])[] = [
+  ['left', 'Left half'],
+  ['right', 'Right half'],
+  ['top', 'Upper half'],
+  ['bottom', 'Lower half'],
+];
+
+/** The menu of a panel's tab. */
+export function tabEntries(panel: Panel, groups: readonly PlacedGroup[], isMaximised: boolean): MenuEntry[] {
+  const { id } = panel;
+  const from = groups.find(({ group }) => group.panels.includes(id));
+  const moves = sides.map(([side, label, keys]): MenuEntry => {
+    const drop = dropTowards(groups, id, side);
+    return { label, keys, disabled: !drop || isMaximised, run: () => drop && layoutActions.move(id, drop) };
+  });
+  const into = groups
+    .filter(({ group }) => group !== from?.group)
+    .map(({ group, rectangle: { width, height } }): MenuEntry => ({
+      label: group.panels.map((each) => panels.get(each)?.title ?? each).join(', '),
+      entries: [
+        { label: 'As a tab', run: () => layoutActions.move(id, { group: group.id, side: 'centre' }) },
+        ...halves.map(([side, label]): MenuEntry => ({
+          label,
+          run: () =>
+            layoutActions.move(id, {
+              group: group.id,
+              side,
+              extent: side === 'left' || side === 'right' ? width : height,
+            }),
+        })),
+      ],
+    }));
+  return [
+    ...moves,
+    ...(into.length > 0 && !isMaximised ? [{ label: 'Move to the place of', entries: into }] : []),
+    'separator',
+    {
+      label: isMaximised ? 'Give the window back' : 'Maximise',
+      icon: 'maximise',
+      run: () => layoutActions.maximise(isMaximised ? null : id),
+    },
+    { label: 'Close', icon: 'close', keys: 'Delete', run: () => layoutActions.close(id) },
+    'separator',
+    { label: 'Panels as at first', icon: 'panels', run: () => layoutActions.reset() },
+  ];
+}

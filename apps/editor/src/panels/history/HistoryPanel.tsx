@@ -1,0 +1,40 @@
+import { type ReactNode, useEffect, useRef } from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import './history.css';
+
+/** What was done, oldest first, and what was undone; a click goes there. */
+export function HistoryPanel(): ReactNode {
+  const { commands } = useEditor();
+  useSignal(commands.changed);
+  const { history, future } = commands;
+  const list = useRef<HTMLOListElement>(null);
+  useEffect(() => {
+    list.current?.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest' });
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- the present step is another one then
+  }, [history.length]);
+  const goTo = (steps: number): void => {
+    while (commands.history.length > steps && commands.undo());
+    while (commands.history.length < steps && commands.redo());
+  };
+  const labels = ['Opened', ...history, ...future];
+  return (
+    <section className="panel" aria-label="History">
+      <ol className="history" ref={list}>
+        {labels.map((label, steps) => (
+          // oxlint-disable-next-line react/no-array-index-key -- a step is its place in the history
+          <li key={steps}>
+            <button
+              type="button"
+              className="history-step"
+              aria-current={steps === history.length ? 'step' : undefined}
+              data-undone={steps > history.length}
+              onClick={() => goTo(steps)}
+            >
+              {label}
+            </button>
+          </li>
+        ))}
+      </ol>
+    </section>
+  );
+}
