@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
 
 /**
- * Vite plugin: in a production build, `import text from './x.glsl?raw'` gives the text without comments, indentation
- * and blank lines. The order of lines stays, and so does each preprocessor line on a line of its own.
+ * Vite plugin: in a production build, `import text from './x.glsl?raw'` gives the text without comments and
+ * indentation. Every line stays in its place, though it be empty, so that errors name the line of the file.
  *
  * @returns {import('vite').Plugin}
  */
@@ -25,16 +25,16 @@ export function minifyGlsl() {
 
 /**
  * @param {string} text GLSL ES 3.00
- * @returns {string} the same without comments, indentation, blank lines and the blanks round operators
+ * @returns {string} the same lines without comments, indentation and the blanks round operators
  */
 export function minifiedGlsl(text) {
   return text
-    .replace(/\/\*[\s\S]*?\*\//g, ' ')
+    .replace(/\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]+/g, ' '))
     .replace(/\/\/(?!#).*$/gm, '')
     .split(/\r?\n/)
     .map((line) => (/^\s*(\/\/)?#/.test(line) ? line.trim() : tightened(line)))
-    .filter((line) => line !== '')
-    .join('\n');
+    .join('\n')
+    .trimEnd();
 }
 
 /** @param {string} line outside of the preprocessor; the last character stays as it is for a `\` at the end of a line */

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { minifiedGlsl } from './minifyGlsl.mjs';
 
-it('drops comments and blanks, and keeps preprocessor lines on lines of their own', () => {
+it('drops comments and blanks, and keeps every line in its place', () => {
   const text = `// What it is for.
 //? farol_twice(1.0) == 2.0
 #include "common"
@@ -16,9 +16,14 @@ float farol_twice( float x ) { // doubles
 `;
   expect(minifiedGlsl(text)).toBe(
     [
+      '',
+      '',
       '#include "common"',
+      '',
       '#define FOR_EACH(i) \\',
       'for(int i=0;i<4;i++)',
+      '',
+      '',
       'float farol_twice(float x){',
       'return 2.0*x;',
       '}',

@@ -15,6 +15,7 @@ export { gameObjectOf } from './core/gameObjectOf';
 export type { MoveOptions } from './core/moveGameObject';
 export { Scene, type SceneOptions } from './core/Scene';
 export type { SceneChange } from './core/SceneChange';
+export { SceneMicroShaders } from './core/SceneMicroShaders';
 export { SceneSettings } from './core/SceneSettings';
 export type { Vector3Input } from './core/toVector3';
 
@@ -58,5 +59,6 @@ export { FileError, type FileProblem } from './file/FileError';
 export { parseFile, type ParseOptions } from './file/parseFile';
 export { serialize, serializeObject, type SerializeOptions } from './file/serialize';
 
+export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';

@@ -3,6 +3,7 @@ import { WebGLRenderer, type WebGLRendererParameters } from 'three';
 import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
 import { Scene } from '../core/Scene';
 import { InputRouter } from './InputRouter';
+import { MicroShaderOverrides } from './MicroShaderOverrides';
 
 export interface AppOptions {
   /** Canvas to draw to; one is made when absent. */
@@ -47,6 +48,8 @@ export class App {
   private readonly ownsWebgl: boolean;
   private readonly ownsCanvas: boolean;
   private readonly maxDelta: number;
+  private readonly overrides: MicroShaderOverrides;
+  private unwatch: () => void = () => {};
   private currentScene: Scene;
   private request = 0;
   private lastFrame = 0;
@@ -65,6 +68,8 @@ export class App {
     this.renderer = new FarolRenderer(this.webgl, options.technique ? { technique: options.technique } : {});
     this.currentScene = options.scene ?? new Scene();
     this.maxDelta = options.maxDelta ?? 0.1;
+    this.overrides = new MicroShaderOverrides(this.renderer.microshaders);
+    this.watchMicroShaders();
     if (options.parent && !options.webgl) {
       if (this.ownsCanvas) Object.assign(this.canvas.style, { display: 'block', touchAction: 'none' });
       options.parent.append(this.canvas);
@@ -86,6 +91,7 @@ export class App {
     if (scene === this.currentScene) return;
     this.input.releaseKeys();
     this.currentScene = scene;
+    this.watchMicroShaders();
   }
 
   /** Whether the loop runs. */
@@ -168,9 +174,21 @@ export class App {
     this.stop();
     this.input.dispose();
     this.listeners.clear();
+    this.unwatch();
     this.renderer.dispose();
     if (this.ownsWebgl) this.webgl.dispose();
     if (this.ownsCanvas) this.canvas.remove();
+  }
+
+  /** Draws with the scene's microshaders, now and when they change. One that does not compile is told, and left out. */
+  private watchMicroShaders(): void {
+    const { currentScene: scene } = this;
+    const apply = (): void => {
+      for (const { error } of this.overrides.apply(scene.microShaders.texts)) console.error(error.message);
+    };
+    this.unwatch();
+    this.unwatch = scene.onChange(({ kind }) => kind === 'microshader' && apply());
+    apply();
   }
 
   private readonly frame = (now: number): void => {

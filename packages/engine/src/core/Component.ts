@@ -127,10 +127,10 @@ export abstract class Component extends FieldOwner {
   /** Gives back what the component holds. It cannot be used afterwards. */
   dispose(): void {}
 
-  protected override fieldChanged(name: string): void {
+  protected override fieldChanged(name: string, before: FieldValue): void {
     if (!this.attachedObject) return;
     this.onFieldChanged(name);
-    this.attachedObject.scene?.notify({ kind: 'field', component: this, field: name });
+    this.attachedObject.scene?.notify({ kind: 'field', component: this, field: name, before });
   }
 
   /** @internal Called by GameObject. */

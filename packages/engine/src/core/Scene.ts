@@ -11,6 +11,7 @@ import { InstanceGroups } from './InstanceGroups';
 import { type GameObjectContainer, moveGameObject } from './moveGameObject';
 import type { SceneChange } from './SceneChange';
 import { SceneIndex } from './SceneIndex';
+import { SceneMicroShaders } from './SceneMicroShaders';
 import { sceneFields, SceneSettings } from './SceneSettings';
 
 export interface SceneOptions {
@@ -32,6 +33,12 @@ export class Scene implements GameObjectContainer {
   readonly assets: AssetLibrary;
   readonly registry: ComponentRegistry;
   readonly settings: SceneSettings;
+  /** Microshaders that are saved with the scene. */
+  readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
+  /**
+   * Takes what a component throws while it is updated; the others go on. While null, `update` throws it.
+   */
+  onComponentError: ((component: Component, error: unknown) => void) | null = null;
   /** @internal */
   readonly childList: GameObject[] = [];
 
@@ -155,7 +162,13 @@ export class Scene implements GameObjectContainer {
     this.seconds += deltaSeconds;
     const components = this.index.updated.array;
     for (let i = 0; i < components.length; i++) {
-      if (components[i].isActive) components[i].update(deltaSeconds, this.seconds);
+      if (!components[i].isActive) continue;
+      try {
+        components[i].update(deltaSeconds, this.seconds);
+      } catch (error) {
+        if (!this.onComponentError) throw error;
+        this.onComponentError(components[i], error);
+      }
     }
   }
 

@@ -1,3 +1,4 @@
+import type { FieldValue } from '../fields/Field';
 import type { Component } from './Component';
 import type { GameObject } from './GameObject';
 
@@ -10,7 +11,14 @@ export type SceneChange =
       readonly gameObject: GameObject;
       readonly component: Component;
     }
-  | { readonly kind: 'field'; readonly component: Component; readonly field: string }
+  | {
+      readonly kind: 'field';
+      readonly component: Component;
+      readonly field: string;
+      /** The authored value until then. */
+      readonly before: FieldValue;
+    }
   | { readonly kind: 'enabled'; readonly component: Component }
-  | { readonly kind: 'settings'; readonly field: string }
+  | { readonly kind: 'settings'; readonly field: string; readonly before: FieldValue }
+  | { readonly kind: 'microshader'; readonly name: string }
   | { readonly kind: 'active-camera' | 'name' };

@@ -1,5 +1,5 @@
 import { Color, EquirectangularReflectionMapping, Fog, FogExp2, type Scene as ThreeScene, type Texture } from 'three';
-import type { ValuesOf } from '../fields/Field';
+import type { FieldValue, ValuesOf } from '../fields/Field';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { FieldOwner } from '../fields/FieldOwner';
 import { asset, choice, colour, number } from '../fields/fields';
@@ -59,9 +59,9 @@ export class SceneSettings extends FieldOwner {
     return name === 'environment' && typeof value === 'string' ? this.owner.assets.problemWith('texture', value) : null;
   }
 
-  protected override fieldChanged(name: string): void {
+  protected override fieldChanged(name: string, before: FieldValue): void {
     this.apply();
-    this.owner.notify({ kind: 'settings', field: name });
+    this.owner.notify({ kind: 'settings', field: name, before });
   }
 
   /** Lets go of the environment. */

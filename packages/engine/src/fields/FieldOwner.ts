@@ -60,7 +60,7 @@ export abstract class FieldOwner {
     const before = this.values[name];
     if (sameValue(before, value) && sameValue(this.get(name), value)) return;
     this.values[name] = own(value);
-    this.fieldChanged(name);
+    this.fieldChanged(name, before);
   }
 
   /** What else is wrong with a value of the right kind, such as an asset nobody knows; null when nothing is. */
@@ -68,8 +68,8 @@ export abstract class FieldOwner {
     return null;
   }
 
-  /** Called after a field got another value. */
-  protected abstract fieldChanged(name: string): void;
+  /** Called after a field got another value. @param before - the authored value until then */
+  protected abstract fieldChanged(name: string, before: FieldValue): void;
 
   private unknownField(name: string): FieldError {
     return new FieldError(this.ownerName, name, `is unknown; the fields are ${Object.keys(this.fields).join(', ')}`);

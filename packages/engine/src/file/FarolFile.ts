@@ -43,5 +43,10 @@ export interface FarolFile {
   /** Id of the GameObject whose Camera is looked through, or null. */
   activeCamera: string | null;
   assets: FileAsset[];
+  /**
+   * Microshaders of the scene, in place of the renderer's own or besides them: text in the form of a `.glsl` file (see
+   * the renderer's `parseMicroShader`) by name. None when absent.
+   */
+  microShaders?: Record<string, string>;
   objects: FileObject[];
 }

@@ -38,6 +38,16 @@ const broken: [string, unknown, RegExp][] = [
   ['another format', { format: 'glTF', version: 1 }, /format must be "farol-scene", not "glTF"/],
   ['a newer file', file((_, f) => (f.version = 2)), /version is 2.*up to version 1: update Farol/],
   ['a version that is no number', file((_, f) => (f.version = '1' as never)), /version must be a whole number/],
+  [
+    'microshaders that are no texts',
+    file((_, f) => (f.microShaders = { a: 3 as never })),
+    /microShaders\.a must be text, not 3/,
+  ],
+  [
+    'a microshader of a bad name',
+    file((_, f) => (f.microShaders = { 'a b': '' })),
+    /microShaders\.a b .*use letters, digits/,
+  ],
   ['an unknown key', { ...file(() => {}), extra: 1 }, /extra is unknown here/],
   [
     'an unknown component',

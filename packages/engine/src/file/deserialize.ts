@@ -79,6 +79,7 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     await loadAssets(checked, registry, scene.assets);
     scene.name = checked.name;
     for (const root of makeObjects(checked.objects, registry)) scene.add(root);
+    for (const [name, text] of Object.entries(checked.microShaders ?? {})) scene.microShaders.set(name, text);
     for (const name of Object.keys(checked.settings)) scene.settings.set(name, checked.settings[name]);
     const camera = checked.activeCamera === null ? null : scene.findById(checked.activeCamera);
     scene.activeCamera = camera ? (camera.getComponent('Camera') as Scene['activeCamera']) : null;

@@ -8,6 +8,7 @@ import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from '.
 import { FileError } from './FileError';
 import { isRecord, join, type JsonRecord, ProblemList } from './ProblemList';
 import { readValues } from './readComponent';
+import { readMicroShaders } from './readMicroShaders';
 import { readObjects } from './readObjects';
 
 export interface ParseOptions {
@@ -78,7 +79,16 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
   const raw = checkHead(typeof input === 'string' ? parseJson(input) : input);
   const registry = options.registry ?? builtinComponents;
   const problems = new ProblemList();
-  problems.onlyKeys(raw, '', ['format', 'version', 'name', 'settings', 'activeCamera', 'assets', 'objects']);
+  problems.onlyKeys(raw, '', [
+    'format',
+    'version',
+    'name',
+    'settings',
+    'activeCamera',
+    'assets',
+    'microShaders',
+    'objects',
+  ]);
   const objects = readObjects(raw.objects, 'objects', registry, problems);
   const file: FarolFile = {
     format: 'farol-scene',
@@ -87,6 +97,9 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
     settings: readValues(raw.settings ?? {}, sceneFields, 'settings', problems),
     activeCamera: checkCamera(raw.activeCamera ?? null, objects, problems),
     assets: readAssets(raw.assets ?? [], 'assets', problems),
+    ...(raw.microShaders === undefined
+      ? {}
+      : { microShaders: readMicroShaders(raw.microShaders, 'microShaders', problems) }),
     objects,
   };
   if (options.assets) checkAssets(file, registry, options.assets, problems);

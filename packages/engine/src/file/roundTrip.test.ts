@@ -62,8 +62,12 @@ test('settings, hierarchy, order, tags, activity and the camera survive a file',
     scene.add(camera);
   }
   scene.activeCamera = scene.cameras[1];
+  scene.microShaders.set('own/tint', 'vec3 tint;\n');
+  scene.microShaders.set('heatMap', '#include "own/tint"\n// "quoted"\n');
   const copy = await deserialize(JSON.parse(JSON.stringify(serialize(scene))));
   expect(serialize(copy)).toEqual(serialize(scene));
+  expect(Object.keys(serialize(copy).microShaders!)).toEqual(['heatMap', 'own/tint']);
+  expect(copy.microShaders.get('own/tint')).toBe('vec3 tint;\n');
   expect(copy.roots[0].children.map((child) => child.name)).toEqual(['c', 'a', 'b']);
   expect(copy.activeCamera?.gameObject.name).toBe('Second');
   expect(copy.find('a')!.activeInHierarchy).toBe(false);

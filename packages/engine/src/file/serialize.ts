@@ -23,6 +23,10 @@ function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, F
   return values;
 }
 
+/** By name, so that the same texts make the same file. */
+const sorted = (texts: ReadonlyMap<string, string>): Record<string, string> =>
+  Object.fromEntries([...texts].toSorted(([a], [b]) => (a < b ? -1 : 1)));
+
 /** One GameObject without its children, as a file holds it. */
 export function serializeObject(gameObject: GameObject): FileObject {
   return {
@@ -56,6 +60,7 @@ export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFi
     settings: changedValues(scene.settings, null),
     activeCamera: scene.activeCamera?.gameObject.id ?? null,
     assets: [],
+    ...(scene.microShaders.texts.size > 0 ? { microShaders: sorted(scene.microShaders.texts) } : {}),
     objects,
   };
   for (const name of new Set(assetUses(file, scene.registry).map((use) => use.name))) {

@@ -285,3 +285,43 @@ describe('replacing', () => {
     expect(compiler.alive.size).toBe(0);
   });
 });
+
+describe('removing', () => {
+  const layered = () => {
+    const parent = new MicroShaderRegistry();
+    parent.loadGLSL('a', 'float a;');
+    parent.loadGLSL('b', '#include "a"\nfloat b;');
+    const compiler = fakeCompiler();
+    const registry = new MicroShaderRegistry<ShaderSource>(parent, { compiler });
+    return { registry, shader: registry.getShader('s', ['a'], ['b']) };
+  };
+
+  it("puts the parent's chunk back", () => {
+    const { registry, shader } = layered();
+    const before = shader.fragmentShader;
+    registry.replace('a', 'float other;');
+    expect(registry.original('a')!.header).toBe('float a;');
+    const revision = registry.revision(['b']);
+    registry.remove('a');
+    expect(shader.fragmentShader).toBe(before);
+    expect(registry.revision(['b'])).toBeGreaterThan(revision);
+    expect(() => registry.remove('a')).toThrow(/as it was/);
+  });
+
+  it('takes out a chunk of its own that nothing needs, and keeps one that is needed', () => {
+    const { registry, shader } = layered();
+    registry.loadGLSL('own', 'float own;');
+    registry.replace('b', '#include "own"\nfloat b;');
+    const program = shader.program;
+    expect(() => registry.remove('own')).toThrow('"own" is needed by "b"');
+    expect(registry.has('own')).toBe(true);
+    registry.remove('b');
+    registry.remove('own');
+    expect(registry.names()).toEqual(['a', 'b']);
+    registry.loadGLSL('own', 'float own;');
+    registry.getShader('t', ['own'], ['own']);
+    expect(() => registry.remove('own')).toThrow(/Unknown microshader "own"/);
+    expect(registry.has('own')).toBe(true);
+    expect(shader.program).not.toBe(program);
+  });
+});

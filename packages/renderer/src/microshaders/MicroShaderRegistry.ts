@@ -136,6 +136,11 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return known || xmlUrl === undefined ? shader() : this.loadXMLFile(xmlUrl).then(shader);
   }
 
+  /** A chunk as the parent has it, whatever replaces it here; undefined when the parent has none of the name. */
+  original(name: string): MicroShader | undefined {
+    return this.parent?.get(name);
+  }
+
   /**
    * Puts another chunk in the place of a known one. All shaders that use it, directly or not, are composed and compiled
    * anew, and the checks run; when any of that fails, everything stays as it was and the error is thrown.
@@ -146,27 +151,24 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     const chunk = typeof content === 'string' ? parseMicroShader(name, content) : completeMicroShader(content);
     if (chunk.name !== name) throw new Error(`Microshader "${name}" cannot be replaced by one named "${chunk.name}".`);
     dependencyOrder([name], this);
-    const before = this.own.get(name);
-    this.own.set(name, chunk);
-    const affected = this.names().filter((other) => this.withDependencies([other]).has(name));
-    try {
-      dependencyOrder([name], this);
-      const recompiled = this.shaders.recompile((chunks) => chunks.some((used) => affected.includes(used)));
-      try {
-        for (const check of this.checks) check(affected);
-      } catch (error) {
-        recompiled.drop();
-        throw error;
-      }
-      recompiled.commit();
-    } catch (error) {
-      if (before) this.own.set(name, before);
-      else this.own.delete(name);
-      throw error;
-    }
-    this.replacedAt.set(name, ++this.replacements);
-    this.revisions.clear();
-    for (const listener of [...this.listeners]) listener(affected);
+    this.put(name, chunk);
+  }
+
+  /**
+   * Takes out a chunk that was added here, or puts the parent's back in the place of one that was replaced; as `replace`
+   * does it, all or nothing.
+   * @throws Error when there is no such chunk of its own, or another one or a shader needs it
+   */
+  remove(name: string): void {
+    if (!this.own.has(name)) throw new Error(`Microshader "${name}" is as it was; there is nothing to take back.`);
+    const user = this.original(name) ? undefined : this.usersOf(name).find((other) => other !== name);
+    if (user) throw new Error(`Microshader "${name}" is needed by "${user}"; change that one first.`);
+    this.put(name, undefined);
+  }
+
+  /** A chunk and all that depend on it, directly or not. */
+  usersOf(name: string): string[] {
+    return this.names().filter((other) => this.withDependencies([other]).has(name));
   }
 
   /** A number that grows whenever one of these chunks or of those they depend on is replaced; 0 before that. */
@@ -199,6 +201,31 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   /** Frees all programs of `getShader`; the chunks stay. */
   dispose(): void {
     this.shaders.dispose();
+  }
+
+  /** @param chunk undefined for the parent's, or none */
+  private put(name: string, chunk: MicroShader | undefined): void {
+    const before = this.own.get(name);
+    const set = (value: MicroShader | undefined) => void (value ? this.own.set(name, value) : this.own.delete(name));
+    const affected = this.usersOf(name);
+    set(chunk);
+    try {
+      if (this.has(name)) dependencyOrder([name], this);
+      const recompiled = this.shaders.recompile((chunks) => chunks.some((used) => affected.includes(used)));
+      try {
+        for (const check of this.checks) check(affected);
+      } catch (error) {
+        recompiled.drop();
+        throw error;
+      }
+      recompiled.commit();
+    } catch (error) {
+      set(before);
+      throw error;
+    }
+    this.replacedAt.set(name, ++this.replacements);
+    this.revisions.clear();
+    for (const listener of [...this.listeners]) listener(affected);
   }
 
   private revisionOf(name: string): number {

@@ -1,0 +1,74 @@
+import type { MicroShaderRegistry } from '@farol/renderer';
+
+/** A microshader of a scene that a renderer refused; the one before it stays in use. */
+export interface MicroShaderProblem {
+  readonly name: string;
+  /** A MicroShaderCompileError where a shader did not compile. */
+  readonly error: Error;
+}
+
+const asError = (error: unknown): Error => (error instanceof Error ? error : new Error(String(error)));
+
+/** Brings the microshaders of scenes (`scene.microShaders.texts`) into the registry of one renderer. */
+export class MicroShaderOverrides {
+  /** What the registry has of a scene now. */
+  private readonly applied = new Map<string, string>();
+
+  constructor(private readonly registry: MicroShaderRegistry) {}
+
+  /**
+   * Has the registry hold these texts, and its own chunks for all other names.
+   * @returns what was refused; the rest is in use
+   */
+  apply(wanted: ReadonlyMap<string, string>): MicroShaderProblem[] {
+    const { registry, applied } = this;
+    const problems: MicroShaderProblem[] = [];
+    const attempt = (name: string, change: () => void): void => {
+      try {
+        change();
+      } catch (error) {
+        problems.push({ name, error: asError(error) });
+      }
+    };
+    const changed = [...wanted].filter(([name, text]) => applied.get(name) !== text);
+    // new ones first: those that are replaced may depend on them
+    for (const isNew of [true, false]) {
+      for (const [name, text] of changed) {
+        if (registry.has(name) === isNew || applied.get(name) === text) continue;
+        attempt(name, () => {
+          if (isNew) registry.loadGLSL(name, text);
+          else registry.replace(name, text);
+          applied.set(name, text);
+        });
+      }
+    }
+    for (const [name, error] of this.takeOut(wanted)) problems.push({ name, error });
+    return problems;
+  }
+
+  /** Takes out what is not wanted: one chunk may have to wait for another that depends on it. @returns what has to stay */
+  private takeOut(wanted: ReadonlyMap<string, string>): Map<string, Error> {
+    const refused = new Map<string, Error>();
+    let isDone = false;
+    while (!isDone) {
+      isDone = true;
+      refused.clear();
+      for (const name of this.applied.keys()) {
+        if (wanted.has(name)) continue;
+        try {
+          this.registry.remove(name);
+          this.applied.delete(name);
+          isDone = false;
+        } catch (error) {
+          refused.set(name, asError(error));
+        }
+      }
+    }
+    return refused;
+  }
+
+  /** The registry has this text of a chunk already: it was put there by hand, to see whether it compiles. */
+  accept(name: string, text: string): void {
+    this.applied.set(name, text);
+  }
+}

@@ -1,0 +1,18 @@
+import { parseMicroShader } from '@farol/renderer';
+import { join, type ProblemList } from './ProblemList';
+
+/** Reads the microshaders of a scene file: texts by name. Whether they compile only a renderer can tell. */
+export function readMicroShaders(value: unknown, path: string, problems: ProblemList): Record<string, string> {
+  const texts: Record<string, string> = {};
+  for (const [name, given] of Object.entries(problems.record(value, path))) {
+    const at = join(path, name);
+    const text = problems.text(given, at, true);
+    try {
+      parseMicroShader(name, text);
+      texts[name] = text;
+    } catch (error) {
+      problems.add(at, (error as Error).message);
+    }
+  }
+  return texts;
+}
