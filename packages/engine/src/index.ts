@@ -24,15 +24,20 @@ export { builtinComponents, componentTypes, createComponent } from './components
 export { Camera } from './components/Camera';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
+export { ModelRenderer } from './components/ModelRenderer';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
 export { Transform } from './components/Transform';
 
 export { type Asset, type AssetChange } from './assets/Asset';
+export { type AssetFile, type TakenAsset } from './assets/Asset';
 export { AssetError } from './assets/AssetError';
 export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';
-export type { FetchBytes } from './assets/loadAsset';
+export { type FetchBytes, readableEndings, typeOfUrl } from './assets/loadAsset';
+export { Model } from './assets/Model';
+export { packGltf } from './assets/packGltf';
+export { type GltfJson, readGltfJson } from './assets/readGltfJson';
 export { computeCreaseNormals } from './geometry/computeCreaseNormals';
 export { MeshBuilder } from './geometry/MeshBuilder';
 export { parsePly } from './geometry/parsePly';
@@ -52,7 +57,25 @@ export { sponza, type SponzaOptions } from './scenes/sponza/sponza';
 export { temple } from './scenes/temple/temple';
 export { importModel } from './assets/importModel';
 
+export { planApplyAll, planApplyField, planRevertAll, planUnpack, withoutPin } from './prefabs/applyOverrides';
+export { instanceRootOf, isInstanceRoot, keyOf as componentKeyOf } from './prefabs/instances';
+export { instantiatePrefab } from './prefabs/instantiatePrefab';
+export { type MadePrefab, makePrefab } from './prefabs/makePrefab';
+export { type FieldOverride, fieldOverride, overridesOf, type PrefabOverrides } from './prefabs/overrides';
+export { changePrefab, planPrefabChange, type PrefabPlan } from './prefabs/planPrefabChange';
+export { type Prefab, PrefabError, type PrefabLink } from './prefabs/Prefab';
+export { applyPrefabEdit, type PrefabEdit } from './prefabs/PrefabEdit';
+export type { PrefabTable } from './prefabs/PrefabTable';
+
 export { assetUses, type AssetUse } from './file/assetUses';
+export {
+  type ContainerContent,
+  containerContent,
+  inlineAssets,
+  readSceneFile,
+  type SceneFile,
+  writeContainer,
+} from './file/container';
 export { deserialize, type DeserializeOptions, makeObjects } from './file/deserialize';
 export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type FileObject } from './file/FarolFile';
 export { FileError, type FileProblem } from './file/FileError';

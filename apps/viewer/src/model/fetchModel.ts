@@ -1,6 +1,6 @@
 import { type Group, LoaderUtils, LoadingManager, type WebGLRenderer } from 'three';
 import { createLoader } from './createLoader';
-import { readGltfJson } from './readGltfJson';
+import { readGltfJson } from '@farol/engine';
 
 /**
  * Reads a glTF from an address, with what it names beside it.

@@ -1,9 +1,9 @@
+import { readGltfJson } from '@farol/engine';
 import { LoadingManager, type WebGLRenderer } from 'three';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
 import type { FileMap } from './collectFiles';
 import { createLoader } from './createLoader';
 import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
-import { readGltfJson } from './readGltfJson';
 
 /** A model that was read whole. */
 export interface LoadedModel {

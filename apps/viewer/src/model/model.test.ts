@@ -1,6 +1,6 @@
+import { readGltfJson } from '@farol/engine';
 import { describe, expect, it } from 'vitest';
 import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
-import { readGltfJson } from './readGltfJson';
 
 const files = (...paths: string[]) => new Map(paths.map((path) => [path, new File([path], path.split('/').pop()!)]));
 const bytes = (text: string) => new TextEncoder().encode(text).buffer as ArrayBuffer;

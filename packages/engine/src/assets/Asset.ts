@@ -1,13 +1,30 @@
 import type { BufferGeometry, Material, ShaderMaterial, Texture } from 'three';
 import type { AssetType } from '../fields/Field';
+import type { Model } from './Model';
 
 /** What an asset is in three. A shader is a ShaderMaterial or RawShaderMaterial, used as it is. */
-export type Asset = BufferGeometry | Texture | Material | ShaderMaterial;
+export type Asset = BufferGeometry | Texture | Material | ShaderMaterial | Model;
 
 /** How an asset comes to be: at once, or after loading. */
 export type AssetSource =
-  | { readonly type: AssetType; readonly make: () => Asset }
-  | { readonly type: AssetType; readonly load: () => Promise<Asset>; readonly url?: string };
+  | { readonly type: AssetType; readonly make: () => Asset; readonly partOf?: string }
+  | { readonly type: AssetType; readonly load: () => Promise<Asset>; readonly url?: string; readonly file?: Blob };
+
+/** A file that a library has taken in: the asset of this name is read from its bytes. */
+export interface AssetFile {
+  /** Name of the asset. */
+  readonly name: string;
+  readonly type: AssetType;
+  readonly blob: Blob;
+}
+
+/** What `AssetLibrary.take` took out, for `AssetLibrary.restore`. */
+export interface TakenAsset {
+  readonly name: string;
+  readonly source: AssetSource;
+  readonly value: Asset | undefined;
+  readonly parts: readonly TakenAsset[];
+}
 
 /** Something that happened to an asset of a library. */
 export interface AssetChange {
@@ -19,6 +36,7 @@ export interface AssetChange {
 
 /** The type of a three resource. */
 export function assetTypeOf(asset: Asset): AssetType {
+  if ('isModel' in asset) return 'model';
   if ('isBufferGeometry' in asset) return 'mesh';
   if ('isTexture' in asset) return 'texture';
   return 'isShaderMaterial' in asset ? 'shader' : 'material';

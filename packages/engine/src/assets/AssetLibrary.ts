@@ -1,11 +1,13 @@
-import { type BufferGeometry, type Material, RepeatWrapping, type Texture } from 'three';
+import { type BufferGeometry, type Material, RepeatWrapping, type Texture, type WebGLRenderer } from 'three';
 import type { AssetType } from '../fields/Field';
 import { computeCreaseNormals } from '../geometry/computeCreaseNormals';
-import { type Asset, type AssetChange, type AssetSource, assetTypeOf } from './Asset';
+import { type Asset, type AssetChange, type AssetFile, type AssetSource, assetTypeOf, type TakenAsset } from './Asset';
 import { AssetError } from './AssetError';
 import { builtinAssets } from './builtinAssets';
-import { type FetchBytes, fetchBytes, loadAsset, typeOfUrl } from './loadAsset';
+import { type FetchBytes, fetchBytes, readableEndings, readAsset, type ReadOptions, typeOfUrl } from './loadAsset';
 import { MaterialCache } from './MaterialCache';
+import { Model } from './Model';
+import { modelParts } from './modelParts';
 import { UseCounter } from './UseCounter';
 
 export interface AssetLibraryOptions {
@@ -16,6 +18,8 @@ export interface AssetLibraryOptions {
   urls?: Readonly<Record<string, string>>;
   /** How the bytes of an address are read; `fetch` when absent. */
   fetchBytes?: FetchBytes;
+  /** What will draw the assets: asked only for which compressed textures the device takes. */
+  renderer?: WebGLRenderer;
 }
 
 /** Nearest thing that was meant, for messages: at most eight names of the type. */
@@ -35,9 +39,11 @@ export class AssetLibrary {
   private readonly variants = new Map<string, Map<number, Asset>>();
   private readonly listeners = new Set<(change: AssetChange) => void>();
   private readonly readBytes: FetchBytes;
+  private readonly renderer: WebGLRenderer | null;
 
   constructor(options: AssetLibraryOptions = {}) {
     this.readBytes = options.fetchBytes ?? fetchBytes;
+    this.renderer = options.renderer ?? null;
     for (const [name, source] of Object.entries(builtinAssets)) this.sources.set(name, source);
     for (const [name, url] of Object.entries(options.urls ?? {})) this.registerUrl(name, url);
   }
@@ -61,29 +67,96 @@ export class AssetLibrary {
   }
 
   /**
-   * Adds an asset that `load` reads from an address (PLY meshes, gzip or not; images), or gives 'dragon' its address.
+   * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR), or gives
+   * 'dragon' its address.
    * @throws AssetError when the name is taken, or the type cannot be told
    */
   registerUrl(name: string, url: string, type: AssetType | null = typeOfUrl(url)): this {
     if (this.sources.get(name) !== builtinAssets.dragon) this.checkFree(name);
     const dragon = name === 'dragon';
     const known = dragon ? 'mesh' : type;
-    if (known !== 'mesh' && known !== 'texture') {
-      throw new AssetError(name, `cannot be read from '${url}': only .ply, .ply.gz, .png, .jpg and .webp can.`);
+    if (known !== 'mesh' && known !== 'texture' && known !== 'model') {
+      throw new AssetError(name, `cannot be read from '${url}': only ${readableEndings} can.`);
     }
-    this.sources.set(name, {
-      type: known,
-      url,
-      load: () => loadAsset(url, known, this.readBytes, { normalise: dragon }),
-    });
+    const options: ReadOptions = { normalise: dragon, renderer: this.renderer };
+    const load = async (): Promise<Asset> => readAsset(await this.readBytes(url), url, known, options);
+    this.sources.set(name, { type: known, url, load });
     this.tell({ kind: 'registered', name, type: known });
     return this;
   }
 
-  /** Takes an asset that was added away again; what uses it keeps it. The asset itself is not disposed. */
+  /**
+   * Adds an asset that is read from the bytes of a file. Its name tells the format: 'robot.glb', 'brick.png', 'sky.hdr'.
+   * A model brings its meshes, materials and textures along as parts, 'robot.glb/mesh-1-Head', once it is loaded.
+   * @throws AssetError when the name is taken, or its ending is none that can be read
+   */
+  registerFile(name: string, file: Blob): this {
+    this.checkFree(name);
+    const type = typeOfUrl(name);
+    if (!type) throw new AssetError(name, `cannot be read: only ${readableEndings} can. Convert it to one of them.`);
+    const load = async (): Promise<Asset> =>
+      readAsset(await file.arrayBuffer(), name, type, { renderer: this.renderer });
+    this.sources.set(name, { type, file, load });
+    this.tell({ kind: 'registered', name, type });
+    return this;
+  }
+
+  /** The bytes that an asset is read from; null when it was not added as a file. */
+  fileOf(name: string): Blob | null {
+    const source = this.sources.get(name);
+    return (source && 'file' in source && source.file) || null;
+  }
+
+  /** Every asset that was added as a file. */
+  get files(): AssetFile[] {
+    return [...this.sources].flatMap(([name, source]) =>
+      'file' in source && source.file ? [{ name, type: source.type, blob: source.file }] : [],
+    );
+  }
+
+  /** The model that an asset is a part of; null when it is none. */
+  modelOf(name: string): string | null {
+    const source = this.sources.get(name);
+    return (source && 'partOf' in source && source.partOf) || null;
+  }
+
+  /** The assets that came with a model. */
+  partsOf(name: string): string[] {
+    return [...this.sources].filter(([, source]) => 'partOf' in source && source.partOf === name).map(([part]) => part);
+  }
+
+  /** Whether an asset came with the library, as the box does. */
+  isBuiltin(name: string): boolean {
+    return Object.hasOwn(builtinAssets, name);
+  }
+
+  /**
+   * Takes an asset, with its parts, out in such a way that `restore` can put it back; what uses it keeps it.
+   * @throws AssetError when there is none of this name
+   */
+  take(name: string): TakenAsset {
+    const source = this.sources.get(name);
+    if (!source) throw new AssetError(name, 'is unknown: it is gone already.');
+    const parts = this.partsOf(name).map((part) => this.take(part));
+    const value = this.values.get(name);
+    this.unregister(name);
+    return { name, source, value, parts };
+  }
+
+  /** Puts back what `take` took. @throws AssetError when the name is taken meanwhile */
+  restore({ name, source, value, parts }: TakenAsset): void {
+    this.checkFree(name);
+    this.sources.set(name, source);
+    if (value) this.values.set(name, value);
+    for (const part of parts) this.restore(part);
+    this.tell({ kind: 'registered', name, type: source.type });
+  }
+
+  /** Takes an asset that was added, with its parts, away again; what uses it keeps it. The asset itself is not disposed. */
   unregister(name: string): void {
     const source = this.sources.get(name);
     if (!source) return;
+    for (const part of this.partsOf(name)) this.unregister(part);
     this.sources.delete(name);
     this.values.delete(name);
     this.variants.delete(name);
@@ -149,7 +222,10 @@ export class AssetLibrary {
     const promise = source.load().then(
       (value) => {
         this.loading.delete(name);
+        // it was taken out, or another one came, while it was loading
+        if (this.sources.get(name) !== source) return value;
         this.values.set(name, value);
+        if (value instanceof Model) this.registerParts(name, value);
         this.tell({ kind: 'loaded', name, type: source.type });
         return value;
       },
@@ -198,6 +274,10 @@ export class AssetLibrary {
     return this.getAs<Material>('material', name);
   }
 
+  model(name: string): Model {
+    return this.getAs<Model>('model', name);
+  }
+
   shader(name: string): Material {
     return this.getAs<Material>('shader', name);
   }
@@ -231,6 +311,14 @@ export class AssetLibrary {
     let made = variants.get(parameter) as T | undefined;
     if (!made) variants.set(parameter, (made = make()));
     return made;
+  }
+
+  private registerParts(name: string, model: Model): void {
+    for (const [asset, part] of modelParts(model, name)) {
+      if (this.sources.has(part)) continue;
+      this.sources.set(part, { type: assetTypeOf(asset), make: () => asset, partOf: name });
+      this.values.set(part, asset);
+    }
   }
 
   private checkFree(name: string): void {

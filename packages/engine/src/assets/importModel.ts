@@ -1,48 +1,43 @@
 import { type Material, Mesh, type Object3D } from 'three';
-import { GameObject } from '../core/GameObject';
 import { ObjectRenderer } from '../components/ObjectRenderer';
-import type { Asset } from './Asset';
+import { GameObject } from '../core/GameObject';
 import type { AssetLibrary } from './AssetLibrary';
+import { Model } from './Model';
+import { modelParts } from './modelParts';
 
 /**
- * Makes GameObjects of a three model, such as `gltf.scene`: its tree, transforms and meshes. Geometries and materials
- * are registered with the library as `prefix/name`, and named by the ObjectRenderers. Skeletons, morph targets, lights
- * and cameras are left out; the model itself is left as it is.
- * @param prefix - a name that no assets begin with yet, such as the file's
- * @throws AssetError when the prefix is in use
+ * Makes GameObjects of a three model, such as `gltf.scene`: its tree, transforms and meshes, so that each can be edited.
+ * Geometries and materials are named by the ObjectRenderers as the library names the parts of the model; those that it
+ * does not have yet are registered. Skeletons, morph targets, lights and cameras are left out: a ModelRenderer keeps
+ * them. The model itself is left as it is.
+ * @param prefix - name of the model in the library, or one that no assets begin with yet
+ * @throws AssetError when the prefix is that of other assets
  */
-export function importModel(model: Object3D, assets: AssetLibrary, prefix: string): GameObject {
-  const names = new Map<Asset, string>();
-  const nameOf = (asset: Asset, kind: string): string => {
-    let name = names.get(asset);
-    if (name) return name;
-    name = `${prefix}/${kind}-${names.size + 1}${asset.name ? `-${asset.name}` : ''}`;
-    assets.register(name, asset);
-    names.set(asset, name);
-    return name;
-  };
-  const convert = (source: Object3D): GameObject => {
-    const gameObject = new GameObject(source.name || source.type);
+export function importModel(model: Object3D | Model, assets: AssetLibrary, prefix: string): GameObject {
+  const source = model instanceof Model ? model : new Model(model);
+  const names = modelParts(source, prefix);
+  for (const [asset, name] of names) {
+    if (!assets.has(name) || assets.get(name) !== asset) assets.register(name, asset);
+  }
+  const convert = (object: Object3D): GameObject => {
+    const gameObject = new GameObject(object.name || object.type);
     const { transform } = gameObject;
-    transform.position = source.position.toArray();
-    transform.setQuaternion(source.quaternion);
-    transform.scale = source.scale.toArray();
-    gameObject.active = source.visible;
-    if (source instanceof Mesh) {
-      const material: Material = Array.isArray(source.material) ? source.material[0] : source.material;
-      const { castShadow, receiveShadow } = source;
+    transform.position = object.position.toArray();
+    transform.setQuaternion(object.quaternion);
+    transform.scale = object.scale.toArray();
+    gameObject.active = object.visible;
+    if (object instanceof Mesh) {
+      const material: Material = Array.isArray(object.material) ? object.material[0] : object.material;
+      const { castShadow, receiveShadow } = object;
       gameObject.addComponent(ObjectRenderer, {
-        mesh: nameOf(source.geometry, 'mesh'),
-        [assetKey(material)]: nameOf(material, 'material'),
+        mesh: names.get(object.geometry) ?? null,
+        ['isShaderMaterial' in material ? 'shader' : 'material']: names.get(material) ?? null,
         castShadow,
         receiveShadow,
       });
     }
-    for (const child of source.children) gameObject.add(convert(child));
+    for (const child of object.children) gameObject.add(convert(child));
     return gameObject;
   };
-  return convert(model);
+  return convert(source.scene);
 }
-
-const assetKey = (material: Material): 'shader' | 'material' =>
-  'isShaderMaterial' in material ? 'shader' : 'material';

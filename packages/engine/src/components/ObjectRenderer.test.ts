@@ -169,7 +169,7 @@ describe('instances', () => {
 });
 
 test('normals that a mesh lacks are computed, once for each crease angle', () => {
-  const bare = assets.get('box').clone() as ReturnType<AssetLibrary['mesh']>;
+  const bare = assets.mesh('box').clone();
   bare.deleteAttribute('normal');
   assets.register('bare', bare);
   const [a, b, c] = [thing({ mesh: 'bare' }), thing({ mesh: 'bare' }), thing({ mesh: 'bare', creaseAngle: Math.PI })];

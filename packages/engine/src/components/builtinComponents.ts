@@ -2,6 +2,7 @@ import { Camera } from './Camera';
 import { ComponentRegistry } from './ComponentRegistry';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
+import { ModelRenderer } from './ModelRenderer';
 import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
 import { RandomMovement } from './RandomMovement';
@@ -11,6 +12,7 @@ import { Transform } from './Transform';
 export const builtinComponents = new ComponentRegistry([
   Transform,
   ObjectRenderer,
+  ModelRenderer,
   Light,
   Camera,
   KeyController,

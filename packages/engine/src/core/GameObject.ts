@@ -2,6 +2,7 @@ import { Object3D } from 'three';
 import { builtinComponents } from '../components/builtinComponents';
 import { Transform } from '../components/Transform';
 import type { FieldValue } from '../fields/Field';
+import type { PrefabLink } from '../prefabs/Prefab';
 import type { Component, ComponentClass } from './Component';
 import { createId } from './createId';
 import { setGameObjectOf } from './gameObjectOf';
@@ -38,6 +39,7 @@ export class GameObject implements GameObjectContainer {
   private readonly componentList: Component[] = [];
   private ownName: string;
   private ownTags: readonly string[] = [];
+  private link: PrefabLink | null = null;
   private isActive = true;
   private activeWithParents = true;
 
@@ -68,6 +70,17 @@ export class GameObject implements GameObjectContainer {
   set tags(value: readonly string[]) {
     this.ownTags = Object.freeze([...value]);
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'tags' });
+  }
+
+  /** The object of a prefab that this one is a copy of; null for an object of its own. */
+  get prefabLink(): PrefabLink | null {
+    return this.link;
+  }
+
+  set prefabLink(value: PrefabLink | null) {
+    if (value === this.link) return;
+    this.link = value;
+    this.scene?.notify({ kind: 'object', gameObject: this, property: 'prefab' });
   }
 
   /** False hides the object and its children, and stops their updates and events. */
@@ -245,11 +258,14 @@ export class GameObject implements GameObjectContainer {
     return byId ?? byName;
   }
 
-  /** A copy with all below it, with new ids, in no scene. References to objects inside the copy follow it. */
+  /**
+   * A copy with all below it, with new ids, in no scene. References to objects inside the copy follow it. A whole
+   * instance of a prefab is copied as one; a part of one becomes an object of its own.
+   */
   clone(): GameObject {
     const newIds = new Map<string, string>();
     this.traverse((gameObject) => newIds.set(gameObject.id, createId()));
-    return this.copyWithIds(newIds);
+    return this.copyWithIds(newIds, new Set());
   }
 
   /** Takes the object out of its parent or scene, and gives back what it and all below it hold. */
@@ -279,9 +295,13 @@ export class GameObject implements GameObjectContainer {
     return id;
   }
 
-  private copyWithIds(newIds: ReadonlyMap<string, string>): GameObject {
+  /** @param prefabs - those of which the copy holds the root of an instance, from here upwards */
+  private copyWithIds(newIds: ReadonlyMap<string, string>, prefabs: ReadonlySet<string>): GameObject {
     const copy = new GameObject(this.name, { id: newIds.get(this.id) });
     copy.tags = this.tags;
+    const isRoot = this.link !== null && this.link.source === this.link.prefab;
+    const within = isRoot ? new Set([...prefabs, this.link!.prefab]) : prefabs;
+    if (this.link && within.has(this.link.prefab)) copy.link = this.link;
     for (const component of this.componentList) {
       const values = component.authoredValues();
       for (const [name, field] of Object.entries(component.fields)) {
@@ -289,9 +309,12 @@ export class GameObject implements GameObjectContainer {
         if (field.kind === 'object' && typeof value === 'string') values[name] = newIds.get(value) ?? value;
       }
       if (component === this.transform) for (const name in values) copy.transform.set(name, values[name]);
-      else copy.addComponent(component.componentClass, values, { enabled: component.enabled });
+      else {
+        const id = component.id.startsWith(`${this.id}:`) ? copy.id + component.id.slice(this.id.length) : undefined;
+        copy.addComponent(component.componentClass, values, { enabled: component.enabled, id });
+      }
     }
-    for (const child of this.childList) copy.add(child.copyWithIds(newIds));
+    for (const child of this.childList) copy.add(child.copyWithIds(newIds, within));
     copy.active = this.active;
     return copy;
   }

@@ -8,6 +8,7 @@ import type { Component } from './Component';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import type { GameObject } from './GameObject';
 import { InstanceGroups } from './InstanceGroups';
+import { PrefabTable } from '../prefabs/PrefabTable';
 import { type GameObjectContainer, moveGameObject } from './moveGameObject';
 import type { SceneChange } from './SceneChange';
 import { SceneIndex } from './SceneIndex';
@@ -39,6 +40,8 @@ export class Scene implements GameObjectContainer {
    * Takes what a component throws while it is updated; the others go on. While null, `update` throws it.
    */
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
+  /** What objects of the scene are copies of. */
+  readonly prefabs = new PrefabTable(this);
   /** @internal */
   readonly childList: GameObject[] = [];
 

@@ -5,7 +5,11 @@ import type { GameObject } from './GameObject';
 /** What an edit changed. Simulation makes none of these. */
 export type SceneChange =
   | { readonly kind: 'add' | 'remove' | 'move'; readonly gameObject: GameObject }
-  | { readonly kind: 'object'; readonly gameObject: GameObject; readonly property: 'name' | 'active' | 'tags' }
+  | {
+      readonly kind: 'object';
+      readonly gameObject: GameObject;
+      readonly property: 'name' | 'active' | 'tags' | 'prefab';
+    }
   | {
       readonly kind: 'component-add' | 'component-remove' | 'component-move';
       readonly gameObject: GameObject;
@@ -21,4 +25,5 @@ export type SceneChange =
   | { readonly kind: 'enabled'; readonly component: Component }
   | { readonly kind: 'settings'; readonly field: string; readonly before: FieldValue }
   | { readonly kind: 'microshader'; readonly name: string }
+  | { readonly kind: 'prefab'; readonly id: string }
   | { readonly kind: 'active-camera' | 'name' };

@@ -81,7 +81,7 @@ export interface ColourField extends FieldBase {
   readonly default: Vector3Tuple;
 }
 
-export type AssetType = 'mesh' | 'texture' | 'material' | 'shader';
+export type AssetType = 'mesh' | 'texture' | 'material' | 'shader' | 'model';
 
 /** The name of an asset of the scene's AssetLibrary, or null. */
 export interface AssetField extends FieldBase {

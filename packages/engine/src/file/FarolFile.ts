@@ -1,7 +1,12 @@
 import type { AssetType, FieldValue } from '../fields/Field';
+import type { Prefab, PrefabLink } from '../prefabs/Prefab';
 
-/** Version of the file format. Raise it, and add to `fileMigrations`, when the shape below changes. */
-export const FILE_VERSION = 1;
+/**
+ * Version of the file format. Raise it, and add to `fileMigrations`, when the shape below changes.
+ *
+ * 1: settings, assets by address, objects. 2: prefabs, links of objects to them, assets inside the file.
+ */
+export const FILE_VERSION = 2;
 
 /** A component in a file. Fields that have their default are left out. */
 export interface FileComponent {
@@ -23,14 +28,19 @@ export interface FileObject {
   /** True when absent. */
   active?: boolean;
   tags?: string[];
+  /** What it is a copy of; of no prefab when absent. */
+  prefab?: PrefabLink;
   components: FileComponent[];
 }
 
-/** An asset that is read from an address. */
+/** An asset that is read from an address, or from a file beside the scene in a `.farol` container: one of the two. */
 export interface FileAsset {
   name: string;
   type: AssetType;
-  url: string;
+  /** An address; `data:` holds the bytes themselves. */
+  url?: string;
+  /** Path in the container: 'assets/robot.glb'. */
+  file?: string;
 }
 
 /** A scene as versioned JSON. Objects are in tree order, so siblings keep their order. */
@@ -48,5 +58,7 @@ export interface FarolFile {
    * the renderer's `parseMicroShader`) by name. None when absent.
    */
   microShaders?: Record<string, string>;
+  /** None when absent. */
+  prefabs?: Prefab[];
   objects: FileObject[];
 }

@@ -1,7 +1,7 @@
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { sceneFields } from '../core/SceneSettings';
 import type { AssetType, FieldTable, FieldValue } from '../fields/Field';
-import type { FarolFile } from './FarolFile';
+import type { FarolFile, FileObject } from './FarolFile';
 
 /** A place in a file that names an asset. */
 export interface AssetUse {
@@ -28,10 +28,13 @@ function usesIn(
 export function assetUses(file: FarolFile, registry: ComponentRegistry): AssetUse[] {
   const list: AssetUse[] = [];
   usesIn(file.settings, sceneFields, 'settings', list);
-  file.objects.forEach((object, i) => {
-    object.components.forEach(({ type, values }, j) => {
-      usesIn(values, registry.get(type).fields, `objects[${i}].components[${j}].values`, list);
+  const visit = (objects: readonly FileObject[], path: string): void =>
+    objects.forEach((object, i) => {
+      object.components.forEach(({ type, values }, j) => {
+        usesIn(values, registry.get(type).fields, `${path}[${i}].components[${j}].values`, list);
+      });
     });
-  });
+  visit(file.objects, 'objects');
+  file.prefabs?.forEach(({ objects }, i) => visit(objects, `prefabs[${i}].objects`));
   return list;
 }

@@ -12,12 +12,15 @@ export interface DeserializeOptions {
   /** Where the assets come from; a library of the scene's own when absent. */
   assets?: AssetLibrary;
   registry?: ComponentRegistry;
+  /** The bytes of a file of the container that the scene came in, such as 'assets/robot.glb'; null when it has none. */
+  fileOf?: (path: string) => Blob | null;
 }
 
 /** One GameObject without its children and parent, from checked data. */
 function makeObject(data: FileObject, registry: ComponentRegistry): GameObject {
   const gameObject = new GameObject(data.name, { id: data.id });
   gameObject.tags = data.tags ?? [];
+  gameObject.prefabLink = data.prefab ?? null;
   for (const { type, id, enabled, values } of data.components) {
     if (type === 'Transform') {
       for (const name of Object.keys(values)) gameObject.transform.set(name, values[name]);
@@ -46,21 +49,69 @@ export function makeObjects(
 }
 
 /** Registers the file's own assets that the library does not have. @returns their names */
-function registerAssets(file: FarolFile, assets: AssetLibrary): string[] {
+async function registerAssets(
+  file: FarolFile,
+  assets: AssetLibrary,
+  fileOf: (path: string) => Blob | null,
+): Promise<string[]> {
+  const inline = await readInline(file);
   const missing = file.assets.filter(({ name }) => !assets.has(name));
-  for (const { name, type, url } of missing) assets.registerUrl(name, url, type);
+  const blobs = missing.map(({ name, file: path }) => (path === undefined ? (inline.get(name) ?? null) : fileOf(path)));
+  const problems = missing.flatMap((asset, i): FileProblem[] =>
+    asset.file === undefined || blobs[i]
+      ? []
+      : [
+          {
+            path: `assets[${file.assets.indexOf(asset)}].file`,
+            problem: `names '${asset.file}', which did not come with the scene: open the .farol file that holds both.`,
+          },
+        ],
+  );
+  if (problems.length > 0) throw new FileError(problems);
+  missing.forEach(({ name, type, url }, i) => {
+    const blob = blobs[i];
+    if (blob) assets.registerFile(name, blob);
+    else assets.registerUrl(name, url ?? '', type);
+  });
   return missing.map(({ name }) => name);
 }
 
+/** The asset that has to be loaded before a name is known: the model of a part, else the asset itself. */
+function loadedFor(name: string, file: FarolFile, assets: AssetLibrary): string {
+  if (assets.has(name)) return name;
+  return file.assets.find((own) => own.type === 'model' && name.startsWith(`${own.name}/`))?.name ?? name;
+}
+
+/** The bytes of a `data:` address. @throws FileError naming the asset when it is damaged */
+async function readInline(file: FarolFile): Promise<Map<string, Blob>> {
+  const blobs = new Map<string, Blob>();
+  for (const [i, { name, url }] of file.assets.entries()) {
+    if (!url?.startsWith('data:')) continue;
+    try {
+      blobs.set(name, await (await fetch(url)).blob());
+    } catch (cause) {
+      const problem = `holds the bytes of '${name}' as damaged base64: open another copy of the file.`;
+      throw new FileError([{ path: `assets[${i}].url`, problem }], { cause });
+    }
+  }
+  return blobs;
+}
+
 async function loadAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary): Promise<void> {
-  const uses = new Map(assetUses(file, registry).map((use) => [use.name, use.path]));
-  const results = await Promise.allSettled([...uses.keys()].map((name) => assets.load(name)));
-  const paths = [...uses.values()];
+  const uses = assetUses(file, registry);
+  const needed = new Map(uses.map((use) => [loadedFor(use.name, file, assets), use.path]));
+  const names = [...needed.keys()];
+  const results = await Promise.allSettled(names.map((name) => assets.load(name)));
   const problems = results.flatMap((result, i): FileProblem[] =>
     result.status === 'rejected'
-      ? [{ path: paths[i], problem: `needs an asset: ${(result.reason as Error).message}` }]
+      ? [{ path: needed.get(names[i])!, problem: `needs an asset: ${(result.reason as Error).message}` }]
       : [],
   );
+  if (problems.length > 0) throw new FileError(problems);
+  for (const { path, type, name } of uses) {
+    const problem = assets.problemWith(type, name);
+    if (problem) problems.push({ path, problem });
+  }
   if (problems.length > 0) throw new FileError(problems);
 }
 
@@ -75,9 +126,10 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
   let registered: string[] = [];
   try {
     const checked = parseFile(file, { registry, assets: scene.assets });
-    registered = registerAssets(checked, scene.assets);
+    registered = await registerAssets(checked, scene.assets, options.fileOf ?? (() => null));
     await loadAssets(checked, registry, scene.assets);
     scene.name = checked.name;
+    for (const prefab of checked.prefabs ?? []) scene.prefabs.set(prefab);
     for (const root of makeObjects(checked.objects, registry)) scene.add(root);
     for (const [name, text] of Object.entries(checked.microShaders ?? {})) scene.microShaders.set(name, text);
     for (const name of Object.keys(checked.settings)) scene.settings.set(name, checked.settings[name]);

@@ -3,13 +3,15 @@ import { builtinComponents } from '../components/builtinComponents';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { sceneFields } from '../core/SceneSettings';
 import { describeValue } from '../fields/checkFieldValue';
-import { assetUses } from './assetUses';
+import { assetUses, type AssetUse } from './assetUses';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from './FarolFile';
 import { FileError } from './FileError';
 import { isRecord, join, type JsonRecord, ProblemList } from './ProblemList';
 import { readValues } from './readComponent';
 import { readMicroShaders } from './readMicroShaders';
+import { migrateFile } from './migrateFile';
 import { readObjects } from './readObjects';
+import { checkLinks, readPrefabs } from './readPrefabs';
 
 export interface ParseOptions {
   /** Known components; the built-in ones when absent. */
@@ -48,15 +50,18 @@ function readAssets(value: unknown, path: string, problems: ProblemList): FileAs
   return problems.array(value, path).map((each, i) => {
     const at = join(path, i);
     const record = problems.record(each, at);
-    problems.onlyKeys(record, at, ['name', 'type', 'url']);
+    problems.onlyKeys(record, at, ['name', 'type', 'url', 'file']);
     const name = problems.text(record.name, join(at, 'name'));
     if (names.has(name)) problems.add(join(at, 'name'), `'${name}' is there twice. Remove one.`);
     names.add(name);
     const { type } = record;
-    if (type !== 'mesh' && type !== 'texture') {
-      problems.add(join(at, 'type'), `must be "mesh" or "texture", not ${describeValue(type)}.`);
+    if (type !== 'mesh' && type !== 'texture' && type !== 'model') {
+      problems.add(join(at, 'type'), `must be "mesh", "texture" or "model", not ${describeValue(type)}.`);
     }
-    return { name, type: type === 'texture' ? 'texture' : 'mesh', url: problems.text(record.url, join(at, 'url')) };
+    const asset: FileAsset = { name, type: type as FileAsset['type'] };
+    if (record.file !== undefined) asset.file = problems.text(record.file, join(at, 'file'));
+    else asset.url = problems.text(record.url, join(at, 'url'));
+    return asset;
   });
 }
 
@@ -76,20 +81,15 @@ function checkCamera(id: unknown, objects: readonly FileObject[], problems: Prob
  * when `options.assets` is given, missing assets
  */
 export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile {
-  const raw = checkHead(typeof input === 'string' ? parseJson(input) : input);
+  const raw = migrateFile(checkHead(typeof input === 'string' ? parseJson(input) : input));
   const registry = options.registry ?? builtinComponents;
   const problems = new ProblemList();
   problems.onlyKeys(raw, '', [
-    'format',
-    'version',
-    'name',
-    'settings',
-    'activeCamera',
-    'assets',
-    'microShaders',
-    'objects',
+    ...['format', 'version', 'name', 'settings', 'activeCamera', 'assets', 'prefabs', 'microShaders', 'objects'],
   ]);
+  const prefabs = readPrefabs(raw.prefabs ?? [], 'prefabs', registry, problems);
   const objects = readObjects(raw.objects, 'objects', registry, problems);
+  checkLinks(objects, 'objects', prefabs, problems);
   const file: FarolFile = {
     format: 'farol-scene',
     version: FILE_VERSION,
@@ -100,6 +100,7 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
     ...(raw.microShaders === undefined
       ? {}
       : { microShaders: readMicroShaders(raw.microShaders, 'microShaders', problems) }),
+    ...(prefabs.length > 0 ? { prefabs } : {}),
     objects,
   };
   if (options.assets) checkAssets(file, registry, options.assets, problems);
@@ -107,10 +108,13 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
   return file;
 }
 
+/** Whether an asset of the file is the one that is meant, or a model whose part it may be: that shows once it is loaded. */
+const mayHold = (own: FileAsset, use: AssetUse): boolean =>
+  own.name === use.name ? own.type === use.type : own.type === 'model' && use.name.startsWith(`${own.name}/`);
+
 function checkAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary, problems: ProblemList): void {
   for (const use of assetUses(file, registry)) {
-    const own = file.assets.find(({ name }) => name === use.name);
-    if (own && own.type === use.type && !assets.has(use.name)) continue;
+    if (!assets.has(use.name) && file.assets.some((own) => mayHold(own, use))) continue;
     const problem = assets.problemWith(use.type, use.name);
     if (problem) problems.add(use.path, problem);
   }

@@ -3,6 +3,7 @@ import { describeValue } from '../fields/checkFieldValue';
 import type { FileComponent, FileObject } from './FarolFile';
 import { isRecord, join, type ProblemList } from './ProblemList';
 import { readComponent } from './readComponent';
+import { readLink } from './readLink';
 
 interface ReadObject extends FileObject {
   readonly path: string;
@@ -37,7 +38,7 @@ function readObject(
     problems.record(value, path);
     return null;
   }
-  problems.onlyKeys(value, path, ['id', 'name', 'parent', 'active', 'tags', 'components']);
+  problems.onlyKeys(value, path, ['id', 'name', 'parent', 'active', 'tags', 'prefab', 'components']);
   const id = problems.text(value.id, join(path, 'id'));
   const name = problems.text(value.name, join(path, 'name'), true);
   const parent = value.parent === null ? null : problems.text(value.parent, join(path, 'parent'));
@@ -45,7 +46,17 @@ function readObject(
   const listed = value.tags === undefined ? [] : problems.array(value.tags, join(path, 'tags'));
   const tags = listed.map((tag, i) => problems.text(tag, join(join(path, 'tags'), i)));
   const components = readComponents(value.components, join(path, 'components'), registry, problems);
-  return { id, name, parent, ...(active ? {} : { active }), ...(tags.length > 0 ? { tags } : {}), components, path };
+  const prefab = value.prefab === undefined ? null : readLink(value.prefab, join(path, 'prefab'), problems);
+  return {
+    id,
+    name,
+    parent,
+    ...(active ? {} : { active }),
+    ...(tags.length > 0 ? { tags } : {}),
+    ...(prefab ? { prefab } : {}),
+    components,
+    path,
+  };
 }
 
 function checkIds(objects: readonly ReadObject[], problems: ProblemList): Map<string, ReadObject> {

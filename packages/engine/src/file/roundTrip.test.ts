@@ -8,7 +8,7 @@ import { randomFieldValue } from '../fields/randomFieldValue';
 import { deserialize } from './deserialize';
 import { serialize } from './serialize';
 
-const assetNames = { mesh: ['box', 'sphere', 'torus'], texture: ['checker'], material: [], shader: [] };
+const assetNames = { mesh: ['box', 'sphere', 'torus'], texture: ['checker'], material: [], shader: [], model: [] };
 
 describe.each([...componentTypes.keys()])('%s', (typeName) => {
   test.each([1, 2, 3])('keeps random values of every field through a file (seed %i)', async (seed) => {

@@ -35,6 +35,7 @@ export function serializeObject(gameObject: GameObject): FileObject {
     parent: gameObject.parent?.id ?? null,
     ...(gameObject.active ? {} : { active: false }),
     ...(gameObject.tags.length > 0 ? { tags: [...gameObject.tags] } : {}),
+    ...(gameObject.prefabLink ? { prefab: gameObject.prefabLink } : {}),
     components: gameObject.components.map((component) => ({
       type: component.typeName,
       version: component.componentClass.version,
@@ -47,7 +48,8 @@ export function serializeObject(gameObject: GameObject): FileObject {
 
 /**
  * The scene as plain JSON data: what was authored, not where simulation has taken it. Assets are named; those that were
- * registered with an address that lasts are listed with it.
+ * registered with an address that lasts are listed with it, those that were added as files with their path in a
+ * container: see `writeContainer`.
  */
 export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFile {
   const assets = options.assets ?? scene.assets;
@@ -61,8 +63,11 @@ export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFi
     activeCamera: scene.activeCamera?.gameObject.id ?? null,
     assets: [],
     ...(scene.microShaders.texts.size > 0 ? { microShaders: sorted(scene.microShaders.texts) } : {}),
+    ...(scene.prefabs.list.length > 0 ? { prefabs: [...scene.prefabs.list] } : {}),
     objects,
   };
+  const { files } = assets;
+  for (const { name, type } of files) file.assets.push({ name, type, file: `assets/${encodeURIComponent(name)}` });
   for (const name of new Set(assetUses(file, scene.registry).map((use) => use.name))) {
     const url = assets.urlOf(name);
     const type = assets.typeOf(name);

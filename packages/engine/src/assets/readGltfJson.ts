@@ -1,9 +1,10 @@
-/** What the viewer reads of a glTF file before the loader does. @see glTF 2.0, 3.1 */
+/** What is read of a glTF file before the loader does. @see glTF 2.0, 3.1 */
 export interface GltfJson {
   asset?: { version?: string };
   extensionsUsed?: string[];
-  buffers?: { uri?: string }[];
-  images?: { uri?: string }[];
+  buffers?: { uri?: string; byteLength?: number }[];
+  bufferViews?: { buffer: number; byteOffset?: number; byteLength: number }[];
+  images?: { uri?: string; mimeType?: string; bufferView?: number }[];
 }
 
 const glbMagic = 0x46546c67;

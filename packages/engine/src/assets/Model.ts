@@ -1,0 +1,38 @@
+import type { AnimationClip, BufferGeometry, Material, Object3D, Skeleton, Texture } from 'three';
+
+/** A tree of three objects that was read from a file, with its animations: what a glTF holds. It is never in a scene itself. */
+export class Model {
+  readonly isModel = true;
+  name = '';
+
+  constructor(
+    readonly scene: Object3D,
+    readonly animations: readonly AnimationClip[] = [],
+  ) {}
+
+  /** Gives the GPU memory of everything in it back; what is drawn again is uploaded again. */
+  dispose(): void {
+    const disposables = new Set<{ dispose(): void }>();
+    this.scene.traverse((object) => {
+      const { geometry, material, skeleton } = object as {
+        geometry?: BufferGeometry;
+        material?: Material | Material[];
+        skeleton?: Skeleton;
+      };
+      if (geometry) disposables.add(geometry);
+      if (skeleton) disposables.add(skeleton);
+      for (const each of material === undefined ? [] : [material].flat()) {
+        disposables.add(each);
+        for (const texture of texturesOf(each)) disposables.add(texture);
+      }
+    });
+    for (const each of disposables) each.dispose();
+  }
+}
+
+/** The textures that a material holds. */
+export function texturesOf(material: Material): Texture[] {
+  return Object.values(material).filter((value): value is Texture =>
+    Boolean((value as { isTexture?: boolean } | null)?.isTexture),
+  );
+}

@@ -1,0 +1,104 @@
+import { readGltfJson } from './readGltfJson';
+
+const HEADER = 12;
+const CHUNK = 8;
+
+const padded = (length: number): number => Math.ceil(length / 4) * 4;
+
+const mimeTypes: Readonly<Record<string, string>> = { png: 'image/png', webp: 'image/webp', ktx2: 'image/ktx2' };
+
+function mimeOf(uri: string): string {
+  const ending = /\.(\w+)$/.exec(uri.split(/[?#]/)[0].toLowerCase())?.[1] ?? '';
+  return mimeTypes[ending] ?? 'image/jpeg';
+}
+
+async function bytesOfDataUri(uri: string): Promise<Uint8Array> {
+  return new Uint8Array(await (await fetch(uri)).arrayBuffer());
+}
+
+/**
+ * Packs a .gltf and the files that it names into one GLB, unchanged otherwise.
+ * @param bytes - the .gltf
+ * @param find - the bytes of a file that it names; null when there is none
+ * @throws Error naming every file that is missing
+ * @see glTF 2.0, 4.4
+ */
+export async function packGltf(
+  bytes: ArrayBuffer,
+  find: (uri: string) => Promise<ArrayBuffer | null>,
+): Promise<ArrayBuffer> {
+  const json = readGltfJson(bytes);
+  const parts: Uint8Array[] = [];
+  const missing: string[] = [];
+  let length = 0;
+  /** Puts data at the end of the one buffer. @returns where they begin */
+  const append = (part: Uint8Array): number => {
+    const start = length;
+    parts.push(part);
+    length = padded(length + part.length);
+    return start;
+  };
+  const read = async (uri: string): Promise<Uint8Array> => {
+    if (/^data:/i.test(uri)) return bytesOfDataUri(uri);
+    const found = await find(uri);
+    if (found) return new Uint8Array(found);
+    missing.push(decodeURIComponent(uri));
+    return new Uint8Array();
+  };
+
+  const starts: number[] = [];
+  for (const buffer of json.buffers ?? []) starts.push(buffer.uri ? append(await read(buffer.uri)) : 0);
+  const views = (json.bufferViews ?? []).map((view) => ({
+    ...view,
+    buffer: 0,
+    byteOffset: (view.byteOffset ?? 0) + (starts[view.buffer] ?? 0),
+  }));
+  const images: GltfJson['images'] = [];
+  for (const image of json.images ?? []) {
+    const { uri, ...rest } = image;
+    if (uri === undefined) {
+      images.push(image);
+      continue;
+    }
+    const data = await read(uri);
+    const mimeType = rest.mimeType ?? /^data:([^;,]+)/.exec(uri)?.[1] ?? mimeOf(uri);
+    images.push({ ...rest, mimeType, bufferView: views.length });
+    views.push({ buffer: 0, byteOffset: append(data), byteLength: data.length });
+  }
+  if (missing.length > 0) {
+    throw new Error(
+      `it needs ${[...new Set(missing)].join(', ')}: drop the whole folder, or all of its files together.`,
+    );
+  }
+  const whole = {
+    ...json,
+    ...(length > 0 ? { buffers: [{ byteLength: length }] } : {}),
+    ...(views.length > 0 ? { bufferViews: views } : {}),
+    ...(images.length > 0 ? { images } : {}),
+  };
+  return writeGlb(JSON.stringify(whole), parts, length);
+}
+
+type GltfJson = ReturnType<typeof readGltfJson>;
+
+function writeGlb(json: string, parts: readonly Uint8Array[], binaryLength: number): ArrayBuffer {
+  const text = new TextEncoder().encode(json);
+  const jsonLength = padded(text.length);
+  const total = HEADER + CHUNK + jsonLength + (binaryLength > 0 ? CHUNK + binaryLength : 0);
+  const glb = new ArrayBuffer(total);
+  const view = new DataView(glb);
+  const all = new Uint8Array(glb);
+  [0x46546c67, 2, total, jsonLength, 0x4e4f534a].forEach((word, i) => view.setUint32(i * 4, word, true));
+  all.fill(0x20, HEADER + CHUNK, HEADER + CHUNK + jsonLength);
+  all.set(text, HEADER + CHUNK);
+  if (binaryLength === 0) return glb;
+  let at = HEADER + CHUNK + jsonLength;
+  view.setUint32(at, binaryLength, true);
+  view.setUint32(at + 4, 0x004e4942, true);
+  at += CHUNK;
+  for (const part of parts) {
+    all.set(part, at);
+    at += padded(part.length);
+  }
+  return glb;
+}

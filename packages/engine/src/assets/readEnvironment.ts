@@ -1,0 +1,29 @@
+import { ClampToEdgeWrapping, LinearFilter, RepeatWrapping, type Texture } from 'three';
+import { checkExr } from './checkExr';
+
+/**
+ * Reads an equirectangular picture of linear light. The loader is fetched when it is first needed.
+ * @throws Error that says what is wrong with the bytes
+ */
+export async function readEnvironment(bytes: ArrayBuffer, format: 'HDR' | 'EXR'): Promise<Texture> {
+  const loader =
+    format === 'HDR'
+      ? new (await import('three/addons/loaders/HDRLoader.js')).HDRLoader()
+      : new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader();
+  let texture: Texture;
+  try {
+    if (format === 'EXR') checkExr(bytes);
+    texture = loader.createDataTexture(bytes);
+  } catch (cause) {
+    const reason = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
+    throw new Error(`its ${format} data are damaged or cut short (${reason}): export it again.`, { cause });
+  }
+  const { width, height } = texture.image as { width: number; height: number };
+  if (!(width > 0 && height > 0)) throw new Error(`its ${format} data have no pixels: export it again.`);
+  texture.wrapS = RepeatWrapping;
+  texture.wrapT = ClampToEdgeWrapping;
+  texture.minFilter = texture.magFilter = LinearFilter;
+  texture.generateMipmaps = false;
+  texture.needsUpdate = true;
+  return texture;
+}

@@ -1,0 +1,114 @@
+import { AnimationMixer, type Object3D } from 'three';
+import { clone } from 'three/addons/utils/SkeletonUtils.js';
+import type { Model } from '../assets/Model';
+import type { Scene } from '../core/Scene';
+import type { FieldValue } from '../fields/Field';
+import { component } from '../fields/component';
+import { asset, boolean, number, string } from '../fields/fields';
+
+/**
+ * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets, and plays its animations in step
+ * with the scene's time. Geometries, materials and textures are those of the asset, however often it is placed.
+ */
+export class ModelRenderer extends component({
+  model: asset('model', null, { help: 'The model that is drawn.' }),
+  castShadow: boolean(true, { help: 'Whether it throws shadows.', label: 'Cast shadow' }),
+  receiveShadow: boolean(true, { help: 'Whether shadows fall on it.', label: 'Receive shadow' }),
+  animation: string('', { help: 'Name of the animation that plays while the scene plays; none when empty.' }),
+  animationSpeed: number(1, { step: 0.1, help: 'Factor of the speed; below 0 it runs backwards.', label: 'Speed' }),
+}) {
+  static override readonly typeName: string = 'ModelRenderer';
+  static override readonly unique: boolean = true;
+  static override readonly help: string = 'A whole model, such as a glTF, with its animations.';
+
+  private inUse: Model | null = null;
+  private copy: Object3D | null = null;
+  private mixer: AnimationMixer | null = null;
+
+  /** The tree that is drawn, below the GameObject's object3D; null outside a scene and before its asset is loaded. */
+  get three(): Object3D | null {
+    return this.copy;
+  }
+
+  /** Names of the animations that the model has. */
+  get animations(): string[] {
+    return this.inUse?.animations.map(({ name }) => name) ?? [];
+  }
+
+  override onEnterScene(): void {
+    this.refresh();
+  }
+
+  override onLeaveScene(scene: Scene): void {
+    this.clear(scene);
+  }
+
+  override onFieldChanged(name: string): void {
+    if (!this.scene) return;
+    if (name === 'model') this.refresh();
+    else if (name === 'animation') this.startAnimation();
+    else this.applyFlags();
+  }
+
+  override onActiveChanged(): void {
+    this.applyFlags();
+  }
+
+  override update(_deltaSeconds: number, time: number): void {
+    this.mixer?.setTime(time * this.animationSpeed);
+  }
+
+  protected override checkField(name: string, value: FieldValue): string | null {
+    if (!this.scene || name !== 'model' || typeof value !== 'string') return null;
+    return this.scene.assets.problemWith('model', value);
+  }
+
+  private refresh(): void {
+    const { scene, model: name } = this;
+    if (!scene) return;
+    this.clear(scene);
+    if (name === null) return;
+    if (!scene.assets.isReady('model', name)) {
+      scene.assets.whenReady('model', name, () => {
+        if (this.scene === scene && this.model === name) this.refresh();
+      });
+      return;
+    }
+    this.inUse = scene.assets.model(name);
+    scene.assets.uses.acquire(this.inUse);
+    this.copy = clone(this.inUse.scene);
+    this.gameObject.object3D.add(this.copy);
+    this.applyFlags();
+    this.startAnimation();
+  }
+
+  private startAnimation(): void {
+    this.mixer?.stopAllAction();
+    this.mixer = null;
+    const clip = this.inUse?.animations.find(({ name }) => name === this.animation);
+    if (!this.copy || !clip) return;
+    this.mixer = new AnimationMixer(this.copy);
+    this.mixer.clipAction(clip).play();
+    this.mixer.setTime((this.scene?.time ?? 0) * this.animationSpeed);
+  }
+
+  private applyFlags(): void {
+    const { copy } = this;
+    if (!copy) return;
+    copy.visible = this.enabled;
+    copy.traverse((object) => {
+      if (!('isMesh' in object)) return;
+      object.castShadow = this.castShadow;
+      object.receiveShadow = this.receiveShadow;
+    });
+  }
+
+  private clear(scene: Scene): void {
+    this.mixer?.stopAllAction();
+    this.mixer = null;
+    this.copy?.removeFromParent();
+    this.copy = null;
+    if (this.inUse) scene.assets.uses.release(this.inUse);
+    this.inUse = null;
+  }
+}

@@ -1,0 +1,17 @@
+import { FILE_VERSION } from './FarolFile';
+import type { JsonRecord } from './ProblemList';
+
+/** What brings a file of a version up to the next one. Each gets a copy of its own, and need not check what it does not touch. */
+export const fileMigrations: Readonly<Record<number, (file: JsonRecord) => JsonRecord>> = {
+  // prefabs and assets inside the file are new; what was there stays as it is
+  1: (file) => file,
+};
+
+/** A file of an older version, as one of this version. Its parts are checked afterwards. */
+export function migrateFile(file: JsonRecord): JsonRecord {
+  let migrated: JsonRecord = { ...file };
+  for (let version = file.version as number; version < FILE_VERSION; version++) {
+    migrated = { ...fileMigrations[version](migrated), version: version + 1 };
+  }
+  return migrated;
+}

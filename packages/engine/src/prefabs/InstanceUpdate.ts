@@ -1,0 +1,167 @@
+import type { ComponentRegistry } from '../components/ComponentRegistry';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import { sameValue } from '../fields/FieldOwner';
+import type { FileComponent, FileObject } from '../file/FarolFile';
+import { mapReferences } from './copyObjects';
+import { isOwnOfInstance, keyOf, objectsBySource } from './instances';
+import { instantiatePrefab } from './instantiatePrefab';
+import type { Prefab } from './Prefab';
+import { componentsOf, objectsOf, valueIn } from './prefabData';
+import type { PrefabEdit } from './PrefabEdit';
+
+const sameTags = (a: readonly string[] = [], b: readonly string[] = []): boolean =>
+  a.length === b.length && a.every((tag, i) => tag === b[i]);
+
+/**
+ * Finds what has to be done to an instance when its prefab becomes another: a merge of three, by object and field. What
+ * has the value that the prefab had takes the new one; what differs from it is an override and stays.
+ */
+export class InstanceUpdate {
+  readonly edits: PrefabEdit[] = [];
+
+  private readonly instances: Map<string, GameObject>;
+  /** Ids of the instance's objects by those of the prefab's, new ones included. */
+  private readonly ids: Map<string, string>;
+
+  /** @param force - overrides are given up too: the instance becomes as the prefab is */
+  constructor(
+    private readonly root: GameObject,
+    private readonly before: Prefab,
+    private readonly after: Prefab,
+    private readonly registry: ComponentRegistry,
+    private readonly force = false,
+  ) {
+    this.instances = objectsBySource(root);
+    this.ids = new Map([...this.instances].map(([source, { id }]) => [source, id]));
+    this.addObjects();
+    for (const next of after.objects) {
+      const object = this.instances.get(next.id);
+      if (object) this.mergeObject(object, objectsOf(before).get(next.id) ?? next, next);
+    }
+    this.removeObjects();
+    if (force) this.removeAdded(root);
+  }
+
+  private addObjects(): void {
+    for (const next of this.after.objects) {
+      if (this.ids.has(next.id) || next.parent === null) continue;
+      // taken out of this instance: stays out
+      if (objectsOf(this.before).has(next.id) && !this.force) continue;
+      const parent = this.instances.get(next.parent);
+      if (!parent) continue;
+      const object = instantiatePrefab(this.after, this.registry, next.id, this.ids);
+      object.traverse((each) => this.ids.set(each.prefabLink!.source, each.id));
+      this.edits.push({ kind: 'add-object', object, parent });
+    }
+  }
+
+  private removeObjects(): void {
+    const kept = objectsOf(this.after);
+    for (const { id, parent } of this.before.objects) {
+      const object = kept.has(id) ? undefined : this.instances.get(id);
+      // what is below another one that goes, goes with it
+      if (object && parent !== null && kept.has(parent)) this.edits.push({ kind: 'remove-object', object });
+    }
+  }
+
+  private removeAdded(object: GameObject): void {
+    for (const child of object.children) {
+      const source = child.prefabLink?.prefab === this.after.id ? child.prefabLink.source : null;
+      if (source !== null && this.instances.get(source) === child) this.removeAdded(child);
+      else this.edits.push({ kind: 'remove-object', object: child });
+    }
+  }
+
+  private mergeObject(object: GameObject, base: FileObject, next: FileObject): void {
+    const link = object.prefabLink!;
+    const pinned = new Set<string>();
+    /** Whether the instance takes the prefab's value. */
+    const takes = (path: string, isBase: boolean, isNext: boolean): boolean => {
+      if (isOwnOfInstance(link.source, link.prefab, path)) return false;
+      if (this.force) return !isNext;
+      if (isBase && !link.pinned?.includes(path)) return !isNext;
+      if (isNext) pinned.add(path);
+      return false;
+    };
+    this.mergeParent(object, base, next);
+    if (takes('name', object.name === base.name, object.name === next.name)) {
+      this.edits.push({ kind: 'name', object, value: next.name });
+    }
+    const active = next.active ?? true;
+    if (takes('active', object.active === (base.active ?? true), object.active === active)) {
+      this.edits.push({ kind: 'active', object, value: active });
+    }
+    if (takes('tags', sameTags(object.tags, base.tags), sameTags(object.tags, next.tags))) {
+      this.edits.push({ kind: 'tags', object, value: next.tags ?? [] });
+    }
+    this.mergeComponents(object, base, next, takes);
+    const pins = [...pinned];
+    if (!sameTags(pins, link.pinned)) {
+      const { prefab, source } = link;
+      const value = { prefab, source, ...(pins.length > 0 ? { pinned: pins } : {}) };
+      this.edits.push({ kind: 'link', object, value });
+    }
+  }
+
+  private mergeParent(object: GameObject, base: FileObject, next: FileObject): void {
+    if (next.parent === null || object === this.root) return;
+    const parent = this.instances.get(next.parent);
+    if (!parent || object.parent === parent) return;
+    const wasInPlace = base.parent !== null && object.parent === this.instances.get(base.parent);
+    if (this.force || (wasInPlace && base.parent !== next.parent)) {
+      this.edits.push({ kind: 'move-object', object, parent });
+    }
+  }
+
+  private mergeComponents(
+    object: GameObject,
+    base: FileObject,
+    next: FileObject,
+    takes: (path: string, isBase: boolean, isNext: boolean) => boolean,
+  ): void {
+    const bases = componentsOf(base);
+    const nexts = componentsOf(next);
+    const present = new Map(object.components.map((component) => [keyOf(component), component]));
+    for (const [key, component] of nexts) {
+      const own = present.get(key);
+      if (own) this.mergeFields(own, key, bases.get(key) ?? component, component, takes);
+      else if (!bases.has(key) || this.force) this.addComponent(object, key, component);
+    }
+    for (const [key, component] of present) {
+      const isRemoved = bases.has(key) && !nexts.has(key);
+      if (isRemoved || (this.force && !nexts.has(key)))
+        this.edits.push({ kind: 'remove-component', object, component });
+    }
+  }
+
+  private addComponent(object: GameObject, key: string, data: FileComponent): void {
+    const type = this.registry.get(data.type);
+    if (type.unique && object.getComponent(data.type)) return;
+    const component = this.registry.create(data.type, mapReferences(data.values, data.type, this.registry, this.ids));
+    component.enabled = data.enabled ?? true;
+    this.edits.push({ kind: 'add-component', object, component, id: `${object.id}:${key}` });
+  }
+
+  private mergeFields(
+    own: Component,
+    key: string,
+    base: FileComponent,
+    next: FileComponent,
+    takes: (path: string, isBase: boolean, isNext: boolean) => boolean,
+  ): void {
+    if (own.typeName !== next.type) return;
+    const enabled = next.enabled ?? true;
+    if (takes(`${key}:enabled`, own.enabled === (base.enabled ?? true), own.enabled === enabled)) {
+      this.edits.push({ kind: 'enabled', component: own, value: enabled });
+    }
+    for (const [name, field] of Object.entries(own.fields)) {
+      const value = own.getAuthored(name);
+      const nextValue = valueIn(next, name, field, this.ids);
+      const isBase = sameValue(value, valueIn(base, name, field, this.ids));
+      if (takes(`${key}.${name}`, isBase, sameValue(value, nextValue))) {
+        this.edits.push({ kind: 'field', component: own, field: name, value: nextValue });
+      }
+    }
+  }
+}

@@ -1,0 +1,57 @@
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { FieldValue } from '../fields/Field';
+import type { PrefabLink } from './Prefab';
+
+/** One thing to do to an instance so that it follows its prefab. An editor makes commands of them. */
+export type PrefabEdit =
+  | { readonly kind: 'field'; readonly component: Component; readonly field: string; readonly value: FieldValue }
+  | { readonly kind: 'enabled'; readonly component: Component; readonly value: boolean }
+  | { readonly kind: 'name'; readonly object: GameObject; readonly value: string }
+  | { readonly kind: 'active'; readonly object: GameObject; readonly value: boolean }
+  | { readonly kind: 'tags'; readonly object: GameObject; readonly value: readonly string[] }
+  | { readonly kind: 'link'; readonly object: GameObject; readonly value: PrefabLink | null }
+  | { readonly kind: 'add-component'; readonly object: GameObject; readonly component: Component; readonly id: string }
+  | { readonly kind: 'remove-component'; readonly object: GameObject; readonly component: Component }
+  /** `object` is new, and in no scene. It comes after the children that are there. */
+  | { readonly kind: 'add-object'; readonly object: GameObject; readonly parent: GameObject }
+  | { readonly kind: 'remove-object'; readonly object: GameObject }
+  /** Its local transform stays. */
+  | { readonly kind: 'move-object'; readonly object: GameObject; readonly parent: GameObject };
+
+/** Does an edit. */
+export function applyPrefabEdit(edit: PrefabEdit): void {
+  switch (edit.kind) {
+    case 'field':
+      edit.component.set(edit.field, edit.value);
+      break;
+    case 'enabled':
+      edit.component.enabled = edit.value;
+      break;
+    case 'name':
+      edit.object.name = edit.value;
+      break;
+    case 'active':
+      edit.object.active = edit.value;
+      break;
+    case 'tags':
+      edit.object.tags = edit.value;
+      break;
+    case 'link':
+      edit.object.prefabLink = edit.value;
+      break;
+    case 'add-component':
+      edit.object.addComponent(edit.component, {}, { id: edit.id, enabled: edit.component.enabled });
+      break;
+    case 'remove-component':
+      edit.object.removeComponent(edit.component);
+      break;
+    case 'add-object':
+    case 'move-object':
+      edit.parent.add(edit.object);
+      break;
+    case 'remove-object':
+      (edit.object.parent ?? edit.object.scene)?.remove(edit.object);
+      break;
+  }
+}

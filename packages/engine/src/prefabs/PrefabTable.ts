@@ -1,0 +1,37 @@
+import type { Scene } from '../core/Scene';
+import { type Prefab, PrefabError } from './Prefab';
+
+/** The prefabs of a scene, by id. */
+export class PrefabTable {
+  private readonly byId = new Map<string, Prefab>();
+
+  constructor(private readonly scene: Scene) {}
+
+  get list(): readonly Prefab[] {
+    return [...this.byId.values()];
+  }
+
+  get(id: string): Prefab | null {
+    return this.byId.get(id) ?? null;
+  }
+
+  /** Adds a prefab, or puts another one in the place of that with its id. Objects of the scene stay as they are: see `planPrefabChange`. */
+  set(prefab: Prefab): void {
+    if (this.byId.get(prefab.id) === prefab) return;
+    if (prefab.objects[0]?.id !== prefab.id) throw new PrefabError(prefab.name, 'must begin with its root object.');
+    this.byId.set(prefab.id, prefab);
+    this.scene.notify({ kind: 'prefab', id: prefab.id });
+  }
+
+  /** Forgets a prefab. What links to it keeps its values, and follows it no more. */
+  delete(id: string): void {
+    if (this.byId.delete(id)) this.scene.notify({ kind: 'prefab', id });
+  }
+
+  /** Whether a prefab is, or holds at any depth, an instance of another. */
+  contains(id: string, inner: string): boolean {
+    if (id === inner) return true;
+    const links = new Set(this.get(id)?.objects.flatMap((object) => object.prefab?.prefab ?? []));
+    return [...links].some((each) => this.contains(each, inner));
+  }
+}

@@ -1,0 +1,103 @@
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { FileComponent, FileObject } from '../file/FarolFile';
+import { sameValue } from '../fields/FieldOwner';
+import { InstanceUpdate } from './InstanceUpdate';
+import { componentKey, instanceRootOf, keyOf, objectsBySource } from './instances';
+import { readPrefab } from './makePrefab';
+import { type Prefab, PrefabError, type PrefabLink } from './Prefab';
+import { objectsOf } from './prefabData';
+import type { PrefabEdit } from './PrefabEdit';
+import { planPrefabChange, type PrefabPlan } from './planPrefabChange';
+
+function prefabOf(root: GameObject | null): { root: GameObject; prefab: Prefab } {
+  const id = root?.prefabLink?.prefab ?? '';
+  const prefab = root?.scene?.prefabs.get(id);
+  if (!root || !prefab) throw new PrefabError(id, 'is not there, or the object is no instance of it.');
+  return { root, prefab };
+}
+
+const sourcesOf = (root: GameObject): Map<GameObject, string> =>
+  new Map([...objectsBySource(root)].map(([source, object]) => [object, source]));
+
+/** Gives the root of a prefab back what is each instance's own. */
+function withOwnOf(root: FileObject, old: FileObject): FileObject {
+  const values = old.components.find(({ type }) => type === 'Transform')?.values ?? {};
+  const components = root.components.map((component): FileComponent => {
+    if (component.type !== 'Transform') return component;
+    const { position: _position, rotation: _rotation, ...rest } = component.values;
+    const { position, rotation } = values;
+    return { ...component, values: { ...(position && { position }), ...(rotation && { rotation }), ...rest } };
+  });
+  return { ...root, name: old.name, components };
+}
+
+/**
+ * What has to be done so that a prefab becomes as an instance of it is, and all others follow. Place, turn and name of the
+ * instance's root stay its own.
+ * @param instance - the root of an instance in a scene
+ * @throws PrefabError when the prefab is gone, or would hold itself
+ */
+export function planApplyAll(instance: GameObject): PrefabPlan {
+  const { root, prefab } = prefabOf(instance);
+  const known = objectsOf(prefab);
+  const old = new Map([...known].map(([id, object]) => [id, object.prefab]));
+  const made = readPrefab(root, prefab.name, prefab.id, sourcesOf(root), old);
+  const [first, ...rest] = made.prefab.objects;
+  const next = { ...made.prefab, objects: [withOwnOf(first, known.get(prefab.id)!), ...rest] };
+  const plan = planPrefabChange(root.scene!, next, root);
+  const links = [...made.links]
+    .filter(([object, link]) => !sameLink(object.prefabLink, link))
+    .map(([object, value]): PrefabEdit => ({ kind: 'link', object, value }));
+  return { prefabs: plan.prefabs, edits: [...plan.edits, ...links] };
+}
+
+const sameLink = (a: PrefabLink | null, b: PrefabLink): boolean =>
+  a?.prefab === b.prefab && a.source === b.source && !a.pinned;
+
+/** The link without one of its pins. */
+export function withoutPin(link: PrefabLink, path: string): PrefabLink {
+  const { prefab, source } = link;
+  const pinned = link.pinned?.filter((each) => each !== path) ?? [];
+  return { prefab, source, ...(pinned.length > 0 ? { pinned } : {}) };
+}
+
+/** What has to be done so that a prefab takes one field of an instance. @throws PrefabError when the object is in no instance */
+export function planApplyField(component: Component, field: string): PrefabPlan {
+  const object = component.gameObject;
+  const { root, prefab } = prefabOf(instanceRootOf(object));
+  const sources = new Map([...sourcesOf(root)].map(([each, source]) => [each.id, source]));
+  const link = object.prefabLink!;
+  const key = keyOf(component);
+  const own = component.getAuthored(field);
+  const declared = component.fields[field];
+  const value = declared.kind === 'object' && typeof own === 'string' ? (sources.get(own) ?? null) : own;
+  const objects = prefab.objects.map((data): FileObject => {
+    if (data.id !== link.source) return data;
+    const components = data.components.map((each): FileComponent => {
+      if (componentKey(data.id, each.id) !== key) return each;
+      const { [field]: _before, ...others } = each.values;
+      return { ...each, values: sameValue(value, declared.default) ? others : { ...others, [field]: value } };
+    });
+    return { ...data, components };
+  });
+  const plan = planPrefabChange(root.scene!, { ...prefab, objects }, root);
+  const path = `${key}.${field}`;
+  if (!link.pinned?.includes(path)) return plan;
+  return { ...plan, edits: [...plan.edits, { kind: 'link', object, value: withoutPin(link, path) }] };
+}
+
+/** What has to be done so that an instance becomes as its prefab is. @param instance - its root */
+export function planRevertAll(instance: GameObject): PrefabEdit[] {
+  const { root, prefab } = prefabOf(instance);
+  return new InstanceUpdate(root, prefab, prefab, root.scene!.registry, true).edits;
+}
+
+/** What has to be done so that a tree is no instance any more: it keeps its values. Instances within it become such by themselves. */
+export function planUnpack(instance: GameObject): PrefabEdit[] {
+  const { root, prefab } = prefabOf(instance);
+  const data = objectsOf(prefab);
+  return [...objectsBySource(root)].map(([source, object]): PrefabEdit => {
+    return { kind: 'link', object, value: data.get(source)?.prefab ?? null };
+  });
+}

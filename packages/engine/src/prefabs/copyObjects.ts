@@ -1,0 +1,40 @@
+import type { ComponentRegistry } from '../components/ComponentRegistry';
+import type { FieldValue } from '../fields/Field';
+import type { FileObject } from '../file/FarolFile';
+import { componentKey } from './instances';
+
+/** References to objects among field values, by a map of ids; what is not in it becomes null. */
+export function mapReferences(
+  values: Readonly<Record<string, FieldValue>>,
+  type: string,
+  registry: ComponentRegistry,
+  ids: ReadonlyMap<string, string>,
+): Record<string, FieldValue> {
+  const mapped: Record<string, FieldValue> = { ...values };
+  for (const [name, field] of Object.entries(registry.get(type).fields)) {
+    const value = mapped[name];
+    if (field.kind === 'object' && typeof value === 'string') mapped[name] = ids.get(value) ?? null;
+  }
+  return mapped;
+}
+
+/** Objects of a file under other ids. @param ids - the new id of every one of them; a parent that is not in it becomes null */
+export function copyObjects(
+  objects: readonly FileObject[],
+  registry: ComponentRegistry,
+  ids: ReadonlyMap<string, string>,
+): FileObject[] {
+  return objects.map((object) => {
+    const id = ids.get(object.id)!;
+    return {
+      ...object,
+      id,
+      parent: object.parent === null ? null : (ids.get(object.parent) ?? null),
+      components: object.components.map((component) => ({
+        ...component,
+        id: `${id}:${componentKey(object.id, component.id)}`,
+        values: mapReferences(component.values, component.type, registry, ids),
+      })),
+    };
+  });
+}

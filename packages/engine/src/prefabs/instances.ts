@@ -1,0 +1,46 @@
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+
+/** Whether an object is the root of an instance of a prefab. */
+export const isInstanceRoot = (object: GameObject): boolean =>
+  object.prefabLink !== null && object.prefabLink.source === object.prefabLink.prefab;
+
+/** The root of the instance that an object belongs to, as part of which it follows its prefab; null when it follows none. */
+export function instanceRootOf(object: GameObject): GameObject | null {
+  const prefab = object.prefabLink?.prefab;
+  if (prefab === undefined) return null;
+  for (let above: GameObject | null = object; above; above = above.parent) {
+    if (above.prefabLink?.prefab === prefab && isInstanceRoot(above)) return above;
+  }
+  return null;
+}
+
+/** The objects of an instance by the ids that they have in the prefab; what was added to the instance is not among them. */
+export function objectsBySource(root: GameObject): Map<string, GameObject> {
+  const prefab = root.prefabLink!.prefab;
+  const found = new Map<string, GameObject>();
+  const visit = (object: GameObject): void => {
+    const link = object.prefabLink;
+    // an instance of the same prefab below this one is another instance
+    if (object !== root && link?.prefab === prefab && link.source === prefab) return;
+    if (link?.prefab === prefab && !found.has(link.source)) found.set(link.source, object);
+    object.children.forEach(visit);
+  };
+  visit(root);
+  return found;
+}
+
+/** What a component of an object is called in every copy of that object: 'Light', or 'Light2' for a second one. */
+export function componentKey(objectId: string, componentId: string): string {
+  return componentId.startsWith(`${objectId}:`) ? componentId.slice(objectId.length + 1) : componentId;
+}
+
+/** Name of a component in paths of overrides. */
+export const keyOf = (component: Component): string => componentKey(component.gameObject.id, component.id);
+
+/** What each instance has for itself: where it is, and its name. */
+const own: ReadonlySet<string> = new Set(['name', 'Transform.position', 'Transform.rotation']);
+
+/** Whether a value is never an override, but each instance's own. @param path - 'name', 'Light.intensity' */
+export const isOwnOfInstance = (source: string, prefab: string, path: string): boolean =>
+  source === prefab && own.has(path);

@@ -1,0 +1,32 @@
+import { builtinComponents } from '../components/builtinComponents';
+import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { createId } from '../core/createId';
+import type { GameObject } from '../core/GameObject';
+import { makeObjects } from '../file/deserialize';
+import { copyObjects } from './copyObjects';
+import type { Prefab } from './Prefab';
+
+/**
+ * A new instance of a prefab, with new ids, in no scene; its objects are linked to those of the prefab.
+ * @param from - id of the object to begin with; the root when absent
+ * @param known - ids of objects of the instance that are there already, by their ids in the prefab
+ */
+export function instantiatePrefab(
+  prefab: Prefab,
+  registry: ComponentRegistry = builtinComponents,
+  from = prefab.id,
+  known: ReadonlyMap<string, string> = new Map(),
+): GameObject {
+  const wanted = new Set([from]);
+  const objects = prefab.objects.filter(({ id, parent }) => {
+    if (parent !== null && wanted.has(parent)) wanted.add(id);
+    return wanted.has(id);
+  });
+  const ids = new Map([...known, ...objects.map(({ id }) => [id, createId()] as const)]);
+  const copies = copyObjects(objects, registry, ids).map((copy, i) => ({
+    ...copy,
+    parent: i === 0 ? null : copy.parent,
+    prefab: { prefab: prefab.id, source: objects[i].id },
+  }));
+  return makeObjects(copies, registry)[0];
+}

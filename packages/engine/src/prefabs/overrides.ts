@@ -1,0 +1,100 @@
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { FieldValue } from '../fields/Field';
+import { sameValue } from '../fields/FieldOwner';
+import type { FileObject } from '../file/FarolFile';
+import { instanceRootOf, isOwnOfInstance, keyOf, objectsBySource } from './instances';
+import type { Prefab } from './Prefab';
+import { componentsOf, objectsOf, valueIn } from './prefabData';
+
+/** A field whose value is the instance's own. */
+export interface FieldOverride {
+  readonly component: Component;
+  readonly field: string;
+  /** 'Lamp/Light.intensity': name of the object, key of the component, field. */
+  readonly path: string;
+  /** What the prefab has, references as ids of the instance. */
+  readonly base: FieldValue;
+}
+
+/** Everything by which an instance differs from its prefab. */
+export interface PrefabOverrides {
+  readonly fields: readonly FieldOverride[];
+  /** Names of other differences: 'Lamp (active)', 'Lamp/Light added', 'Bulb removed'. */
+  readonly others: readonly string[];
+}
+
+interface Source {
+  readonly prefab: Prefab;
+  readonly data: FileObject;
+  readonly root: GameObject;
+}
+
+function sourceOf(object: GameObject): Source | null {
+  const root = instanceRootOf(object);
+  const link = object.prefabLink;
+  const prefab = (root && link && object.scene?.prefabs.get(link.prefab)) ?? null;
+  const data = prefab && link ? objectsOf(prefab).get(link.source) : undefined;
+  return root && prefab && data ? { prefab, data, root } : null;
+}
+
+const idsIn = (root: GameObject): Map<string, string> =>
+  new Map([...objectsBySource(root)].map(([source, { id }]) => [source, id]));
+
+/**
+ * Whether a field of an instance is an override, and what the prefab has; null when it follows the prefab, when it is one
+ * that each instance has for itself (place and turn of its root), or when the component is no part of a prefab.
+ */
+export function fieldOverride(component: Component, field: string): FieldOverride | null {
+  const object = component.gameObject;
+  const source = object.prefabLink ? sourceOf(object) : null;
+  if (!source) return null;
+  const { data, prefab, root } = source;
+  const key = keyOf(component);
+  const path = `${key}.${field}`;
+  const inPrefab = componentsOf(data).get(key);
+  if (!inPrefab || inPrefab.type !== component.typeName || isOwnOfInstance(data.id, prefab.id, path)) return null;
+  const declared = component.fields[field];
+  const ids = declared.kind === 'object' ? idsIn(root) : new Map<string, string>();
+  const base = valueIn(inPrefab, field, declared, ids);
+  const isOverride = !sameValue(component.getAuthored(field), base) || object.prefabLink!.pinned?.includes(path);
+  return isOverride ? { component, field, path: `${object.name}/${path}`, base } : null;
+}
+
+/** Everything by which an instance differs from its prefab. @param root - of the instance */
+export function overridesOf(root: GameObject): PrefabOverrides {
+  const source = sourceOf(root);
+  if (!source) return { fields: [], others: [] };
+  const { prefab } = source;
+  const instances = objectsBySource(root);
+  const fields: FieldOverride[] = [];
+  const others: string[] = [];
+  for (const data of prefab.objects) {
+    const object = instances.get(data.id);
+    if (!object) {
+      if (data.parent === null || instances.has(data.parent)) others.push(`${data.name} removed`);
+      continue;
+    }
+    const { name } = object;
+    if (name !== data.name && object !== root) others.push(`${data.name} (named ${name})`);
+    if (object.active !== (data.active ?? true)) others.push(`${name} (active)`);
+    if (object.tags.join('\n') !== (data.tags ?? []).join('\n')) others.push(`${name} (tags)`);
+    const known = componentsOf(data);
+    const present = new Set(object.components.map(keyOf));
+    for (const key of known.keys()) if (!present.has(key)) others.push(`${name}/${key} removed`);
+    for (const component of object.components) {
+      const key = keyOf(component);
+      const inPrefab = known.get(key);
+      if (!inPrefab) others.push(`${name}/${key} added`);
+      else if (component.enabled !== (inPrefab.enabled ?? true)) others.push(`${name}/${key} (enabled)`);
+      for (const field of Object.keys(component.fields)) {
+        const override = fieldOverride(component, field);
+        if (override) fields.push(override);
+      }
+    }
+    for (const child of object.children) {
+      if (instances.get(child.prefabLink?.source ?? '') !== child) others.push(`${child.name} added`);
+    }
+  }
+  return { fields, others };
+}

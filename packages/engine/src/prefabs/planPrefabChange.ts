@@ -1,0 +1,92 @@
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
+import { makeObjects } from '../file/deserialize';
+import { serializeObject } from '../file/serialize';
+import { InstanceUpdate } from './InstanceUpdate';
+import { isInstanceRoot } from './instances';
+import { type Prefab, PrefabError } from './Prefab';
+import { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
+
+/** What follows when a prefab becomes another. */
+export interface PrefabPlan {
+  /** The prefab, and those that hold instances of it, as they shall be. */
+  readonly prefabs: readonly Prefab[];
+  /** What is to be done to the objects of the scene, in this order. */
+  readonly edits: readonly PrefabEdit[];
+}
+
+function rootsIn(object: GameObject, changed: ReadonlyMap<string, Prefab>): GameObject[] {
+  const roots: GameObject[] = [];
+  object.traverse((each) => {
+    if (isInstanceRoot(each) && changed.has(each.prefabLink!.prefab)) roots.push(each);
+  });
+  return roots;
+}
+
+/** A prefab that holds instances of changed ones, after they have followed; null when nothing of it changes. */
+function follow(scene: Scene, prefab: Prefab, changed: ReadonlyMap<string, Prefab>): Prefab | null {
+  if (!prefab.objects.some(({ prefab: link }) => link && changed.has(link.prefab))) return null;
+  const [root] = makeObjects(prefab.objects, scene.registry);
+  let edits = 0;
+  for (const instance of rootsIn(root, changed)) {
+    const { prefab: id } = instance.prefabLink!;
+    const update = new InstanceUpdate(instance, scene.prefabs.get(id)!, changed.get(id)!, scene.registry);
+    update.edits.forEach(applyPrefabEdit);
+    edits += update.edits.length;
+  }
+  if (edits === 0) return null;
+  const objects: Prefab['objects'][number][] = [];
+  root.traverse((each) => objects.push(serializeObject(each)));
+  return { ...prefab, objects };
+}
+
+/** All prefabs but one, each after those that it holds. */
+function inOrder(scene: Scene, except: string): Prefab[] {
+  const done = new Set([except]);
+  const ordered: Prefab[] = [];
+  const visit = (prefab: Prefab | null): void => {
+    if (!prefab || done.has(prefab.id)) return;
+    done.add(prefab.id);
+    for (const { prefab: link } of prefab.objects) if (link) visit(scene.prefabs.get(link.prefab));
+    ordered.push(prefab);
+  };
+  scene.prefabs.list.forEach(visit);
+  return ordered;
+}
+
+/**
+ * Finds what has to change when a prefab becomes `next`: prefabs that hold it, and every instance in the scene, their
+ * overrides kept. Nothing is changed by this; see `changePrefab`.
+ * @param except - root of an instance that is as it shall be already
+ * @throws PrefabError when it would hold itself
+ */
+export function planPrefabChange(scene: Scene, next: Prefab, except: GameObject | null = null): PrefabPlan {
+  for (const { name, prefab: link } of next.objects) {
+    if (link && scene.prefabs.contains(link.prefab, next.id)) {
+      throw new PrefabError(next.name, `would hold itself, by its object '${name}': take that one out, or unpack it.`);
+    }
+  }
+  const before = scene.prefabs.get(next.id);
+  const changed = new Map([[next.id, next]]);
+  if (!before) return { prefabs: [next], edits: [] };
+  for (const prefab of inOrder(scene, next.id)) {
+    const followed = follow(scene, prefab, changed);
+    if (followed) changed.set(prefab.id, followed);
+  }
+  const edits: PrefabEdit[] = [];
+  for (const root of scene.roots) {
+    for (const instance of rootsIn(root, changed)) {
+      if (instance === except) continue;
+      const { prefab: id } = instance.prefabLink!;
+      edits.push(...new InstanceUpdate(instance, scene.prefabs.get(id)!, changed.get(id)!, scene.registry).edits);
+    }
+  }
+  return { prefabs: [...changed.values()], edits };
+}
+
+/** Puts a prefab in the place of that with its id, or adds it: all instances follow, and keep their overrides. */
+export function changePrefab(scene: Scene, next: Prefab): void {
+  const plan = planPrefabChange(scene, next);
+  for (const prefab of plan.prefabs) scene.prefabs.set(prefab);
+  plan.edits.forEach(applyPrefabEdit);
+}
