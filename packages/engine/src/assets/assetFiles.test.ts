@@ -164,7 +164,7 @@ describe('a container', () => {
     const scene = await filled();
     const bytes = await writeContainer(containerContent(scene));
     expect(await writeContainer(containerContent(scene))).toEqual(bytes);
-    const { text, fileOf } = readSceneFile(bytes);
+    const { text, fileOf } = await readSceneFile(bytes);
     const copy = await deserialize(text, { fileOf });
     expect(serialize(copy)).toEqual(serialize(scene));
     expect((await copy.assets.fileOf('tri.glb')!.arrayBuffer()).byteLength).toBe((await pack()).byteLength);
@@ -190,21 +190,20 @@ describe('a container', () => {
 
   test('that is broken says what is wrong with it', async () => {
     const bytes = await writeContainer(containerContent(await filled()));
-    expect(() => readSceneFile(bytes.subarray(0, bytes.length - 40))).toThrow(/cut short or damaged/);
-    expect(() => readSceneFile(new Uint8Array())).toThrow(/is empty/);
-    expect(() => readSceneFile(new Uint8Array(bytesOf('glTF…')))).toThrow(/is a GLB, no scene of Farol/);
-    const { text } = readSceneFile(bytes);
+    await expect(readSceneFile(bytes.subarray(0, bytes.length - 40))).rejects.toThrow(/cut short or damaged/);
+    await expect(readSceneFile(new Uint8Array())).rejects.toThrow(/is empty/);
+    await expect(readSceneFile(new Uint8Array(bytesOf('glTF…')))).rejects.toThrow(/is a GLB, no scene of Farol/);
+    const { text, fileOf } = await readSceneFile(bytes);
     const assets = new AssetLibrary();
     await expect(deserialize(text, { assets })).rejects.toThrow(
       /assets\[0\]\.file names 'assets\/tri\.glb', which did not come with the scene: open the \.farol file/,
     );
-    const cut = { fileOf: (path: string) => readSceneFile(bytes).fileOf(path)!.slice(0, 30) };
+    const cut = { fileOf: (path: string) => fileOf(path)!.slice(0, 30) };
     await expect(deserialize(text, { assets, ...cut })).rejects.toThrow(
       /'tri\.glb' could not be loaded: it is cut short/,
     );
     expect(assets.files).toEqual([]);
     const renamed = text.replaceAll('tri.glb/mesh-1', 'tri.glb/mesh-9');
-    const { fileOf } = readSceneFile(bytes);
     await expect(deserialize(renamed, { assets, fileOf })).rejects.toThrow(/mesh names the mesh 'tri\.glb\/mesh-9'/);
     expect(assets.list('mesh')).not.toContain('tri.glb/mesh-1');
   });

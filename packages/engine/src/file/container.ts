@@ -1,4 +1,3 @@
-import { strFromU8, strToU8, unzipSync, zipSync } from 'three/addons/libs/fflate.module.js';
 import type { Scene } from '../core/Scene';
 import type { FarolFile } from './FarolFile';
 import { FileError } from './FileError';
@@ -41,7 +40,8 @@ export async function writeContainer({ file, files }: ContainerContent): Promise
   const entries = await Promise.all(
     [...files].map(async ([path, blob]) => [path, [new Uint8Array(await blob.arrayBuffer()), { level: 0 }]] as const),
   );
-  const scene = strToU8(`${JSON.stringify(file, null, 1)}\n`);
+  const { zipSync } = await import('three/addons/libs/fflate.module.js');
+  const scene = new TextEncoder().encode(`${JSON.stringify(file, null, 1)}\n`);
   // a fixed date: the same scene is the same file
   const mtime = new Date(2000, 0, 1);
   return zipSync({ [SCENE_ENTRY]: [scene, { level: 1 }], ...Object.fromEntries(entries) } as never, {
@@ -49,11 +49,14 @@ export async function writeContainer({ file, files }: ContainerContent): Promise
   }) as Uint8Array<ArrayBuffer>;
 }
 
+const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
+
 const fail = (problem: string, cause?: unknown): never => {
   throw new FileError([{ path: '', problem }], { cause });
 };
 
-function unzip(bytes: Uint8Array): Record<string, Uint8Array> {
+async function unzip(bytes: Uint8Array): Promise<Record<string, Uint8Array>> {
+  const { unzipSync } = await import('three/addons/libs/fflate.module.js');
   try {
     return unzipSync(bytes);
   } catch (cause) {
@@ -65,21 +68,21 @@ function unzip(bytes: Uint8Array): Record<string, Uint8Array> {
 /**
  * Reads a scene file: a `.farol` container, or plain JSON. The scene is not checked here: give it to `deserialize`, with
  * `fileOf`.
- * @throws FileError when the bytes are neither, or are cut short
+ * @throws FileError (as a rejection) when the bytes are neither, or are cut short
  */
-export function readSceneFile(bytes: Uint8Array): SceneFile {
+export async function readSceneFile(bytes: Uint8Array): Promise<SceneFile> {
   if (bytes.length === 0) fail('The file is empty: open another copy of it.');
   if (bytes[0] === 0x50 && bytes[1] === 0x4b) {
-    const entries = unzip(bytes);
+    const entries = await unzip(bytes);
     const scene = entries[SCENE_ENTRY];
     if (!scene) fail(`The ZIP holds no ${SCENE_ENTRY}: choose a .farol file, or drop models and textures on Assets.`);
     return {
-      text: strFromU8(scene),
+      text: textOf(scene),
       fileOf: (path) => (Object.hasOwn(entries, path) ? new Blob([entries[path] as Uint8Array<ArrayBuffer>]) : null),
     };
   }
-  if (strFromU8(bytes.subarray(0, 4)) === 'glTF') fail('The file is a GLB, no scene of Farol: drop it on Assets.');
-  return { text: strFromU8(bytes), fileOf: () => null };
+  if (textOf(bytes.subarray(0, 4)) === 'glTF') fail('The file is a GLB, no scene of Farol: drop it on Assets.');
+  return { text: textOf(bytes), fileOf: () => null };
 }
 
 const BLOCK = 0x8000;
