@@ -1,4 +1,4 @@
-import type { Camera, Object3D, WebGLRenderer } from 'three';
+import { type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
 import { checkDevice, hasFloatTargets } from './checkDevice';
 import { collectLights, type FoundLights } from './collectLights';
 import { compileByDrawing } from './compileByDrawing';
@@ -58,6 +58,7 @@ export class FarolRenderer {
     farol_ambient: { value: this.lights.ambient },
     farol_lightIndex: { value: 0 },
     farol_heatScale: { value: 1 / 32 },
+    farol_background: { value: new Vector4(0, 0, 0, -1) },
     ...tileUniforms(),
     ...gridUniforms(),
   };
@@ -167,7 +168,10 @@ export class FarolRenderer {
     this.lights.write(camera, (techniques[this.active] as Technique).lightOrder, this.frame);
     this.setUniforms();
     this.sceneView = this.viewOf(scene);
-    this.sceneView.render(camera, this.found.nested, this.frame.queue, this.draw);
+    const fills = (techniques[this.active] as Technique).fillsTarget === true && this.frame.ownsTarget();
+    this.sceneView.render(camera, this.found.nested, this.frame.queue, this.draw, fills);
+    // lets the GPU begin while the host goes on
+    this.frame.gl.flush();
     this.recorder.end(this.active, this.reason, this.lights, this.frame.uploadedBytes, this.targetBytes());
   }
 
@@ -232,6 +236,7 @@ export class FarolRenderer {
       return;
     }
     this.sceneView.dropTransmissive();
+    this.setBackground();
     frame.overdraw = null;
     if (isSurfaceView(frame.view)) {
       this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
@@ -248,6 +253,15 @@ export class FarolRenderer {
     if (frame.view === 'overdraw' && !this.hasPass('output')) this.overdraw.show(frame);
     if (frame.view === 'grid') this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
     frame.bindTarget();
+  }
+
+  /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */
+  private setBackground(): void {
+    const { frame } = this;
+    const background = this.uniforms.farol_background.value;
+    frame.fills = this.sceneView.uncleared;
+    if (frame.fills) background.fromArray(frame.gl.getParameter(frame.gl.COLOR_CLEAR_VALUE) as Float32Array);
+    else background.w = -1;
   }
 
   private run(name: string, render: () => void): void {

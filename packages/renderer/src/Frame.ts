@@ -63,10 +63,13 @@ export class Frame {
   height = 1;
   /** Bytes that passes have sent in this frame. */
   uploadedBytes = 0;
+  /** True if the target was not cleared, since the technique writes each of its pixels. */
+  fills = false;
   /** Counts of the view 'overdraw' in this frame. */
   overdraw: Texture | null = null;
   private face = 0;
   private level = 0;
+  private readonly canvasStencil: boolean;
   private readonly draw: Draw;
 
   constructor(
@@ -77,6 +80,7 @@ export class Frame {
     readonly microshaders: MicroShaderRegistry,
   ) {
     this.gl = webgl.getContext() as WebGL2RenderingContext;
+    this.canvasStencil = this.gl.getContextAttributes()?.stencil !== false;
     this.draw = webgl.renderBufferDirect as unknown as Draw;
   }
 
@@ -103,6 +107,20 @@ export class Frame {
     }
     this.width = Math.max(1, Math.round(viewport.z));
     this.height = Math.max(1, Math.round(viewport.w));
+  }
+
+  /** True if a pass that writes every pixel of the viewport leaves nothing of the target out. */
+  ownsTarget(): boolean {
+    const { webgl, target, viewport, view } = this;
+    if (view !== 'final' || this.level !== 0) return false;
+    if (target === null) {
+      webgl.getDrawingBufferSize(size);
+      if (this.canvasStencil || webgl.getScissorTest()) return false;
+    } else {
+      size.set(target.width, target.height);
+      if (target.stencilBuffer || target.scissorTest || target.textures.length > 1) return false;
+    }
+    return viewport.x === 0 && viewport.y === 0 && viewport.z === size.x && viewport.w === size.y;
   }
 
   /** Draws to the host's target from here on. */

@@ -34,6 +34,8 @@ interface RenderList {
 /** Render lists are kept by nesting depth of render calls; a render inside a render inside a render is the most met. */
 const NESTING = 3;
 
+const NEVER = [false, false, false, false];
+
 /**
  * A host's scene as three's own `render` is shown it: the same objects, but three's traversal, culling, geometry updates,
  * background and shadow maps run while its draws of the scene's objects and its managed lights are taken from it.
@@ -48,6 +50,12 @@ export class SceneView {
   private lists: RenderList[] = [];
   private takenFrom: unknown = null;
   private queue: RenderQueue | null = null;
+  private fills = false;
+  /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
+  private readonly autoClear = [true, true, true, true];
+  private keeps = false;
+  /** True if three was kept from clearing in this frame. */
+  uncleared = false;
   private draw: (() => void) | null = null;
 
   constructor(
@@ -77,11 +85,13 @@ export class SceneView {
    * @param lights the lights to hide that three's traversal would meet below the root
    * @param queue gets the items in three's order
    * @param draw does the drawing; called once more for three's transmission target if something transmits
+   * @param fills true if what draws writes every pixel of the target, so that three need not clear it
    */
-  render(camera: Camera, lights: readonly Light[], queue: RenderQueue, draw: () => void): void {
+  render(camera: Camera, lights: readonly Light[], queue: RenderQueue, draw: () => void, fills: boolean): void {
     if (this.takenFrom !== this.webgl.renderLists) this.takeLists(); // three made new ones for a restored context
     this.queue = queue;
     this.draw = draw;
+    this.fills = fills;
     queue.clear();
     this.gatherChildren();
     this.hide(lights);
@@ -89,6 +99,7 @@ export class SceneView {
       this.webgl.render(this.view as Object3D, camera);
     } finally {
       this.restore();
+      this.restoreClear();
       this.queue = this.draw = null;
     }
   }
@@ -135,6 +146,40 @@ export class SceneView {
     this.hidden.length = this.masks.length = 0;
   }
 
+  /** A clear of colour and depth costs as much as a draw over all pixels. What three would clear to is set all the same. */
+  private keepFromClearing(): void {
+    const { webgl, autoClear } = this;
+    this.uncleared = this.fills && this.queue?.transmissive.length === 0 && this.clearsPlainly();
+    if (!this.uncleared) return;
+    autoClear[0] = webgl.autoClear;
+    autoClear[1] = webgl.autoClearColor;
+    autoClear[2] = webgl.autoClearDepth;
+    autoClear[3] = webgl.autoClearStencil;
+    this.setAutoClear(NEVER);
+    this.keeps = true;
+  }
+
+  private restoreClear(): void {
+    if (this.keeps) this.setAutoClear(this.autoClear);
+    this.keeps = false;
+  }
+
+  private setAutoClear(flags: readonly boolean[]): void {
+    const { webgl } = this;
+    webgl.autoClear = flags[0];
+    webgl.autoClearColor = flags[1];
+    webgl.autoClearDepth = flags[2];
+    webgl.autoClearStencil = flags[3];
+  }
+
+  /** True if three is about to clear colour and depth to a colour, and draws no background. */
+  private clearsPlainly(): boolean {
+    const { webgl, source } = this;
+    const background = (source as Scene).isScene === true ? (source as Scene).background : null;
+    if (!webgl.autoClearColor || !webgl.autoClearDepth) return false;
+    return background === null ? webgl.autoClear : 'isColor' in background;
+  }
+
   /** A mesh that draws nothing, whose callback is the place where Farol draws. */
   private makeDriver(): Mesh {
     const material = new RawShaderMaterial({
@@ -149,7 +194,10 @@ export class SceneView {
     geometry.setDrawRange(0, 0);
     const driver = new Mesh(geometry, material);
     driver.layers.enableAll();
-    driver.onBeforeRender = () => this.draw?.();
+    driver.onBeforeRender = () => {
+      this.restoreClear();
+      this.draw?.();
+    };
     return driver;
   }
 
@@ -172,6 +220,7 @@ export class SceneView {
       list.finish = () => {
         this.restore();
         this.queue?.finish();
+        this.keepFromClearing();
         push(driver, driver.geometry, driver.material as Material, 0, 0, null, this.anyCamera);
         finish();
       };

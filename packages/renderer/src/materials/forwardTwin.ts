@@ -35,7 +35,7 @@ export function forwardTwins(loop: string, adapt = (kind: TwinKind): TwinKind =>
           litTwin({
             key: `forward-${loop}-${mode}${part}`,
             loop,
-            ...(mode === 'light-count' && { chunks: ['heatMap', 'heatScale'], atEnd: COUNT }),
+            ...(mode === 'light-count' && { oneByOne: true, chunks: ['heatMap', 'heatScale'], atEnd: COUNT }),
             ...(mode === 'lighting' && { rewrite: onlyDirect }),
             ...(properties && { properties }),
           }),

@@ -1,4 +1,4 @@
-import type { Material } from 'three';
+import { Material } from 'three';
 import { beforeLastBrace } from './beforeLastBrace';
 import { lightsFragmentBegin } from './lightsFragmentBegin';
 import type { TwinKind, TwinShader } from './TwinKind';
@@ -8,6 +8,8 @@ export interface LitTwinOptions {
   /** Microshader that defines FAROL_FOR_EACH_LIGHT. */
   readonly loop: string;
   readonly chunks?: readonly string[];
+  /** Shades light by light even where sums would do. Default false. */
+  readonly oneByOne?: boolean;
   readonly properties?: TwinKind['properties'];
   /** Leaves three's own light loops out. Default true: they stay. */
   readonly withThreeLights?: boolean;
@@ -23,13 +25,21 @@ const PARS = '#include <lights_pars_begin>';
 
 /** A kind of twin of lit materials: three's shader with Farol's light loop in it. */
 export function litTwin(options: LitTwinOptions): TwinKind {
-  const chunks = ['ambientLight', options.loop, 'shadeThree', ...(options.chunks ?? [])];
-  const toonChunks = ['ambientLight', loopOfToon(options.loop), 'shadeThree', ...(options.chunks ?? [])];
+  const chunksOf = (loop: string, oneByOne: boolean) => [
+    ...(oneByOne ? ['lightOneByOne'] : []),
+    ...['ambientLight', loop, 'shadeThree', ...(options.chunks ?? [])],
+  ];
+  const chunks = chunksOf(options.loop, options.oneByOne ?? false);
+  const ownChunks = chunksOf(options.loop, true);
+  const toonChunks = chunksOf(loopOfToon(options.loop), false);
   const begin = () => lightsFragmentBegin(options.withThreeLights ?? true);
   return {
     key: options.key,
-    chunks: (source) =>
-      (source as Material & { isMeshToonMaterial?: boolean }).isMeshToonMaterial ? toonChunks : chunks,
+    chunks(source) {
+      if ((source as Material & { isMeshToonMaterial?: boolean }).isMeshToonMaterial) return toonChunks;
+      // the host's own changes of three's lighting functions count
+      return source.onBeforeCompile === Material.prototype.onBeforeCompile ? chunks : ownChunks;
+    },
     ...(options.properties && { properties: options.properties }),
     ...(options.variant && { variant: options.variant }),
     patch(shader: TwinShader, source: Material, header: string) {

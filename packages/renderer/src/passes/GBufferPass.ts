@@ -1,7 +1,6 @@
 import type { Material } from 'three';
 import type { Frame } from '../Frame';
 import { GBuffer } from '../gbuffer/GBuffer';
-import { gbufferLayout } from '../gbuffer/gbufferLayout';
 import { shadingModelOf } from '../gbuffer/shadingModel';
 import { gbufferTwin, gbufferUnlitTwin, gbufferViewTwin } from '../materials/gbufferTwins';
 import type { Pass } from './Pass';
@@ -27,7 +26,8 @@ export class GBufferPass implements Pass {
     this.gbuffer ??= new GBuffer(frame.webgl);
     this.gbuffer.setSize(frame.width, frame.height);
     frame.bind(this.gbuffer.target);
-    frame.clear(gbufferLayout.length, true);
+    // where nothing is drawn, depth 1 says so: what the other attachments hold there is never shown, and a clear costs as much as a draw
+    frame.clear(0, true);
     for (const item of frame.queue.opaque) {
       if (!item.plain) continue;
       if (this.forView) {

@@ -54,7 +54,7 @@ export class LightBufferPass implements Pass {
     });
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     frame.bind(this.target);
-    frame.clear(ATTACHMENTS, true);
+    frame.clear(ATTACHMENTS, frame.view === 'overdraw'); // else its depth is the copy
     if (frame.view === 'overdraw') this.countSurfaces(frame);
     frame.copyDepth(this.source.target!, this.target);
   }

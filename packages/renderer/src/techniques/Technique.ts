@@ -25,5 +25,7 @@ export interface Technique {
   readonly lightOrder: LightOrder;
   /** True if it draws to float colour targets. */
   readonly needsFloatTargets: boolean;
+  /** True if it writes every pixel of the target, background too, and so needs no clear of the target's. Default false. */
+  readonly fillsTarget?: boolean;
   passes(context: TechniqueContext): Pass[];
 }

@@ -12,8 +12,10 @@ ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
 vec4 sum = texelFetch(farol_accumulated, pixel, 0);
 if (farol_view == 2) {
   gl_FragColor = vec4(farol_heatMap((sum.r + texelFetch(farol_overdrawMap, pixel, 0).r) * farol_heatScale), 1.0);
+} else if (sum.a <= 0.0) {
+  if (farol_background.a < 0.0) discard;
+  gl_FragColor = farol_background;
 } else {
-  if (sum.a <= 0.0) discard;
   gl_FragColor = farol_output(sum.rgb, 0.0, true, false);
 }
 gl_FragDepth = texelFetch(farol_accumulatedDepth, pixel, 0).r;

@@ -14,8 +14,10 @@ float depth = texelFetch(farol_gDepth, pixel, 0).r;
 vec3 lighting = texelFetch(farol_lightingMap, pixel, 0).rgb;
 if (farol_view == 2) {
   gl_FragColor = vec4(farol_heatMap((lighting.r + texelFetch(farol_overdrawMap, pixel, 0).r) * farol_heatScale), 1.0);
+} else if (depth >= 1.0) {
+  if (farol_background.a < 0.0) discard;
+  gl_FragColor = farol_background;
 } else {
-  if (depth >= 1.0) discard;
   int flags = int(texelFetch(farol_gAlbedo, pixel, 0).a * 255.0 + 0.5);
   vec3 radiance = farol_view == 1 ? lighting : lighting + texelFetch(farol_gAccumulation, pixel, 0).rgb;
   vec3 positionVS = farol_unproject((vec2(pixel) + 0.5) / farol_size, depth);

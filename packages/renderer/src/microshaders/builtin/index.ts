@@ -22,6 +22,7 @@ import lightLoopBuffer from './lightLoopBuffer.glsl?raw';
 import lightLoopNone from './lightLoopNone.glsl?raw';
 import lightLoopOne from './lightLoopOne.glsl?raw';
 import lightLoopTiled from './lightLoopTiled.glsl?raw';
+import lightOneByOne from './lightOneByOne.glsl?raw';
 import lightSums from './lightSums.glsl?raw';
 import lightTable from './lightTable.glsl?raw';
 import lightTiles from './lightTiles.glsl?raw';
@@ -32,6 +33,8 @@ import octahedralNormal from './octahedralNormal.glsl?raw';
 import output from './output.glsl?raw';
 import positionFromDepth from './positionFromDepth.glsl?raw';
 import shadeSurface from './shadeSurface.glsl?raw';
+import shadePlain from './shadePlain.glsl?raw';
+import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import sumLight from './sumLight.glsl?raw';
 import surfaceView from './surfaceView.glsl?raw';
@@ -72,6 +75,7 @@ const sources = {
   lightLoopNone,
   lightLoopOne,
   lightLoopTiled,
+  lightOneByOne,
   lightSums,
   lightTable,
   lightTiles,
@@ -81,7 +85,9 @@ const sources = {
   octahedralNormal,
   output,
   positionFromDepth,
+  shadePlain,
   shadeSurface,
+  shading,
   shadeThree,
   sumLight,
   surfaceView,

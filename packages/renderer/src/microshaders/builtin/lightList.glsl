@@ -46,6 +46,7 @@ uint farol_quadsFrom(const in uint bits, const in int start, const in int first,
   FAROL_FOR_EACH_LISTED_IN(shading.positionVS, 0, farol_tileRun.w - 1) farol_addPoint(shading, farol_record); FAROL_END_LISTED \
   FAROL_FOR_EACH_LISTED_IN(shading.positionVS, farol_tileRun.w, farol_tiles.w - 1) farol_addBounded(shading, farol_record); FAROL_END_LISTED
 #define FAROL_END_LISTED }}}
+#define FAROL_SHADE_ALL(shading) farol_addUnbounded(shading); FAROL_SHADE_LISTED(shading)
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \
   for (int farol_i = 0; farol_i < farol_tileRun.x; farol_i++) { FarolLight farol_light = farol_unboundedLight(farol_i, positionVS); FAROL_SHADE(farol_light) } \

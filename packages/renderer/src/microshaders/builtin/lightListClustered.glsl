@@ -1,6 +1,6 @@
 // Walks the lights of the pixel's cluster: the bits of its tile's mask that lie in the range of its depth's bin.
 // Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare; lights/LightGrid.ts
-#include "incidentLight"
+#include "shadePlain"
 #include "lightTiles"
 #include "viewport"
 uniform highp usampler2D farol_gridMasks; // a row of texels for a row of tiles, quad by quad
@@ -20,6 +20,12 @@ FarolLight farol_unboundedLight(const in int record, const in vec3 positionVS) {
   return farol_localLight(record, positionVS);
 }
 
+// the bits of a word whose lights' ranks are in the range, or which count for every depth
+uint farol_rankBits(const in int start, const in ivec2 ranks, const in int deep) {
+  uint bits = farol_bitsFrom(start, ranks.x, ranks.y);
+  return start < deep ? bits | farol_bitsFrom(start, 0, deep - 1) : bits;
+}
+
 // opens three loops; farol_record is the light's record
 #define FAROL_FOR_EACH_LISTED(positionVS) \
   ivec2 farol_tile = ivec2(gl_FragCoord.xy - farol_offset) >> farol_grid.x; \
@@ -32,12 +38,13 @@ FarolLight farol_unboundedLight(const in int record, const in vec3 positionVS) {
     uvec4 farol_mask = texelFetch(farol_gridMasks, ivec2(farol_tile.x, farol_quad * farol_grid.y + farol_tile.y), 0); \
     int farol_start = farol_quad * 128; \
     for (; farol_mask != uvec4(0u); farol_mask = uvec4(farol_mask.yzw, 0u), farol_start += 32) \
-      for (uint farol_bits = farol_mask.x & (farol_bitsFrom(farol_start, 0, farol_deep - 1) | farol_bitsFrom(farol_start, farol_ranks.x, farol_ranks.y)); \
+      for (uint farol_bits = farol_mask.x & farol_rankBits(farol_start, farol_ranks, farol_deep); \
            farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
         int farol_record = farol_grid.w + farol_start + farol_lowestBit(farol_bits);
 #define FAROL_END_LISTED }}
 #define FAROL_SHADE_LISTED(shading) \
   FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addBounded(shading, farol_record); FAROL_END_LISTED
+#define FAROL_SHADE_ALL(shading) farol_addUnbounded(shading); FAROL_SHADE_LISTED(shading)
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \
   for (int farol_i = 0; farol_i < farol_grid.w; farol_i++) { FarolLight farol_light = farol_unboundedLight(farol_i, positionVS); FAROL_SHADE(farol_light) } \

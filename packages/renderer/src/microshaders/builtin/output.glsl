@@ -1,6 +1,7 @@
 // Writes linear radiance and depth to the host's target as three would: tone mapping, colour space, then fog.
 // three's opaque_fragment, tonemapping_fragment, colorspace_fragment, fog_fragment
 #include "viewport"
+uniform vec4 farol_background; // what the target would have been cleared to; a below 0: it has been, or is to be kept
 #ifdef USE_FOG
 uniform vec3 fogColor;
 #ifdef FOG_EXP2

@@ -1,28 +1,8 @@
-// Lights a pixel of the G-buffer as three's RE_Direct_Physical and RE_Direct_BlinnPhong do, with what the lights have in
-// common taken out of the loop: three sums, weighted at the end by the surface's colours.
-// three.js r187; Walter et al. 2007 (GGX), Heitz 2014 (height-correlated Smith), Turquin 2018 (multiple scattering)
+// Lights a pixel of the G-buffer.
+// three.js r187; Turquin 2018 (multiple scattering)
 #include "gbufferRead"
-#include "incidentLight"
+#include "shading"
 uniform highp sampler2D dfgLUT;
-
-struct FarolShading {
-  int flags;
-  vec3 positionVS;
-  vec3 normalVS;
-  vec3 viewDirVS;
-  float dotNV; // not clamped
-  float alphaSquared; // physical: alpha²; Blinn-Phong: shininess
-  float lambdaV; // of the height-correlated Smith term
-  float diffuse0; // 1 - F at normal incidence, of the layer over the diffuse one
-  float diffuse90; // what Schlick's fifth power takes from that
-  vec3 diffuse; // sum of c N·L (1 - F)
-  vec3 specular; // sum of c N·L V D
-  vec3 grazing; // sum of c N·L V D f, f: Schlick's fifth power
-};
-
-bool farol_isPhysical(const in FarolShading s) {
-  return (s.flags & 3) == 1;
-}
 
 FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, const in vec2 size) {
   FarolShading s;
@@ -33,13 +13,7 @@ FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, cons
   s.dotNV = dot(s.normalVS, s.viewDirVS);
   if (farol_isPhysical(s)) {
     vec4 material = texelFetch(farol_gMaterial, pixel, 0);
-    float roughness = max(material.r, 0.045);
-    float alpha = roughness * roughness;
-    float dotNV = clamp(s.dotNV, 0.0, 1.0);
-    s.alphaSquared = alpha * alpha;
-    s.lambdaV = sqrt(s.alphaSquared + (1.0 - s.alphaSquared) * dotNV * dotNV);
-    s.diffuse0 = 1.0 - material.b * material.b;
-    s.diffuse90 = material.a - material.b * material.b;
+    farol_setPhysical(s, max(material.r, 0.045), material.b * material.b, material.a);
   } else {
     s.alphaSquared = texelFetch(farol_gAccumulation, pixel, 0).a;
     s.lambdaV = 0.0;
@@ -48,99 +22,6 @@ FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, cons
   }
   s.diffuse = s.specular = s.grazing = vec3(0.0);
   return s;
-}
-
-// direction: to the light, unit; colours: what arrives at a surface that faces it
-void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3 diffuseColor, const in vec3 specularColor) {
-  float dotNLRaw = dot(s.normalVS, direction);
-  if (dotNLRaw <= 0.0) return;
-  float dotNL = min(dotNLRaw, 1.0);
-  float dotLV = dot(direction, s.viewDirVS);
-  // half vector h = (l + v) / |l + v|, |l + v|² = 2 + 2 l·v
-  float halfScale = inversesqrt(max(2.0 + 2.0 * dotLV, 1e-8));
-  float dotNH = clamp((dotNLRaw + s.dotNV) * halfScale, 0.0, 1.0);
-  float dotVH = min((1.0 + dotLV) * halfScale, 1.0);
-  float fresnel = exp2((-5.55473 * dotVH - 6.98316) * dotVH);
-  float lobe;
-  if (farol_isPhysical(s)) {
-    float lambdaL = sqrt(s.alphaSquared + (1.0 - s.alphaSquared) * dotNL * dotNL);
-    float d = dotNH * dotNH * (s.alphaSquared - 1.0) + 1.0;
-    // V = 0.5 / (gv + gl), D = alpha² / (pi d²)
-    lobe = 0.1591549431 * s.alphaSquared / (max(dotNL * s.lambdaV + clamp(s.dotNV, 0.0, 1.0) * lambdaL, 1e-6) * d * d);
-  } else {
-    lobe = 0.0795774716 * (s.alphaSquared * 0.5 + 1.0) * pow(dotNH, s.alphaSquared);
-  }
-  lobe *= dotNL;
-  s.diffuse += dotNL * (s.diffuse0 - s.diffuse90 * fresnel) * diffuseColor;
-  s.specular += lobe * specularColor;
-  s.grazing += lobe * fresnel * specularColor;
-}
-
-void farol_addExtended(inout FarolShading s, const in FarolLight light) {
-  vec3 diffuseColor = light.color;
-  vec3 specularColor = light.color;
-  if (light.extension > 0) {
-    diffuseColor *= farol_lightTexel(light.extension, 0).rgb;
-    specularColor *= farol_lightTexel(light.extension, 1).rgb;
-    s.diffuse += farol_lightTexel(light.extension, 2).rgb * light.attenuation;
-  }
-  farol_addLight(s, light.direction, diffuseColor, specularColor);
-}
-
-// a light with a range: point lights of three, most of all lights, take the short way
-void farol_addBounded(inout FarolShading s, const in int record) {
-  vec4 centre = farol_lightTexel(record, 0);
-  vec3 toLight = centre.xyz - s.positionVS;
-  float distanceSquared = dot(toLight, toLight);
-  float ratio = distanceSquared / (centre.w * centre.w);
-  if (ratio >= 1.0) return;
-  vec4 color = farol_lightTexel(record, 1);
-  vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
-  float decay = color.w >= 0.0 ? color.w : -1.0 - color.w;
-  float attenuation = farol_boundedAttenuation(distanceSquared, ratio, decay);
-  vec3 specularScale = vec3(1.0);
-  if (color.w < 0.0) {
-    vec4 axis = farol_lightTexel(record, 2);
-    vec4 cone = farol_lightTexel(record, 3);
-    int extension = int(cone.w);
-    vec3 ambient = vec3(0.0);
-    if (extension > 0) {
-      attenuation = farol_extendedAttenuation(extension, sqrt(distanceSquared), centre.w, decay);
-      vec3 diffuseScale = farol_lightTexel(extension, 0).rgb;
-      // the sums take one colour; the specular one may have another scale
-      specularScale = farol_lightTexel(extension, 1).rgb / max(diffuseScale, 1e-6);
-      color.rgb *= max(diffuseScale, 1e-6);
-      ambient = farol_lightTexel(extension, 2).rgb;
-    }
-    attenuation *= farol_angularAttenuation(dot(direction, axis.xyz), axis.w, cone.x, cone.y);
-    if (attenuation <= 0.0) return;
-    s.diffuse += ambient * attenuation;
-  }
-  color.rgb *= attenuation;
-  farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
-}
-
-// a point light of three
-void farol_addPoint(inout FarolShading s, const in int record) {
-  vec4 centre = farol_lightTexel(record, 0);
-  vec3 toLight = centre.xyz - s.positionVS;
-  float distanceSquared = dot(toLight, toLight);
-  float ratio = distanceSquared / (centre.w * centre.w);
-  if (ratio >= 1.0) return;
-  vec4 color = farol_lightTexel(record, 1);
-  color.rgb *= farol_boundedAttenuation(distanceSquared, ratio, color.w);
-  farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color.rgb, color.rgb);
-}
-
-// directional lights and lights without a range
-void farol_addUnbounded(inout FarolShading s) {
-  int last = farol_lightCounts.x + farol_lightCounts.y;
-  for (int i = 0; i < last; i++) {
-    FarolLight light;
-    if (i < farol_lightCounts.x) light = farol_directionalLight(i);
-    else light = farol_localLight(i, s.positionVS);
-    farol_addExtended(s, light);
-  }
 }
 
 // the radiance that the pixel's surface sends to the eye

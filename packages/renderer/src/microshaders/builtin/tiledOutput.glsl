@@ -19,8 +19,10 @@ if (farol_view == 2) {
     FAROL_FOR_EACH_LISTED(positionVS) counted += 1.0; FAROL_END_LISTED
   }
   gl_FragColor = vec4(farol_heatMap(counted * farol_heatScale), 1.0);
+} else if (depth >= 1.0) {
+  if (farol_background.a < 0.0) discard;
+  gl_FragColor = farol_background;
 } else {
-  if (depth >= 1.0) discard;
   FarolShading shading = farol_beginShading(pixel, depth, farol_size);
   farol_addUnbounded(shading);
   FAROL_SHADE_LISTED(shading)

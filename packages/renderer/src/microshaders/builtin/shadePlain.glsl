@@ -1,0 +1,19 @@
+// All lights on a plain MeshStandardMaterial by three sums, where three would call RE_Direct for each: FAROL_SHADE_PLAIN.
+// Farol; three.js r187's RE_Direct_Physical
+#include "shading"
+#if defined( STANDARD ) && ! defined( USE_SPECULAR ) && ! defined( USE_CLEARCOAT ) && ! defined( USE_SHEEN ) && ! defined( USE_IRIDESCENCE ) && ! defined( USE_ANISOTROPY ) && ! defined( USE_DIFFUSE_ROUGHNESS ) && ! defined( USE_RETROREFLECTION )
+  #define FAROL_PLAIN_STANDARD
+#endif
+#define FAROL_SHADE_PLAIN \
+  FarolShading farol_shading; \
+  farol_shading.flags = 1; \
+  farol_shading.positionVS = geometryPosition; \
+  farol_shading.normalVS = geometryNormal; \
+  farol_shading.viewDirVS = geometryViewDir; \
+  farol_shading.dotNV = dot(geometryNormal, geometryViewDir); \
+  farol_setPhysical(farol_shading, max(material.roughness, 0.045), material.specularColor.r, material.specularF90); \
+  farol_shading.diffuse = farol_shading.specular = farol_shading.grazing = vec3(0.0); \
+  FAROL_SHADE_ALL(farol_shading) \
+  reflectedLight.directDiffuse += farol_shading.diffuse * BRDF_Lambert(material.diffuseContribution); \
+  reflectedLight.directSpecular += (material.specularColorBlended * (farol_shading.specular - farol_shading.grazing) \
+    + material.specularF90 * farol_shading.grazing) * material.multiScatteringCompensation;
