@@ -1,5 +1,6 @@
 import { AssetLibrary, deserialize, FileError, type Scene, scenes } from '@farol/engine';
 import type { CommandStack } from './model/CommandStack';
+import { Clipboard } from './model/Clipboard';
 import { Dialogs } from './model/Dialogs';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
@@ -31,6 +32,7 @@ export class Editor {
   readonly viewport: Viewport;
   readonly dialogs = new Dialogs();
   readonly notices = new Notices();
+  readonly clipboard = new Clipboard();
   /** Emits when the user asks to rename the selected object. */
   readonly renameRequested = new Signal();
   /** Emits when another file, or another scene, is edited. */
@@ -117,6 +119,12 @@ export class Editor {
   attempt(run: () => unknown): void {
     const failed = (error: unknown): void => {
       if (error instanceof DOMException && error.name === 'AbortError') return;
+      if (error instanceof FileError) {
+        const { problems } = error;
+        const text = 'Nothing has changed. What is wrong with it:';
+        void this.dialogs.show({ kind: 'problems', title: 'This cannot be read', text, problems });
+        return;
+      }
       this.notices.show('error', error instanceof Error ? error.message : String(error));
     };
     try {

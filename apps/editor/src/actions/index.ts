@@ -1,10 +1,13 @@
 import type { Action } from './Action';
+import { copy, cut, paste, pasteBelow } from './clipboard';
 import { deselect } from './deselect';
 import { duplicate } from './duplicate';
 import { focus } from './focus';
 import { gizmoModes } from './gizmoModes';
 import { gizmoSpace } from './gizmoSpace';
+import { group, ungroup } from './group';
 import { hide } from './hide';
+import { lock } from './lock';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { pause, play, step, stop } from './play';
@@ -12,6 +15,7 @@ import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
 import { save, saveAs } from './save';
+import { selectAll } from './selectAll';
 import { showKeys } from './showKeys';
 import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showPanels';
 import { snap } from './snap';
@@ -27,10 +31,18 @@ export const actions: readonly Action[] = [
   saveAs,
   undo,
   redo,
+  cut,
+  copy,
+  paste,
+  pasteBelow,
   duplicate,
+  group,
+  ungroup,
   remove,
   rename,
   hide,
+  lock,
+  selectAll,
   deselect,
   ...gizmoModes,
   gizmoSpace,

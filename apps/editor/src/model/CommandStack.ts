@@ -21,6 +21,11 @@ export class CommandStack {
     private readonly limit = 1000,
   ) {}
 
+  /** The command that `undo` takes back; null when there is none. */
+  get last(): Command | null {
+    return this.done.at(-1) ?? null;
+  }
+
   /** Label of the step that `undo` takes back; null when there is none. */
   get undoLabel(): string | null {
     return this.done.at(-1)?.label ?? null;

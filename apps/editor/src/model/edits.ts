@@ -1,9 +1,18 @@
-import { type Component, type ComponentClass, GameObject, type Scene } from '@farol/engine';
+import {
+  type Component,
+  type ComponentClass,
+  type FieldOwner,
+  type FieldValue,
+  GameObject,
+  type Scene,
+} from '@farol/engine';
 import type { Command } from './Command';
+import { MoveComponents } from './commands/MoveComponents';
 import { MoveObjects } from './commands/MoveObjects';
 import { childrenOf, type Container, containerOf, placementOf, topmost } from './commands/Placement';
 import { PlaceComponents } from './commands/PlaceComponents';
 import { PlaceObjects } from './commands/PlaceObjects';
+import { SetFields } from './commands/SetFields';
 import { SetProperty } from './commands/SetProperty';
 
 /** Commands for what a user does. Each captures what the scene is like when it is made, and is to be done then. */
@@ -74,16 +83,34 @@ export function setActive(objects: readonly GameObject[], active: boolean): Comm
   return new SetProperty(count(active ? 'Show' : 'Hide', objects), objects, 'active', active);
 }
 
+/** Locks objects, with all below them, against being picked in the picture; or unlocks them. */
+export function setLocked(objects: readonly GameObject[], locked: boolean): Command {
+  return new SetProperty(count(locked ? 'Lock' : 'Unlock', objects), objects, 'locked', locked);
+}
+
 export function setEnabled(components: readonly Component[], enabled: boolean): Command {
   const label = `${enabled ? 'Enable' : 'Disable'} ${components[0]?.typeName}`;
   return new SetProperty(label, components, 'enabled', enabled);
 }
 
-/** Puts a new component on each object that can take one. */
-export function addComponent(scene: Scene, objects: readonly GameObject[], type: ComponentClass): Command {
+/**
+ * Puts a new component on each object that can take one.
+ * @param values - in place of the defaults
+ * @throws FieldError for a value that is not allowed
+ */
+export function addComponent(
+  scene: Scene,
+  objects: readonly GameObject[],
+  type: ComponentClass,
+  values: Readonly<Record<string, FieldValue>> = {},
+): Command {
   const places = objects
     .filter((object) => !type.unique || !object.getComponent(type.typeName))
-    .map((object) => ({ component: new type(), object, index: object.components.length }));
+    .map((object) => {
+      const component = new type();
+      for (const name of Object.keys(values)) component.set(name, values[name]);
+      return { component, object, index: object.components.length };
+    });
   return new PlaceComponents(`Add ${type.typeName}`, scene, 'add', places);
 }
 
@@ -96,4 +123,31 @@ export function removeComponents(scene: Scene, components: readonly Component[])
     })
     .toSorted((a, b) => a.index - b.index);
   return new PlaceComponents(`Remove ${components[0]?.typeName}`, scene, 'remove', places);
+}
+
+/** Moves components among those of their objects. @param by - -1 for up, 1 for down */
+export function moveComponents(components: readonly Component[], by: number): Command {
+  return new MoveComponents(`Move ${components[0]?.typeName} ${by < 0 ? 'up' : 'down'}`, components, by);
+}
+
+/** Gives each owner the same values; fields that an owner does not have are left out. */
+export function setValues(
+  label: string,
+  owners: readonly FieldOwner[],
+  values: Readonly<Record<string, FieldValue>>,
+): Command {
+  const edits = owners.flatMap((owner) =>
+    Object.keys(values)
+      .filter((name) => name in owner.fields && !owner.fields[name].readOnly)
+      .map((name) => ({ owner, name, value: values[name] })),
+  );
+  return new SetFields(label, edits);
+}
+
+/** Gives fields their defaults: those named, or all. */
+export function resetFields(label: string, owners: readonly FieldOwner[], names?: readonly string[]): Command {
+  const edits = owners.flatMap((owner) =>
+    (names ?? Object.keys(owner.fields)).map((name) => ({ owner, name, value: owner.fields[name].default })),
+  );
+  return new SetFields(label, edits);
 }

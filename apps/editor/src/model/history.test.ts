@@ -6,26 +6,35 @@ import {
   type FieldValue,
   GameObject,
   Light,
-  type Scene,
+  Scene,
   scenes,
+  serialize,
 } from '@farol/engine';
+import { createHash } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
+import { copyObjects, pasteObjects } from './clip';
 import type { Command } from './Command';
 import type { Container } from './commands/Placement';
 import { SetFields } from './commands/SetFields';
+import { SetProperty } from './commands/SetProperty';
 import {
   addComponent,
   addObject,
   canMoveTo,
   deleteObjects,
   duplicateObjects,
+  moveComponents,
   moveObjects,
   removeComponents,
   renameObject,
+  resetFields,
   setActive,
   setEnabled,
+  setLocked,
+  setValues,
 } from './edits';
 import { EditorDocument } from './EditorDocument';
+import { groupObjects, ungroupObjects } from './groupObjects';
 
 type Random = () => number;
 const below = (random: Random, count: number): number => Math.floor(random() * count);
@@ -81,7 +90,7 @@ function randomCommand(random: Random, document: EditorDocument): Command {
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 12);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 21);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -119,6 +128,33 @@ function randomCommand(random: Random, document: EditorDocument): Command {
       );
     case 10:
       return randomEdit(random, document, scene.settings);
+    case 11:
+      return setLocked(some(random, all), random() < 0.5);
+    case 12:
+      return groupObjects(scene, some(random, all));
+    case 13:
+      return ungroupObjects(scene, some(random, all));
+    case 14:
+      return pasteObjects(scene, copyObjects(scene, some(random, all).slice(0, 2)), parent(), selection.ids);
+    case 15:
+      return moveComponents(pick(random, all).components.slice(-1), random() < 0.5 ? -1 : 1);
+    case 16: {
+      const { components } = pick(random, all);
+      const from = pick(random, components);
+      const to = pick(random, all).components.filter(({ typeName }) => typeName === from.typeName);
+      return setValues('Paste values', to, from.authoredValues());
+    }
+    case 17:
+      return resetFields('Reset', [pick(random, pick(random, all).components)]);
+    case 18:
+      return new SetProperty('Rename scene', [scene], 'name', `Scene ${below(random, 100)}`);
+    case 19:
+      return new SetProperty(
+        'Set camera',
+        [scene],
+        'activeCamera',
+        scene.cameras[below(random, scene.cameras.length)] ?? null,
+      );
     default:
       return randomEdit(random, document, pick(random, pick(random, all).components));
   }
@@ -148,36 +184,71 @@ function randomSimulation(random: Random, document: EditorDocument): void {
   simulation.advance(random() * 0.2);
 }
 
+/** A scene with one object of each type of component, some below others. */
+function startScene(random: Random, { assets }: EditorDocument): Scene {
+  const scene = new Scene({ name: 'Start', assets });
+  for (const type of [...builtinComponents.types.values()].slice(1)) {
+    const object = new GameObject(type.typeName);
+    object.addComponent(type);
+    object.transform.position = [random() * 4, random(), random() * 4];
+    object.transform.rotation = [0, random() * 6, 0];
+    (random() < 0.5 ? scene : pick(random, [scene, ...objectsOf(scene)])).add(object);
+  }
+  return scene;
+}
+
+/** What a document is, short enough to remember thousands of. */
+const stateOf = (document: EditorDocument): string =>
+  createHash('sha1')
+    .update(JSON.stringify(serialize(document.scene)))
+    .digest('base64');
+
+/** Steps of each seed: 10,000 in all. */
+const STEPS = 2500;
+
 describe('the history', () => {
-  it.each([1, 2, 3, 4])('undoes and redoes random edits exactly, seed %i', async (seed) => {
-    const random = createRandom(seed);
-    const document = new EditorDocument();
-    document.open(await scenes.temple.build({ lights: 3 }, document.assets));
-    const { commands } = document;
-    /** What the document was after each number of steps. */
-    const states = [document.serialize()];
-    let steps = 0;
-    for (let i = 0; i < 250; i++) {
-      const act = random();
-      if (act < 0.12) steps -= commands.undo() ? 1 : 0;
-      else if (act < 0.2) steps += commands.redo() ? 1 : 0;
-      else if (act < 0.3) randomSimulation(random, document);
-      else {
-        const before = commands.history.length;
-        if (act < 0.5) randomGesture(random, document);
-        else commands.run(randomCommand(random, document));
-        if (commands.history.length > before) states.splice(++steps, Infinity, document.serialize());
+  it.each([1, 2, 3, 4])(
+    'undoes and redoes random edits exactly, seed %i',
+    (seed) => {
+      const random = createRandom(seed);
+      const document = new EditorDocument();
+      document.open(startScene(random, document));
+      const { commands } = document;
+      /** What the document was after each number of steps that the history still has. */
+      const states = [stateOf(document)];
+      let steps = 0;
+      for (let i = 0; i < STEPS; i++) {
+        const act = random();
+        if (act < 0.15) steps -= commands.undo() ? 1 : 0;
+        else if (act < 0.25) steps += commands.redo() ? 1 : 0;
+        else if (act < 0.35) randomSimulation(random, document);
+        else {
+          const last = commands.last;
+          if (act < 0.5) randomGesture(random, document);
+          else commands.run(randomCommand(random, document));
+          if (commands.last !== last) {
+            states.splice(++steps, Infinity, stateOf(document));
+            // the history keeps so many steps, and forgets the oldest
+            while (steps > commands.history.length) {
+              states.shift();
+              steps--;
+            }
+          }
+        }
+        if (commands.history.length !== steps || stateOf(document) !== states[steps]) {
+          expect.fail(`step ${i}: not what it was after '${commands.undoLabel}', before '${commands.redoLabel}'`);
+        }
       }
-      expect(commands.history.length).toBe(steps);
-      expect(document.serialize()).toBe(states[steps]);
-    }
-    document.simulation.stop();
-    while (commands.undo()) expect(document.serialize()).toBe(states[--steps]);
-    expect(steps).toBe(0);
-    while (commands.redo()) expect(document.serialize()).toBe(states[++steps]);
-    expect(steps).toBe(states.length - 1);
-    for (const id of document.selection.ids) expect(document.scene.findById(id)).not.toBeNull();
-  });
+      document.simulation.stop();
+      while (commands.undo()) expect(stateOf(document)).toBe(states[--steps]);
+      expect(steps).toBe(0);
+      while (commands.redo()) expect(stateOf(document)).toBe(states[++steps]);
+      expect(steps).toBe(states.length - 1);
+      expect(steps).toBeGreaterThan(300);
+      for (const id of document.selection.ids) expect(document.scene.findById(id)).not.toBeNull();
+    },
+    20_000,
+  );
 });
 
 describe('EditorDocument', () => {
@@ -250,5 +321,55 @@ describe('EditorDocument', () => {
     document.simulation.stop();
     expect(transform.position).toEqual(authored);
     expect(light.intensity).toBe(0.5);
+  });
+
+  it('groups and ungroups objects where they are in the world', () => {
+    const { commands, scene, selection } = new EditorDocument();
+    const [a, b, c] = ['a', 'b', 'c'].map((name, i) => {
+      const object = new GameObject(name);
+      object.transform.position = [i * 2, 1, 0];
+      object.transform.rotation = [0.2 * i, 0.4, 0];
+      return object;
+    });
+    for (const object of [a, b, c]) scene.add(object);
+    const worlds = [b, c].map(({ transform }) => transform.modelMatrix.elements);
+    commands.run(groupObjects(scene, [c, b]));
+    const group = scene.roots[1];
+    expect(scene.roots.map(({ name }) => name)).toEqual(['a', 'Group']);
+    expect(group.children.map(({ name }) => name)).toEqual(['b', 'c']);
+    expect(group.transform.position).toEqual([3, 1, 0]);
+    expect(selection.ids).toEqual([group.id]);
+    const close = (): void =>
+      [b, c].forEach(({ transform }, i) =>
+        transform.modelMatrix.elements.forEach((value, j) => expect(value).toBeCloseTo(worlds[i][j], 9)),
+      );
+    close();
+    commands.run(ungroupObjects(scene, [group]));
+    expect(scene.roots.map(({ name }) => name)).toEqual(['a', 'b', 'c']);
+    close();
+    commands.undo();
+    commands.undo();
+    expect(b.transform.position).toEqual([2, 1, 0]);
+  });
+
+  it('pastes below another parent where it was, with ids of its own and references that hold', () => {
+    const { commands, scene } = new EditorDocument();
+    const [source, child, parent, outside] = ['Source', 'Child', 'Parent', 'Outside'].map(
+      (name) => new GameObject(name),
+    );
+    source.transform.position = [1, 2, 3];
+    parent.transform.position = [5, 0, 0];
+    parent.transform.rotation = [0, 1, 0];
+    for (const object of [source, parent, outside]) scene.add(object);
+    source.add(child);
+    const text = copyObjects(scene, [source]);
+    commands.run(pasteObjects(scene, text, parent, []));
+    const [copy] = parent.children;
+    expect(copy.id).not.toBe(source.id);
+    expect(copy.children.map(({ name }) => name)).toEqual(['Child']);
+    copy.transform.worldPosition.toArray().forEach((value, i) => expect(value).toBeCloseTo([1, 2, 3][i], 9));
+    expect(() => pasteObjects(scene, text.replace('"Transform"', '"Teleporter"'), scene, [])).toThrow(/Teleporter/);
+    expect(() => pasteObjects(scene, 'text', scene, [])).toThrow(/clipboard/);
+    expect(commands.history).toEqual(['Paste Source']);
   });
 });

@@ -41,6 +41,7 @@ export class GameObject implements GameObjectContainer {
   private ownTags: readonly string[] = [];
   private link: PrefabLink | null = null;
   private isActive = true;
+  private isLocked = false;
   private activeWithParents = true;
 
   /** @param options - `id`: unique in its scene, random when absent */
@@ -94,6 +95,22 @@ export class GameObject implements GameObjectContainer {
     this.object3D.visible = value;
     this.refreshActive();
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'active' });
+  }
+
+  /** Whether an editor leaves the object and all below it alone: they are not picked in the picture. It has no other effect. */
+  get locked(): boolean {
+    return this.isLocked;
+  }
+
+  set locked(value: boolean) {
+    if (value === this.isLocked) return;
+    this.isLocked = value;
+    this.scene?.notify({ kind: 'object', gameObject: this, property: 'locked' });
+  }
+
+  /** Locked, or below an object that is. */
+  get lockedInHierarchy(): boolean {
+    return this.isLocked || (this.parent?.lockedInHierarchy ?? false);
   }
 
   /** Active, and so are all its ancestors. */
@@ -316,6 +333,7 @@ export class GameObject implements GameObjectContainer {
     }
     for (const child of this.childList) copy.add(child.copyWithIds(newIds, within));
     copy.active = this.active;
+    copy.locked = this.locked;
     return copy;
   }
 }

@@ -8,7 +8,7 @@ export type SceneChange =
   | {
       readonly kind: 'object';
       readonly gameObject: GameObject;
-      readonly property: 'name' | 'active' | 'tags' | 'prefab';
+      readonly property: 'name' | 'active' | 'locked' | 'tags' | 'prefab';
     }
   | {
       readonly kind: 'component-add' | 'component-remove' | 'component-move';

@@ -27,6 +27,8 @@ export interface FileObject {
   parent: string | null;
   /** True when absent. */
   active?: boolean;
+  /** Left alone by editors; false when absent. */
+  locked?: boolean;
   tags?: string[];
   /** What it is a copy of; of no prefab when absent. */
   prefab?: PrefabLink;

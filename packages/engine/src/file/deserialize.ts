@@ -30,6 +30,7 @@ function makeObject(data: FileObject, registry: ComponentRegistry): GameObject {
     gameObject.addComponent(registry.create(type, values), {}, { id, enabled });
   }
   gameObject.active = data.active ?? true;
+  gameObject.locked = data.locked ?? false;
   return gameObject;
 }
 

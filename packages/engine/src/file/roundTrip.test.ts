@@ -55,6 +55,7 @@ test('settings, hierarchy, order, tags, activity and the camera survive a file',
   scene.add(parent);
   for (const name of ['c', 'a', 'b']) parent.add(new GameObject(name));
   parent.children[1].active = false;
+  parent.children[1].locked = true;
   parent.children[2].tags = ['lamp', 'far'];
   for (const name of ['First', 'Second']) {
     const camera = new GameObject(name);

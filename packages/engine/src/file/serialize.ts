@@ -34,6 +34,7 @@ export function serializeObject(gameObject: GameObject): FileObject {
     name: gameObject.name,
     parent: gameObject.parent?.id ?? null,
     ...(gameObject.active ? {} : { active: false }),
+    ...(gameObject.locked ? { locked: true } : {}),
     ...(gameObject.tags.length > 0 ? { tags: [...gameObject.tags] } : {}),
     ...(gameObject.prefabLink ? { prefab: gameObject.prefabLink } : {}),
     components: gameObject.components.map((component) => ({

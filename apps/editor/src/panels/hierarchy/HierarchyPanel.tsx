@@ -2,13 +2,17 @@ import { ContextMenu } from '@base-ui/react/context-menu';
 import type { ItemInstance } from '@headless-tree/core';
 import { AssistiveTreeDescription } from '@headless-tree/react';
 import { useVirtualizer } from '@tanstack/react-virtual';
-import { type MouseEvent, type ReactNode, useCallback, useRef } from 'react';
+import { type KeyboardEvent, type MouseEvent, type ReactNode, useCallback, useRef, useState } from 'react';
 import { addEntries } from '../../actions/addEntries';
+import { copy, cut, paste, pasteBelow } from '../../actions/clipboard';
 import { duplicate } from '../../actions/duplicate';
 import { focus } from '../../actions/focus';
+import { group, ungroup } from '../../actions/group';
 import { hide } from '../../actions/hide';
+import { lock } from '../../actions/lock';
 import { remove } from '../../actions/remove';
 import { rename } from '../../actions/rename';
+import type { Action } from '../../actions/Action';
 import { useEditor } from '../../ui/EditorContext';
 import { LateItems, MenuButton } from '../../ui/MenuButton';
 import { actionEntry, type MenuEntry } from '../../ui/MenuEntry';
@@ -24,7 +28,8 @@ export function HierarchyPanel(): ReactNode {
   const { document } = editor;
   const scroller = useRef<HTMLDivElement>(null);
   const anchor = useRef<string | null>(null);
-  const tree = useObjectTree((index) => virtualizer.scrollToIndex(index));
+  const [query, setQuery] = useState('');
+  const tree = useObjectTree((index) => virtualizer.scrollToIndex(index), query);
   const rows = tree.getItems();
   // oxlint-disable-next-line react/incompatible-library -- nothing here is memoised by hand
   const virtualizer = useVirtualizer({
@@ -69,13 +74,43 @@ export function HierarchyPanel(): ReactNode {
       icon: 'add',
       entries: addEntries(editor, selected),
     };
-    if (!selected) return [add];
-    return [add, 'separator', ...[rename, duplicate, remove, hide, focus].map((action) => actionEntry(action, editor))];
+    const entries = (...actions: Action[]): MenuEntry[] => actions.map((action) => actionEntry(action, editor));
+    if (!selected) return [add, ...entries(paste)];
+    return [
+      ...[add, 'separator' as const, ...entries(cut, copy, paste, pasteBelow, duplicate)],
+      ...['separator' as const, ...entries(rename, group, ungroup, remove)],
+      ...['separator' as const, ...entries(hide, lock, focus)],
+    ];
+  };
+
+  const searchKey = (event: KeyboardEvent<HTMLInputElement>): void => {
+    if (event.key === 'Escape' && query !== '') setQuery('');
+    else if (event.key === 'ArrowDown' || event.key === 'Enter') {
+      const [first] = tree.getItems();
+      if (!first) return;
+      document.selection.set([first.getId()]);
+      first.setFocused();
+      tree.updateDomFocus();
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
   };
 
   return (
     <section className="panel hierarchy" aria-label="Hierarchy">
       <header className="panel-header">
+        <input
+          className="input search"
+          type="search"
+          value={query}
+          placeholder="Search"
+          aria-label="Search objects"
+          title="Parts of names and of components, such as: lamp light"
+          autoComplete="off"
+          spellCheck={false}
+          onChange={(event) => setQuery(event.target.value)}
+          onKeyDown={searchKey}
+        />
         <MenuButton label="Add object" icon="add" iconOnly entries={() => addEntries(editor)} />
       </header>
       <ContextMenu.Root>
@@ -110,6 +145,7 @@ export function HierarchyPanel(): ReactNode {
             })}
             <div className="drag-line" style={tree.getDragLineStyle()} />
           </div>
+          {query.trim() !== '' && rows.length === 0 && <p className="menu-empty">Nothing of that name.</p>}
         </ContextMenu.Trigger>
         <ContextMenu.Portal>
           <ContextMenu.Positioner className="positioner">

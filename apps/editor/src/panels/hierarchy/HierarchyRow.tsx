@@ -1,10 +1,11 @@
 import type { GameObject } from '@farol/engine';
 import type { ItemInstance, TreeInstance } from '@headless-tree/core';
 import { memo, type MouseEvent, type ReactNode } from 'react';
-import { setActive } from '../../model/edits';
+import { setActive, setLocked } from '../../model/edits';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { objectIcon } from './objectIcon';
+import { RowSwitch } from './RowSwitch';
 import { INDENT } from './useObjectTree';
 
 interface HierarchyRowProps {
@@ -24,7 +25,15 @@ interface HierarchyRowProps {
 export function rowState(tree: TreeInstance<string>, item: ItemInstance<string>, object: GameObject): string {
   const { level, setSize, posInSet } = item.getItemMeta();
   return [
-    ...[object.name, objectIcon(object), object.active, object.activeInHierarchy, object.children.length > 0],
+    ...[
+      object.name,
+      objectIcon(object),
+      object.active,
+      object.activeInHierarchy,
+      object.locked,
+      object.lockedInHierarchy,
+      object.children.length > 0,
+    ],
     ...[level, setSize, posInSet, item.isSelected(), item.isFocused(), item.isExpanded()],
     ...[item.isUnorderedDragTarget(), item.isRenaming() ? tree.getRenamingValue() : null],
   ].join('\n');
@@ -85,21 +94,22 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
       ) : (
         <span className="row-name">{object.name}</span>
       )}
-      <button
-        type="button"
-        className="row-eye"
-        tabIndex={-1}
-        aria-label={object.active ? `Hide ${object.name}` : `Show ${object.name}`}
-        title={object.active ? 'Hide (H)' : 'Show (H)'}
-        aria-pressed={!object.active}
-        onDoubleClick={(event) => event.stopPropagation()}
-        onClick={(event) => {
-          event.stopPropagation();
-          editor.commands.run(setActive([object], !object.active));
-        }}
-      >
-        <Icon name={object.active ? 'eye' : 'eyeOff'} size={14} />
-      </button>
+      <RowSwitch
+        name={object.name}
+        isOn={object.locked}
+        isInherited={object.lockedInHierarchy}
+        words={['Lock', 'Unlock', 'L']}
+        icons={['lockOpen', 'lock']}
+        onChange={(locked) => editor.commands.run(setLocked([object], locked))}
+      />
+      <RowSwitch
+        name={object.name}
+        isOn={!object.active}
+        isInherited={!object.activeInHierarchy}
+        words={['Hide', 'Show', 'H']}
+        icons={['eye', 'eyeOff']}
+        onChange={(hidden) => editor.commands.run(setActive([object], !hidden))}
+      />
     </div>
   );
 });

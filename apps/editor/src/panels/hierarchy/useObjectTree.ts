@@ -16,6 +16,8 @@ import { useEffect, useState } from 'react';
 import { canMoveTo, moveObjects, renameObject } from '../../model/edits';
 import { childrenOf, type Container } from '../../model/commands/Placement';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { useKeptFocus } from './useKeptFocus';
+import { matching, wordsOf } from './matching';
 
 /** Id of what all objects are below; no GameObject has it. */
 const ROOT = '/';
@@ -42,17 +44,22 @@ const arrow = (
   isEnabled: (tree) => !tree.getState().dnd,
 });
 
-/** The tree of the document's GameObjects, with selection, renaming, and re-parenting by drag and by keyboard. */
-export function useObjectTree(scrollTo: (index: number) => void): TreeInstance<string> {
+/**
+ * The tree of the document's GameObjects, with selection, renaming, and re-parenting by drag and by keyboard.
+ * @param query - when there is one, what matches it, side by side; see `matchesQuery`
+ */
+export function useObjectTree(scrollTo: (index: number) => void, query: string): TreeInstance<string> {
   const editor = useEditor();
   const { document } = editor;
   const structure = useSignal(document.structure);
   useSignal(document.selection.changed);
   const [expandedItems, setExpandedItems] = useState<string[]>([]);
   const { ids } = document.selection;
+  const words = wordsOf(query);
 
   const containerOf = (id: string): Container => (id === ROOT ? document.scene : document.scene.findById(id)!);
   const childIds = (id: string): string[] => {
+    if (words.length > 0) return id === ROOT ? matching(document.scene, words) : [];
     const container = id === ROOT ? document.scene : document.scene.findById(id);
     return container ? childrenOf(container).map((child) => child.id) : [];
   };
@@ -72,7 +79,7 @@ export function useObjectTree(scrollTo: (index: number) => void): TreeInstance<s
     setExpandedItems,
     scrollToItem: (item) => scrollTo(item.getItemMeta().index),
     canReorder: true,
-    canDrop: (items, target) => canMoveTo(objectsOf(items), containerOf(target.item.getId())),
+    canDrop: (items, target) => words.length === 0 && canMoveTo(objectsOf(items), containerOf(target.item.getId())),
     onDrop: (items: Item[], target: DragTarget<string>) => {
       const parent = target.item.getId();
       const index = isOrderedDragTarget(target) ? target.insertionIndex : undefined;
@@ -113,7 +120,7 @@ export function useObjectTree(scrollTo: (index: number) => void): TreeInstance<s
     ],
   });
 
-  useEffect(() => tree.rebuildTree(), [tree, structure, expandedItems]);
+  useEffect(() => tree.rebuildTree(), [tree, structure, expandedItems, query]);
   useEffect(() => document.opened.subscribe(() => setExpandedItems([])), [document]);
 
   // what is selected elsewhere, in the picture or by an undo, is shown here
@@ -132,6 +139,8 @@ export function useObjectTree(scrollTo: (index: number) => void): TreeInstance<s
     scrollTo(item.getItemMeta().index);
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- once for each selection, after its parents were unfolded
   }, [tree, primary, expandedItems]);
+
+  useKeptFocus(tree, `${structure} ${primary}`);
 
   useEffect(
     () =>

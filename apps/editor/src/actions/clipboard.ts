@@ -1,0 +1,58 @@
+import type { Editor } from '../Editor';
+import { copyObjects, isClip, pasteObjects } from '../model/clip';
+import { deleteObjects } from '../model/edits';
+import type { Action } from './Action';
+import { hasSelection } from './hasSelection';
+
+const copySelection = ({ document, clipboard }: Editor): void => {
+  clipboard.text = copyObjects(document.scene, document.selectedObjects);
+};
+
+export const copy: Action = {
+  id: 'edit.copy',
+  label: 'Copy',
+  keys: ['Ctrl+C'],
+  icon: 'copy',
+  run: copySelection,
+  enabled: hasSelection,
+};
+
+export const cut: Action = {
+  id: 'edit.cut',
+  label: 'Cut',
+  keys: ['Ctrl+X'],
+  icon: 'cut',
+  run(editor) {
+    copySelection(editor);
+    editor.commands.run(deleteObjects(editor.document.scene, editor.document.selectedObjects));
+  },
+  enabled: hasSelection,
+};
+
+/** Beside what is selected, or at the top of the tree. */
+export const paste: Action = {
+  id: 'edit.paste',
+  label: 'Paste',
+  keys: ['Ctrl+V'],
+  icon: 'paste',
+  run({ document, commands, clipboard }) {
+    const { scene, selection, selectedObjects } = document;
+    const { text } = clipboard;
+    if (isClip(text)) commands.run(pasteObjects(scene, text, selectedObjects.at(-1)?.parent ?? scene, selection.ids));
+  },
+  enabled: ({ clipboard }) => isClip(clipboard.text),
+};
+
+/** Below what is selected. */
+export const pasteBelow: Action = {
+  id: 'edit.paste-below',
+  label: 'Paste below the selected object',
+  keys: ['Ctrl+Shift+V'],
+  icon: 'paste',
+  run({ document, commands, clipboard }) {
+    const { scene, selection, selectedObjects } = document;
+    const { text } = clipboard;
+    if (isClip(text)) commands.run(pasteObjects(scene, text, selectedObjects.at(-1) ?? scene, selection.ids));
+  },
+  enabled: (editor) => isClip(editor.clipboard.text) && hasSelection(editor),
+};

@@ -1,0 +1,20 @@
+import { groupObjects, ungroupObjects } from '../model/groupObjects';
+import type { Action } from './Action';
+import { hasSelection } from './hasSelection';
+
+export const group: Action = {
+  id: 'edit.group',
+  label: 'Group',
+  keys: ['Ctrl+G'],
+  icon: 'folder',
+  run: ({ document, commands }) => commands.run(groupObjects(document.scene, document.selectedObjects)),
+  enabled: hasSelection,
+};
+
+export const ungroup: Action = {
+  id: 'edit.ungroup',
+  label: 'Ungroup',
+  keys: ['Ctrl+Shift+G'],
+  run: ({ document, commands }) => commands.run(ungroupObjects(document.scene, document.selectedObjects)),
+  enabled: ({ document }) => document.selectedObjects.some(({ children }) => children.length > 0),
+};

@@ -1,0 +1,20 @@
+import { setLocked } from '../model/edits';
+import type { Action } from './Action';
+import { hasSelection } from './hasSelection';
+
+export const lock: Action = {
+  id: 'edit.lock',
+  label: ({ document }) => (document.selectedObjects.some(({ locked }) => !locked) ? 'Lock' : 'Unlock'),
+  keys: ['L'],
+  icon: 'lock',
+  run({ document, commands }) {
+    const { selectedObjects } = document;
+    commands.run(
+      setLocked(
+        selectedObjects,
+        selectedObjects.some(({ locked }) => !locked),
+      ),
+    );
+  },
+  enabled: hasSelection,
+};

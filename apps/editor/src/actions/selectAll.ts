@@ -1,0 +1,14 @@
+import type { Action } from './Action';
+
+export const selectAll: Action = {
+  id: 'edit.select-all',
+  label: 'Select everything',
+  keys: ['Ctrl+A'],
+  run({ document }) {
+    const ids: string[] = [];
+    document.scene.traverse((object) => {
+      if (!object.lockedInHierarchy) ids.push(object.id);
+    });
+    document.selection.set(ids);
+  },
+};

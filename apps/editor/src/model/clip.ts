@@ -1,0 +1,140 @@
+import {
+  type FieldValue,
+  FILE_VERSION,
+  type FileAsset,
+  FileError,
+  type FileObject,
+  GameObject,
+  makeObjects,
+  parseFile,
+  type Scene,
+  serializeObject,
+} from '@farol/engine';
+import { Matrix4, Quaternion, Vector3 } from 'three';
+import type { Command } from './Command';
+import { childrenOf, type Container, topmost } from './commands/Placement';
+import { PlaceObjects } from './commands/PlaceObjects';
+
+/** Copied GameObjects as JSON data: what the clipboard holds. */
+export interface Clip {
+  readonly format: 'farol-objects';
+  /** In tree order; those that were copied have no parent. */
+  readonly objects: readonly FileObject[];
+  readonly assets: readonly FileAsset[];
+  /** Where each of those without a parent was in the world: 16 numbers, column by column. */
+  readonly worlds: readonly (readonly number[])[];
+}
+
+const matrix = new Matrix4();
+const position = new Vector3();
+const rotation = new Quaternion();
+const scale = new Vector3();
+
+/** Copies objects with all below them, as they are authored. */
+export function copyObjects(scene: Scene, objects: readonly GameObject[]): string {
+  const tops = topmost(objects, scene);
+  const list: FileObject[] = [];
+  for (const top of tops) {
+    top.traverse((object) =>
+      list.push(object === top ? { ...serializeObject(object), parent: null } : serializeObject(object)),
+    );
+  }
+  const names = new Set<string>();
+  for (const { components } of list) {
+    for (const { type, values } of components) {
+      const fields = scene.registry.types.get(type)!.fields;
+      for (const [name, value] of Object.entries(values)) {
+        if (fields[name].kind === 'asset' && typeof value === 'string') names.add(value);
+      }
+    }
+  }
+  const assets = [...names].flatMap((name): FileAsset[] => {
+    const url = scene.assets.urlOf(name);
+    const type = scene.assets.typeOf(name);
+    return url && type ? [{ name, type, url }] : [];
+  });
+  const worlds = tops.map(({ transform }) => transform.modelMatrix.toArray());
+  return JSON.stringify({ format: 'farol-objects', objects: list, assets, worlds } satisfies Clip);
+}
+
+/** Whether a text may be copied GameObjects. */
+export const isClip = (text: string | null): text is string =>
+  text !== null && text.startsWith('{"format":"farol-objects"');
+
+/** References to objects that are not among those copied, which are taken out: object, component, field and value. */
+function takeOuterReferences(objects: FileObject[], scene: Scene): [string, number, string, FieldValue][] {
+  const ids = new Set(objects.map(({ id }) => id));
+  const taken: [string, number, string, FieldValue][] = [];
+  for (const { id, components } of objects) {
+    components.forEach(({ type, values }, i) => {
+      const fields = scene.registry.types.get(type)?.fields ?? {};
+      for (const [name, value] of Object.entries(values)) {
+        if (fields[name]?.kind !== 'object' || typeof value !== 'string' || ids.has(value)) continue;
+        if (scene.findById(value)) taken.push([id, i, name, value]);
+        delete values[name];
+      }
+    });
+  }
+  return taken;
+}
+
+/** Gives an object the place in the world that it had, as seen from a parent. */
+function placeInWorld(object: GameObject, world: readonly number[], parent: Container): void {
+  matrix.fromArray(world);
+  if (parent instanceof GameObject) matrix.premultiply(parent.transform.modelMatrix.invert());
+  matrix.decompose(position, rotation, scale);
+  object.transform.position = position.toArray();
+  object.transform.setQuaternion(rotation);
+  object.transform.scale = scale.toArray();
+}
+
+/**
+ * Puts copied objects below a parent, where they were in the world, with ids of their own, and selects them. All of the
+ * text is checked first.
+ * @param parent - for objects whose parent is still the same, their authored values stay to the last digit
+ * @throws FileError listing what is wrong with the text; nothing has changed then
+ */
+export function pasteObjects(scene: Scene, text: string, parent: Container, selected: readonly string[]): Command {
+  let clip: { objects?: FileObject[]; assets?: FileAsset[]; worlds?: number[][] };
+  try {
+    clip = JSON.parse(text) as typeof clip;
+  } catch (cause) {
+    throw new FileError([{ path: '', problem: 'The clipboard holds no objects: copy some first.' }], { cause });
+  }
+  const objects = Array.isArray(clip.objects) ? clip.objects.filter((each) => Array.isArray(each?.components)) : [];
+  const outer = takeOuterReferences(objects, scene);
+  // of a prefab that this scene does not have, there is the copy alone
+  const prefabs = new Set(scene.prefabs.list.map(({ id }) => id));
+  for (const object of objects) if (object.prefab && !prefabs.has(object.prefab.prefab)) delete object.prefab;
+  const file = parseFile(
+    {
+      format: 'farol-scene',
+      version: FILE_VERSION,
+      name: 'Clipboard',
+      activeCamera: null,
+      assets: clip.assets ?? [],
+      prefabs: scene.prefabs.list,
+      objects,
+    },
+    { registry: scene.registry, assets: scene.assets },
+  );
+  for (const { name, url, type } of file.assets) {
+    if (url !== undefined && !scene.assets.has(name)) scene.assets.registerUrl(name, url, type);
+  }
+  const made = makeObjects(file.objects, scene.registry);
+  for (const [id, component, name, value] of outer) {
+    for (const root of made) root.find(id)?.components[component]?.set(name, value);
+  }
+  const copies = made.map((root) => root.clone());
+  copies.forEach((copy, i) => {
+    const world = clip.worlds?.[i];
+    const before = scene.findById(made[i].id);
+    const isHome = before && (before.parent ?? scene) === parent;
+    if (!isHome && Array.isArray(world) && world.length === 16) placeInWorld(copy, world, parent);
+  });
+  for (const root of made) root.dispose();
+  const end = childrenOf(parent).length;
+  const placements = copies.map((object, i) => ({ object, parent, index: end + i }));
+  const label = copies.length === 1 ? `Paste ${copies[0].name}` : `Paste ${copies.length} objects`;
+  return new PlaceObjects(label, scene, 'add', placements, { done: copies.map(({ id }) => id), undone: selected });
+}

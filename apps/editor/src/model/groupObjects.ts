@@ -1,0 +1,57 @@
+import { GameObject, type Scene } from '@farol/engine';
+import { Vector3 } from 'three';
+import type { Command } from './Command';
+import { MoveObjects } from './commands/MoveObjects';
+import { type Placement, placementOf, topmost } from './commands/Placement';
+import { PlaceObjects } from './commands/PlaceObjects';
+import { Sequence } from './commands/Sequence';
+
+const none = { done: [], undone: [] };
+
+/** The middle of where objects are, in the space of a parent. */
+function middleOf(objects: readonly GameObject[], { parent }: Placement): Vector3 {
+  const middle = new Vector3();
+  for (const { transform } of objects) middle.add(transform.worldPosition);
+  middle.divideScalar(objects.length);
+  if (!(parent instanceof GameObject)) return middle;
+  parent.object3D.updateWorldMatrix(true, false);
+  return parent.object3D.worldToLocal(middle);
+}
+
+/**
+ * Puts objects below a new one in their middle, where the first of them is in the tree. They stay where they are in the
+ * world.
+ * @param objects - at least one
+ */
+export function groupObjects(scene: Scene, objects: readonly GameObject[]): Command {
+  const tops = topmost(objects, scene);
+  const place = placementOf(tops[0], scene);
+  const group = new GameObject('Group');
+  group.transform.position = middleOf(tops, place).toArray();
+  return new Sequence(
+    tops.length === 1 ? `Group ${tops[0].name}` : `Group ${tops.length} objects`,
+    [
+      () => new PlaceObjects('Add group', scene, 'add', [{ ...place, object: group }], none),
+      () => new MoveObjects('Move into group', scene, tops, group, null),
+    ],
+    { done: [group.id], undone: objects.map(({ id }) => id) },
+  );
+}
+
+/** Puts what is below objects in their place, and deletes them. It stays where it is in the world. */
+export function ungroupObjects(scene: Scene, objects: readonly GameObject[]): Command {
+  const groups = topmost(objects, scene).filter(({ children }) => children.length > 0);
+  const freed = groups.flatMap(({ children }) => [...children]);
+  const steps = groups.flatMap((group) => [
+    () => {
+      const { parent, index } = placementOf(group, scene);
+      const next = ('roots' in parent ? parent.roots : parent.children)[index + 1] ?? null;
+      return new MoveObjects('Move out of group', scene, [...group.children], parent, next);
+    },
+    () => new PlaceObjects('Delete group', scene, 'remove', [placementOf(group, scene)], none),
+  ]);
+  return new Sequence(groups.length === 1 ? `Ungroup ${groups[0].name}` : `Ungroup ${groups.length} groups`, steps, {
+    done: freed.map(({ id }) => id),
+    undone: objects.map(({ id }) => id),
+  });
+}

@@ -1,0 +1,37 @@
+import type { ReactNode } from 'react';
+import { Icon } from '../../ui/Icon';
+import type { IconName } from '../../ui/iconPaths';
+
+interface RowSwitchProps {
+  readonly name: string;
+  readonly isOn: boolean;
+  /** Whether it counts as on, by itself or by an object above. */
+  readonly isInherited: boolean;
+  /** What it does when off, and when on, and the key that does it. */
+  readonly words: readonly [string, string, string];
+  readonly icons: readonly [IconName, IconName];
+  onChange(isOn: boolean): void;
+}
+
+/** A switch at the end of a row. Keys reach what it does by the row itself. */
+export function RowSwitch({ name, isOn, isInherited, words, icons, onChange }: RowSwitchProps): ReactNode {
+  const word = words[isOn ? 1 : 0];
+  return (
+    <button
+      type="button"
+      className="row-switch"
+      tabIndex={-1}
+      aria-label={`${word} ${name}`}
+      title={`${word} (${words[2]})`}
+      aria-pressed={isOn}
+      data-inherited={isInherited}
+      onDoubleClick={(event) => event.stopPropagation()}
+      onClick={(event) => {
+        event.stopPropagation();
+        onChange(!isOn);
+      }}
+    >
+      <Icon name={icons[isInherited ? 1 : 0]} size={14} />
+    </button>
+  );
+}

@@ -1,0 +1,33 @@
+import type { TreeInstance } from '@headless-tree/core';
+import { useEffect, useRef } from 'react';
+
+/**
+ * Keeps the focus in a tree when the row that has it goes, by a deletion or by a move: keys go on.
+ * @param revision - differs whenever rows may have come or gone
+ */
+export function useKeptFocus(tree: TreeInstance<string>, revision: unknown): void {
+  const wasInside = useRef(false);
+  useEffect(() => {
+    const focused = (event: FocusEvent): void => {
+      wasInside.current = event.target instanceof Element && event.target.closest('[role="tree"]') !== null;
+    };
+    // a click on what takes no focus leaves the tree too
+    const pressed = (event: PointerEvent): void => {
+      wasInside.current &&= event.target instanceof Element && event.target.closest('.hierarchy, .popup') !== null;
+    };
+    document.addEventListener('focusin', focused);
+    document.addEventListener('pointerdown', pressed);
+    return () => {
+      document.removeEventListener('focusin', focused);
+      document.removeEventListener('pointerdown', pressed);
+    };
+  }, []);
+  useEffect(() => {
+    if (!wasInside.current) return;
+    const frame = requestAnimationFrame(() => {
+      if (document.activeElement === document.body && tree.getItems().length > 0) tree.updateDomFocus();
+    });
+    return () => cancelAnimationFrame(frame);
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- rows may have gone with it
+  }, [tree, revision]);
+}

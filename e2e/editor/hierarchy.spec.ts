@@ -1,0 +1,61 @@
+import { expect, test } from '../support/test';
+import { addObject, history, openEditor, openEmptyScene, serialized } from './editor';
+
+test.use({ viewport: { width: 900, height: 480 }, reducedMotion: 'reduce' });
+
+test('searches, groups, cuts, pastes and locks, and takes all of it back', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await addObject(page, 'Mesh', 'Box');
+  await addObject(page, 'Mesh', 'Cone');
+  const before = await serialized(page);
+  const steps = await history(page);
+
+  // by part of a name and of a component; Enter goes to the first
+  const search = page.getByRole('searchbox', { name: 'Search objects' });
+  await search.fill('objectrenderer');
+  await expect(page.getByRole('treeitem')).toHaveCount(2);
+  await search.fill('con renderer');
+  await expect(page.getByRole('treeitem')).toHaveCount(1);
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('treeitem', { name: 'Cone' })).toBeFocused();
+  await search.fill('');
+  await expect(page.getByRole('treeitem')).toHaveCount(5);
+
+  await page.getByRole('treeitem', { name: 'Box' }).click();
+  await page.getByRole('treeitem', { name: 'Cone' }).click({ modifiers: ['Shift'] });
+  await page.keyboard.press('Control+g');
+  await expect(page.getByRole('treeitem', { name: 'Group' })).toHaveAttribute('aria-selected', 'true');
+  // the rows that had the focus are gone: it is on the group, not lost
+  await expect(page.getByRole('treeitem', { name: 'Group' })).toBeFocused();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('treeitem', { name: 'Cone' })).toHaveAttribute('aria-level', '2');
+
+  await page.getByRole('treeitem', { name: 'Cone' }).click();
+  await page.keyboard.press('Control+x');
+  await expect(page.getByRole('treeitem', { name: 'Cone' })).toHaveCount(0);
+  await page.getByRole('treeitem', { name: 'Sun' }).click();
+  await page.keyboard.press('Control+v');
+  await page.keyboard.press('Control+v');
+  await expect(page.getByRole('treeitem', { name: 'Cone' })).toHaveCount(2);
+  await page.keyboard.press('l');
+  await expect(page.getByRole('button', { name: 'Unlock Cone' })).toBeVisible();
+  expect(await history(page)).toEqual([
+    ...steps,
+    'Group 2 objects',
+    'Delete Cone',
+    'Paste Cone',
+    'Paste Cone',
+    'Lock Cone',
+  ]);
+  for (let i = 0; i < 5; i++) await page.keyboard.press('Control+z');
+  expect(await serialized(page)).toBe(before);
+
+  // what was copied is there in another tab of the browser
+  const other = await page.context().newPage();
+  await openEditor(other);
+  await openEmptyScene(other);
+  await other.getByRole('treeitem', { name: 'Sun' }).click();
+  await other.keyboard.press('Control+v');
+  await expect(other.getByRole('treeitem', { name: 'Cone' })).toHaveCount(1);
+});
