@@ -35,6 +35,7 @@ export default defineConfig({
   projects: [
     { name: 'viewer', testDir: './viewer', use: { baseURL: process.env.FAROL_VIEWER_URL } },
     { name: 'render', testDir: './render', use: { baseURL: process.env.FAROL_VIEWER_URL } },
+    { name: 'examples', testDir: './examples', use: { baseURL: process.env.FAROL_VIEWER_URL } },
     { name: 'perf', testDir: './perf', use: { baseURL: process.env.FAROL_VIEWER_URL } },
     {
       name: 'editor',

@@ -1,4 +1,6 @@
 import { existsSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 
 /** Address of the real Sponza, if its glTF was put into public/models/Sponza (which git ignores), else null. */
@@ -12,14 +14,22 @@ function sponzaUrl(): string | null {
   return shortest === undefined ? null : `./models/Sponza/${encodeURI(shortest.replaceAll('\\', '/'))}`;
 }
 
+/** The viewer's page, and those of the examples: each folder of examples/ with an index.html is one. */
+function pages(): string[] {
+  const folder = fileURLToPath(new URL('.', import.meta.url));
+  const names = readdirSync(join(folder, 'examples')).map((name) => `examples/${name}/index.html`);
+  return ['index.html', 'examples/index.html', ...names.filter((name) => existsSync(join(folder, name)))];
+}
+
 export default defineConfig({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
   define: { SPONZA_URL: JSON.stringify(sponzaUrl()) },
-  resolve: { dedupe: ['three'] },
+  resolve: { dedupe: ['three', 'react', 'react-dom'] },
   // What is imported late must be known early, or the development server reloads the page when a model asks for it.
   optimizeDeps: {
+    entries: pages(),
     include: [
       'three/addons/controls/OrbitControls.js',
       'three/addons/libs/meshopt_decoder.module.js',
@@ -28,5 +38,5 @@ export default defineConfig({
       'three/addons/loaders/KTX2Loader.js',
     ],
   },
-  build: { target: 'es2022', chunkSizeWarningLimit: 2000 },
+  build: { target: 'es2022', chunkSizeWarningLimit: 2000, rolldownOptions: { input: pages() } },
 });

@@ -1,0 +1,70 @@
+import type { Page } from '@playwright/test';
+import { drawExample, openExample } from '../support/example';
+import { compareImages } from '../support/images';
+import { expect, test } from '../support/test';
+
+/** Where the label that follows the knot is on the page (CSS pixels). */
+async function labelAt(page: Page): Promise<{ x: number; y: number }> {
+  const box = await page.locator('.label').boundingBox();
+  if (!box) throw new Error('The label is not on the page.');
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+test('controls: the gizmo drags the knot with its label, the orbit stays; beside the gizmo the view turns', async ({
+  page,
+}) => {
+  await openExample(page, 'controls', 'deferred');
+  const before = await drawExample(page, 'deferred');
+  const label = await labelAt(page);
+  expect(Math.abs(label.x - 160)).toBeLessThan(2); // over the knot, in the middle
+
+  // the red arrow points to the right of the gizmo's centre
+  const drag = async (fromX: number, fromY: number, byX: number) => {
+    await page.mouse.move(fromX, fromY);
+    await page.mouse.down();
+    await page.mouse.move(fromX + byX / 2, fromY);
+    await page.mouse.move(fromX + byX, fromY);
+    await page.mouse.up();
+    return drawExample(page, 'deferred');
+  };
+  const arrow = { x: 176, y: 84 };
+  const moved = await drag(arrow.x, arrow.y, 40);
+  expect(compareImages(before, moved).share).toBeGreaterThan(0.02);
+  const after = await labelAt(page);
+  expect(after.x - label.x).toBeGreaterThan(25);
+  expect(Math.abs(after.y - label.y)).toBeLessThan(2);
+
+  const turned = await drag(60, 160, 40);
+  expect(compareImages(moved, turned).share).toBeGreaterThan(0.3);
+});
+
+test('stats: the panels count frames and draw calls while Farol draws', async ({ page }) => {
+  await page.goto('./examples/stats/index.html?technique=clustered-forward');
+  await page.waitForFunction(() => 'example' in window);
+  await page.evaluate(() => window.example.ready);
+  await expect(page.locator('nav output')).toHaveText(/^[1-9]\d* draw calls$/);
+  const panels = await page.locator('canvas').evaluateAll((all) => all.length);
+  expect(panels).toBeGreaterThan(3);
+});
+
+test('r3f: what draws is switched while it runs, and what Farol held is freed', async ({ page, watch }) => {
+  await page.setViewportSize({ width: 200, height: 120 });
+  await page.goto('./examples/r3f/index.html?technique=three');
+  await page.waitForFunction(() => 'example' in window);
+  await page.evaluate(() => window.example.ready);
+  const drawnBy = page.getByRole('combobox', { name: 'Drawn by' });
+  const held = () => page.evaluate(() => window.example.webgl.info.memory.textures);
+  await expect.poll(() => page.evaluate(() => window.example.webgl.info.render.frame)).toBeGreaterThan(2);
+  const before = await held();
+  await drawnBy.selectOption('deferred');
+  await expect.poll(() => page.evaluate(() => window.example.farol?.info.technique)).toBe('deferred');
+  expect(await held()).toBeGreaterThan(before);
+  await drawnBy.selectOption('tiled-forward');
+  await expect.poll(() => page.evaluate(() => window.example.farol?.info.technique)).toBe('tiled-forward');
+  await drawnBy.selectOption('three');
+  await expect.poll(() => page.evaluate(() => window.example.farol === null)).toBe(true);
+  expect(await held()).toBe(before);
+  const frame = await page.evaluate(() => window.example.webgl.info.render.frame);
+  await expect.poll(() => page.evaluate(() => window.example.webgl.info.render.frame)).toBeGreaterThan(frame);
+  watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+});

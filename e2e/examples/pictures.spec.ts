@@ -1,0 +1,37 @@
+import { readdirSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { drawExample, openExample } from '../support/example';
+import { compareImages, isFlat } from '../support/images';
+import { expect, test } from '../support/test';
+
+const folder = fileURLToPath(new URL('../../apps/viewer/examples', import.meta.url));
+const examples = readdirSync(folder, { withFileTypes: true })
+  .filter((entry) => entry.isDirectory() && readdirSync(`${folder}/${entry.name}`).includes('index.html'))
+  .map(({ name }) => name);
+
+test('the list links every example', async ({ page }) => {
+  await page.goto('./examples/index.html');
+  const links = await page.locator('dt a').evaluateAll((all) => all.map((link) => link.getAttribute('href')));
+  expect(links.sort()).toEqual(examples.map((name) => `./${name}/index.html`).sort());
+});
+
+/** One technique of each family: the forward one agrees to a rounding of the canvas, the deferred one as in the README. */
+const asked = { 'clustered-forward': { psnr: 60, share: 0 }, deferred: { psnr: 55, share: 0.001 } };
+
+for (const name of examples) {
+  test(`${name}: the picture is that of three's own renderer`, async ({ page, watch }) => {
+    await openExample(page, name);
+    const stock = await drawExample(page, 'three');
+    expect(isFlat(stock)).toBe(false);
+    for (const [technique, { psnr, share }] of Object.entries(asked)) {
+      const found = compareImages(await drawExample(page, technique), stock);
+      const { technique: drew, drawCalls } = await page.evaluate(() => window.example.farol.info);
+      expect(drew).toBe(technique);
+      expect(drawCalls).toBeGreaterThan(1);
+      expect(found.psnr, `${technique}: PSNR (dB)`).toBeGreaterThanOrEqual(psnr);
+      expect(found.share, `${technique}: share of pixels off by more than 2/255`).toBeLessThanOrEqual(share);
+    }
+    expect(compareImages(await drawExample(page, 'three'), stock).largest, 'stock three afterwards').toBe(0);
+    if (name.includes('r3f')) watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+  });
+}
