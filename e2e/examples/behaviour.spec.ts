@@ -39,6 +39,7 @@ test('controls: the gizmo drags the knot with its label, the orbit stays; beside
 });
 
 test('stats: the panels count frames and draw calls while Farol draws', async ({ page }) => {
+  await page.setViewportSize({ width: 200, height: 120 });
   await page.goto('./examples/stats/index.html?technique=clustered-forward');
   await page.waitForFunction(() => 'example' in window);
   await page.evaluate(() => window.example.ready);
