@@ -1,11 +1,13 @@
 import { AssetLibrary, deserialize, FileError, type Scene, scenes } from '@farol/engine';
 import type { CommandStack } from './model/CommandStack';
 import { Clipboard } from './model/Clipboard';
+import { ConsoleLog } from './model/ConsoleLog';
 import { Dialogs } from './model/Dialogs';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
 import { Signal } from './model/Signal';
 import { Viewport } from './viewport/Viewport';
+import { watchErrors } from './watchErrors';
 
 /** Scene of the engine's that is there at first, and its parameters. */
 const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
@@ -31,8 +33,10 @@ export class Editor {
   readonly document: EditorDocument;
   readonly viewport: Viewport;
   readonly dialogs = new Dialogs();
-  readonly notices = new Notices();
   readonly clipboard = new Clipboard();
+  /** What the Console panel shows. */
+  readonly log = new ConsoleLog();
+  readonly notices = new Notices(this.log);
   /** Emits when the user asks to rename the selected object. */
   readonly renameRequested = new Signal();
   /** Emits when another file, or another scene, is edited. */
@@ -50,9 +54,10 @@ export class Editor {
     this.document = new EditorDocument(new AssetLibrary({ urls }));
     this.viewport = new Viewport(this.document, canvas);
     this.document.assets.onChange(({ kind, error }) => {
-      if (kind === 'failed' && error) this.notices.show('error', error.message);
+      if (kind === 'failed' && error) this.notices.show('error', error.message, 'asset');
     });
     this.watchPicture();
+    watchErrors(this);
     this.ready = this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
   }
 
@@ -94,6 +99,8 @@ export class Editor {
       if (!(error instanceof FileError)) throw error;
       const title = `${file.name ?? 'The file'} cannot be opened`;
       const { problems } = error;
+      for (const { path, problem } of problems)
+        this.log.add('error', 'file', `${file.name ?? 'The file'}: ${path} ${problem}`);
       void this.dialogs.show({
         kind: 'problems',
         title,
@@ -149,10 +156,14 @@ export class Editor {
       const text = `The picture cannot be drawn: ${error instanceof Error ? error.message : String(error)}`;
       if (notices.current.some((notice) => notice.text === text)) return;
       console.error(error);
-      notices.show('error', text);
+      notices.show('error', text, 'picture');
     };
     viewport.canvas.addEventListener('webglcontextlost', () => {
-      notices.show('error', 'The graphics device was lost. The picture comes back by itself; if not, save and reload.');
+      notices.show(
+        'error',
+        'The graphics device was lost. The picture comes back by itself; if not, save and reload.',
+        'picture',
+      );
     });
   }
 }

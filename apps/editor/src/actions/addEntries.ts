@@ -5,7 +5,8 @@ import { type Creation, creations } from '../model/creations';
 import { type IconName, iconPaths } from '../ui/iconPaths';
 import type { MenuEntry } from '../ui/MenuEntry';
 
-function add(editor: Editor, creation: Creation, parent: GameObject | null): void {
+/** Adds something to the scene. @param parent - what it goes below; the top of the tree when null */
+export function addCreation(editor: Editor, creation: Creation, parent: GameObject | null): void {
   const { document, viewport, commands } = editor;
   const object = creation.make();
   // a child begins where its parent is; others in the middle of the picture
@@ -24,7 +25,7 @@ export function addEntries(editor: Editor, parent: GameObject | null = null): Me
       .map((creation) => ({
         label: creation.label,
         icon: iconOf(creation.kind),
-        run: () => editor.attempt(() => add(editor, creation, parent)),
+        run: () => editor.attempt(() => addCreation(editor, creation, parent)),
       }));
   const folders = [...new Set(all.flatMap(({ folder }) => folder ?? []))];
   const parts = folders.map((folder): MenuEntry => ({ label: folder, entries: entries('mesh', folder) }));

@@ -1,6 +1,7 @@
 import type { Editor } from '../Editor';
 import type { Action } from './Action';
 import { actions } from './index';
+import { keysOf } from './keyBindings';
 import { matchKey } from './matchKey';
 
 /** What the focus is in. A menu or a list takes letters as text does: they choose what begins with them. */
@@ -24,6 +25,12 @@ function counts(action: Action, combination: string, focus: Focus): boolean {
   return focus === 'number' && /^[a-z]$/i.test(combination);
 }
 
+/** Whether what has the focus does this itself: a code editor has a history of its own. See `data-own-actions`. */
+function isOwnKey(target: EventTarget | null, action: Action): boolean {
+  const owner = target instanceof Element ? target.closest<HTMLElement>('[data-own-actions]') : null;
+  return owner?.dataset.ownActions?.split(' ').includes(action.id) ?? false;
+}
+
 /**
  * Does the action of a key.
  * @param isCapture - before the focused element hears of the key: only actions that count in every place, which no menu
@@ -35,10 +42,11 @@ export function handleKey(editor: Editor, event: KeyboardEvent, isCapture: boole
   // a scene that is played through one of its cameras has the letters for itself
   if (editor.viewport.sceneListens && !event.ctrlKey && !event.metaKey && event.key.length === 1) return false;
   const focus = focusOf(event.target);
-  for (const action of actions) {
+  for (const action of actions.list) {
     if ((action.inFields ?? false) !== isCapture) continue;
-    const combination = action.keys?.find((keys) => matchKey(keys, event));
+    const combination = keysOf(action).find((keys) => matchKey(keys, event));
     if (combination === undefined || !counts(action, combination, focus)) continue;
+    if (isOwnKey(event.target, action)) continue;
     if (combination === 'Space' && event.target instanceof Element && event.target.closest(PRESSABLE)) continue;
     takeOverField(event.target);
     if (action.enabled?.(editor) ?? true) editor.attempt(() => action.run(editor));

@@ -1,5 +1,5 @@
-import type { Action } from './Action';
 import { copy, cut, paste, pasteBelow } from './clipboard';
+import { ActionRegistry } from './ActionRegistry';
 import { deselect } from './deselect';
 import { duplicate } from './duplicate';
 import { focus } from './focus';
@@ -17,13 +17,14 @@ import { rename } from './rename';
 import { save, saveAs } from './save';
 import { selectAll } from './selectAll';
 import { showKeys } from './showKeys';
+import { showPalette } from './showPalette';
 import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showPanels';
 import { snap } from './snap';
 import { undo } from './undo';
 import { continuous, showGrid, showIcons } from './viewportToggles';
 
 /** Everything that the user can do by a key or a menu. A new action is a file and a line here. */
-export const actions: readonly Action[] = [
+export const actions = new ActionRegistry([
   newScene,
   ...openExamples,
   open,
@@ -59,5 +60,6 @@ export const actions: readonly Action[] = [
   previousPanel,
   maximiseViewport,
   resetPanels,
+  showPalette,
   showKeys,
-];
+]);

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { combinationOf } from './combinationOf';
 import { matchKey } from './matchKey';
 
 const press = (key: string, held = '', code = ''): Parameters<typeof matchKey>[1] => ({
@@ -28,5 +29,21 @@ describe('matchKey', () => {
     ['Delete', press('Delete', 'Ctrl'), false],
   ])('%s for %o: %s', (combination, event, expected) => {
     expect(matchKey(combination, event)).toBe(expected);
+  });
+});
+
+describe('combinationOf', () => {
+  it.each([
+    [press('z', 'Ctrl'), 'Ctrl+Z'],
+    [press('Z', 'Meta Shift'), 'Ctrl+Shift+Z'],
+    [press('?', 'Shift'), '?'],
+    [press('π', 'Ctrl Alt', 'KeyP'), 'Ctrl+Alt+P'],
+    [press('F6', 'Shift'), 'Shift+F6'],
+    [press(' '), 'Space'],
+    [press('Control', 'Ctrl'), null],
+  ])('%o: %s, which matches it', (event, expected) => {
+    const combination = combinationOf(event);
+    expect(combination).toBe(expected);
+    if (combination) expect(matchKey(combination, event)).toBe(true);
   });
 });

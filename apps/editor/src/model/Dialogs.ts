@@ -23,7 +23,12 @@ export interface KeysDialog {
   readonly kind: 'keys';
 }
 
-export type DialogRequest = ConfirmDialog | ProblemsDialog | KeysDialog;
+/** Everything that can be done, found by typing. */
+export interface PaletteDialog {
+  readonly kind: 'palette';
+}
+
+export type DialogRequest = ConfirmDialog | ProblemsDialog | KeysDialog | PaletteDialog;
 
 /** The dialog that is asked for, one at a time. */
 export class Dialogs {

@@ -1,4 +1,12 @@
-import { AssetLibrary, type FieldOwner, type GameObject, Scene, type SceneChange, serialize } from '@farol/engine';
+import {
+  AssetLibrary,
+  type Component,
+  type FieldOwner,
+  type GameObject,
+  Scene,
+  type SceneChange,
+  serialize,
+} from '@farol/engine';
 import type { Command } from './Command';
 import { CommandStack } from './CommandStack';
 import { Selection } from './Selection';
@@ -22,6 +30,11 @@ export class EditorDocument {
   /** Emits when another scene was opened. */
   readonly opened = new Signal();
 
+  /** Emits when a microshader of the scene changes. */
+  readonly microShaders = new Signal();
+  /** Takes what a component throws while it is simulated. */
+  onComponentError: (component: Component, error: unknown) => void = () => {};
+
   private current: Scene;
   private unsubscribe: () => void;
   private readonly ownerSignals = new WeakMap<FieldOwner, Signal>();
@@ -29,7 +42,7 @@ export class EditorDocument {
   constructor(assets: AssetLibrary = new AssetLibrary()) {
     this.assets = assets;
     this.current = new Scene({ name: 'Untitled', assets });
-    this.unsubscribe = this.current.onChange((change) => this.sceneChanged(change));
+    this.unsubscribe = this.watch(this.current);
   }
 
   get scene(): Scene {
@@ -47,12 +60,13 @@ export class EditorDocument {
     this.commands.clear();
     this.unsubscribe();
     this.current = scene;
-    this.unsubscribe = scene.onChange((change) => this.sceneChanged(change));
+    this.unsubscribe = this.watch(scene);
     this.simulation.restart();
     this.selection.clear();
     before.dispose();
     this.opened.emit();
     this.structure.emit();
+    this.microShaders.emit();
     this.edited.emit();
   }
 
@@ -77,8 +91,14 @@ export class EditorDocument {
   private sceneChanged(change: SceneChange): void {
     if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
     else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
+    else if (change.kind === 'microshader') this.microShaders.emit();
     else this.structure.emit();
     this.edited.emit();
+  }
+
+  private watch(scene: Scene): () => void {
+    scene.onComponentError = (component, error) => this.onComponentError(component, error);
+    return scene.onChange((change) => this.sceneChanged(change));
   }
 
   /** Deselects what is no longer in the scene. */

@@ -1,3 +1,4 @@
+import type { ConsoleLog, ConsoleSource } from './ConsoleLog';
 import { Signal } from './Signal';
 
 export interface Notice {
@@ -10,6 +11,9 @@ export interface Notice {
 export class Notices {
   readonly changed = new Signal();
 
+  /** @param log - is told everything too */
+  constructor(private readonly log?: ConsoleLog) {}
+
   private list: readonly Notice[] = [];
   private count = 0;
 
@@ -19,7 +23,8 @@ export class Notices {
   }
 
   /** Shows a message; the same text is there once only. */
-  show(kind: Notice['kind'], text: string): void {
+  show(kind: Notice['kind'], text: string, source: ConsoleSource = 'editor'): void {
+    this.log?.add(kind, source, text);
     this.list = [...this.list.filter((notice) => notice.text !== text).slice(-3), { id: ++this.count, kind, text }];
     this.changed.emit();
   }

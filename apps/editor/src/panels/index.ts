@@ -30,4 +30,11 @@ export const panels = new PanelRegistry([
     place: 'right',
     load: () => import('./history/HistoryPanel').then(({ HistoryPanel }) => HistoryPanel),
   },
+  {
+    id: 'console',
+    title: 'Console',
+    icon: 'console',
+    place: 'bottom',
+    load: () => import('./console/ConsolePanel').then(({ ConsolePanel }) => ConsolePanel),
+  },
 ]);

@@ -1,5 +1,6 @@
 import type { ReactNode } from 'react';
 import { type Action, labelOf } from '../actions/Action';
+import { keysOf, useKeyBindings } from '../actions/keyBindings';
 import { useEditor } from './EditorContext';
 import { Icon } from './Icon';
 import type { IconName } from './iconPaths';
@@ -17,7 +18,8 @@ interface ActionButtonProps {
 export function ActionButton({ action, icon = action.icon, withLabel = false }: ActionButtonProps): ReactNode {
   const editor = useEditor();
   const label = labelOf(action, editor);
-  const key = action.keys?.[0];
+  useKeyBindings();
+  const key = keysOf(action).at(0);
   return (
     <button
       type="button"

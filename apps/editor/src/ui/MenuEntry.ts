@@ -1,4 +1,5 @@
 import { type Action, labelOf } from '../actions/Action';
+import { keysOf } from '../actions/keyBindings';
 import type { Editor } from '../Editor';
 import type { IconName } from './iconPaths';
 
@@ -21,7 +22,7 @@ export function actionEntry(action: Action, editor: Editor): MenuEntry {
   return {
     label: labelOf(action, editor),
     icon: action.icon,
-    keys: action.keys?.[0],
+    keys: keysOf(action).at(0),
     disabled: !(action.enabled?.(editor) ?? true),
     run: () => editor.attempt(() => action.run(editor)),
   };

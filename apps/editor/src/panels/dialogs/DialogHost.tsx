@@ -1,9 +1,13 @@
 import { Dialog } from '@base-ui/react/dialog';
-import type { ReactNode } from 'react';
+import { lazy, type ReactNode, Suspense } from 'react';
 import type { DialogRequest } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dialogs.css';
-import { KeyTable } from './KeyTable';
+
+const CommandPalette = lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette }));
+const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
+
+const shapes: Partial<Record<DialogRequest['kind'], string>> = { palette: 'palette', keys: 'keys-page' };
 
 /** Shows the dialog that the editor asks for. */
 export function DialogHost(): ReactNode {
@@ -14,8 +18,10 @@ export function DialogHost(): ReactNode {
     <Dialog.Root open={current !== null} onOpenChange={(open) => !open && dialogs.close(false)}>
       <Dialog.Portal>
         <Dialog.Backdrop className="backdrop" />
-        <Dialog.Popup className="dialog">
-          {current && <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />}
+        <Dialog.Popup className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
+          <Suspense fallback={null}>
+            {current && <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />}
+          </Suspense>
         </Dialog.Popup>
       </Dialog.Portal>
     </Dialog.Root>
@@ -27,11 +33,12 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
     return (
       <>
         <Dialog.Title>Keys</Dialog.Title>
-        <KeyTable />
+        <KeysPage />
         <Buttons onClose={onClose} />
       </>
     );
   }
+  if (request.kind === 'palette') return <CommandPalette onClose={() => onClose(false)} />;
   return (
     <>
       <Dialog.Title>{request.title}</Dialog.Title>

@@ -1,0 +1,10 @@
+import type { Action } from './Action';
+
+export const showPalette: Action = {
+  id: 'help.palette',
+  label: 'Search commands',
+  keys: ['Ctrl+K'],
+  inFields: true,
+  icon: 'search',
+  run: ({ dialogs }) => void dialogs.show({ kind: 'palette' }),
+};

@@ -1,0 +1,107 @@
+import { type KeyboardEvent, type ReactNode, useState } from 'react';
+import { type Action, labelOf } from '../../actions/Action';
+import { combinationOf } from '../../actions/combinationOf';
+import { bindKeys, conflictsOf, isRebound, keysOf, takeKey } from '../../actions/keyBindings';
+import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { keyText } from '../../ui/keyText';
+
+/** An action with its keys: each can be taken away, and others added by pressing them. */
+export function KeyRow({ action, label }: { action: Action; label: string }): ReactNode {
+  const editor = useEditor();
+  const [isListening, setListening] = useState(false);
+  /** Pressed, and another action's already. */
+  const [asked, setAsked] = useState<string | null>(null);
+  const keys = keysOf(action);
+  const clashes = keys.flatMap((each) => conflictsOf(action, each).map((other) => [each, other] as const));
+  const others = asked === null ? [] : conflictsOf(action, asked).map((other) => labelOf(other, editor));
+
+  const keyDown = (event: KeyboardEvent): void => {
+    if (!isListening || event.key === 'Tab') return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (event.key === 'Escape') return setListening(false);
+    const combination = combinationOf(event.nativeEvent);
+    if (combination === null) return;
+    setListening(false);
+    if (conflictsOf(action, combination).length > 0) setAsked(combination);
+    else takeKey(action, combination);
+  };
+
+  return (
+    <div className="key-row" data-action={action.id}>
+      <span>{label}</span>
+      <span className="key-list">
+        {keys.map((each) => (
+          <kbd key={each}>
+            {keyText(each)}
+            <button
+              type="button"
+              aria-label={`Take ${each} from ${label}`}
+              title="Take this key away"
+              onClick={() =>
+                bindKeys(
+                  action,
+                  keys.filter((other) => other !== each),
+                )
+              }
+            >
+              <Icon name="close" size={9} />
+            </button>
+          </kbd>
+        ))}
+        <button
+          type="button"
+          className={`key-add ${isListening ? 'listening' : ''}`}
+          aria-label={isListening ? `Press the keys for ${label}` : `Add a key for ${label}`}
+          title="Add a key: press it next"
+          onClick={() => {
+            setAsked(null);
+            setListening(!isListening);
+          }}
+          onKeyDown={keyDown}
+          onBlur={() => setListening(false)}
+        >
+          {isListening ? 'Press keys…' : <Icon name="add" size={11} />}
+        </button>
+        {isRebound(action) && (
+          <button
+            type="button"
+            className="key-add"
+            aria-label={`Own keys of ${label}`}
+            title="Back to its own keys"
+            onClick={() => bindKeys(action, null)}
+          >
+            <Icon name="undo" size={11} />
+          </button>
+        )}
+      </span>
+      {asked !== null && (
+        <div className="key-conflict" role="alert">
+          <span>
+            {keyText(asked)} is “{others.join('”, “')}”.
+          </span>
+          <button
+            type="button"
+            className="button small framed"
+            onClick={() => {
+              takeKey(action, asked);
+              setAsked(null);
+            }}
+          >
+            Take it over
+          </button>
+          <button type="button" className="button small framed" onClick={() => setAsked(null)}>
+            Leave it
+          </button>
+        </div>
+      )}
+      {clashes.length > 0 && (
+        <div className="key-conflict">
+          <Icon name="warning" size={12} />
+          {clashes.map(([each, other]) => `${keyText(each)} is “${labelOf(other, editor)}” too`).join('; ')}
+        </div>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,80 @@
+import { type ReactNode, useState } from 'react';
+import { actions } from '../../actions';
+import { type Action, labelOf } from '../../actions/Action';
+import { resetKeys, useKeyBindings } from '../../actions/keyBindings';
+import { showPanels } from '../../actions/showPanels';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { groupOf } from '../palette/paletteItems';
+import { matchItems } from '../palette/matchItems';
+import { KeyRow } from './KeyRow';
+import './keys.css';
+import { otherKeys } from './otherKeys';
+
+/** Every action with its keys, which can be changed here, and what mouse and other keys do. */
+export function KeysPage(): ReactNode {
+  const editor = useEditor();
+  const { chosen } = useKeyBindings();
+  useSignal(actions.changed);
+  const [query, setQuery] = useState('');
+  const lines = [...actions.list, ...showPanels()].map((action) => ({
+    action,
+    label: labelOf(action, editor),
+    group: groupOf(action.id),
+  }));
+  const found = matchItems(lines, query);
+  const groups = [...new Set(found.map(({ group }) => group))];
+  const others = matchItems(
+    otherKeys.map(([keys, label]) => ({ keys, label, group: keys })),
+    query,
+  );
+  return (
+    <>
+      <div className="keys-bar">
+        <div className="keys-search">
+          <Icon name="search" size={14} />
+          <input
+            className="input"
+            type="search"
+            aria-label="Search keys"
+            placeholder="Search"
+            value={query}
+            onChange={(event) => setQuery(event.target.value)}
+          />
+        </div>
+        <button
+          type="button"
+          className="button framed"
+          disabled={Object.keys(chosen).length === 0}
+          onClick={() => resetKeys()}
+        >
+          Reset all
+        </button>
+      </div>
+      {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys */}
+      <div className="keys" tabIndex={0} role="region" aria-label="All keys">
+        {groups.map((group) => (
+          <section key={group} aria-label={group}>
+            <h3>{group}</h3>
+            {found
+              .filter((line) => line.group === group)
+              .map(({ action, label }: { action: Action; label: string }) => (
+                <KeyRow key={action.id} action={action} label={label} />
+              ))}
+          </section>
+        ))}
+        {others.length > 0 && (
+          <section aria-label="Mouse and more">
+            <h3>Mouse and more</h3>
+            {others.map(({ keys, label }) => (
+              <div key={keys} className="key-row">
+                <span>{label}</span>
+                <span className="key-other">{keys}</span>
+              </div>
+            ))}
+          </section>
+        )}
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,98 @@
+import { Dialog } from '@base-ui/react/dialog';
+import { type KeyboardEvent, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
+import { showPalette } from '../../actions/showPalette';
+import { keysOf } from '../../actions/keyBindings';
+import { matchKey } from '../../actions/matchKey';
+import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { keyText } from '../../ui/keyText';
+import { matchItems } from './matchItems';
+import './palette.css';
+import { objectItems, OBJECTS, type PaletteItem, paletteItems } from './paletteItems';
+
+/** Lines that are shown at most. */
+const LINES = 60;
+
+/** Everything that can be done, found by typing; objects of the scene too. */
+export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
+  const editor = useEditor();
+  const [query, setQuery] = useState('');
+  const [chosen, setChosen] = useState(0);
+  const list = useRef<HTMLUListElement>(null);
+  const items = useMemo(() => paletteItems(editor), [editor]);
+  const objects = useMemo(() => objectItems(editor), [editor]);
+  const found = useMemo(() => {
+    const named = query.trim() === '' ? [] : matchItems(objects, query).slice(0, OBJECTS);
+    return [...matchItems(items, query), ...named].slice(0, LINES);
+  }, [items, objects, query]);
+  const current = Math.min(chosen, found.length - 1);
+  useEffect(() => {
+    list.current?.children[current]?.scrollIntoView({ block: 'nearest' });
+  }, [current]);
+
+  const run = (item: PaletteItem | undefined): void => {
+    if (!item) return;
+    onClose();
+    // the focus is back where it was when the command runs
+    requestAnimationFrame(() => editor.attempt(() => item.run()));
+  };
+  const keyDown = (event: KeyboardEvent): void => {
+    const by = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 }[event.key];
+    if (event.key === 'Enter') run(found[current]);
+    else if (keysOf(showPalette).some((keys) => matchKey(keys, event))) onClose();
+    else if (by !== undefined && found.length > 0) {
+      const isStep = Math.abs(by) === 1;
+      const next = current + by;
+      setChosen(isStep ? (next + found.length) % found.length : Math.min(found.length - 1, Math.max(0, next)));
+    } else return;
+    event.preventDefault();
+  };
+
+  return (
+    <>
+      <Dialog.Title className="palette-title">Search commands</Dialog.Title>
+      <div className="palette-search">
+        <Icon name="search" />
+        <input
+          className="palette-input"
+          role="combobox"
+          aria-label="Search commands"
+          aria-expanded
+          aria-controls="palette-list"
+          aria-activedescendant={found[current] ? `palette-${current}` : undefined}
+          aria-autocomplete="list"
+          placeholder="A command, a technique, a view, something to add, an object"
+          autoComplete="off"
+          spellCheck={false}
+          value={query}
+          onChange={(event) => {
+            setQuery(event.target.value);
+            setChosen(0);
+          }}
+          onKeyDown={keyDown}
+        />
+      </div>
+      <ul id="palette-list" className="palette-list" role="listbox" aria-label="Commands" ref={list}>
+        {found.map((item, i) => (
+          <li
+            key={item.id}
+            id={`palette-${i}`}
+            className="palette-item"
+            role="option"
+            aria-selected={i === current}
+            onPointerMove={() => i !== current && setChosen(i)}
+            onClick={() => run(item)}
+          >
+            <span className="menu-check">
+              {(item.isCurrent || item.icon) && <Icon name={item.isCurrent ? 'check' : item.icon!} size={14} />}
+            </span>
+            <span className="palette-label">{item.label}</span>
+            <span className="dim">{item.group}</span>
+            {item.keys && <kbd>{keyText(item.keys)}</kbd>}
+          </li>
+        ))}
+      </ul>
+      {found.length === 0 && <p className="palette-empty">Nothing of that name.</p>}
+    </>
+  );
+}

@@ -1,0 +1,21 @@
+import { expect, it } from 'vitest';
+import { matchItems } from './matchItems';
+
+const items = [
+  ['Undo move', 'Edit'],
+  ['Duplicate', 'Edit'],
+  ['Deferred', 'Technique'],
+  ['Tiled deferred', 'Technique'],
+  ['Point light', 'Add'],
+].map(([label, group]) => ({ label, group }));
+const found = (query: string): string[] => matchItems(items, query).map(({ label }) => label);
+
+it('finds by the letters of a query, whole words first', () => {
+  expect(found('')).toEqual(items.map(({ label }) => label));
+  expect(found('def')).toEqual(['Deferred', 'Tiled deferred']);
+  expect(found('tiled tech')).toEqual(['Tiled deferred']);
+  expect(found('technique')).toEqual(['Deferred', 'Tiled deferred']);
+  expect(found('plight')).toEqual(['Point light']);
+  expect(found('dupl')).toEqual(['Duplicate']);
+  expect(found('xyz')).toEqual([]);
+});

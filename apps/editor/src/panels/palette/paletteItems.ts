@@ -1,0 +1,103 @@
+import { views } from '@farol/renderer';
+import { actions } from '../../actions';
+import { addCreation } from '../../actions/addEntries';
+import { labelOf } from '../../actions/Action';
+import { keysOf } from '../../actions/keyBindings';
+import { showPalette } from '../../actions/showPalette';
+import { showPanels } from '../../actions/showPanels';
+import type { Editor } from '../../Editor';
+import { creations } from '../../model/creations';
+import type { IconName } from '../../ui/iconPaths';
+import { techniqueOptions } from '../../ui/techniqueOptions';
+import type { Findable } from './matchItems';
+
+/** A line of the command palette. */
+export interface PaletteItem extends Findable {
+  readonly id: string;
+  readonly icon?: IconName;
+  /** Key shown at the right. */
+  readonly keys?: string;
+  /** Whether it is what there is now, such as the technique in use. */
+  readonly isCurrent?: boolean;
+  run(): unknown;
+}
+
+const groups: Readonly<Record<string, string>> = {
+  file: 'File',
+  edit: 'Edit',
+  view: 'View',
+  gizmo: 'Handles',
+  play: 'Play',
+  panels: 'Panels',
+  help: 'Help',
+};
+
+const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1).replaceAll('-', ' ');
+
+/** What an action belongs to, by the first part of its id. */
+export const groupOf = (id: string): string => {
+  const first = id.split('.')[0];
+  return groups[first] ?? capital(first);
+};
+
+/** Objects are listed by name only when this many are found at most. */
+export const OBJECTS = 30;
+
+/** Everything that can be done now. */
+export function paletteItems(editor: Editor): PaletteItem[] {
+  const { viewport, document } = editor;
+  const done = [...actions.list, ...showPanels()]
+    .filter((action) => action !== showPalette && (action.enabled?.(editor) ?? true))
+    .map((action): PaletteItem => ({
+      id: action.id,
+      label: labelOf(action, editor),
+      group: groupOf(action.id),
+      icon: action.icon,
+      keys: keysOf(action).at(0),
+      isCurrent: action.checked?.(editor),
+      run: () => action.run(editor),
+    }));
+  const techniques = techniqueOptions().map(({ value, label }): PaletteItem => ({
+    id: `technique.${value}`,
+    label,
+    group: 'Technique',
+    icon: 'lamp',
+    isCurrent: viewport.technique === value,
+    run: () => (viewport.technique = value),
+  }));
+  const shown = views.map((view): PaletteItem => ({
+    id: `shown.${view}`,
+    label: capital(view),
+    group: 'Show',
+    icon: 'eye',
+    isCurrent: viewport.view === view,
+    run: () => (viewport.view = view),
+  }));
+  const added = creations(document.scene).map((creation): PaletteItem => ({
+    id: `add.${creation.folder ?? ''}.${creation.label}`,
+    label: creation.label,
+    group: creation.folder ? `Add, ${creation.folder}` : 'Add',
+    icon: 'add',
+    run: () => addCreation(editor, creation, null),
+  }));
+  return [...done, ...techniques, ...shown, ...added];
+}
+
+/** The objects of the scene, as lines that select them. */
+export function objectItems(editor: Editor): PaletteItem[] {
+  const { document, viewport } = editor;
+  const items: PaletteItem[] = [];
+  document.scene.traverse(({ id, name }) =>
+    items.push({
+      id: `object.${id}`,
+      label: name,
+      group: 'Select',
+      icon: 'object',
+      run() {
+        document.selection.set([id]);
+        viewport.focus();
+      },
+    }),
+  );
+  return items;
+}

@@ -1,0 +1,27 @@
+import { explainCompileError } from '@farol/renderer';
+import type { Editor } from './Editor';
+
+const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+/** Brings what goes wrong without anybody asking into the editor's console: components, shaders, the page. */
+export function watchErrors(editor: Editor): void {
+  const { document, viewport, log } = editor;
+  document.onComponentError = (component, error) => {
+    const owner = component.isAttached ? component.gameObject.name : 'no object';
+    log.add('error', 'component', `${component.typeName} of ${owner}: ${messageOf(error)}`);
+  };
+  viewport.webgl.debug.onShaderError = (gl, program, vertex, fragment) => {
+    for (const shader of [vertex, fragment]) {
+      if (gl.getShaderParameter(shader, gl.COMPILE_STATUS)) continue;
+      const entries = explainCompileError(gl.getShaderInfoLog(shader) ?? '', gl.getShaderSource(shader) ?? '');
+      for (const { chunk, line, message } of entries) {
+        const place = chunk ? { chunk, line } : undefined;
+        log.add('error', 'shader', `${chunk ?? 'shader'}, line ${line}: ${message}`, place);
+      }
+    }
+    const linked = (gl.getProgramInfoLog(program) ?? '').trim();
+    editor.notices.show('error', `A shader does not compile: see the console. ${linked}`.trim(), 'shader');
+  };
+  window.addEventListener('error', ({ message }) => log.add('error', 'page', message));
+  window.addEventListener('unhandledrejection', ({ reason }) => log.add('error', 'page', messageOf(reason)));
+}
