@@ -8,17 +8,23 @@ import { parseSync } from 'vite';
  *
  * microshaders <- the rest of renderer; renderer and engine speak plain three; engine -> renderer; apps -> both;
  * nothing imports apps; the browser tests use published entry points only. The renderer's other entries plug it into one
- * library each: its core knows none of them.
+ * library each, or are optional effects: its core knows none of them.
  */
 export const importRules = [
   { from: 'packages/renderer/src/microshaders', may: ['packages/renderer/src/microshaders', 'three'] },
+  { from: 'packages/renderer/src/effects', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/three-pass', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
   { from: 'packages/renderer/src/r3f', may: ['packages/renderer', 'three', 'react', '@react-three/fiber'] },
   {
     from: 'packages/renderer',
     may: ['packages/renderer', 'three'],
-    not: ['packages/renderer/src/three-pass', 'packages/renderer/src/postprocessing', 'packages/renderer/src/r3f'],
+    not: [
+      'packages/renderer/src/effects',
+      'packages/renderer/src/three-pass',
+      'packages/renderer/src/postprocessing',
+      'packages/renderer/src/r3f',
+    ],
   },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },

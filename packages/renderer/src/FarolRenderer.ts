@@ -4,6 +4,7 @@ import { collectLights, type FoundLights } from './collectLights';
 import { compileByDrawing } from './compileByDrawing';
 import { type View, isSurfaceView, views } from './debug/views';
 import { unknownName } from './errors';
+import type { FarolEffect } from './FarolEffect';
 import type { FarolInfo } from './FarolInfo';
 import { Frame } from './Frame';
 import { InfoRecorder } from './InfoRecorder';
@@ -15,7 +16,7 @@ import { createRegistry } from './microshaders/createRegistry';
 import { OverdrawPass } from './passes/OverdrawPass';
 import { gridUniforms } from './passes/LightGridPass';
 import { tileUniforms } from './passes/LightTilesPass';
-import type { Pass } from './passes/Pass';
+import type { Pass, Resource } from './passes/Pass';
 import { SurfaceViewPass } from './passes/SurfaceViewPass';
 import { validatePasses } from './passes/validatePasses';
 import { refuseArrays } from './refuseArrays';
@@ -31,7 +32,11 @@ export interface FarolOptions {
   view?: View;
   /** Times each pass on the GPU where the device can. Default false: a host may time with a query of its own. */
   timing?: boolean;
+  /** Default none. */
+  effects?: readonly FarolEffect[];
 }
+
+const NO_EFFECTS: readonly FarolEffect[] = [];
 
 /**
  * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
@@ -48,6 +53,12 @@ export class FarolRenderer {
   timing: boolean;
   /** Lights a pixel (or draws a pixel) that the count views show hottest. Default 32, above 0. */
   heatMapMaximum = 32;
+  /**
+   * What takes part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the like,
+   * from entries of the package of their own. Takes effect on the next frame; effects that are left out stay the host's to
+   * dispose, those in the list are disposed with this renderer. Default none.
+   */
+  effects: readonly FarolEffect[];
   private readonly frame: Frame;
   private readonly lights = new LightTable();
   private readonly twins: TwinCache;
@@ -79,6 +90,7 @@ export class FarolRenderer {
   private viewName: View = 'final';
   private sceneView!: SceneView;
   private disposed = false;
+  private activeEffects = NO_EFFECTS;
   private readonly draw = () => this.drawFrame();
 
   /**
@@ -102,6 +114,7 @@ export class FarolRenderer {
     this.timing = options.timing ?? false;
     this.technique = options.technique ?? 'auto';
     this.view = options.view ?? 'final';
+    this.effects = options.effects ?? [];
   }
 
   /** Key of the technique; takes effect on the next frame. @throws Error when unknown, or the device cannot run it */
@@ -161,18 +174,26 @@ export class FarolRenderer {
     if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
     collectLights(scene, camera, this.webgl, this.found);
-    this.frame.begin(scene, camera, this.viewName);
-    if (this.viewName === 'grid') this.frame.quarter();
-    this.lights.collect(this.found.all, camera);
-    this.pick();
-    this.lights.write(camera, (techniques[this.active] as Technique).lightOrder, this.frame);
-    this.setUniforms();
-    this.sceneView = this.viewOf(scene);
-    const fills = (techniques[this.active] as Technique).fillsTarget === true && this.frame.ownsTarget();
-    this.sceneView.render(camera, this.found.nested, this.frame.queue, this.draw, fills);
+    const { frame, webgl } = this;
+    frame.begin(scene, camera, this.viewName);
+    if (this.viewName === 'grid') frame.quarter();
+    const { target, face, level } = frame;
+    this.activeEffects = this.viewName === 'final' ? this.effects : NO_EFFECTS;
+    try {
+      for (const effect of this.activeEffects) effect.begin?.(frame);
+      this.lights.collect(this.found.all, frame.camera);
+      this.pick();
+      this.lights.write(frame.camera, (techniques[this.active] as Technique).lightOrder, frame);
+      this.setUniforms();
+      this.sceneView = this.viewOf(scene);
+      const fills = (techniques[this.active] as Technique).fillsTarget === true && frame.ownsTarget();
+      this.sceneView.render(frame.camera, this.found.nested, frame.queue, this.draw, fills);
+    } finally {
+      if (webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
+    }
     // lets the GPU begin while the host goes on
-    this.frame.gl.flush();
-    this.recorder.end(this.active, this.reason, this.lights, this.frame.uploadedBytes, this.targetBytes());
+    frame.gl.flush();
+    this.recorder.end(this.active, this.reason, this.lights, frame.uploadedBytes, this.targetBytes());
   }
 
   /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */
@@ -194,6 +215,7 @@ export class FarolRenderer {
     this.disposed = true;
     for (const passes of this.passLists.values()) for (const pass of passes) pass.dispose();
     this.passLists.clear();
+    for (const effect of this.effects) effect.dispose();
     this.overdraw.dispose();
     this.surfaceView.dispose();
     this.twins.dispose();
@@ -245,11 +267,7 @@ export class FarolRenderer {
     }
     if (frame.view === 'overdraw')
       this.run(this.overdraw.name, () => this.overdraw.render(frame, this.hasPass('depth')));
-    for (const pass of this.passesOf(this.active)) {
-      this.recorder.beginPass(pass.name);
-      pass.render(frame);
-      this.recorder.endPass();
-    }
+    this.drawPasses();
     if (frame.view === 'overdraw' && !this.hasPass('output')) this.overdraw.show(frame);
     if (frame.view === 'grid') this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
     frame.bindTarget();
@@ -262,6 +280,32 @@ export class FarolRenderer {
     frame.fills = this.sceneView.uncleared;
     if (frame.fills) background.fromArray(frame.gl.getParameter(frame.gl.COLOR_CLEAR_VALUE) as Float32Array);
     else background.w = -1;
+  }
+
+  private drawPasses(): void {
+    const { frame, recorder, activeEffects } = this;
+    for (const pass of this.passesOf(this.active)) {
+      recorder.beginPass(pass.name);
+      (this.replacementOf(pass) ?? pass).render!(frame, pass);
+      recorder.endPass();
+      for (const effect of activeEffects) {
+        if (effect.after === undefined || !sharesOne(effect.after, pass.writes)) continue;
+        recorder.beginPass(effect.name);
+        effect.render!(frame, pass);
+        recorder.endPass();
+      }
+    }
+    for (const effect of activeEffects) {
+      if (effect.end === undefined) continue;
+      recorder.beginPass(effect.name);
+      effect.end(frame);
+      recorder.endPass();
+    }
+  }
+
+  private replacementOf(pass: Pass): FarolEffect | null {
+    for (const effect of this.activeEffects) if (effect.replaces === pass.name) return effect;
+    return null;
   }
 
   private run(name: string, render: () => void): void {
@@ -298,6 +342,12 @@ export class FarolRenderer {
   private targetBytes(): number {
     let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.bytes;
     for (const passes of this.passLists.values()) for (const pass of passes) bytes += pass.bytes;
+    for (const effect of this.effects) bytes += effect.bytes;
     return bytes;
   }
+}
+
+function sharesOne(some: readonly Resource[], others: readonly Resource[]): boolean {
+  for (const one of some) if (others.includes(one)) return true;
+  return false;
 }

@@ -17,7 +17,7 @@ import {
 import type { View } from './debug/views';
 import type { LightTable } from './lights/LightTable';
 import type { ForwardTwins } from './materials/forwardTwin';
-import { plainBack, plainFront } from './materials/plainTwins';
+import { plainBack, plainFront, plainWhole } from './materials/plainTwins';
 import type { TwinCache } from './materials/TwinCache';
 import type { TwinKind } from './materials/TwinKind';
 import type { MicroShaderRegistry } from './microshaders';
@@ -67,8 +67,15 @@ export class Frame {
   fills = false;
   /** Counts of the view 'overdraw' in this frame. */
   overdraw: Texture | null = null;
-  private face = 0;
-  private level = 0;
+  /** Cube face and mipmap level of the target. */
+  face = 0;
+  level = 0;
+  /** Set by an effect: gives the kind of twin that an item is drawn with in place of another. */
+  adapt: ((kind: TwinKind, item: RenderItem) => TwinKind) | null = null;
+  /** Set by an effect: the G-buffer has indirect light by itself too. */
+  withIndirect = false;
+  /** Set by an effect: takes the place of the G-buffer's accumulation. */
+  accumulation: Texture | null = null;
   private readonly canvasStencil: boolean;
   private readonly draw: Draw;
 
@@ -91,6 +98,8 @@ export class Frame {
     this.camera = camera;
     this.view = view;
     this.uploadedBytes = 0;
+    this.adapt = this.accumulation = null;
+    this.withIndirect = false;
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     this.face = webgl.getActiveCubeFace();
     this.level = webgl.getActiveMipmapLevel();
@@ -174,7 +183,7 @@ export class Frame {
 
   /** Draws an item with a twin of its material. */
   drawTwin(item: RenderItem, kind: TwinKind): void {
-    this.drawItem(item, this.twins.get(item.material, kind));
+    this.drawItem(item, this.twins.get(item.material, this.adapt === null ? kind : this.adapt(kind, item)));
   }
 
   /** Draws an item forward: lit ones by a twin, the others as they are. */
@@ -182,10 +191,11 @@ export class Frame {
     const { material } = item;
     const twoPasses = material.transparent && material.side === DoubleSide && !material.forceSinglePass;
     if (!item.lit) {
-      if (!twoPasses) this.drawItem(item, material);
+      if (!twoPasses && this.adapt === null) this.drawItem(item, material);
+      else if (!twoPasses) this.drawTwin(item, plainWhole);
       else {
-        this.drawItem(item, this.twins.get(material, plainBack));
-        this.drawItem(item, this.twins.get(material, plainFront));
+        this.drawTwin(item, plainBack);
+        this.drawTwin(item, plainFront);
       }
     } else if (!twoPasses) this.drawTwin(item, twins.whole);
     else {

@@ -2,6 +2,7 @@ export { FarolRenderer, type FarolOptions } from './FarolRenderer';
 export { techniques, type TechniqueName } from './techniques';
 export type { Technique, TechniqueContext } from './techniques/Technique';
 export { views, type View } from './debug/views';
+export type { FarolEffect } from './FarolEffect';
 export type { FarolInfo, PassInfo } from './FarolInfo';
 export type { FarolAttenuation, FarolLightData, LinearRGB } from './lights/FarolLightData';
 export { GBuffer } from './gbuffer/GBuffer';

@@ -29,7 +29,7 @@ export function gbufferUniforms(): GBufferUniforms {
 
 /** Points the uniforms at a G-buffer and at this frame's camera and size. */
 export function setGBufferUniforms(uniforms: GBufferUniforms, gbuffer: GBuffer, frame: Frame): void {
-  uniforms.farol_gAccumulation.value = gbuffer.accumulation;
+  uniforms.farol_gAccumulation.value = frame.accumulation ?? gbuffer.accumulation;
   uniforms.farol_gNormal.value = gbuffer.normal;
   uniforms.farol_gAlbedo.value = gbuffer.albedo;
   uniforms.farol_gMaterial.value = gbuffer.material;

@@ -1,0 +1,29 @@
+import type { Frame } from './Frame';
+import type { Pass, Resource } from './passes/Pass';
+
+/**
+ * Something optional that takes part in a frame of any technique: `farol.effects = [new TAA()]`. The core knows only this;
+ * the effects themselves are entries of their own, such as `@farol/renderer/antialiasing`. Effects run in their order,
+ * in the view 'final' only. One object serves one FarolRenderer.
+ */
+export interface FarolEffect {
+  /** Name in `FarolInfo.passes`. */
+  readonly name: string;
+  /** `render` is called after each pass of the frame that writes one of these. */
+  readonly after?: readonly Resource[];
+  /** `render` is called in the place of the pass of this name. */
+  readonly replaces?: string;
+  /** Bytes of the targets that it holds. */
+  readonly bytes: number;
+  /**
+   * Called before anything is drawn and before three's traversal; may set `frame.camera` (a view of the host's, such as a
+   * jittered one), `frame.target` with its viewport, `frame.adapt` and `frame.withIndirect`.
+   */
+  begin?(frame: Frame): void;
+  /** Draws, inside three's `render`. @param pass the pass that was drawn, or that is to be replaced */
+  render?(frame: Frame, pass: Pass): void;
+  /** Called inside three's `render` after all passes. */
+  end?(frame: Frame): void;
+  /** Frees its GPU resources; it makes them anew when it is used again. */
+  dispose(): void;
+}

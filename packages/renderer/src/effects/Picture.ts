@@ -1,0 +1,189 @@
+import {
+  AlwaysDepth,
+  ColorManagement,
+  CustomBlending,
+  DepthFormat,
+  DepthStencilFormat,
+  DepthTexture,
+  FloatType,
+  HalfFloatType,
+  LessEqualDepth,
+  LinearFilter,
+  NoBlending,
+  NoColorSpace,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  SRGBTransfer,
+  Vector2,
+  Vector4,
+  WebGLRenderTarget,
+  type Color,
+  type ColorSpace,
+  type IUniform,
+  type Texture,
+} from 'three';
+import type { Frame } from '../Frame';
+import { FullscreenMesh } from '../passes/FullscreenMesh';
+import { PassMaterial } from '../passes/PassMaterial';
+import { addMicroShaders } from './addMicroShaders';
+import picturePresent from './picturePresent.glsl?raw';
+import displayTransfer from './displayTransfer.glsl?raw';
+
+const pictures = new WeakMap<Frame, Picture>();
+
+/**
+ * The picture of a frame in a target of Farol's own, with depth as a texture, for effects that need the whole of it:
+ * `begin` makes everything be drawn there, as it would have been drawn to the host's target (tone mapped and encoded if
+ * that is the canvas); when the last effect that began it has ended it, it is written to the host's target with its depth.
+ */
+export class Picture {
+  /** What is drawn to from `begin` on. */
+  target!: WebGLRenderTarget;
+  /** The picture as far as it is made: `target`'s texture, or what an effect made of it. */
+  texture!: Texture;
+  /** Whether `texture` is encoded for the display (sRGB's transfer function), not linear. */
+  encoded = false;
+  private users = 0;
+  private toDisplay = false;
+  private clears = true;
+  private readonly targets: WebGLRenderTarget[] = [];
+  private hostTarget: WebGLRenderTarget | null = null;
+  private hostFace = 0;
+  private hostLevel = 0;
+  private readonly hostViewport = new Vector4();
+  private readonly color: IUniform<Texture | null> = { value: null };
+  private readonly depth: IUniform<Texture | null> = { value: null };
+  private readonly offset = { value: new Vector2() };
+  private readonly encode = { value: false };
+  private readonly triangle = new FullscreenMesh();
+  private material: PassMaterial | null = null;
+
+  /** The picture of a renderer's frames: one, shared by its effects. */
+  static of(frame: Frame): Picture {
+    let picture = pictures.get(frame);
+    if (picture === undefined) pictures.set(frame, (picture = new Picture()));
+    return picture;
+  }
+
+  get bytes(): number {
+    return this.targets.reduce(
+      (sum, { width, height, texture }) => sum + width * height * (texture.type === FloatType ? 20 : 12),
+      0,
+    );
+  }
+
+  /** Makes the frame be drawn here. Each effect that calls it calls `end` too. */
+  begin(frame: Frame): void {
+    if (frame.target !== null && this.targets.includes(frame.target)) {
+      this.users++;
+      return;
+    }
+    this.users = 1; // a frame that failed may have left some
+    const { webgl } = frame;
+    this.hostTarget = frame.target;
+    this.hostFace = frame.face;
+    this.hostLevel = frame.level;
+    this.hostViewport.copy(frame.viewport);
+    this.target = this.targetFor(frame);
+    if (this.target.width !== frame.width || this.target.height !== frame.height) {
+      this.target.setSize(frame.width, frame.height);
+    }
+    this.texture = this.target.texture;
+    this.toDisplay =
+      this.hostTarget === null && ColorManagement.getTransfer(webgl.outputColorSpace) === SRGBTransfer;
+    this.encoded = this.toDisplay;
+    frame.target = this.target;
+    frame.face = frame.level = 0;
+    frame.viewport.set(0, 0, frame.width, frame.height);
+    frame.bindTarget();
+    // three clears with the background, also where it is a colour
+    this.clears = webgl.autoClear || (frame.scene.background as Color | null)?.isColor === true;
+    if (!this.clears) frame.clear(1, true);
+  }
+
+  /** An effect is through with it; the last one writes it to the host's target. */
+  end(frame: Frame): void {
+    if (--this.users > 0) return;
+    frame.target = this.hostTarget;
+    frame.face = this.hostFace;
+    frame.level = this.hostLevel;
+    frame.viewport.copy(this.hostViewport);
+    this.color.value = this.texture;
+    this.depth.value = this.target.depthTexture;
+    this.offset.value.set(frame.viewport.x, frame.viewport.y);
+    this.encode.value = this.toDisplay && !this.encoded;
+    this.material ??= this.makeMaterial(frame);
+    // over what the host kept, or in its place
+    this.material.blending = this.clears ? NoBlending : CustomBlending;
+    this.material.depthFunc = this.clears ? AlwaysDepth : LessEqualDepth;
+    frame.bindTarget();
+    frame.drawMesh(this.triangle, this.material);
+  }
+
+  dispose(): void {
+    for (const target of this.targets) {
+      target.depthTexture?.dispose();
+      target.dispose();
+    }
+    this.targets.length = 0;
+    this.material?.dispose();
+    this.material = null;
+  }
+
+  /** One for the canvas and one for targets, since three draws linear light without tone mapping to those. */
+  private targetFor(frame: Frame): WebGLRenderTarget {
+    const { webgl, target: host } = frame;
+    const type = host?.texture.type === FloatType ? FloatType : HalfFloatType;
+    const colorSpace = host === null ? (webgl.outputColorSpace as ColorSpace) : NoColorSpace;
+    const stencil = host === null ? frame.gl.getContextAttributes()!.stencil! : host.stencilBuffer;
+    let target = this.targets.find(
+      ({ texture, stencilBuffer }) =>
+        texture.type === type && texture.colorSpace === colorSpace && stencilBuffer === stencil,
+    );
+    if (target === undefined) {
+      target = new WebGLRenderTarget(1, 1, {
+        type,
+        colorSpace,
+        minFilter: LinearFilter,
+        magFilter: LinearFilter,
+        stencilBuffer: stencil,
+        depthTexture: new DepthTexture(
+          1,
+          1,
+          FloatType,
+          undefined,
+          undefined,
+          undefined,
+          undefined,
+          undefined,
+          undefined,
+          stencil ? DepthStencilFormat : DepthFormat,
+        ),
+      });
+      target.texture.name = 'Farol picture';
+      // three's mark of a target that is drawn to as the canvas is: tone mapped, in the colour space of its texture
+      if (host === null) Object.assign(target, { isXRRenderTarget: true });
+      this.targets.push(target);
+    }
+    return target;
+  }
+
+  private makeMaterial(frame: Frame): PassMaterial {
+    addMicroShaders(frame.microshaders, { displayTransfer, picturePresent });
+    return new PassMaterial(frame.microshaders, {
+      name: 'Farol picture',
+      vertex: ['fullscreen'],
+      fragment: ['picturePresent'],
+      uniforms: {
+        farol_picture: this.color,
+        farol_pictureDepth: this.depth,
+        farol_offset: this.offset,
+        farol_encode: this.encode,
+      },
+      blendSrc: OneFactor,
+      blendDst: OneMinusSrcAlphaFactor,
+      depthTest: true,
+      depthWrite: true,
+    });
+  }
+}

@@ -1,0 +1,117 @@
+import { HalfFloatType, Matrix4, NearestFilter, WebGLRenderTarget, type Object3D, type Vector2 } from 'three';
+import type { Frame } from '../../Frame';
+import type { RenderItem } from '../../RenderItem';
+import { hasMotionTwin, motionTwins } from './motionTwin';
+import { ObjectMotion } from './ObjectMotion';
+
+const clip = new Matrix4();
+
+/**
+ * Draws how far each pixel of what moves by itself has moved since the last frame (x, y in pictures; alpha 1 where
+ * something was drawn), under the depth of the finished picture: objects, skins, morphs, instances and batches. What
+ * stands still moves by the camera alone, and is left out.
+ */
+export class MotionPass {
+  /** Whether something was drawn in this frame, and whether something has changed at all. */
+  drawn = false;
+  changed = false;
+  target: WebGLRenderTarget | null = null;
+  private readonly uniforms;
+  private readonly twins;
+  private slot = 0;
+  private readonly objects: Object3D[] = [];
+
+  /** @param jitter of the frame, normalised device coordinates */
+  constructor(jitter: Vector2) {
+    this.uniforms = {
+      farol_clipBefore: { value: new Matrix4() },
+      farol_jitter: { value: jitter },
+      farol_bonesBefore: { value: null as unknown },
+      farol_instancesBefore: { value: null as unknown },
+      farol_morphBaseBefore: { value: 1 },
+      farol_morphsBefore: { value: [] as number[] },
+    };
+    this.twins = motionTwins(this.uniforms);
+  }
+
+  get bytes(): number {
+    return this.target ? this.target.width * this.target.height * 8 : 0;
+  }
+
+  /**
+   * @param motions how objects stood in the last frame of this camera; brought up to this frame
+   * @param number of this frame
+   * @param before last frame's projection × view
+   * @param picture whose depth it is drawn under
+   */
+  render(
+    frame: Frame,
+    motions: WeakMap<Object3D, ObjectMotion>,
+    number: number,
+    before: Matrix4,
+    picture: WebGLRenderTarget,
+  ): void {
+    this.drawn = this.changed = false;
+    this.objects.length = 0;
+    this.draw(frame, frame.queue.opaque, motions, number, before, picture);
+    this.draw(frame, frame.queue.transmissive, motions, number, before, picture);
+    this.draw(frame, frame.queue.transparent, motions, number, before, picture);
+    for (const object of this.objects) motions.get(object)!.remember(object, number);
+  }
+
+  dispose(): void {
+    this.target?.dispose();
+    this.target = null;
+  }
+
+  private draw(
+    frame: Frame,
+    items: readonly RenderItem[],
+    motions: WeakMap<Object3D, ObjectMotion>,
+    number: number,
+    before: Matrix4,
+    picture: WebGLRenderTarget,
+  ): void {
+    for (const item of items) {
+      const { object } = item;
+      let motion = motions.get(object);
+      if (motion === undefined) motions.set(object, (motion = new ObjectMotion()));
+      if (motion.frame === number) continue; // another group of what has not moved
+      const isNew = motion.frame !== number - 1;
+      const moved = !isNew && motion.hasMoved(object);
+      if (!isNew && !moved) {
+        motion.frame = number;
+        continue;
+      }
+      this.changed = true;
+      this.objects.push(object);
+      if (isNew || !motion.isKnown(object) || !hasMotionTwin(item)) continue;
+      this.bind(frame, picture);
+      const { uniforms } = this;
+      uniforms.farol_clipBefore.value.multiplyMatrices(before, clip.fromArray(motion.matrix));
+      uniforms.farol_bonesBefore.value = motion.bones;
+      uniforms.farol_instancesBefore.value = motion.instances;
+      uniforms.farol_morphBaseBefore.value = motion.morphBase;
+      uniforms.farol_morphsBefore.value = motion.morphs;
+      frame.drawTwin(item, this.twins[this.slot]);
+      this.slot = 1 - this.slot;
+    }
+  }
+
+  private bind(frame: Frame, picture: WebGLRenderTarget): void {
+    if (this.drawn) return;
+    this.drawn = true;
+    const { width, height } = picture;
+    if (this.target !== null && this.target.depthTexture !== picture.depthTexture) this.dispose();
+    this.target ??= new WebGLRenderTarget(width, height, {
+      type: HalfFloatType,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      stencilBuffer: picture.stencilBuffer,
+      depthTexture: picture.depthTexture!,
+    });
+    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
+    frame.bind(this.target);
+    frame.clear(1, false);
+  }
+}

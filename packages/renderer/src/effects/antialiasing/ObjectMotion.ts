@@ -1,0 +1,152 @@
+import {
+  type BatchedMesh,
+  DataTexture,
+  FloatType,
+  type InstancedMesh,
+  type Matrix4,
+  type Mesh,
+  type Object3D,
+  RGBAFormat,
+  type SkinnedMesh,
+} from 'three';
+
+/** Instance matrices in a row of a texture, each four texels. */
+const INSTANCES_PER_ROW = 512;
+
+/** How an object stood in the last frame: its matrix, bones, morphs and instances. */
+export class ObjectMotion {
+  /** Frame of the copies. */
+  frame = -1;
+  /** World matrix; of a skinned mesh times its bind matrix's inverse. */
+  readonly matrix = new Float64Array(16);
+  /** Bone matrices, or null. */
+  bones: DataTexture | null = null;
+  /** Matrices of instances, or null while they have not changed. */
+  instances: DataTexture | null = null;
+  morphBase = 1;
+  morphs: number[] = [];
+  private instancesVersion = -1;
+
+  /** Whether the object stands otherwise than at the last `remember`. */
+  hasMoved(object: Object3D): boolean {
+    worldOf(object, world);
+    for (let i = 0; i < 16; i++) if (world[i] !== this.matrix[i]) return true;
+    const { morphTargetInfluences } = object as Mesh;
+    if (morphTargetInfluences !== undefined) {
+      for (let i = 0; i < morphTargetInfluences.length; i++) {
+        if (morphTargetInfluences[i] !== this.morphs[i]) return true;
+      }
+    }
+    if (this.bones !== null) {
+      const now = (object as SkinnedMesh).skeleton.boneMatrices!;
+      const before = this.bones.image.data as unknown as Float32Array;
+      for (let i = 0; i < now.length; i++) if (now[i] !== before[i]) return true;
+    }
+    return instancesOf(object) !== null && versionOf(object) !== this.instancesVersion;
+  }
+
+  /** Whether the matrices of its instances, if it has any, are known: they are copied from their first change on. */
+  isKnown(object: Object3D): boolean {
+    const now = instancesOf(object);
+    if (now === null || this.instances !== null) return true;
+    if (versionOf(object) !== this.instancesVersion) return false;
+    this.copyInstances(object, now);
+    return true;
+  }
+
+  /** Copies how the object stands now. */
+  remember(object: Object3D, frame: number): void {
+    this.frame = frame;
+    worldOf(object, this.matrix);
+    const mesh = object as SkinnedMesh;
+    if (mesh.morphTargetInfluences !== undefined) {
+      let sum = 0;
+      for (let i = 0; i < mesh.morphTargetInfluences.length; i++) {
+        this.morphs[i] = mesh.morphTargetInfluences[i];
+        sum += this.morphs[i];
+      }
+      this.morphBase = mesh.geometry.morphTargetsRelative ? 1 : 1 - sum;
+    }
+    if (mesh.isSkinnedMesh === true && mesh.skeleton.boneMatrices !== null) {
+      const { boneMatrices, boneTexture } = mesh.skeleton;
+      const size = boneTexture?.image.width ?? 4;
+      if (this.bones === null || this.bones.image.data!.length !== boneMatrices.length) {
+        this.bones?.dispose();
+        this.bones = matrixTexture(new Float32Array(boneMatrices.length), size);
+      }
+      (this.bones.image.data as unknown as Float32Array).set(boneMatrices);
+      this.bones.needsUpdate = true;
+    }
+    this.rememberInstances(object);
+  }
+
+  dispose(): void {
+    this.bones?.dispose();
+    this.instances?.dispose();
+  }
+
+  private rememberInstances(object: Object3D): void {
+    const now = instancesOf(object);
+    if (now === null) return;
+    const version = versionOf(object);
+    const first = this.instancesVersion === -1;
+    if (version === this.instancesVersion) return;
+    this.instancesVersion = version;
+    if (!first) this.copyInstances(object, now);
+  }
+
+  private copyInstances(object: Object3D, now: Float32Array): void {
+    const batch = (object as BatchedMesh).isBatchedMesh === true;
+    const width = batch ? Math.sqrt(now.length / 4) : 4 * INSTANCES_PER_ROW;
+    const length = batch ? now.length : Math.ceil(now.length / (16 * INSTANCES_PER_ROW)) * 16 * INSTANCES_PER_ROW;
+    if (this.instances === null || this.instances.image.data!.length !== length) {
+      this.instances?.dispose();
+      this.instances = matrixTexture(new Float32Array(length), width);
+    }
+    (this.instances.image.data as unknown as Float32Array).set(now);
+    this.instances.needsUpdate = true;
+  }
+}
+
+const world = new Float64Array(16);
+
+function worldOf(object: Object3D, out: Float64Array): void {
+  const skinned = object as SkinnedMesh;
+  if (skinned.isSkinnedMesh === true) multiply(object.matrixWorld, skinned.bindMatrixInverse, out);
+  else out.set(object.matrixWorld.elements);
+}
+
+function multiply(a: Matrix4, b: Matrix4, out: Float64Array): void {
+  const x = a.elements;
+  const y = b.elements;
+  for (let column = 0; column < 4; column++) {
+    for (let row = 0; row < 4; row++) {
+      let sum = 0;
+      for (let k = 0; k < 4; k++) sum += x[row + 4 * k] * y[k + 4 * column];
+      out[row + 4 * column] = sum;
+    }
+  }
+}
+
+/** three's texture of a batch's matrices. */
+type Batch = BatchedMesh & { _matricesTexture: DataTexture };
+
+function instancesOf(object: Object3D): Float32Array | null {
+  if ((object as InstancedMesh).isInstancedMesh === true) {
+    return (object as InstancedMesh).instanceMatrix.array as Float32Array;
+  }
+  if ((object as BatchedMesh).isBatchedMesh === true) {
+    return (object as Batch)._matricesTexture.image.data as unknown as Float32Array;
+  }
+  return null;
+}
+
+function versionOf(object: Object3D): number {
+  return (object as InstancedMesh).isInstancedMesh === true
+    ? (object as InstancedMesh).instanceMatrix.version
+    : (object as Batch)._matricesTexture.version;
+}
+
+function matrixTexture(data: Float32Array<ArrayBuffer>, width: number): DataTexture {
+  return new DataTexture(data, width, data.length / 4 / width, RGBAFormat, FloatType);
+}

@@ -1,0 +1,2 @@
+export { SMAA } from './SMAA';
+export { TAA } from './TAA';

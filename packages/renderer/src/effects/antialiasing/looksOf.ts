@@ -1,0 +1,38 @@
+import { type Color, Material, type MeshStandardMaterial, type Texture } from 'three';
+import type { RenderQueue } from '../../RenderQueue';
+
+type AnyMaterial = MeshStandardMaterial & { isShaderMaterial?: boolean };
+type MovingTexture = Texture & { isVideoTexture?: boolean };
+
+/**
+ * A number that stays as long as the materials of what is drawn look the same: their colours, opacity, roughness and the
+ * like, versions, and textures. NaN, which equals nothing, where a shader of the host's or a video may change by itself.
+ */
+export function looksOf(queue: RenderQueue): number {
+  return looksOfList(queue.opaque) + looksOfList(queue.transmissive) * 3 + looksOfList(queue.transparent) * 7;
+}
+
+function looksOfList(items: RenderQueue['opaque']): number {
+  let sum = items.length;
+  for (let i = 0; i < items.length; i++) {
+    const m = items[i].material as AnyMaterial;
+    if (m.isShaderMaterial || m.onBeforeCompile !== Material.prototype.onBeforeCompile) return Number.NaN;
+    const own = m.id + m.version * 0.37 + m.opacity * 5 + colour(m.color) + colour(m.emissive) * 3;
+    const numbers = number(m.emissiveIntensity) + number(m.roughness) * 3 + number(m.metalness) * 5 + texture(m.map);
+    sum += (own + numbers) * ((i % 97) + 1);
+  }
+  return sum;
+}
+
+function colour(value: Color | undefined): number {
+  return value === undefined ? 0 : value.r + value.g * 3 + value.b * 7;
+}
+
+function number(value: number | undefined): number {
+  return value ?? 0;
+}
+
+function texture(value: MovingTexture | null | undefined): number {
+  if (value === null || value === undefined) return 0;
+  return value.isVideoTexture ? Number.NaN : value.version + value.offset.x + value.offset.y * 3 + value.rotation;
+}

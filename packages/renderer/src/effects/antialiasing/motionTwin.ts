@@ -1,0 +1,53 @@
+import { NoBlending, type IUniform } from 'three';
+import { beforeLastBrace } from '../../materials/beforeLastBrace';
+import { hasDepthTwin } from '../../materials/depthTwin';
+import { replaceOnce } from '../../materials/replaceOnce';
+import type { TwinKind, TwinShader } from '../../materials/TwinKind';
+import type { RenderItem } from '../../RenderItem';
+import motionVertexHeader from './motionVertexHeader.glsl?raw';
+import motionVertex from './motionVertex.glsl?raw';
+
+const AFTER_TESTS = '#include <alphahash_fragment>';
+const VARYINGS = 'varying highp vec4 farol_now;\nvarying highp vec4 farol_before;\n';
+const WRITE =
+  'gl_FragColor = vec4(0.5 * (farol_now.xy / farol_now.w - farol_before.xy / farol_before.w), 0.0, 1.0);\nif (true) return;';
+
+/**
+ * Writes how far a surface has moved over the picture since the last frame. Two kinds of one program, to be used in turns:
+ * three sends a material's uniforms only when the material changes.
+ * @param uniforms of motionVertexHeader.glsl
+ */
+export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinKind, TwinKind] {
+  const kind = (): TwinKind => ({
+    key: 'motion',
+    chunks: () => [],
+    // what is drawn has this very depth in the picture already, but for rounding
+    properties: {
+      blending: NoBlending,
+      depthWrite: false,
+      polygonOffset: true,
+      polygonOffsetFactor: 0,
+      polygonOffsetUnits: -4,
+    },
+    patch(shader: TwinShader, source) {
+      const where = `the shader of material "${source.name || source.type}"`;
+      Object.assign(shader.uniforms, uniforms);
+      shader.vertexShader = `${VARYINGS}${beforeLastBrace(
+        replaceOnce(shader.vertexShader, 'void main() {', `${motionVertexHeader}\nvoid main() {`, where),
+        motionVertex,
+      )}`;
+      shader.fragmentShader = VARYINGS + replaceOnce(shader.fragmentShader, AFTER_TESTS, `${AFTER_TESTS}\n${WRITE}`, where);
+    },
+  });
+  return [kind(), kind()];
+}
+
+/** True for draws whose motion the twins can show; the rest counts as standing still. */
+export function hasMotionTwin(item: RenderItem): boolean {
+  const material = item.material as RenderItem['material'] & {
+    isMeshBasicMaterial?: boolean;
+    isMeshMatcapMaterial?: boolean;
+  };
+  const supported = item.lit || material.isMeshBasicMaterial === true || material.isMeshMatcapMaterial === true;
+  return supported && material.depthWrite && hasDepthTwin(material);
+}

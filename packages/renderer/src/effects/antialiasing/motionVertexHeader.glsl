@@ -1,0 +1,21 @@
+// Where a vertex was in the last frame: last matrices of the object, its bones, morphs and instances.
+// Karis 2014, High Quality Temporal Supersampling; three's vertex chunks
+uniform highp mat4 farol_clipBefore; // last frame's projection, view and world, and of a skinned mesh its bind inverse
+uniform highp vec2 farol_jitter; // of this frame, normalised device coordinates
+
+mat4 farol_matrixOf(highp sampler2D matrices, const in int i) {
+  int size = textureSize(matrices, 0).x;
+  int j = i * 4;
+  ivec2 at = ivec2(j % size, j / size);
+  return mat4(texelFetch(matrices, at, 0), texelFetch(matrices, at + ivec2(1, 0), 0), texelFetch(matrices, at + ivec2(2, 0), 0), texelFetch(matrices, at + ivec2(3, 0), 0));
+}
+#ifdef USE_SKINNING
+uniform highp sampler2D farol_bonesBefore;
+#endif
+#if defined( USE_INSTANCING ) || defined( USE_BATCHING )
+uniform highp sampler2D farol_instancesBefore;
+#endif
+#if defined( USE_MORPHTARGETS ) && ! defined( USE_INSTANCING_MORPH )
+uniform highp float farol_morphBaseBefore;
+uniform highp float farol_morphsBefore[ MORPHTARGETS_COUNT ];
+#endif

@@ -1,0 +1,82 @@
+// SMAA, second step: how much of its neighbour over each edge a pixel gets: the area between the edge and the line that it stands for.
+// Jimenez et al. 2012, SMAA, 3.2 and 4.2; the area is that of the published AreaTex, computed here in place of being looked up
+uniform highp sampler2D farol_edgeMap;
+layout(location = 0) out highp vec4 farol_weights; // below edge: own, neighbour's; left edge: own, neighbour's
+
+const int FAROL_REACH = 32; // pixels an edge is followed to either side
+
+// what a line from a to b (along the edge, off it) cuts off the pixel from x to x + 1: on the own side, on the other
+vec2 farol_areaUnder(const in vec2 a, const in vec2 b, const in float x) {
+  if (x + 1.0 <= a.x || x >= b.x) return vec2(0.0);
+  float slope = (b.y - a.y) / (b.x - a.x);
+  float from = max(x, a.x);
+  float to = min(x + 1.0, b.x);
+  float y0 = a.y + slope * (from - a.x);
+  float y1 = a.y + slope * (to - a.x);
+  float width = to - from;
+  if (y0 * y1 >= 0.0) {
+    float area = 0.5 * (y0 + y1) * width;
+    return vec2(max(area, 0.0), max(-area, 0.0));
+  }
+  float zero = width * y0 / (y0 - y1);
+  vec2 triangles = 0.5 * vec2(y0 * zero, y1 * (width - zero));
+  return vec2(max(triangles.x, triangles.y), max(-triangles.x, -triangles.y));
+}
+
+// lengths of the edge to either side of the pixel; ends: 1 it turns to the own side, -1 to the other, 0 neither, 2 both
+vec2 farol_edgeArea(const in float before, const in float after, const in float first, const in float last) {
+  float d = before + after + 1.0;
+  float start = first == 2.0 ? (last == 2.0 ? 0.0 : -last) : first;
+  float end = last == 2.0 ? (first == 2.0 ? 0.0 : -first) : last;
+  if (first == 2.0 && start == 0.0 || last == 2.0 && end == 0.0) return vec2(0.0);
+  if (start == 0.0 && end == 0.0) return vec2(0.0);
+  if (start * end < 0.0) return farol_areaUnder(vec2(0.0, 0.5 * start), vec2(d, 0.5 * end), before);
+  vec2 area1 = start == 0.0 ? vec2(0.0) : farol_areaUnder(vec2(0.0, 0.5 * start), vec2(0.5 * d, 0.0), before);
+  vec2 area2 = end == 0.0 ? vec2(0.0) : farol_areaUnder(vec2(0.5 * d, 0.0), vec2(d, 0.5 * end), before);
+  if (start == end) { // short ones are rounded corners more than steps
+    float straight = min(d / 32.0, 1.0);
+    area1 = mix(sqrt(2.0 * area1) * 0.5, area1, straight);
+    area2 = mix(sqrt(2.0 * area2) * 0.5, area2, straight);
+  }
+  return area1 + area2;
+}
+
+vec2 farol_edgesAt(const in ivec2 pixel) {
+  return any(lessThan(pixel, ivec2(0))) ? vec2(0.0) : texelFetch(farol_edgeMap, min(pixel, textureSize(farol_edgeMap, 0) - 1), 0).rg;
+}
+
+float farol_turn(const in bool own, const in bool other) {
+  return own ? (other ? 2.0 : 1.0) : other ? -1.0 : 0.0;
+}
+
+// along: 0 the edge below the pixel, 1 the edge at its left
+vec2 farol_edgeWeights(const in ivec2 pixel, const in int along) {
+  ivec2 step = along == 0 ? ivec2(1, 0) : ivec2(0, 1);
+  ivec2 over = along == 0 ? ivec2(0, -1) : ivec2(-1, 0);
+  int before = 0;
+  int after = 0;
+  float first = 0.0;
+  float last = 0.0;
+  for (; before <= FAROL_REACH; before++) {
+    ivec2 at = pixel - before * step;
+    bool own = farol_edgesAt(at)[along] > 0.5;
+    bool other = farol_edgesAt(at + over)[along] > 0.5;
+    first = farol_turn(own, other);
+    if (first != 0.0 || farol_edgesAt(at - step)[1 - along] < 0.5) break;
+  }
+  for (; after <= FAROL_REACH; after++) {
+    ivec2 at = pixel + (after + 1) * step;
+    bool own = farol_edgesAt(at)[along] > 0.5;
+    bool other = farol_edgesAt(at + over)[along] > 0.5;
+    last = farol_turn(own, other);
+    if (last != 0.0 || farol_edgesAt(at)[1 - along] < 0.5) break;
+  }
+  return farol_edgeArea(float(before), float(after), first, last);
+}
+//# main
+ivec2 pixel = ivec2(gl_FragCoord.xy);
+vec2 edges = texelFetch(farol_edgeMap, pixel, 0).rg;
+if (edges.x + edges.y < 0.5) discard;
+farol_weights = vec4(0.0);
+if (edges.g > 0.5) farol_weights.rg = farol_edgeWeights(pixel, 0);
+if (edges.r > 0.5) farol_weights.ba = farol_edgeWeights(pixel, 1);
