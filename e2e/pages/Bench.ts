@@ -14,14 +14,19 @@ export class Bench {
   readonly farol: FarolRenderer;
   readonly target: THREE.WebGLRenderTarget;
 
+  /** @param samples of the target: above 0 it is multisampled, in half floats */
   constructor(
     readonly width: number,
     readonly height: number,
+    samples = 0,
   ) {
     this.webgl = new THREE.WebGLRenderer({ antialias: false });
     this.webgl.setSize(width, height, false);
     this.farol = new FarolRenderer(this.webgl);
-    this.target = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType });
+    this.target = new THREE.WebGLRenderTarget(width, height, {
+      type: samples > 0 ? THREE.HalfFloatType : THREE.FloatType,
+      samples,
+    });
   }
 
   /** An environment map made of a blue room with orange walls. */
@@ -51,11 +56,23 @@ export class Bench {
     const { webgl, target, width, height } = this;
     webgl.setRenderTarget(target);
     render();
-    const data = new Float32Array(width * height * 4);
-    webgl.readRenderTargetPixels(target, 0, 0, width, height, data);
+    const data = this.read();
     webgl.setRenderTarget(null);
     const error = webgl.getContext().getError();
     if (error !== 0) throw new Error(`WebGL error ${error}`);
     return { width, height, data };
+  }
+
+  private read(): Float32Array {
+    const { webgl, target, width, height } = this;
+    const data = new Float32Array(width * height * 4);
+    if (target.texture.type === THREE.FloatType) {
+      webgl.readRenderTargetPixels(target, 0, 0, width, height, data);
+    } else {
+      const halves = new Uint16Array(data.length);
+      webgl.readRenderTargetPixels(target, 0, 0, width, height, halves);
+      halves.forEach((half, i) => (data[i] = THREE.DataUtils.fromHalfFloat(half)));
+    }
+    return data;
   }
 }

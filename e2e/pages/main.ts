@@ -1,14 +1,21 @@
 import * as farol from '@farol/renderer';
+import * as antialiasing from '@farol/renderer/antialiasing';
 import * as three from 'three';
 import { compareImages, isFlat } from '../support/images';
 import { Bench } from './Bench';
+import { edgeScene } from './edgeScene';
 import { materialScene } from './materialScene';
+import { supersampled } from './supersampled';
 
 /** What an empty page offers to a browser test that builds its own scene: three and the renderer, whole. */
 export interface TestPage {
   three: typeof three;
   farol: typeof farol;
+  /** The effects, from their own entries. */
+  effects: typeof antialiasing;
   materialScene: typeof materialScene;
+  edgeScene: typeof edgeScene;
+  supersampled: typeof supersampled;
   Bench: typeof Bench;
   compareImages: typeof compareImages;
   isFlat: typeof isFlat;
@@ -20,4 +27,14 @@ declare global {
   }
 }
 
-window.testPage = { three, farol, materialScene, Bench, compareImages, isFlat };
+window.testPage = {
+  three,
+  farol,
+  effects: { ...antialiasing },
+  materialScene,
+  edgeScene,
+  supersampled,
+  Bench,
+  compareImages,
+  isFlat,
+};

@@ -77,6 +77,7 @@ export class Frame {
   /** Set by an effect: takes the place of the G-buffer's accumulation. */
   accumulation: Texture | null = null;
   private readonly canvasStencil: boolean;
+  private readonly canvasSamples: number;
   private readonly draw: Draw;
 
   constructor(
@@ -89,6 +90,12 @@ export class Frame {
     this.gl = webgl.getContext() as WebGL2RenderingContext;
     this.canvasStencil = this.gl.getContextAttributes()?.stencil !== false;
     this.draw = webgl.renderBufferDirect as unknown as Draw;
+    this.canvasSamples = this.gl.getContextAttributes()?.antialias ? 4 : 0;
+  }
+
+  /** Samples a pixel of the target: above 0 it is multisampled. */
+  get samples(): number {
+    return this.target === null ? this.canvasSamples : this.target.samples;
   }
 
   /** Takes over the host's target, viewport, scene and camera. */
@@ -167,6 +174,22 @@ export class Frame {
     const height = Math.max(1, viewport.w >> 1);
     viewport.set(viewport.x + viewport.z - width, viewport.y, width, height);
     this.resize();
+  }
+
+  /** Brings the samples of a multisampled target into its textures, depth by one of them. */
+  resolve(target: WebGLRenderTarget): void {
+    const { gl } = this;
+    const { properties, state } = this.webgl;
+    const buffers = properties.get(target) as {
+      __webglFramebuffer: WebGLFramebuffer;
+      __webglMultisampledFramebuffer: WebGLFramebuffer;
+    };
+    const { width, height } = target;
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, buffers.__webglMultisampledFramebuffer);
+    state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, buffers.__webglFramebuffer);
+    const both = gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT;
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, both, gl.NEAREST);
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
   }
 
   /** Copies depth between targets of one size, both with a depth texture of the same format. */

@@ -89,8 +89,7 @@ export class Picture {
       this.target.setSize(frame.width, frame.height);
     }
     this.texture = this.target.texture;
-    this.toDisplay =
-      this.hostTarget === null && ColorManagement.getTransfer(webgl.outputColorSpace) === SRGBTransfer;
+    this.toDisplay = this.hostTarget === null && ColorManagement.getTransfer(webgl.outputColorSpace) === SRGBTransfer;
     this.encoded = this.toDisplay;
     frame.target = this.target;
     frame.face = frame.level = 0;

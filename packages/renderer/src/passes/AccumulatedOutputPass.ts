@@ -1,4 +1,14 @@
-import { AlwaysDepth, LessEqualDepth, Vector2, type IUniform, type Texture } from 'three';
+import {
+  AlwaysDepth,
+  CustomBlending,
+  LessEqualDepth,
+  NoBlending,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  Vector2,
+  type IUniform,
+  type Texture,
+} from 'three';
 import { isCountView } from '../debug/views';
 import type { Frame } from '../Frame';
 import { FullscreenMesh } from './FullscreenMesh';
@@ -43,11 +53,15 @@ export class AccumulatedOutputPass implements Pass {
         farol_overdrawMap: this.overdraw,
         farol_offset: this.offset,
       },
+      blendSrc: OneFactor,
+      blendDst: OneMinusSrcAlphaFactor,
       toneMapped: true,
       depthTest: true,
       depthWrite: true,
     });
     this.material.depthFunc = isCountView(view) || frame.fills ? AlwaysDepth : LessEqualDepth;
+    // at an edge, samples of what was there before show through
+    this.material.blending = frame.samples > 0 && !frame.fills ? CustomBlending : NoBlending;
     frame.bindTarget();
     frame.drawMesh(this.triangle, this.material);
   }

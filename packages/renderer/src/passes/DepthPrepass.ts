@@ -7,7 +7,7 @@ import { OutputMaterial } from './PassMaterial';
 
 /**
  * Draws the depth of the opaque lit items first: into a texture for the light lists, and from there into the host's target,
- * so that what is hidden is not shaded.
+ * so that what is hidden is not shaded (but not where that is multisampled: depths of pixels are not those of samples).
  * @see Harada, McKee and Yang 2012, Forward+: Bringing Deferred Lighting to the Next Level
  */
 export class DepthPrepass implements Pass {
@@ -37,7 +37,8 @@ export class DepthPrepass implements Pass {
     for (const item of frame.queue.opaque) {
       if (item.plain && item.lit && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
     }
-    this.show(frame);
+    // one depth a pixel would hide samples of slopes
+    if (frame.samples === 0) this.show(frame);
   }
 
   dispose(): void {

@@ -25,7 +25,8 @@ const centre = new Vector3();
 /**
  * Multipass lighting: ambient, environment and emissive once, then each light added by a draw of its own over the objects
  * that its range reaches, inside the rectangle that its volume covers on screen.
- * Sums in 32-bit float where the device blends it (EXT_float_blend), else in half float.
+ * Sums in 32-bit float where the device blends it (EXT_float_blend), else, and where the host's target is multisampled and
+ * so this one too, in half float.
  * @see thesis 2.2.1.3 and 3.2.3.1
  */
 export class MultipassLightsPass implements Pass {
@@ -49,8 +50,19 @@ export class MultipassLightsPass implements Pass {
 
   render(frame: Frame): void {
     this.prepareTarget(frame);
+    this.items.length = 0;
+    this.drawLights(frame);
+    if (this.target!.samples > 0) frame.resolve(this.target!);
+  }
+
+  dispose(): void {
+    this.target?.depthTexture?.dispose();
+    this.target?.dispose();
+    this.target = null;
+  }
+
+  private drawLights(frame: Frame): void {
     const { items } = this;
-    items.length = 0;
     const base = baseTwin(frame.view);
     for (const item of frame.queue.opaque) {
       if (!item.plain || !item.lit) continue;
@@ -73,16 +85,12 @@ export class MultipassLightsPass implements Pass {
     state.setScissorTest(false);
   }
 
-  dispose(): void {
-    this.target?.depthTexture?.dispose();
-    this.target?.dispose();
-    this.target = null;
-  }
-
   private prepareTarget(frame: Frame): void {
-    const { width, height, gl } = frame;
+    const { width, height, gl, samples } = frame;
+    if (this.target !== null && this.target.samples !== samples) this.dispose();
     this.target ??= new WebGLRenderTarget(1, 1, {
-      type: gl.getExtension('EXT_float_blend') ? FloatType : HalfFloatType,
+      samples,
+      type: samples === 0 && gl.getExtension('EXT_float_blend') ? FloatType : HalfFloatType,
       minFilter: NearestFilter,
       magFilter: NearestFilter,
       depthTexture: new DepthTexture(1, 1, FloatType),

@@ -34,10 +34,10 @@ const CUT = 0.7;
  */
 export class TAA implements FarolEffect {
   readonly name = 'TAA';
-  /** Share of the new frame where something moves: above 0, at most 1. Default 0.1. Less is smoother and later. */
-  share = 0.1;
-  /** Standard deviations of the neighbours to which the past is clipped where something moves. Default 1, above 0. */
-  gamma = 1;
+  /** Share of the new frame in a pixel that moves, half of that in one that does not: above 0, at most 1. Default 0.2. */
+  share = 0.2;
+  /** Standard deviations of its neighbours to which a pixel's past is clipped unless nothing changes. Default 1.25, above 0. */
+  gamma = 1.25;
   private readonly histories: TemporalHistory[] = [];
   private history!: TemporalHistory;
   private readonly views = new WeakMap<Camera, Camera>();
@@ -95,7 +95,8 @@ export class TAA implements FarolEffect {
     this.hasMotion.value = motion.drawn;
     this.encoded.value = picture.encoded;
     this.reproject.value.copy(viewProjection).invert().premultiply(history.viewProjection);
-    this.shareOfNew.value = still ? Math.max(1 / (history.still + 1), 1 / SAMPLES) : history.isEmpty ? 1 : this.share;
+    const least = still ? 1 / SAMPLES : this.share;
+    this.shareOfNew.value = Math.max(1 / ((still ? history.still : history.count) + 1), least);
     this.clip.value = still ? 0 : this.gamma;
     const target = history.next(frame.width, frame.height);
     frame.bind(target);

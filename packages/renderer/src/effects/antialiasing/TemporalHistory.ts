@@ -1,4 +1,12 @@
-import { type Camera, HalfFloatType, Matrix4, type Object3D, type Texture, Vector3, type WebGLRenderTarget } from 'three';
+import {
+  type Camera,
+  HalfFloatType,
+  Matrix4,
+  type Object3D,
+  type Texture,
+  Vector3,
+  type WebGLRenderTarget,
+} from 'three';
 import { EffectTarget } from '../EffectTarget';
 import type { ObjectMotion } from './ObjectMotion';
 

@@ -36,7 +36,8 @@ export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinK
         replaceOnce(shader.vertexShader, 'void main() {', `${motionVertexHeader}\nvoid main() {`, where),
         motionVertex,
       )}`;
-      shader.fragmentShader = VARYINGS + replaceOnce(shader.fragmentShader, AFTER_TESTS, `${AFTER_TESTS}\n${WRITE}`, where);
+      shader.fragmentShader =
+        VARYINGS + replaceOnce(shader.fragmentShader, AFTER_TESTS, `${AFTER_TESTS}\n${WRITE}`, where);
     },
   });
   return [kind(), kind()];

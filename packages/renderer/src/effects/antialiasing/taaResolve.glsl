@@ -9,7 +9,7 @@ uniform highp mat4 farol_reproject; // this frame's normalised device coordinate
 uniform highp vec2 farol_jitter; // normalised device coordinates
 uniform bool farol_encoded;
 uniform bool farol_hasMotion; // the motion map holds something
-uniform float farol_share; // of the new frame, 0 to 1; 1: there is no history
+uniform float farol_share; // of the new frame where something moves, 0 to 1; 1: there is no history
 uniform float farol_gamma; // standard deviations to which the history is clipped; 0: it is not
 layout(location = 0) out highp vec4 farol_color;
 
@@ -92,8 +92,10 @@ if (farol_share < 1.0) {
       history.rgb = farol_fromYCoCg(mean + off / max(max(ratio.x, max(ratio.y, ratio.z)), 1.0));
     }
     // a bright point that comes and goes counts less (Karis); light that the display can show counts whole
-    float ofNew = farol_share / max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
-    float ofOld = (1.0 - farol_share) / max(1.0, max(history.r, max(history.g, history.b)));
+    // what moves blurs at each look into the past: it is looked at less
+    float share = still && farol_gamma > 0.0 ? 0.5 * farol_share : farol_share;
+    float ofNew = share / max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
+    float ofOld = (1.0 - share) / max(1.0, max(history.r, max(history.g, history.b)));
     farol_color = (farol_color * ofNew + history * ofOld) / (ofNew + ofOld);
   }
 }

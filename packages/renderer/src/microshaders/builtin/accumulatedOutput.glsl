@@ -16,6 +16,8 @@ if (farol_view == 2) {
   if (farol_background.a < 0.0) discard;
   gl_FragColor = farol_background;
 } else {
-  gl_FragColor = farol_output(sum.rgb, 0.0, true, false);
+  // alpha below 1: only some samples of the pixel were drawn to
+  gl_FragColor = farol_output(sum.rgb / sum.a, 0.0, true, false) * sum.a;
+  if (farol_background.a >= 0.0) gl_FragColor += farol_background * (1.0 - min(sum.a, 1.0));
 }
 gl_FragDepth = texelFetch(farol_accumulatedDepth, pixel, 0).r;
