@@ -69,7 +69,8 @@ test('a chess-board is as clean at the horizon as stock three draws it, by every
   for (const { technique, anisotropy, psnr, share, contrast } of pairs) {
     const seen = `${technique}, anisotropy ${anisotropy}: ${psnr.toFixed(1)} dB, ${share}`;
     expect(Math.abs(contrast / stock[anisotropy] - 1), seen).toBeLessThan(0.01);
-    expect(psnr, seen).toBeGreaterThan(55);
-    expect(share, seen).toBeLessThan(1e-3);
+    // inferred lighting has its light, though not its texture, at half the resolution
+    expect(psnr, seen).toBeGreaterThan(technique === 'inferred' ? 50 : 55);
+    expect(share, seen).toBeLessThan(technique === 'inferred' ? 1e-2 : 1e-3);
   }
 });
