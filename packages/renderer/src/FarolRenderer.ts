@@ -186,8 +186,8 @@ export class FarolRenderer {
       this.lights.write(frame.camera, (techniques[this.active] as Technique).lightOrder, frame);
       this.setUniforms();
       this.sceneView = this.viewOf(scene);
-      const fills = (techniques[this.active] as Technique).fillsTarget === true && frame.ownsTarget();
-      this.sceneView.render(frame.camera, this.found.nested, frame.queue, this.draw, fills);
+      const { fills = 'behind' } = techniques[this.active] as Technique;
+      this.sceneView.render(frame.camera, this.found.nested, frame.queue, this.draw, frame.ownsTarget() ? fills : null);
     } finally {
       if (webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
     }
@@ -278,7 +278,7 @@ export class FarolRenderer {
     const { frame } = this;
     const background = this.uniforms.farol_background.value;
     frame.fills = this.sceneView.uncleared;
-    if (frame.fills) background.fromArray(frame.gl.getParameter(frame.gl.COLOR_CLEAR_VALUE) as Float32Array);
+    if (frame.fills !== null) background.fromArray(frame.gl.getParameter(frame.gl.COLOR_CLEAR_VALUE) as Float32Array);
     else background.w = -1;
   }
 

@@ -15,6 +15,7 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import type { View } from './debug/views';
+import type { Fills } from './techniques/Technique';
 import type { LightTable } from './lights/LightTable';
 import type { ForwardTwins } from './materials/forwardTwin';
 import { plainBack, plainFront, plainWhole } from './materials/plainTwins';
@@ -63,8 +64,8 @@ export class Frame {
   height = 1;
   /** Bytes that passes have sent in this frame. */
   uploadedBytes = 0;
-  /** True if the target was not cleared, since the technique writes each of its pixels. */
-  fills = false;
+  /** How the technique fills the target where three was kept from clearing it, else null. */
+  fills: Fills | null = null;
   /** Counts of the view 'overdraw' in this frame. */
   overdraw: Texture | null = null;
   /** Cube face and mipmap level of the target. */
@@ -128,7 +129,8 @@ export class Frame {
   /** True if a pass that writes every pixel of the viewport leaves nothing of the target out. */
   ownsTarget(): boolean {
     const { webgl, target, viewport, view } = this;
-    if (view !== 'final' || this.level !== 0) return false;
+    if (view !== 'final' || this.level !== 0 || this.samples > 0 || webgl.capabilities.reversedDepthBuffer)
+      return false;
     if (target === null) {
       webgl.getDrawingBufferSize(size);
       if (this.canvasStencil || webgl.getScissorTest()) return false;

@@ -1,4 +1,4 @@
-import type { BufferGeometry, Material, Object3D } from 'three';
+import { type BufferGeometry, Material, type Object3D } from 'three';
 import { isPlainOpaque } from './gbuffer/shadingModel';
 import { isLit } from './materials/isLit';
 import type { GeometryGroup, RenderItem } from './RenderItem';
@@ -22,12 +22,21 @@ function backToFront(a: RenderItem, b: RenderItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
 }
 
+function hasOwnShader(material: Material): boolean {
+  return (
+    (material as Material & { isShaderMaterial?: boolean }).isShaderMaterial === true ||
+    material.onBeforeCompile !== Material.prototype.onBeforeCompile
+  );
+}
+
 /** What a frame draws, in the three lists of three.js. Items are pooled. */
 export class RenderQueue {
   readonly opaque: RenderItem[] = [];
   readonly transmissive: RenderItem[] = [];
   readonly transparent: RenderItem[] = [];
   private readonly pool: RenderItem[] = [];
+  /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
+  covers = true;
   private used = 0;
   private opaques = 0;
   private transmissives = 0;
@@ -35,6 +44,7 @@ export class RenderQueue {
 
   clear(): void {
     this.used = 0;
+    this.covers = true;
     this.opaques = this.transmissives = this.transparents = 0;
   }
 
@@ -70,6 +80,7 @@ export class RenderQueue {
     item.lit = isLit(material);
     item.plain = list === this.opaque && isPlainOpaque(material);
     item.drawn = false;
+    if (list === this.opaque && (!item.plain || hasOwnShader(material))) this.covers = false;
     // the lists are cut to their length when all is in, and so keep their storage
     if (list === this.opaque) list[this.opaques++] = item;
     else if (list === this.transparent) list[this.transparents++] = item;

@@ -2,10 +2,9 @@ import {
   BufferGeometry,
   type Camera,
   type Light,
-  type Material,
+  Material,
   Mesh,
   Object3D,
-  RawShaderMaterial,
   type Scene,
   type WebGLRenderer,
   type WebGLRenderTarget,
@@ -13,6 +12,7 @@ import {
 import { isManagedLight } from './lights/isManagedLight';
 import type { GeometryGroup } from './RenderItem';
 import type { RenderItemSort, RenderQueue } from './RenderQueue';
+import type { Fills } from './techniques/Technique';
 
 /** three's WebGLRenderList as far as it is used here. */
 interface RenderList {
@@ -50,12 +50,12 @@ export class SceneView {
   private lists: RenderList[] = [];
   private takenFrom: unknown = null;
   private queue: RenderQueue | null = null;
-  private fills = false;
+  private fills: Fills | null = null;
   /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
   private readonly autoClear = [true, true, true, true];
   private keeps = false;
-  /** True if three was kept from clearing in this frame. */
-  uncleared = false;
+  /** How what draws must fill the target, since three was kept from clearing it; null if it was not. */
+  uncleared: Fills | null = null;
   private draw: (() => void) | null = null;
 
   constructor(
@@ -85,9 +85,9 @@ export class SceneView {
    * @param lights the lights to hide that three's traversal would meet below the root
    * @param queue gets the items in three's order
    * @param draw does the drawing; called once more for three's transmission target if something transmits
-   * @param fills true if what draws writes every pixel of the target, so that three need not clear it
+   * @param fills how what draws can fill the target, so that three need not clear it
    */
-  render(camera: Camera, lights: readonly Light[], queue: RenderQueue, draw: () => void, fills: boolean): void {
+  render(camera: Camera, lights: readonly Light[], queue: RenderQueue, draw: () => void, fills: Fills | null): void {
     if (this.takenFrom !== this.webgl.renderLists) this.takeLists(); // three made new ones for a restored context
     this.queue = queue;
     this.draw = draw;
@@ -107,11 +107,6 @@ export class SceneView {
   /** Leaves out what three still has to draw of the transmissive list: Farol draws it. */
   dropTransmissive(): void {
     for (const list of this.lists) list.transmissive.length = 0;
-  }
-
-  dispose(): void {
-    (this.driver.material as Material).dispose();
-    this.driver.geometry.dispose();
   }
 
   private own(name: string, value: unknown): void {
@@ -146,16 +141,18 @@ export class SceneView {
     this.hidden.length = this.masks.length = 0;
   }
 
-  /** A clear of colour and depth costs as much as a draw over all pixels. What three would clear to is set all the same. */
+  /** What three would clear to is set all the same. */
   private keepFromClearing(): void {
-    const { webgl, autoClear } = this;
-    this.uncleared = this.fills && this.queue?.transmissive.length === 0 && this.clearsPlainly();
-    if (!this.uncleared) return;
+    const { webgl, autoClear, queue } = this;
+    const fills = queue?.transmissive.length === 0 && this.clearsPlainly() ? this.fills : null;
+    this.uncleared = fills === 'behind' && !queue!.covers ? null : fills;
+    if (this.uncleared === null) return;
     autoClear[0] = webgl.autoClear;
     autoClear[1] = webgl.autoClearColor;
     autoClear[2] = webgl.autoClearDepth;
     autoClear[3] = webgl.autoClearStencil;
-    this.setAutoClear(NEVER);
+    if (fills === 'behind') webgl.autoClearColor = false;
+    else this.setAutoClear(NEVER);
     this.keeps = true;
   }
 
@@ -180,23 +177,13 @@ export class SceneView {
     return background === null ? webgl.autoClear : 'isColor' in background;
   }
 
-  /** A mesh that draws nothing, whose callback is the place where Farol draws. */
+  /** An item that draws nothing. three asks for its layers where it would draw it: that is the place where Farol draws. */
   private makeDriver(): Mesh {
-    const material = new RawShaderMaterial({
-      name: 'Farol driver',
-      depthTest: false,
-      depthWrite: false,
-      vertexShader: 'void main() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }',
-      fragmentShader: 'precision mediump float; void main() { gl_FragColor = vec4(0.0); }',
-    });
-    material.allowOverride = false;
-    const geometry = new BufferGeometry();
-    geometry.setDrawRange(0, 0);
-    const driver = new Mesh(geometry, material);
-    driver.layers.enableAll();
-    driver.onBeforeRender = () => {
+    const driver = new Mesh(new BufferGeometry(), new Material());
+    driver.layers.test = () => {
       this.restoreClear();
       this.draw?.();
+      return false;
     };
     return driver;
   }

@@ -59,9 +59,9 @@ export class AccumulatedOutputPass implements Pass {
       depthTest: true,
       depthWrite: true,
     });
-    this.material.depthFunc = isCountView(view) || frame.fills ? AlwaysDepth : LessEqualDepth;
+    this.material.depthFunc = isCountView(view) || frame.fills === 'every-pixel' ? AlwaysDepth : LessEqualDepth;
     // at an edge, samples of what was there before show through
-    this.material.blending = frame.samples > 0 && !frame.fills ? CustomBlending : NoBlending;
+    this.material.blending = frame.samples > 0 ? CustomBlending : NoBlending;
     frame.bindTarget();
     frame.drawMesh(this.triangle, this.material);
   }

@@ -53,7 +53,7 @@ export class DeferredOutputPass implements Pass {
       depthTest: true,
       depthWrite: true,
     });
-    this.material.depthFunc = isCountView(view) || frame.fills ? AlwaysDepth : LessEqualDepth;
+    this.material.depthFunc = isCountView(view) || frame.fills === 'every-pixel' ? AlwaysDepth : LessEqualDepth;
     frame.bindTarget();
     frame.drawMesh(this.triangle, this.material);
   }

@@ -2,6 +2,7 @@ import { forwardTwins } from '../materials/forwardTwin';
 import type { ForwardTwins } from '../materials/forwardTwin';
 import type { Frame } from '../Frame';
 import type { RenderItem } from '../RenderItem';
+import { BackgroundDraw } from './BackgroundDraw';
 import type { Pass, Resource } from './Pass';
 
 export interface ForwardPassOptions {
@@ -19,6 +20,7 @@ export class ForwardPass implements Pass {
   readonly writes = ['target'] as const;
   readonly bytes = 0;
   private readonly list: ForwardPassOptions['list'];
+  private readonly background = new BackgroundDraw();
   private readonly twins: ReturnType<typeof forwardTwins>;
 
   constructor(options: ForwardPassOptions) {
@@ -30,14 +32,18 @@ export class ForwardPass implements Pass {
 
   render(frame: Frame): void {
     const items = frame.queue[this.list];
-    if (items.length === 0 || frame.view === 'overdraw') return;
+    const fills = this.list === 'opaque' && frame.fills === 'behind';
+    if ((items.length === 0 && !fills) || frame.view === 'overdraw') return;
     frame.bindTarget();
     const twins = this.twins(frame.view);
     const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
     for (const item of items) this.draw(frame, item, twins, onlyLit);
+    if (fills) this.background.draw(frame);
   }
 
-  dispose(): void {}
+  dispose(): void {
+    this.background.dispose();
+  }
 
   private draw(frame: Frame, item: RenderItem, twins: ForwardTwins, onlyLit: boolean): void {
     if (item.drawn || (onlyLit && !item.lit)) return;

@@ -15,6 +15,13 @@ export interface TechniqueContext {
   readonly inferredScale: { readonly value: number };
 }
 
+/**
+ * How a technique spares three a clear of the target, which costs as much as a draw over all pixels: 'every-pixel' writes
+ * colour and depth of every pixel, so that neither need be cleared; 'behind' writes the background's colour behind the
+ * opaque items once they are drawn, so that colour need not be.
+ */
+export type Fills = 'every-pixel' | 'behind';
+
 /** A way of drawing: an array of passes. */
 export interface Technique {
   /** Name in menus. */
@@ -25,7 +32,7 @@ export interface Technique {
   readonly lightOrder: LightOrder;
   /** True if it draws to float colour targets. */
   readonly needsFloatTargets: boolean;
-  /** True if it writes every pixel of the target, background too, and so needs no clear of the target's. Default false. */
-  readonly fillsTarget?: boolean;
+  /** Its part in clearing the target: what it writes where nothing is. Default 'behind'. */
+  readonly fills?: Fills;
   passes(context: TechniqueContext): Pass[];
 }

@@ -13,7 +13,7 @@ export const clusteredDeferred: Technique = {
   help: 'Light lists by tile and depth, over a G-buffer.',
   lightOrder: 'by-grid',
   needsFloatTargets: true,
-  fillsTarget: true,
+  fills: 'every-pixel',
   passes({ tiles, grid }) {
     const gbuffer = new GBufferPass();
     return [

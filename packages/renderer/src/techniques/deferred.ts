@@ -13,7 +13,7 @@ export const deferred: Technique = {
   help: 'Surfaces into a G-buffer once, then each light over the pixels of its volume.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
-  fillsTarget: true,
+  fills: 'every-pixel',
   passes() {
     const gbuffer = new GBufferPass();
     const lights = new LightVolumesPass(gbuffer);

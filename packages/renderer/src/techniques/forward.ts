@@ -12,7 +12,7 @@ export const forward: Technique = {
   help: 'Ambient and emissive once, then one additive pass for each light over the objects it reaches.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
-  fillsTarget: true,
+  fills: 'every-pixel',
   passes({ lightIndex }) {
     const lights = new MultipassLightsPass(lightIndex);
     return [lights, new AccumulatedOutputPass(lights), ...forwardTail('lightLoopAll')];

@@ -2,9 +2,11 @@ import type { MicroShader } from '../MicroShader';
 import { parseMicroShader } from '../parseMicroShader';
 import accumulatedOutput from './accumulatedOutput.glsl?raw';
 import ambientLight from './ambientLight.glsl?raw';
+import background from './background.glsl?raw';
 import countView from './countView.glsl?raw';
 import deferredOutput from './deferredOutput.glsl?raw';
 import depthOnly from './depthOnly.glsl?raw';
+import farthest from './farthest.glsl?raw';
 import fullscreen from './fullscreen.glsl?raw';
 import gbufferRead from './gbufferRead.glsl?raw';
 import gbufferWrite from './gbufferWrite.glsl?raw';
@@ -55,9 +57,11 @@ import volumeLighting from './volumeLighting.glsl?raw';
 const sources = {
   accumulatedOutput,
   ambientLight,
+  background,
   countView,
   deferredOutput,
   depthOnly,
+  farthest,
   fullscreen,
   gbufferRead,
   gbufferWrite,

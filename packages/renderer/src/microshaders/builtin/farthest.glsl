@@ -1,0 +1,4 @@
+// A triangle that covers the viewport at the far end of depth.
+// Bilodeau, Vertex Shader Tricks, GDC 2014
+//# main
+gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0);
