@@ -1,4 +1,5 @@
 import * as farol from '@farol/renderer';
+import * as ambientOcclusion from '@farol/renderer/ambient-occlusion';
 import * as antialiasing from '@farol/renderer/antialiasing';
 import * as three from 'three';
 import { compareImages, isFlat } from '../support/images';
@@ -12,7 +13,7 @@ export interface TestPage {
   three: typeof three;
   farol: typeof farol;
   /** The effects, from their own entries. */
-  effects: typeof antialiasing;
+  effects: typeof antialiasing & typeof ambientOcclusion;
   materialScene: typeof materialScene;
   edgeScene: typeof edgeScene;
   supersampled: typeof supersampled;
@@ -30,7 +31,7 @@ declare global {
 window.testPage = {
   three,
   farol,
-  effects: { ...antialiasing },
+  effects: { ...antialiasing, ...ambientOcclusion },
   materialScene,
   edgeScene,
   supersampled,

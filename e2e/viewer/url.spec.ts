@@ -15,6 +15,18 @@ test('scene, technique, view and the parameters of the scene come from the addre
   expect(seen).toMatchObject({ scene: 'benchmarkLights', technique: 'forward', view: 'albedo', lights: 4 });
 });
 
+test('anti-aliasing and ambient occlusion come from the address, and the menu changes them', async ({ page }) => {
+  await openViewer(page, { ...still, technique: 'deferred', aa: 'smaa', ao: 1, gui: 1 });
+  const names = () => page.evaluate(() => window.viewer.farol.effects.map(({ name }) => name));
+  expect(await names()).toEqual(['ambient occlusion', 'SMAA']);
+  await page.getByLabel('Anti-aliasing').selectOption('TAA');
+  await page.getByLabel('Ambient occlusion').uncheck();
+  expect(await names()).toEqual(['TAA']);
+  expect(new URL(page.url()).searchParams.get('aa')).toBe('taa');
+  expect(new URL(page.url()).searchParams.has('ao')).toBe(false);
+  expect(await page.evaluate(() => window.viewer.farol.info.passes.map(({ name }) => name))).toContain('TAA');
+});
+
 test('the number of lights follows the address', async ({ page }) => {
   for (const lights of [3, 17]) {
     await openViewer(page, { ...still, scene: 'temple', lights });

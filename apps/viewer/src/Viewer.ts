@@ -8,7 +8,15 @@ import {
   type Scene,
   scenes,
 } from '@farol/engine';
-import { type FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
+import {
+  type FarolEffect,
+  type FarolRenderer,
+  type TechniqueName,
+  techniques,
+  type View,
+  views,
+} from '@farol/renderer';
+import { type EffectName, effects } from '@farol/renderer/effects';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
 import { dragonUrls } from './dragonUrls';
@@ -28,8 +36,17 @@ export const known: KnownNames = {
   techniques: Object.keys(techniques),
   views,
   dragons: Object.keys(dragonUrls),
+  antialiasing: ['none', ...Object.keys(effects).filter((name) => effects[name as EffectName].group !== null)],
   defaults: {
-    ...{ scene: 'temple', technique: 'deferred', view: 'final', parameters: {}, dragon: 'medium' },
+    ...{
+      scene: 'temple',
+      technique: 'deferred',
+      view: 'final',
+      parameters: {},
+      dragon: 'medium',
+      aa: 'none',
+      ao: false,
+    },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
 };
@@ -54,6 +71,8 @@ export class Viewer {
   private model: LoadedModel | null = null;
   private loads = 0;
   private size = '';
+  private readonly madeEffects = new Map<EffectName, FarolEffect>();
+  private effectNames = '';
   private readonly listeners = new Set<() => void>();
 
   /**
@@ -120,6 +139,22 @@ export class Viewer {
   setView(name: string): void {
     this.farol.view = name as View;
     this.changed({ view: name });
+  }
+
+  /**
+   * Chooses how edges are smoothed: a key of `known.antialiasing`.
+   * @throws Error naming the known ones when there is no such anti-aliasing
+   */
+  setAntialiasing(name: string): void {
+    if (!known.antialiasing.includes(name)) {
+      throw new Error(`Unknown anti-aliasing "${name}". Known are ${known.antialiasing.join(', ')}.`);
+    }
+    this.changed({ aa: name });
+  }
+
+  /** Switches ambient occlusion on or off. */
+  setAmbientOcclusion(on: boolean): void {
+    this.changed({ ao: on });
   }
 
   /** Chooses the resolution of the Stanford dragon, a key of `known.dragons`, and builds the scene on show anew. */
@@ -270,8 +305,24 @@ export class Viewer {
     this.model = null;
   }
 
+  /** Brings the renderer's effects up to the state; an effect that was on before is the same object. */
+  private setEffects(): void {
+    const { aa, ao } = this.state;
+    const names = (Object.keys(effects) as EffectName[]).filter((name) =>
+      name === 'ambient-occlusion' ? ao : name === aa,
+    );
+    if (names.join() === this.effectNames) return;
+    this.effectNames = names.join();
+    this.farol.effects = names.map((name) => {
+      let effect = this.madeEffects.get(name);
+      if (effect === undefined) this.madeEffects.set(name, (effect = effects[name].make()));
+      return effect;
+    });
+  }
+
   private changed(changes: Partial<ViewerState>): void {
     Object.assign(this.state, changes);
+    this.setEffects();
     // Timer queries cannot be nested: without the menu they are left to whoever measures.
     this.farol.timing = this.state.gui;
     history.replaceState(history.state, '', `${location.pathname}${writeState(this.state, known)}${location.hash}`);

@@ -216,8 +216,8 @@ export class Frame {
     const { material } = item;
     const twoPasses = material.transparent && material.side === DoubleSide && !material.forceSinglePass;
     if (!item.lit) {
-      if (!twoPasses && this.adapt === null) this.drawItem(item, material);
-      else if (!twoPasses) this.drawTwin(item, plainWhole);
+      const whole = this.adapt === null ? plainWhole : this.adapt(plainWhole, item);
+      if (!twoPasses) this.drawItem(item, whole === plainWhole ? material : this.twins.get(material, whole));
       else {
         this.drawTwin(item, plainBack);
         this.drawTwin(item, plainFront);

@@ -11,6 +11,10 @@ export interface ViewerState {
   parameters: Record<string, FieldValue>;
   /** Resolution of the Stanford dragon, where a scene shows one. */
   dragon: string;
+  /** Key of an anti-aliasing effect of the renderer's `effects`, or 'none'. */
+  aa: string;
+  /** Whether ambient occlusion is on. */
+  ao: boolean;
   /** Fixed simulated time (s), drawn once and not moving; null lets it run. */
   time: number | null;
   /** Size of the picture (CSS pixels); null follows the window. */
@@ -28,6 +32,7 @@ export interface KnownNames {
   techniques: readonly string[];
   views: readonly string[];
   dragons: readonly string[];
+  antialiasing: readonly string[];
   /** State of a URL without parameters. */
   defaults: ViewerState;
 }

@@ -25,8 +25,9 @@ const known: KnownNames = {
   techniques: ['auto', 'forward', 'deferred'],
   views: ['final', 'albedo'],
   dragons: ['low', 'high'],
+  antialiasing: ['none', 'smaa', 'taa'],
   defaults: {
-    ...{ scene: 'temple', technique: 'deferred', view: 'final', parameters: {}, dragon: 'low' },
+    ...{ scene: 'temple', technique: 'deferred', view: 'final', parameters: {}, dragon: 'low', aa: 'none', ao: false },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
 };
@@ -38,12 +39,12 @@ describe('readState', () => {
 
   it('reads every parameter', () => {
     const query =
-      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&time=2.5&width=160&height=90&dpr=1&gui=0';
+      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&time=2.5&width=160&height=90&dpr=1&gui=0';
     const { state, problems } = readState(query, known);
     expect(problems).toEqual([]);
     expect(state).toEqual({
       ...{ scene: 'planes', technique: 'auto', view: 'albedo', parameters: { n: 7, mesh: 'dragon' }, dragon: 'high' },
-      ...{ time: 2.5, width: 160, height: 90, dpr: 1, gui: false },
+      ...{ aa: 'taa', ao: true, time: 2.5, width: 160, height: 90, dpr: 1, gui: false },
     });
   });
 
@@ -56,6 +57,8 @@ describe('readState', () => {
     ['width=12.5', /width=12.5 .* whole number from 1 to 8192/],
     ['dpr=', /dpr= .* number from 0.1 to 8/],
     ['dragon=huge', /dragon=huge .* low, high/],
+    ['aa=msaa', /aa=msaa .* none, smaa, taa/],
+    ['ao=yes', /ao=yes .* 1 or 0/],
     ['gui=no', /gui=no .* 1 or 0/],
     ['lights=many', /lights=many .* whole number from 0 to 4096/],
     ['lihgts=3', /lihgts .* unknown .* lights/],
@@ -80,7 +83,7 @@ describe('readState', () => {
 
 describe('writeState', () => {
   const state: ViewerState = {
-    ...{ scene: 'planes', technique: 'forward', view: 'albedo', dragon: 'high' },
+    ...{ scene: 'planes', technique: 'forward', view: 'albedo', dragon: 'high', aa: 'smaa', ao: true },
     ...{ parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
     ...{ time: 0, width: 320, height: 180, dpr: 1.5, gui: false },
   };

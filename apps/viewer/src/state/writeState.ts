@@ -18,9 +18,10 @@ export function writeState(state: ViewerState, { scenes, defaults }: KnownNames)
     const value = state.parameters[name];
     if (value !== undefined && String(value) !== String(field.default)) entries.push([name, value]);
   }
-  for (const name of ['dragon', 'time', 'width', 'height', 'dpr'] as const) {
+  for (const name of ['dragon', 'aa', 'time', 'width', 'height', 'dpr'] as const) {
     if (state[name] !== defaults[name]) entries.push([name, state[name]]);
   }
+  if (state.ao !== defaults.ao) entries.push(['ao', state.ao ? 1 : 0]);
   if (state.gui !== defaults.gui) entries.push(['gui', state.gui ? 1 : 0]);
   return `?${entries.map(([name, value]) => `${name}=${encodeURIComponent(text(value))}`).join('&')}`.replaceAll(
     '%2C',

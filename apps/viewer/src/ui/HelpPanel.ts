@@ -48,7 +48,7 @@ export class HelpPanel {
 }
 
 /** Every parameter of the address with what it does, those of the scenes from their declaration. */
-export function addressHelp({ scenes, techniques, views, dragons }: KnownNames): [string, string][] {
+export function addressHelp({ scenes, techniques, views, dragons, antialiasing }: KnownNames): [string, string][] {
   const parameters = new Map<string, { help: string; range: string; scenes: string[] }>();
   for (const [scene, definition] of Object.entries(scenes)) {
     for (const [name, field] of Object.entries(definition.parameters)) {
@@ -65,6 +65,8 @@ export function addressHelp({ scenes, techniques, views, dragons }: KnownNames):
       return [name, `${help} ${range}(${of.join(', ')})`];
     }),
     ['dragon', `Resolution of the Stanford dragon: ${dragons.join(', ')}.`],
+    ['aa', `Anti-aliasing: ${antialiasing.join(', ')}. TAA gathers over frames: at a fixed time each draw is one.`],
+    ['ao', '1 darkens indirect light in corners (ambient occlusion), with techniques that know depth first.'],
     ['time', 'Draws the scene once, as it is at this time (s), and does not move it.'],
     ['width, height', 'Size of the picture (CSS pixels); the window by default.'],
     ['dpr', 'Device pixels for each CSS pixel; those of the screen by default, 2 at most.'],

@@ -1,5 +1,6 @@
 import { type Field, scenes } from '@farol/engine';
 import { techniques } from '@farol/renderer';
+import { type EffectName, effects } from '@farol/renderer/effects';
 import GUI, { type Controller } from 'lil-gui';
 import { modelParameters } from '../model/modelScene';
 import { known, type Viewer } from '../Viewer';
@@ -8,6 +9,11 @@ import { StatisticsPanel } from './StatisticsPanel';
 /** A failure that a message on the page tells of. */
 const told = () => {};
 
+/** Name of an anti-aliasing in the menu. */
+function labelOf(name: string): string {
+  return name === 'none' ? 'None' : effects[name as EffectName].label;
+}
+
 /** The menu at the top right: everything of it comes from the registries of techniques, views and scenes. */
 export class ViewerMenu {
   readonly statistics = new StatisticsPanel();
@@ -15,14 +21,21 @@ export class ViewerMenu {
   private readonly gui = new GUI({ title: 'Farol' });
   private readonly parameters: GUI;
   /** What the controllers are bound to. */
-  private readonly values: { technique: string; view: string; dragon: string; stopped: boolean };
+  private readonly values: {
+    technique: string;
+    view: string;
+    aa: string;
+    ao: boolean;
+    dragon: string;
+    stopped: boolean;
+  };
   private shown = '';
   private parameterValues: Record<string, unknown> = {};
 
   constructor(private readonly viewer: Viewer) {
     const { gui } = this;
-    const { technique, view, dragon, time } = viewer.state;
-    this.values = { technique, view, dragon, stopped: time !== null };
+    const { technique, view, aa, ao, dragon, time } = viewer.state;
+    this.values = { technique, view, aa, ao, dragon, stopped: time !== null };
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
     gui
       .add(this.values, 'technique', names)
@@ -32,6 +45,14 @@ export class ViewerMenu {
       .add(this.values, 'view', [...known.views])
       .name('View')
       .onChange((name: string) => viewer.setView(name));
+    gui
+      .add(this.values, 'aa', Object.fromEntries(known.antialiasing.map((name) => [labelOf(name), name])))
+      .name('Anti-aliasing')
+      .onChange((name: string) => viewer.setAntialiasing(name));
+    gui
+      .add(this.values, 'ao')
+      .name(effects['ambient-occlusion'].label)
+      .onChange((on: boolean) => viewer.setAmbientOcclusion(on)).domElement.title = effects['ambient-occlusion'].help;
     gui
       .add(this.values, 'stopped')
       .name('Stop time')
@@ -59,6 +80,8 @@ export class ViewerMenu {
     const { state, modelName } = this.viewer;
     this.values.technique = state.technique;
     this.values.view = state.view;
+    this.values.aa = state.aa;
+    this.values.ao = state.ao;
     this.values.dragon = state.dragon;
     this.values.stopped = state.time !== null;
     this.gui.show(state.gui);

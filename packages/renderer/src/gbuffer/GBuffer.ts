@@ -1,26 +1,32 @@
-import { DepthTexture, FloatType, NearestFilter, type WebGLRenderer } from 'three';
-import { gbufferLayout } from './gbufferLayout';
+import { DepthTexture, FloatType, NearestFilter, type Texture, type WebGLRenderer } from 'three';
+import { gbufferLayout, indirectLayout, type GBufferAttachment } from './gbufferLayout';
 import { WebGLMultipleRenderTargets } from './WebGLMultipleRenderTargets';
 
 /** Geometry buffer: the attachments of `gbufferLayout` and a depth texture. */
 export class GBuffer {
   readonly target: WebGLMultipleRenderTargets;
 
-  /** @throws Error when the device has fewer draw buffers than the layout has attachments */
-  constructor(webgl: WebGLRenderer) {
+  private readonly layout: readonly GBufferAttachment[];
+
+  /**
+   * @param withIndirect has an attachment more, `indirect`
+   * @throws Error when the device has fewer draw buffers than the layout has attachments
+   */
+  constructor(webgl: WebGLRenderer, withIndirect = false) {
+    const layout = (this.layout = withIndirect ? [...gbufferLayout, indirectLayout] : gbufferLayout);
     const gl = webgl.getContext() as WebGL2RenderingContext;
     const most = gl.getParameter(gl.MAX_DRAW_BUFFERS) as number;
-    if (most < gbufferLayout.length) {
+    if (most < layout.length) {
       throw new Error(
-        `Farol: the G-buffer has ${gbufferLayout.length} attachments and this device draws to ${most} at once; use a technique without a G-buffer, such as 'forward'.`,
+        `Farol: the G-buffer has ${layout.length} attachments and this device draws to ${most} at once; use a technique without a G-buffer, such as 'forward'.`,
       );
     }
-    this.target = new WebGLMultipleRenderTargets(1, 1, gbufferLayout.length, {
+    this.target = new WebGLMultipleRenderTargets(1, 1, layout.length, {
       minFilter: NearestFilter,
       magFilter: NearestFilter,
       depthTexture: new DepthTexture(1, 1, FloatType),
     });
-    gbufferLayout.forEach(({ name, format, type }, i) => {
+    layout.forEach(({ name, format, type }, i) => {
       const texture = this.target.textures[i];
       texture.name = `G-buffer ${name}`;
       texture.format = format;
@@ -40,13 +46,17 @@ export class GBuffer {
   get material() {
     return this.target.textures[3];
   }
+  /** Indirect light alone, or null: made for an effect. */
+  get indirect(): Texture | null {
+    return this.target.textures[gbufferLayout.length] ?? null;
+  }
   get depth(): DepthTexture {
     return this.target.depthTexture!;
   }
 
   /** Bytes of all attachments and depth. */
   get bytes(): number {
-    const perPixel = gbufferLayout.reduce((sum, a) => sum + a.bytes, 4);
+    const perPixel = this.layout.reduce((sum, a) => sum + a.bytes, 4);
     return this.target.width * this.target.height * perPixel;
   }
 

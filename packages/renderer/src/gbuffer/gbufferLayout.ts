@@ -39,3 +39,12 @@ export const gbufferLayout = [
       'standard: roughness, metalness, square root of F0, F90; Phong: rgb square root of specular colour, a specular strength',
   },
 ] as const satisfies readonly GBufferAttachment[];
+
+/** An attachment more for effects that change indirect light alone (ambient occlusion). */
+export const indirectLayout: GBufferAttachment = {
+  name: 'indirect',
+  format: RGBAFormat,
+  type: HalfFloatType,
+  bytes: 8,
+  holds: 'rgb: what the accumulation holds of ambient, environment and light maps, reflections by roughness',
+};

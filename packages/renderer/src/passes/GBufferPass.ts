@@ -23,7 +23,9 @@ export class GBufferPass implements Pass {
   }
 
   render(frame: Frame): void {
-    this.gbuffer ??= new GBuffer(frame.webgl);
+    const withIndirect = frame.withIndirect && !this.forView;
+    if (this.gbuffer !== null && (this.gbuffer.indirect !== null) !== withIndirect) this.dispose();
+    this.gbuffer ??= new GBuffer(frame.webgl, withIndirect);
     this.gbuffer.setSize(frame.width, frame.height);
     frame.bind(this.gbuffer.target);
     // where nothing is drawn, depth 1 says so: what the other attachments hold there is never shown, and a clear costs as much as a draw

@@ -1,0 +1,92 @@
+// Horizon-based ambient occlusion: the share of the sky, weighted by the cosine, that is open above each pixel, and its view z.
+// Jimenez et al. 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion (GTAO)
+#include "unproject"
+#include "octahedralNormal"
+uniform highp sampler2D farol_surfaceDepth;
+#ifdef FAROL_NORMALS
+uniform highp sampler2D farol_surfaceNormal; // octahedral
+#endif
+uniform highp vec4 farol_reach; // radius (m); the same in pixels at 1 m; pixels a texel; largest radius (pixels)
+layout(location = 0) out highp vec4 farol_open;
+
+const int FAROL_SLICES = 3;
+const int FAROL_STEPS = 5;
+
+vec3 farol_positionAt(const in ivec2 pixel) {
+  ivec2 size = textureSize(farol_surfaceDepth, 0);
+  ivec2 at = clamp(pixel, ivec2(0), size - 1);
+  return farol_unproject((vec2(at) + 0.5) / vec2(size), texelFetch(farol_surfaceDepth, at, 0).r);
+}
+
+bool farol_isInside(const in ivec2 pixel) {
+  return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(farol_surfaceDepth, 0)));
+}
+
+// change of the position over one pixel, from the neighbour that is more like it
+vec3 farol_change(const in ivec2 pixel, const in vec3 position, const in ivec2 to) {
+  vec3 after = farol_positionAt(pixel + to) - position;
+  vec3 before = position - farol_positionAt(pixel - to);
+  if (!farol_isInside(pixel + to)) return before;
+  if (!farol_isInside(pixel - to)) return after;
+  return abs(after.z) < abs(before.z) ? after : before;
+}
+
+vec3 farol_normalAt(const in ivec2 pixel, const in vec3 position) {
+#ifdef FAROL_NORMALS
+  return farol_decodeNormal(texelFetch(farol_surfaceNormal, pixel, 0).xy);
+#else
+  return normalize(cross(farol_change(pixel, position, ivec2(1, 0)), farol_change(pixel, position, ivec2(0, 1))));
+#endif
+}
+
+// cosine of the highest horizon along a direction of the picture, seen from the position
+float farol_horizon(const in ivec2 pixel, const in vec3 position, const in vec3 toEye, const in vec2 direction, const in float radius, const in float shift, const in float lowest) {
+  float highest = lowest;
+  for (int i = 0; i < FAROL_STEPS; i++) {
+    float part = (float(i) + shift) / float(FAROL_STEPS);
+    ivec2 offset = ivec2(round(direction * max(part * part * radius, float(i) + 1.0)));
+    if (!farol_isInside(pixel + offset)) break;
+    vec3 there = farol_positionAt(pixel + offset) - position;
+    float distanceSquared = dot(there, there);
+    float cosine = dot(there, toEye) * inversesqrt(max(distanceSquared, 1e-12));
+    // what lies farther off than the radius does not count, and what is nearly so counts little
+    float weight = clamp(2.0 - 2.0 * distanceSquared / (farol_reach.x * farol_reach.x), 0.0, 1.0);
+    highest = max(highest, mix(lowest, cosine, weight));
+  }
+  return highest;
+}
+//# main
+ivec2 pixel = ivec2(gl_FragCoord.xy) * int(farol_reach.z);
+pixel = min(pixel, textureSize(farol_surfaceDepth, 0) - 1);
+float depth = texelFetch(farol_surfaceDepth, pixel, 0).r;
+farol_open = vec4(1.0, 0.0, 0.0, 1.0);
+if (depth < 1.0) {
+  vec3 position = farol_positionAt(pixel);
+  farol_open.g = position.z;
+  float radius = min(farol_perspective == 0.0 ? farol_reach.y : farol_reach.y / -position.z, farol_reach.w);
+  if (radius > 1.0) {
+    vec3 toEye = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-position);
+    vec3 normal = farol_normalAt(pixel, position);
+    ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
+    // 16 turns and 4 shifts in each four by four texels, which the filter averages again
+    float turn = float((((cell.x + cell.y) & 3) << 2) + cell.x) / 16.0;
+    float shift = 0.25 + 0.25 * float((cell.y - cell.x) & 3);
+    float open = 0.0;
+    for (int i = 0; i < FAROL_SLICES; i++) {
+      float angle = 3.14159265 * (float(i) + turn) / float(FAROL_SLICES);
+      vec2 direction = vec2(cos(angle), sin(angle));
+      vec3 inPlane = vec3(direction, 0.0) - dot(vec3(direction, 0.0), toEye) * toEye;
+      vec3 axis = normalize(cross(vec3(direction, 0.0), toEye));
+      vec3 projected = normal - axis * dot(normal, axis);
+      float size = length(projected);
+      float cosine = clamp(dot(projected, toEye) / max(size, 1e-6), -1.0, 1.0);
+      float n = sign(dot(inPlane, projected)) * acos(cosine);
+      float ahead = farol_horizon(pixel, position, toEye, direction, radius, shift, cos(min(n + 1.57079633, 3.14159265)));
+      float behind = farol_horizon(pixel, position, toEye, -direction, radius, shift, cos(max(n - 1.57079633, -3.14159265)));
+      float h1 = n + clamp(acos(clamp(ahead, -1.0, 1.0)) - n, -1.57079633, 1.57079633);
+      float h0 = n + clamp(-acos(clamp(behind, -1.0, 1.0)) - n, -1.57079633, 1.57079633);
+      open += size * 0.25 * (2.0 * cosine + 2.0 * (h0 + h1) * sin(n) - cos(2.0 * h0 - n) - cos(2.0 * h1 - n));
+    }
+    farol_open.r = clamp(open / float(FAROL_SLICES), 0.0, 1.0);
+  }
+}

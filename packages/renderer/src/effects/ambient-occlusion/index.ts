@@ -1,0 +1,1 @@
+export { AmbientOcclusion } from './AmbientOcclusion';

@@ -1,0 +1,44 @@
+import type { IUniform } from 'three';
+import { beforeLastBrace } from '../../materials/beforeLastBrace';
+import { replaceOnce } from '../../materials/replaceOnce';
+import type { TwinKind } from '../../materials/TwinKind';
+import occludedIndirect from './occludedIndirect.glsl?raw';
+
+const AFTER = '#include <aomap_fragment>';
+const UNIFORMS = 'uniform highp sampler2D farol_occlusionMap;\nuniform highp vec2 farol_occlusionOffset;\n';
+
+/**
+ * The kind of a forward draw, with its indirect light taken down by ambient occlusion.
+ * @param uniforms farol_occlusionMap, at full resolution, and farol_occlusionOffset (pixels)
+ */
+export function occludedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {
+  return {
+    ...kind,
+    key: `${kind.key}-occluded`,
+    patch(shader, source, header) {
+      kind.patch(shader, source, header);
+      Object.assign(shader.uniforms, uniforms);
+      const where = `the shader of material "${source.name || source.type}"`;
+      shader.fragmentShader =
+        UNIFORMS + replaceOnce(shader.fragmentShader, AFTER, `${AFTER}\n${occludedIndirect}`, where);
+    },
+  };
+}
+
+const INDIRECT = `#if defined( STANDARD )
+farol_outIndirect = vec4(reflectedLight.indirectDiffuse + material.roughness * reflectedLight.indirectSpecular, 0.0);
+#else
+farol_outIndirect = vec4(reflectedLight.indirectDiffuse, 0.0);
+#endif`;
+
+/** The kind of a G-buffer draw, which writes its indirect light to an attachment more. */
+export function indirectTwin(kind: TwinKind): TwinKind {
+  return {
+    ...kind,
+    key: `${kind.key}-indirect`,
+    patch(shader, source, header) {
+      kind.patch(shader, source, header);
+      shader.fragmentShader = `layout(location = 4) out highp vec4 farol_outIndirect;\n${beforeLastBrace(shader.fragmentShader, INDIRECT)}`;
+    },
+  };
+}

@@ -1,0 +1,39 @@
+import type { FarolEffect } from '../FarolEffect';
+import { AmbientOcclusion } from './ambient-occlusion';
+import { SMAA, TAA } from './antialiasing';
+
+/** An effect as a menu shows it. */
+export interface EffectEntry {
+  /** Name in menus. */
+  readonly label: string;
+  /** One line of help. */
+  readonly help: string;
+  /** Of the entries of one group at most one is used at a time; null for those that stand alone. */
+  readonly group: 'antialiasing' | null;
+  /** A new effect, with its defaults. */
+  make(): FarolEffect;
+}
+
+/** All effects by key, in the order in which they are to stand in `FarolRenderer.effects`. A new one is a file and a line here. */
+export const effects = {
+  'ambient-occlusion': {
+    label: 'Ambient occlusion',
+    help: 'Indirect light reaches less into corners; needs a technique that knows depth before it shades.',
+    group: null,
+    make: () => new AmbientOcclusion(),
+  },
+  smaa: {
+    label: 'SMAA',
+    help: 'Smooths the edges of each picture by itself.',
+    group: 'antialiasing',
+    make: () => new SMAA(),
+  },
+  taa: {
+    label: 'TAA',
+    help: 'Smooths edges over several frames, each drawn a part of a pixel off.',
+    group: 'antialiasing',
+    make: () => new TAA(),
+  },
+} as const satisfies Record<string, EffectEntry>;
+
+export type EffectName = keyof typeof effects;
