@@ -247,6 +247,7 @@ export class FarolRenderer {
     counts[0] = lights.directional;
     counts[1] = lights.unbounded;
     counts[2] = lights.bounded;
+    counts[3] = lights.others;
     uniforms.farol_heatScale.value = 1 / this.heatMapMaximum;
   }
 

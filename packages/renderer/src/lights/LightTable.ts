@@ -67,6 +67,8 @@ export class LightTable {
   axes = new Float64Array(64);
   /** Record of a light with a range, less `firstBounded`, to its place in `bounds`. Only the first `bounded`. */
   rank: Uint32Array = new Uint32Array(64);
+  /** Lights with a range that are not point lights as three has them. */
+  others = 0;
   /** Records of lights with a range; a grid may leave some empty. */
   bounded = 0;
   /** Estimate of how many lights with a range lie over a pixel, whatever its depth. */
@@ -183,7 +185,7 @@ export class LightTable {
   private classify(lights: readonly Light[], view: Matrix4): void {
     this.directionals.length = this.unboundeds.length = 0;
     this.kept = 0;
-    this.spheres = this.cones = 0;
+    this.spheres = this.cones = this.others = 0;
     this.ambient.fill(0);
     this.total = lights.length;
     this.visible = 0;
@@ -249,6 +251,7 @@ export class LightTable {
       axes[at + 3] = -1;
       this.spheres++;
     }
+    if (!isPlain) this.others++;
     this.boundeds[this.kept++] = light;
     this.coverage += this.coverageOf(-z, range);
   }

@@ -20,30 +20,28 @@ FarolLight farol_unboundedLight(const in int record, const in vec3 positionVS) {
   return farol_localLight(record, positionVS);
 }
 
-// the bits of a word whose lights' ranks are in the range, or which count for every depth
-uint farol_rankBits(const in int start, const in ivec2 ranks, const in int deep) {
-  uint bits = farol_bitsFrom(start, ranks.x, ranks.y);
-  return start < deep ? bits | farol_bitsFrom(start, 0, deep - 1) : bits;
+// one word of the tile's mask: the lights whose ranks are in the range, or which count for every depth
+uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ranks) {
+  uvec4 quad = texelFetch(farol_gridMasks, ivec2(tile.x, (word >> 2) * farol_grid.y + tile.y), 0);
+  uvec2 half2 = (word & 2) == 0 ? quad.xy : quad.zw;
+  uint bits = (word & 1) == 0 ? half2.x : half2.y;
+  return word < farol_grid.z ? bits : bits & farol_bitsFrom(word * 32, ranks.x, ranks.y);
 }
 
-// opens three loops; farol_record is the light's record
+// opens two loops; farol_record is the light's record
 #define FAROL_FOR_EACH_LISTED(positionVS) \
   ivec2 farol_tile = ivec2(gl_FragCoord.xy - farol_offset) >> farol_grid.x; \
   ivec2 farol_ranks = ivec2(farol_depthBin(-(positionVS).z)); \
-  int farol_deep = farol_grid.z * 32; \
-  int farol_deepQuads = (farol_deep + 127) >> 7; \
-  int farol_lastQuad = max(farol_ranks.x <= farol_ranks.y ? farol_ranks.y >> 7 : -1, farol_deepQuads - 1); \
-  for (int farol_quad = farol_deepQuads > 0 ? 0 : farol_ranks.x >> 7; farol_quad <= farol_lastQuad; \
-       farol_quad = farol_quad + 1 < farol_deepQuads ? farol_quad + 1 : max(farol_quad + 1, farol_ranks.x >> 7)) { \
-    uvec4 farol_mask = texelFetch(farol_gridMasks, ivec2(farol_tile.x, farol_quad * farol_grid.y + farol_tile.y), 0); \
-    int farol_start = farol_quad * 128; \
-    for (; farol_mask != uvec4(0u); farol_mask = uvec4(farol_mask.yzw, 0u), farol_start += 32) \
-      for (uint farol_bits = farol_mask.x & farol_rankBits(farol_start, farol_ranks, farol_deep); \
-           farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
-        int farol_record = farol_grid.w + farol_start + farol_lowestBit(farol_bits);
+  int farol_lastWord = max(farol_ranks.x <= farol_ranks.y ? farol_ranks.y >> 5 : -1, farol_grid.z - 1); \
+  for (int farol_word = farol_grid.z > 0 ? 0 : farol_ranks.x >> 5; farol_word <= farol_lastWord; \
+       farol_word = farol_word + 1 < farol_grid.z ? farol_word + 1 : max(farol_word + 1, farol_ranks.x >> 5)) { \
+    for (uint farol_bits = farol_listedBits(farol_tile, farol_word, farol_ranks); farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
+      int farol_record = farol_grid.w + farol_word * 32 + farol_lowestBit(farol_bits);
 #define FAROL_END_LISTED }}
+// plain point lights by one loop, the others by another, so that the first stays short
 #define FAROL_SHADE_LISTED(shading) \
-  FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addBounded(shading, farol_record); FAROL_END_LISTED
+  FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addPoint(shading, farol_record); FAROL_END_LISTED \
+  if (farol_lightCounts.w > 0) { FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addOther(shading, farol_record); FAROL_END_LISTED }
 #define FAROL_SHADE_ALL(shading) farol_addUnbounded(shading); FAROL_SHADE_LISTED(shading)
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \

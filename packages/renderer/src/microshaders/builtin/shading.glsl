@@ -109,14 +109,19 @@ void farol_addBounded(inout FarolShading s, const in int record) {
   farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
 }
 
-// a point light of three
+// the same, for all but point lights of three
+void farol_addOther(inout FarolShading s, const in int record) {
+  if (farol_lightTexel(record, 1).w < 0.0) farol_addBounded(s, record);
+}
+
+// a point light of three; others are left out
 void farol_addPoint(inout FarolShading s, const in int record) {
   vec4 centre = farol_lightTexel(record, 0);
   vec3 toLight = centre.xyz - s.positionVS;
   float distanceSquared = dot(toLight, toLight);
   float ratio = distanceSquared / (centre.w * centre.w);
-  if (ratio >= 1.0) return;
   vec4 color = farol_lightTexel(record, 1);
+  if (ratio >= 1.0 || color.w < 0.0) return;
   color.rgb *= farol_boundedAttenuation(distanceSquared, ratio, color.w);
   farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color.rgb, color.rgb);
 }
