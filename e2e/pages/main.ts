@@ -7,6 +7,7 @@ import { Bench } from './Bench';
 import { edgeScene } from './edgeScene';
 import { materialScene } from './materialScene';
 import { supersampled } from './supersampled';
+import { shadowScene } from './shadowScene';
 
 /** What an empty page offers to a browser test that builds its own scene: three and the renderer, whole. */
 export interface TestPage {
@@ -17,6 +18,7 @@ export interface TestPage {
   materialScene: typeof materialScene;
   edgeScene: typeof edgeScene;
   supersampled: typeof supersampled;
+  shadowScene: typeof shadowScene;
   Bench: typeof Bench;
   compareImages: typeof compareImages;
   isFlat: typeof isFlat;
@@ -35,6 +37,7 @@ window.testPage = {
   materialScene,
   edgeScene,
   supersampled,
+  shadowScene,
   Bench,
   compareImages,
   isFlat,

@@ -21,6 +21,8 @@ import { SurfaceViewPass } from './passes/SurfaceViewPass';
 import { validatePasses } from './passes/validatePasses';
 import { refuseArrays } from './refuseArrays';
 import { SceneView } from './SceneView';
+import { RECORDS_PER_MASK } from './shadows/maskRecord';
+import { ShadowMaps } from './shadows/ShadowMaps';
 import { type TechniqueName, techniques } from './techniques';
 import { TechniqueChooser } from './techniques/TechniqueChooser';
 import type { Technique } from './techniques/Technique';
@@ -34,6 +36,11 @@ export interface FarolOptions {
   timing?: boolean;
   /** Default none. */
   effects?: readonly FarolEffect[];
+  /**
+   * Texels a side of the texture that holds all shadow maps, at most; it is made as large as the lights ask for. Default
+   * 8192, at most what the device has; at least 512.
+   */
+  shadowAtlasSize?: number;
 }
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
@@ -61,15 +68,19 @@ export class FarolRenderer {
   effects: readonly FarolEffect[];
   private readonly frame: Frame;
   private readonly lights = new LightTable();
+  private readonly shadows: ShadowMaps;
   private readonly twins: TwinCache;
   private readonly recorder: InfoRecorder;
   private readonly uniforms = {
     farol_lightTable: { value: null as unknown },
     farol_lightCounts: { value: [0, 0, 0, 0] },
+    farol_masks: { value: [0, 0] },
     farol_ambient: { value: this.lights.ambient },
     farol_lightIndex: { value: 0 },
     farol_heatScale: { value: 1 / 32 },
     farol_background: { value: new Vector4(0, 0, 0, -1) },
+    farol_shadowAtlas: { value: null as unknown },
+    farol_lightAtlas: { value: null as unknown },
     ...tileUniforms(),
     ...gridUniforms(),
   };
@@ -92,6 +103,10 @@ export class FarolRenderer {
   private disposed = false;
   private activeEffects = NO_EFFECTS;
   private readonly draw = () => this.drawFrame();
+  private readonly shadowDraws = {
+    stands: [] as readonly Object3D[],
+    render: () => this.run('shadow maps', () => this.shadows.render()),
+  };
 
   /**
    * @param webgl the host's renderer; it stays the host's, and other code may draw with it
@@ -111,6 +126,8 @@ export class FarolRenderer {
     });
     this.frame = new Frame(webgl, this.lights, this.twins, this.uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
+    this.shadows = new ShadowMaps(webgl, Math.max(512, options.shadowAtlasSize ?? 8192));
+    this.shadowDraws.stands = this.shadows.stands;
     this.timing = options.timing ?? false;
     this.technique = options.technique ?? 'auto';
     this.view = options.view ?? 'final';
@@ -173,21 +190,31 @@ export class FarolRenderer {
     this.recorder.begin(this.timing);
     if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
-    collectLights(scene, camera, this.webgl, this.found);
-    const { frame, webgl } = this;
+    collectLights(scene, camera, this.found);
+    const { frame, shadows, webgl } = this;
     frame.begin(scene, camera, this.viewName);
     if (this.viewName === 'grid') frame.quarter();
     const { target, face, level } = frame;
     this.activeEffects = this.viewName === 'final' ? this.effects : NO_EFFECTS;
     try {
       for (const effect of this.activeEffects) effect.begin?.(frame);
+      this.lights.shadows = webgl.shadowMap.enabled;
       this.lights.collect(this.found.all, frame.camera);
       this.pick();
-      this.lights.write(frame.camera, (techniques[this.active] as Technique).lightOrder, frame);
+      this.updateShadows(scene, frame.camera);
+      this.lights.write(frame.camera, (techniques[this.active] as Technique).lightOrder, frame, shadows);
       this.setUniforms();
       this.sceneView = this.viewOf(scene);
       const { fills = 'behind' } = techniques[this.active] as Technique;
-      this.sceneView.render(frame.camera, this.found.nested, frame.queue, this.draw, frame.ownsTarget() ? fills : null);
+      this.sceneView.render(
+        frame.camera,
+        this.found.nested,
+        frame.queue,
+        this.draw,
+        frame.ownsTarget() ? fills : null,
+        shadows.hasWork ? this.shadowDraws : null,
+      );
+      shadows.end();
     } finally {
       if (webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
     }
@@ -220,6 +247,7 @@ export class FarolRenderer {
     this.surfaceView.dispose();
     this.twins.dispose();
     this.lights.dispose();
+    this.shadows.dispose();
     this.recorder.dispose();
   }
 
@@ -248,7 +276,18 @@ export class FarolRenderer {
     counts[1] = lights.unbounded;
     counts[2] = lights.bounded;
     counts[3] = lights.others;
+    const masks = uniforms.farol_masks.value;
+    masks[0] = lights.firstMask;
+    masks[1] = this.shadows.records / RECORDS_PER_MASK;
     uniforms.farol_heatScale.value = 1 / this.heatMapMaximum;
+    uniforms.farol_shadowAtlas.value = this.shadows.atlas.texture;
+  }
+
+  /** From the first light with a shadow on, shaders look for masks. */
+  private updateShadows(scene: Object3D, camera: Camera): void {
+    const { shadows, lights } = this;
+    shadows.update(scene, camera, lights.masked);
+    if (shadows.records > 0) this.microshaders.swap('lightMask', 'lightMaskOn');
   }
 
   /** Called inside three's render, for the host's target, and before that for three's transmission target if needed. */
@@ -341,7 +380,7 @@ export class FarolRenderer {
   }
 
   private targetBytes(): number {
-    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.bytes;
+    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.bytes + this.shadows.atlas.bytes;
     for (const passes of this.passLists.values()) for (const pass of passes) bytes += pass.bytes;
     for (const effect of this.effects) bytes += effect.bytes;
     return bytes;

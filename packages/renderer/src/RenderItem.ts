@@ -21,6 +21,8 @@ export interface RenderItem {
   z: number;
   /** Lit one light at a time by three. */
   lit: boolean;
+  /** Shows shadows by three's getShadowMask(). */
+  shadowMask: boolean;
   /** Drawn as opaque things are by default, so that any pass may draw it in its own order. */
   plain: boolean;
   /** A technique's pass has drawn it this frame; the forward pass leaves it out. */

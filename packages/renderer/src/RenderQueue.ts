@@ -1,6 +1,7 @@
 import { type BufferGeometry, Material, type Object3D } from 'three';
 import { isPlainOpaque } from './gbuffer/shadingModel';
 import { isLit } from './materials/isLit';
+import { showsShadowMask } from './materials/shadowMaskTwin';
 import type { GeometryGroup, RenderItem } from './RenderItem';
 
 export type RenderItemSort = (a: RenderItem, b: RenderItem) => number;
@@ -78,6 +79,7 @@ export class RenderQueue {
     item.renderOrder = object.renderOrder;
     item.z = z;
     item.lit = isLit(material);
+    item.shadowMask = !item.lit && showsShadowMask(material);
     item.plain = list === this.opaque && isPlainOpaque(material);
     item.drawn = false;
     if (list === this.opaque && (!item.plain || hasOwnShader(material))) this.covers = false;

@@ -10,6 +10,7 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import { isManagedLight } from './lights/isManagedLight';
+import { isCasterStand } from './shadows/casterStand';
 import type { GeometryGroup } from './RenderItem';
 import type { RenderItemSort, RenderQueue } from './RenderQueue';
 import type { Fills } from './techniques/Technique';
@@ -29,6 +30,12 @@ interface RenderList {
   ): void;
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void;
   finish(): void;
+}
+
+/** Maps to be drawn inside three's `render`, and what stands in for casters that the camera may not see. */
+export interface ShadowDraws {
+  readonly stands: readonly Object3D[];
+  render(): void;
 }
 
 /** Render lists are kept by nesting depth of render calls; a render inside a render inside a render is the most met. */
@@ -86,18 +93,36 @@ export class SceneView {
    * @param queue gets the items in three's order
    * @param draw does the drawing; called once more for three's transmission target if something transmits
    * @param fills how what draws can fill the target, so that three need not clear it
+   * @param shadows what is to be drawn where three draws its shadow maps
    */
-  render(camera: Camera, lights: readonly Light[], queue: RenderQueue, draw: () => void, fills: Fills | null): void {
+  render(
+    camera: Camera,
+    lights: readonly Light[],
+    queue: RenderQueue,
+    draw: () => void,
+    fills: Fills | null,
+    shadows: ShadowDraws | null = null,
+  ): void {
     if (this.takenFrom !== this.webgl.renderLists) this.takeLists(); // three made new ones for a restored context
     this.queue = queue;
     this.draw = draw;
     this.fills = fills;
     queue.clear();
     this.gatherChildren();
+    if (shadows !== null) for (const stand of shadows.stands) this.children.push(stand);
     this.hide(lights);
+    const { shadowMap } = this.webgl;
+    const { render } = shadowMap;
+    if (shadows !== null) {
+      shadowMap.render = (ownLights, scene, ownCamera) => {
+        render.call(shadowMap, ownLights, scene, ownCamera);
+        if (scene === this.view) shadows.render();
+      };
+    }
     try {
       this.webgl.render(this.view as Object3D, camera);
     } finally {
+      shadowMap.render = render;
       this.restore();
       this.restoreClear();
       this.queue = this.draw = null;
@@ -114,7 +139,7 @@ export class SceneView {
   }
 
   private gatherChildren(): void {
-    const { source, children, webgl } = this;
+    const { source, children } = this;
     children.length = 0;
     if ((source as Scene).isScene !== true) {
       children.push(source);
@@ -122,7 +147,7 @@ export class SceneView {
     }
     for (const child of source.children) {
       const light = child as Light;
-      if (light.isLight === true && child.children.length === 0 && isManagedLight(light, webgl)) continue;
+      if (light.isLight === true && child.children.length === 0 && isManagedLight(light)) continue;
       children.push(child);
     }
   }
@@ -196,6 +221,7 @@ export class SceneView {
       const { push, finish } = list;
       const { driver } = this;
       list.push = (object, geometry, material, groupOrder, z, group, camera) => {
+        if (isCasterStand(object)) return;
         const override = this.view.overrideMaterial ?? null;
         if (camera.reversedDepth === true) z = -z;
         this.queue?.push(object, geometry, material, groupOrder, z, group, override);

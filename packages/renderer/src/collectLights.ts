@@ -1,4 +1,4 @@
-import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
+import type { Camera, Light, Object3D } from 'three';
 import { isManagedLight } from './lights/isManagedLight';
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
@@ -12,23 +12,23 @@ export interface FoundLights {
 }
 
 /** Finds the managed lights that the camera's layers see, parents before children. */
-export function collectLights(root: Object3D, camera: Camera, webgl: WebGLRenderer, found: FoundLights): void {
+export function collectLights(root: Object3D, camera: Camera, found: FoundLights): void {
   found.count = 0;
   found.nested.length = 0;
-  if (root.visible) visit(root, 0, camera, webgl, found);
+  if (root.visible) visit(root, 0, camera, found);
   // what earlier frames had more of is let go
   if (found.all.length > found.count) found.all.length = found.count;
 }
 
-function visit(object: Object3D, depth: number, camera: Camera, webgl: WebGLRenderer, found: FoundLights): void {
+function visit(object: Object3D, depth: number, camera: Camera, found: FoundLights): void {
   const { children } = object;
   const light = object as Light;
-  if (light.isLight === true && object.layers.test(camera.layers) && isManagedLight(light, webgl)) {
+  if (light.isLight === true && object.layers.test(camera.layers) && isManagedLight(light)) {
     found.all[found.count++] = light;
     if (depth !== 1 || children.length > 0) found.nested.push(light);
   }
   for (let i = 0; i < children.length; i++) {
     const child = children[i];
-    if (child.visible) visit(child, depth + 1, camera, webgl, found);
+    if (child.visible) visit(child, depth + 1, camera, found);
   }
 }

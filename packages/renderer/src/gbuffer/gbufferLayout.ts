@@ -28,7 +28,7 @@ export const gbufferLayout = [
     format: RGBAFormat,
     type: UnsignedByteType,
     bytes: 4,
-    holds: 'rgb: square root of the albedo; a: flags (shading model, fog, tone mapped) / 255',
+    holds: 'rgb: square root of the albedo; a: flags (shading model, fog, tone mapped, receives shadows) / 255',
   },
   {
     name: 'material',

@@ -8,6 +8,8 @@ export type ShadingModel = keyof typeof shadingModels;
 /** Flag bits above the shading model. */
 export const FLAG_FOG = 4;
 export const FLAG_TONE_MAPPED = 8;
+/** Not of the material but of the object: set by the shader. */
+export const FLAG_RECEIVES_SHADOWS = 16;
 
 type AnyMaterial = Material & {
   isMeshStandardMaterial?: boolean;

@@ -11,5 +11,5 @@ export const thinGBufferLayout = {
   type: HalfFloatType,
   bytes: 8,
   holds:
-    'xy: view-space normal, octahedral; z: specular lobe: roughness (2 more where F90 is below 1), -1 - Blinn-Phong shininess, 0 for none; w: number of the object, 0 for nothing',
+    'xy: view-space normal, octahedral; z: specular lobe: roughness (2 more where F90 is below 1), -1 - Blinn-Phong shininess, 0 for none; w: number of the object, below 0 if it receives no shadows, 0 for nothing',
 } as const satisfies GBufferAttachment;

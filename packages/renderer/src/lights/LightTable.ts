@@ -19,6 +19,7 @@ import { coneBoundingSphere } from './coneBoundingSphere';
 import { NO_LIGHT } from './DepthBins';
 import { DepthOrder } from './DepthOrder';
 import { LightGrid } from './LightGrid';
+import { cookieOf } from './lightCookie';
 
 const NO_DATA: FarolLightData = {};
 /** Cones wider than this are drawn and culled as spheres (rad). */
@@ -37,6 +38,16 @@ const groundColour: [number, number, number] = [0, 0, 0];
  * light grid, which is then made.
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
+
+/** What masks lights (shadow maps, cookies), and where it puts its records. */
+export interface LightMasks {
+  /** Records of the frame. */
+  readonly records: number;
+  /** Record of a light's mask, counted from the first mask; -1 when it has none. */
+  recordOf(light: Light): number;
+  /** Writes the records from `first` on. */
+  write(table: DataTable, first: number, camera: Camera): void;
+}
 
 /** What is drawn to: the grid's tiles are cut from it. */
 export interface PictureSize {
@@ -77,6 +88,13 @@ export class LightTable {
   plainQuads = 0;
   /** Tile masks and depth bins, up to date after an update 'by-grid'. */
   readonly grid = new LightGrid();
+  /** Lights of the frame that may have a mask: they are no plain point lights. */
+  readonly masked: Light[] = [];
+  /** True when lights that cast shadows have them. */
+  shadows = false;
+  private masks: LightMasks | null = null;
+  /** Record of the first mask. */
+  firstMask = 0;
   private readonly directionals: DirectionalLight[] = [];
   private readonly unboundeds: Light[] = [];
   /** The lights with a range that are kept, and how many are of this frame. */
@@ -117,11 +135,13 @@ export class LightTable {
    * Fills the table with what was collected.
    * @param size of what is drawn to (pixels)
    */
-  write(camera: Camera, order: LightOrder, size: PictureSize): void {
+  write(camera: Camera, order: LightOrder, size: PictureSize, masks: LightMasks | null = null): void {
     const view = camera.matrixWorldInverse;
     this.setRanks(order, camera, size);
+    this.masks = masks;
+    this.firstMask = this.firstBounded + this.bounded;
+    this.firstExtension = this.firstMask + (masks?.records ?? 0);
     this.reserve();
-    this.firstExtension = this.firstBounded + this.bounded;
     this.extensions = 0;
     let record = 0;
     for (const light of this.directionals) this.writeDirectional(record++, light, view);
@@ -130,7 +150,8 @@ export class LightTable {
       this.writeLocal(record++, light, view);
     }
     for (let k = 0; k < this.bounded; k++) this.writeBounded(record++, k, view);
-    this.table.used((record + this.extensions) * FLOATS_PER_RECORD);
+    masks?.write(this.table, this.firstMask, camera);
+    this.table.used((this.firstExtension + this.extensions) * FLOATS_PER_RECORD);
   }
 
   /** Says which record each light with a range gets. */
@@ -183,7 +204,7 @@ export class LightTable {
   }
 
   private classify(lights: readonly Light[], view: Matrix4): void {
-    this.directionals.length = this.unboundeds.length = 0;
+    this.directionals.length = this.unboundeds.length = this.masked.length = 0;
     this.kept = 0;
     this.spheres = this.cones = this.others = 0;
     this.ambient.fill(0);
@@ -200,10 +221,14 @@ export class LightTable {
       if (l.isPointLight || l.isSpotLight) {
         if (isBlack(light)) continue;
         const range = rangeOf(l);
-        if (range <= 0) this.unboundeds.push(light);
-        else this.findBounded(light, view);
+        if (range <= 0) {
+          this.unboundeds.push(light);
+          if (this.mayBeMasked(light)) this.masked.push(light);
+        } else this.findBounded(light, view);
       } else if (l.isDirectionalLight) {
-        if (!isBlack(light)) this.directionals.push(l);
+        if (isBlack(light)) continue;
+        this.directionals.push(l);
+        if (this.mayBeMasked(light)) this.masked.push(light);
       } else if ('isHemisphereLight' in light) this.addHemisphere(light as HemisphereLight, view);
       else this.addAmbient(light);
     }
@@ -224,7 +249,8 @@ export class LightTable {
     const { bounds, axes, plain } = this;
     const at = this.kept * 4;
     const spot = light as SpotLight;
-    const isPlain = spot.isSpotLight !== true && light.userData.farol === undefined;
+    const isMasked = this.mayBeMasked(light);
+    const isPlain = spot.isSpotLight !== true && light.userData.farol === undefined && !isMasked;
     if (isPlain) {
       const { color, intensity } = light;
       plain[at] = color.r * intensity;
@@ -252,6 +278,7 @@ export class LightTable {
       this.spheres++;
     }
     if (!isPlain) this.others++;
+    if (isMasked) this.masked.push(light);
     this.boundeds[this.kept++] = light;
     this.coverage += this.coverageOf(-z, range);
   }
@@ -309,7 +336,16 @@ export class LightTable {
 
   private reserve(): void {
     // every light may need an extension record
-    this.table.reserve((this.firstBounded + this.bounded) * 2 * FLOATS_PER_RECORD);
+    this.table.reserve((this.firstExtension + this.firstBounded + this.bounded) * FLOATS_PER_RECORD);
+  }
+
+  private mayBeMasked(light: Light): boolean {
+    return (light.castShadow && this.shadows) || cookieOf(light) !== null;
+  }
+
+  private maskOf(light: Light): number {
+    const record = this.masks === null ? -1 : this.masks.recordOf(light);
+    return record < 0 ? 0 : this.firstMask + record;
   }
 
   private writeDirectional(record: number, light: DirectionalLight, view: Matrix4): void {
@@ -317,12 +353,13 @@ export class LightTable {
     const at = record * FLOATS_PER_RECORD;
     this.axisOf(light, view);
     const extension = this.writeExtension(light);
+    const mask = light.castShadow ? this.maskOf(light) : 0;
     const { r, g, b } = light.color;
     const i = light.intensity;
     table.set4(at, target.x, target.y, target.z, 0);
     if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, 1);
-    else table.set4(at + 4, r * i, g * i, b * i, 0);
-    table.set4(at + 12, 0, 0, 0, extension);
+    else table.set4(at + 4, r * i, g * i, b * i, mask > 0 ? 1 : 0);
+    table.set4(at + 12, 0, 0, mask, extension);
   }
 
   /** Writes the k-th light with a range. */
@@ -354,7 +391,8 @@ export class LightTable {
     const point = light as PointLight;
     const spot = (light as SpotLight).isSpotLight === true ? (light as SpotLight) : null;
     const extension = this.writeExtension(light);
-    const plain = spot === null && extension === 0;
+    const mask = this.mayBeMasked(light) ? this.maskOf(light) : 0;
+    const plain = spot === null && extension === 0 && mask === 0;
     const i = light.intensity;
     table.set4(at, position.x, position.y, position.z, rangeOf(point));
     if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, -1 - point.decay);
@@ -370,10 +408,10 @@ export class LightTable {
       this.axisOf(spot, view);
       table.set4(at + 8, target.x, target.y, target.z, Math.cos(spot.angle));
       const exponent = (spot.userData.farol as FarolLightData | undefined)?.spotExponent ?? -1;
-      table.set4(at + 12, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, 0, extension);
+      table.set4(at + 12, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, mask, extension);
     } else if (!plain) {
       table.set4(at + 8, 0, 0, 1, -3);
-      table.set4(at + 12, -2, -1, 0, extension);
+      table.set4(at + 12, -2, -1, mask, extension);
     }
   }
 

@@ -1,4 +1,4 @@
-import type { Light, SpotLight, WebGLRenderer } from 'three';
+import type { Light } from 'three';
 
 type AnyLight = Light & {
   isAmbientLight?: boolean;
@@ -10,12 +10,9 @@ type AnyLight = Light & {
 
 /**
  * True for the lights that Farol keeps in its own table: they never change a program.
- * The others (rectangle lights, probes, lights that cast shadows, spot lights with a map) stay with three.
+ * The others (rectangle lights, probes) stay with three.
  */
-export function isManagedLight(light: Light, webgl: WebGLRenderer): boolean {
+export function isManagedLight(light: Light): boolean {
   const l = light as AnyLight;
-  if (l.isAmbientLight || l.isHemisphereLight) return true;
-  if (!(l.isDirectionalLight || l.isPointLight || l.isSpotLight)) return false;
-  if (light.castShadow && webgl.shadowMap.enabled) return false;
-  return !(l.isSpotLight && (light as SpotLight).map !== null);
+  return Boolean(l.isAmbientLight || l.isHemisphereLight || l.isDirectionalLight || l.isPointLight || l.isSpotLight);
 }

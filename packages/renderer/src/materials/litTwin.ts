@@ -22,6 +22,7 @@ export interface LitTwinOptions {
 
 const LIGHTS = '#include <lights_fragment_begin>';
 const PARS = '#include <lights_pars_begin>';
+const NORMAL = '#include <normal_pars_fragment>';
 
 /** A kind of twin of lit materials: three's shader with Farol's light loop in it. */
 export function litTwin(options: LitTwinOptions): TwinKind {
@@ -43,7 +44,8 @@ export function litTwin(options: LitTwinOptions): TwinKind {
     ...(options.properties && { properties: options.properties }),
     ...(options.variant && { variant: options.variant }),
     patch(shader: TwinShader, source: Material, header: string) {
-      let text = shader.fragmentShader.replace(PARS, () => `${PARS}\n${header}`).replace(LIGHTS, begin);
+      const normal = shader.fragmentShader.includes(NORMAL) ? '#define FAROL_VERTEX_NORMAL\n' : '';
+      let text = shader.fragmentShader.replace(PARS, () => `${PARS}\n${normal}${header}`).replace(LIGHTS, begin);
       if (options.rewrite) text = options.rewrite(text, source);
       if (options.atEnd) text = beforeLastBrace(text, options.atEnd);
       shader.fragmentShader = text;

@@ -171,6 +171,20 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return this.names().filter((other) => this.withDependencies([other]).has(name));
   }
 
+  /**
+   * Puts the content of another known chunk, known to be good, in the place of one that nobody has replaced; what is drawn
+   * with it compiles anew when it is next drawn. No check runs.
+   */
+  swap(name: string, other: string): void {
+    const content = this.get(other);
+    if (content === undefined || this.own.has(name)) return;
+    this.own.set(name, { ...content, name });
+    const affected = this.names().filter((used) => this.withDependencies([used]).has(name));
+    this.replacedAt.set(name, ++this.replacements);
+    this.revisions.clear();
+    for (const listener of [...this.listeners]) listener(affected);
+  }
+
   /** A number that grows whenever one of these chunks or of those they depend on is replaced; 0 before that. */
   revision(names: readonly string[]): number {
     let revision = 0;

@@ -14,7 +14,7 @@ struct FarolSurface {
   vec3 albedo; // linear
   vec4 material; // as stored
   vec4 accumulation; // linear radiance; a: Phong shininess
-  int flags; // low two bits: 0 unlit, 1 standard, 2 Phong, 3 Lambert; 4: fog; 8: tone mapped
+  int flags; // low two bits: 0 unlit, 1 standard, 2 Phong, 3 Lambert; 4: fog; 8: tone mapped; 16: receives shadows
 };
 
 FarolSurface farol_readSurface(const in ivec2 pixel, const in float depth, const in vec2 size) {

@@ -10,5 +10,5 @@
 #endif
 #define FAROL_WRITE_GBUFFER \
   farol_outNormal = vec4(farol_encodeNormal(normal), 0.0, 1.0); \
-  farol_outAlbedo = vec4(sqrt(material.diffuseColor), FAROL_FLAGS / 255.0); \
+  farol_outAlbedo = vec4(sqrt(material.diffuseColor), (FAROL_FLAGS + (receiveShadow ? 16.0 : 0.0)) / 255.0); \
   FAROL_WRITE_MATERIAL

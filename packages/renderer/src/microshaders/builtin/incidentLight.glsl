@@ -8,6 +8,7 @@ struct FarolLight {
   vec3 color; // irradiance of a surface that faces the light
   float attenuation; // what the colour was multiplied by
   int extension; // record of the extension, 0 when there is none
+  int mask; // record of its shadow and cookie, 0 when there is none
 };
 
 // exponent: of the thesis's spot light, -1 for three's penumbra
@@ -29,7 +30,12 @@ FarolLight farol_directionalLight(const in int index) {
   vec4 color = farol_lightTexel(index, 1);
   light.color = color.rgb;
   light.attenuation = 1.0;
-  light.extension = color.w == 0.0 ? 0 : int(farol_lightTexel(index, 3).w);
+  light.extension = light.mask = 0;
+  if (color.w != 0.0) {
+    vec4 more = farol_lightTexel(index, 3);
+    light.mask = int(more.z);
+    light.extension = int(more.w);
+  }
   return light;
 }
 
@@ -40,12 +46,13 @@ FarolLight farol_localLight(const in int index, const in vec3 positionVS) {
   vec3 toLight = centre.xyz - positionVS;
   float lightDistance = length(toLight);
   light.direction = normalize(toLight);
-  light.extension = 0;
+  light.extension = light.mask = 0;
   if (color.w >= 0.0) { // a plain point light: w is its decay
     light.attenuation = farol_distanceAttenuation(lightDistance, centre.w, color.w);
-  } else { // a spot light or a light of the thesis: w is -1 - decay
+  } else { // a spot light, a light of the thesis or one with a mask: w is -1 - decay
     vec4 axis = farol_lightTexel(index, 2);
     vec4 cone = farol_lightTexel(index, 3);
+    light.mask = int(cone.z);
     light.extension = int(cone.w);
     float angleCosine = dot(light.direction, axis.xyz);
     light.attenuation = farol_angularAttenuation(angleCosine, axis.w, cone.x, cone.y);

@@ -19,6 +19,9 @@ import lightBufferCounts from './lightBufferCounts.glsl?raw';
 import lightBufferFilter from './lightBufferFilter.glsl?raw';
 import lightList from './lightList.glsl?raw';
 import lightListClustered from './lightListClustered.glsl?raw';
+import lightMask from './lightMask.glsl?raw';
+import lightMaskOn from './lightMaskOn.glsl?raw';
+import lightShadow from './lightShadow.glsl?raw';
 import lightLoopAll from './lightLoopAll.glsl?raw';
 import lightLoopBuffer from './lightLoopBuffer.glsl?raw';
 import lightLoopNone from './lightLoopNone.glsl?raw';
@@ -39,6 +42,7 @@ import shadePlain from './shadePlain.glsl?raw';
 import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import sumLight from './sumLight.glsl?raw';
+import shadowMask from './shadowMask.glsl?raw';
 import surfaceView from './surfaceView.glsl?raw';
 import thinGBufferRead from './thinGBufferRead.glsl?raw';
 import thinGBufferWrite from './thinGBufferWrite.glsl?raw';
@@ -75,6 +79,9 @@ const sources = {
   lightList,
   lightListClustered,
   lightLoopAll,
+  lightMask,
+  lightMaskOn,
+  lightShadow,
   lightLoopBuffer,
   lightLoopNone,
   lightLoopOne,
@@ -94,6 +101,7 @@ const sources = {
   shading,
   shadeThree,
   sumLight,
+  shadowMask,
   surfaceView,
   thinGBufferRead,
   thinGBufferWrite,

@@ -33,7 +33,7 @@ vec2 farol_agreement(const in FarolReader reader, const in ivec2 texel) {
   vec3 there = farol_thinPosition(texel, reader.size, texelFetch(farol_thinDepth, texel, 0).r);
   float off = abs(dot(there - reader.positionVS, reader.normalVS)) / reader.reach;
   float cosine = clamp(dot(farol_decodeNormal(thin.xy), reader.normalVS), 0.0, 1.0);
-  bool same = thin.w == reader.object;
+  bool same = abs(thin.w) == reader.object;
   // half at 8 degrees: light changes faster with the normal than with the place
   float agreement = same && off < 1.0 ? pow(cosine, 64.0) : 0.0;
   float nothing = 1e6;

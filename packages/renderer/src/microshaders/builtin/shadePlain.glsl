@@ -4,9 +4,15 @@
 #if defined( STANDARD ) && ! defined( USE_SPECULAR ) && ! defined( USE_CLEARCOAT ) && ! defined( USE_SHEEN ) && ! defined( USE_IRIDESCENCE ) && ! defined( USE_ANISOTROPY ) && ! defined( USE_DIFFUSE_ROUGHNESS ) && ! defined( USE_RETROREFLECTION )
   #define FAROL_PLAIN_STANDARD
 #endif
+#ifdef FAROL_VERTEX_NORMAL
+  #define FAROL_SET_SHADOW_NORMAL farol_shading.shadowNormalVS = FAROL_SHADOW_NORMAL;
+#else
+  #define FAROL_SET_SHADOW_NORMAL
+#endif
 #define FAROL_SHADE_PLAIN \
   FarolShading farol_shading; \
-  farol_shading.flags = 1; \
+  farol_shading.flags = receiveShadow ? 17 : 1; \
+  FAROL_SET_SHADOW_NORMAL \
   farol_shading.positionVS = geometryPosition; \
   farol_shading.normalVS = geometryNormal; \
   farol_shading.viewDirVS = geometryViewDir; \

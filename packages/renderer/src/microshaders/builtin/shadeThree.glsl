@@ -1,5 +1,6 @@
 // FAROL_SHADE for three's lit materials: fills IncidentLight, calls RE_Direct, applies the light's own specular and ambient.
 // Farol; three's lights_fragment_begin
+#include "lightMask"
 #ifdef STANDARD
   #define FAROL_DIFFUSE_COLOR material.diffuseContribution
 #else
@@ -25,10 +26,16 @@
 #else
   #define FAROL_IS_LIT(light) light.attenuation > 0.0
 #endif
+// along the normal of the geometry, as three has it from the vertices, a shadow map is looked up some way off
+#if defined( FAROL_VERTEX_NORMAL ) && !defined( FLAT_SHADED )
+  #define FAROL_SHADOW_NORMAL vNormal
+#else
+  #define FAROL_SHADOW_NORMAL geometryNormal
+#endif
 #define FAROL_SHADE(light) \
   farol_lightsEvaluated += 1.0; \
   if (FAROL_IS_LIT(light)) { \
-  directLight.direction = light.direction; directLight.color = light.color; directLight.visible = true; \
+  directLight.direction = light.direction; directLight.color = FAROL_MASKED(light.color, light.mask, geometryPosition, FAROL_SHADOW_NORMAL, receiveShadow); directLight.visible = true; \
   ReflectedLight farol_before = reflectedLight; FAROL_SAVE_CLEARCOAT FAROL_SAVE_SHEEN \
   RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight); \
   if (light.extension > 0) { \

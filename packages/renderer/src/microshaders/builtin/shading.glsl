@@ -2,6 +2,7 @@
 // taken out of the loop: three sums, weighted at the end by the surface's colours.
 // three.js r187; Walter et al. 2007 (GGX), Heitz 2014 (height-correlated Smith), Turquin 2018 (multiple scattering)
 #include "incidentLight"
+#include "lightMask"
 
 struct FarolShading {
   int flags;
@@ -16,7 +17,17 @@ struct FarolShading {
   vec3 diffuse; // sum of c N·L (1 - F)
   vec3 specular; // sum of c N·L V D
   vec3 grazing; // sum of c N·L V D f, f: Schlick's fifth power
+#ifdef FAROL_VERTEX_NORMAL
+  vec3 shadowNormalVS; // along which shadow maps are looked up some way off
+#endif
 };
+
+#ifdef FAROL_VERTEX_NORMAL
+  #define FAROL_SHADOW_NORMAL_OF(s) s.shadowNormalVS
+#else
+  #define FAROL_SHADOW_NORMAL_OF(s) s.normalVS
+#endif
+#define FAROL_MASKED_FOR(s, color, mask) FAROL_MASKED(color, mask, s.positionVS, FAROL_SHADOW_NORMAL_OF(s), (s.flags & 16) != 0)
 
 bool farol_isPhysical(const in FarolShading s) {
   return (s.flags & 3) == 1;
@@ -66,8 +77,8 @@ void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3
 }
 
 void farol_addExtended(inout FarolShading s, const in FarolLight light) {
-  vec3 diffuseColor = light.color;
-  vec3 specularColor = light.color;
+  vec3 diffuseColor = FAROL_MASKED_FOR(s, light.color, light.mask);
+  vec3 specularColor = diffuseColor;
   if (light.extension > 0) {
     diffuseColor *= farol_lightTexel(light.extension, 0).rgb;
     specularColor *= farol_lightTexel(light.extension, 1).rgb;
@@ -104,6 +115,7 @@ void farol_addBounded(inout FarolShading s, const in int record) {
     attenuation *= farol_angularAttenuation(dot(direction, axis.xyz), axis.w, cone.x, cone.y);
     if (attenuation <= 0.0) return;
     s.diffuse += ambient * attenuation;
+    color.rgb = FAROL_MASKED_FOR(s, color.rgb, int(cone.z));
   }
   color.rgb *= attenuation;
   farol_addLight(s, direction, color.rgb, color.rgb * specularScale);

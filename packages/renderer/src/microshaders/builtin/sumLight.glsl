@@ -2,11 +2,13 @@
 // three.js r187; Walter et al. 2007 (GGX), Heitz 2014 (height-correlated Smith), Blinn 1977, Schlick 1994
 #include "incidentLight"
 #include "lightSums"
+#include "lightMask"
 
 struct FarolLobe {
   bool physical;
   bool specular;
   bool splitsDiffuse; // F90 below 1
+  bool receivesShadows;
   vec3 normalVS;
   vec3 viewDirVS;
   float dotNV;
@@ -14,12 +16,13 @@ struct FarolLobe {
   float lambdaV; // of the height-correlated Smith term
 };
 
-// lobe: as the thin G-buffer holds it
-FarolLobe farol_lobe(const in float lobe, const in vec3 normalVS, const in vec3 viewDirVS) {
+// lobe, object: as the thin G-buffer holds them
+FarolLobe farol_lobe(const in float lobe, const in float object, const in vec3 normalVS, const in vec3 viewDirVS) {
   FarolLobe l;
   l.physical = lobe > 0.0;
   l.specular = lobe != 0.0;
   l.splitsDiffuse = lobe >= 2.0;
+  l.receivesShadows = object > 0.0;
   l.normalVS = normalVS;
   l.viewDirVS = viewDirVS;
   l.dotNV = dot(normalVS, viewDirVS);
@@ -33,10 +36,10 @@ FarolLobe farol_lobe(const in float lobe, const in vec3 normalVS, const in vec3 
   return l;
 }
 
-void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in FarolLight light) {
+void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in vec3 positionVS, const in FarolLight light) {
   if (light.attenuation <= 0.0) return;
-  vec3 diffuseColor = light.color;
-  vec3 specularColor = light.color;
+  vec3 diffuseColor = FAROL_MASKED(light.color, light.mask, positionVS, lobe.normalVS, lobe.receivesShadows);
+  vec3 specularColor = diffuseColor;
   if (light.extension > 0) {
     diffuseColor *= farol_lightTexel(light.extension, 0).rgb;
     specularColor *= farol_lightTexel(light.extension, 1).rgb;

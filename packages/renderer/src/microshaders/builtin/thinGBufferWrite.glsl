@@ -9,7 +9,7 @@ varying highp vec2 farol_object; // number of the object; corner of the stipple 
 #else
   #define FAROL_LOBE 0.0
 #endif
-#define FAROL_WRITE_THIN gl_FragColor = vec4(farol_encodeNormal(normal), FAROL_LOBE, floor(farol_object.x + 0.5));
+#define FAROL_WRITE_THIN gl_FragColor = vec4(farol_encodeNormal(normal), FAROL_LOBE, floor(farol_object.x + 0.5) * (receiveShadow ? 1.0 : -1.0));
 // one texel of each two by two is left to a transparent layer, and nothing of it where it is not seen
 #define FAROL_STIPPLE { \
   ivec2 farol_corner = ivec2(gl_FragCoord.xy) & 1; \

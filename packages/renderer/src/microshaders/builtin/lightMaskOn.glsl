@@ -1,0 +1,5 @@
+// What of a light passes to a point: its colour by its shadow map and cookie; takes the place of lightMask once one is met.
+// Farol
+#include "lightShadow"
+#define FAROL_HAS_MASKS
+#define FAROL_MASKED(color, mask, positionVS, shadowNormalVS, receives) ((mask) > 0 ? (color) * farol_lightMask(mask, positionVS, shadowNormalVS, receives) : (color))

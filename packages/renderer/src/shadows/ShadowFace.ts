@@ -1,0 +1,90 @@
+import { Frustum, Matrix4, PerspectiveCamera, Vector3, WebGLCoordinateSystem, type Camera } from 'three';
+
+const frustum = new Frustum();
+const matrix = new Matrix4();
+const right = new Vector3();
+const up = new Vector3();
+const back = new Vector3();
+
+/** A camera that draws one tile, and what it sees. */
+export class ShadowFace {
+  /** The six planes of its view in world space, as `viewFrustumPlanes` has them. */
+  readonly planes = new Float64Array(24);
+  /** Part of the atlas that it draws to (texels). */
+  x = 0;
+  y = 0;
+  width = 0;
+  height = 0;
+
+  constructor(readonly camera: Camera) {}
+
+  /** Takes the planes from the camera's matrices. */
+  update(): void {
+    const { camera, planes } = this;
+    matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    frustum.setFromProjectionMatrix(matrix, WebGLCoordinateSystem, camera.reversedDepth);
+    for (let i = 0; i < 6; i++) {
+      const { normal, constant } = frustum.planes[i];
+      planes[i * 4] = normal.x;
+      planes[i * 4 + 1] = normal.y;
+      planes[i * 4 + 2] = normal.z;
+      planes[i * 4 + 3] = constant;
+    }
+  }
+}
+
+/** Where the cameras of a point light look and what is up there, as farol_cubeFace has it: +x, -x, +y, -y, +z, -z. */
+const AXES = [
+  [1, 0, 0, 0, 1, 0],
+  [-1, 0, 0, 0, 1, 0],
+  [0, 1, 0, 0, 0, 1],
+  [0, -1, 0, 0, 0, 1],
+  [0, 0, 1, 0, 1, 0],
+  [0, 0, -1, 0, 1, 0],
+] as const;
+
+/** The six faces of a cube map, to be placed by `aimCubeFace`. */
+export function makeCubeFaces(): ShadowFace[] {
+  return AXES.map(() => {
+    const camera = new PerspectiveCamera(90, 1, 0.5, 500);
+    camera.matrixAutoUpdate = camera.matrixWorldAutoUpdate = false;
+    return new ShadowFace(camera);
+  });
+}
+
+/**
+ * Puts the camera of one face in its place.
+ * @param index of the face, 0 to 5
+ * @param widening tangent of half its angle: 1 sees the face alone, more also what lies beside it
+ */
+export function aimCubeFace(
+  face: ShadowFace,
+  index: number,
+  position: Vector3,
+  near: number,
+  far: number,
+  widening: number,
+): void {
+  const camera = face.camera as PerspectiveCamera;
+  const axes = AXES[index];
+  back.set(-axes[0], -axes[1], -axes[2]);
+  up.set(axes[3], axes[4], axes[5]);
+  right.crossVectors(up, back);
+  camera.matrixWorld.makeBasis(right, up, back).setPosition(position);
+  camera.matrixWorldInverse.copy(camera.matrixWorld).invert();
+  camera.near = near;
+  camera.far = far;
+  const side = near * widening;
+  camera.projectionMatrix.makePerspective(
+    -side,
+    side,
+    side,
+    -side,
+    near,
+    far,
+    WebGLCoordinateSystem,
+    camera.reversedDepth,
+  );
+  camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+  face.update();
+}

@@ -1,0 +1,186 @@
+import {
+  Frustum,
+  type LightShadow,
+  type Object3D,
+  Matrix4,
+  type OrthographicCamera,
+  type PerspectiveCamera,
+  type PointLight,
+  type DirectionalLight,
+  type SpotLight,
+  Vector3,
+} from 'three';
+import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
+import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
+import type { Tile } from './TilePacker';
+
+/** Lights that three lets cast shadows. */
+export type ShadowLight = (PointLight | SpotLight | DirectionalLight) & {
+  isPointLight?: boolean;
+  isSpotLight?: boolean;
+};
+
+type ShadowCamera = PerspectiveCamera & OrthographicCamera & { _reversedDepth: boolean };
+type OwnShadow = LightShadow & { updateMatrices(light: ShadowLight): void; _frustum: Frustum };
+
+/** Texels round each face of a cube, from what lies beside it, so that filters cross its edges. */
+export const CUBE_BORDER = 1;
+
+const CAMERA_NUMBERS = ['near', 'zoom', 'left', 'right', 'top', 'bottom'] as const;
+const position = new Vector3();
+
+/**
+ * The shadow map of one light: its private cameras, where its tile lies, and whether that still holds. What three would
+ * change of the light's own shadow (camera, matrix) is changed on a stand-in that inherits its settings.
+ */
+export class ShadowSlot {
+  readonly isPoint: boolean;
+  /** The light's own, which is only read. */
+  readonly shadow: LightShadow;
+  /** The scene in which it was last lit. */
+  root: Object3D | null = null;
+  readonly faces: ShadowFace[];
+  /** World space to the map, 0 to 1, and depth; of a point light: to what leads from the light to there. */
+  readonly matrix = new Matrix4();
+  /** Nearest and farthest of the map's cameras (m). */
+  near = 0;
+  far = 0;
+  /** The place in the atlas, of all faces together. */
+  tile: Tile | null = null;
+  /** Texels a side of a face that the tile was made for. */
+  faceWidth = 0;
+  faceHeight = 0;
+  /** How often the size that the light asks for is halved, since the atlas is full. */
+  halvings = 0;
+  /** The same before the last look at who is to be halved. */
+  halved = 0;
+  /** Share of the picture that the light covers. */
+  coverage = 1;
+  /** Something in reach changed since the tile was drawn. */
+  dirty = true;
+  /** The tile holds a map. */
+  drawn = false;
+  /** There has been a map: if its tile was lost it is drawn anew, whatever its updates. */
+  hadMap = false;
+  /** Frame in which the light was last lit. */
+  used = 0;
+  /** Layers of the casters. */
+  layers = 1;
+  /** Place of its mask record in the frame, -1 for none. */
+  record = -1;
+  private readonly own: OwnShadow;
+  private readonly before = new Float64Array(18);
+
+  constructor(readonly light: ShadowLight) {
+    this.isPoint = light.isPointLight === true;
+    const shadow = light.shadow as unknown as OwnShadow;
+    this.shadow = shadow;
+    this.own = Object.create(shadow) as OwnShadow;
+    const camera = shadow.camera.clone();
+    this.define('camera', camera);
+    this.define('matrix', this.matrix);
+    this.define('_frustum', new Frustum());
+    this.faces = this.isPoint ? makeCubeFaces() : [new ShadowFace(camera)];
+  }
+
+  /** Texels a side that the light's map has by its own settings. */
+  get wantedWidth(): number {
+    return Math.max(1, Math.round(this.light.shadow.mapSize.x));
+  }
+  get wantedHeight(): number {
+    return Math.max(1, Math.round(this.isPoint ? this.light.shadow.mapSize.x : this.light.shadow.mapSize.y));
+  }
+
+  /** Follows the light and its settings; the slot is dirty when its view changed. */
+  follow(reversedDepth: boolean): void {
+    if (this.isPoint) this.followPoint(reversedDepth);
+    else this.followMap(reversedDepth);
+    const { before, matrix } = this;
+    let same = before[16] === this.near && before[17] === this.far;
+    for (let i = 0; i < 16; i++) {
+      if (before[i] === matrix.elements[i]) continue;
+      before[i] = matrix.elements[i];
+      same = false;
+    }
+    before[16] = this.near;
+    before[17] = this.far;
+    if (same) return;
+    this.dirty = true;
+    if (this.isPoint && this.faceWidth > 0) this.aimFaces();
+  }
+
+  /** True when a sphere (world space, m) may be in one of the maps. */
+  reaches(x: number, y: number, z: number, radius: number): boolean {
+    if (radius === Infinity) return true;
+    if (!this.isPoint) return !sphereOutsidePlanes(this.faces[0].planes, x, y, z, radius);
+    // beyond a range nothing is lit; without one, the corners of the cube of far planes count
+    const e = this.matrix.elements;
+    const reach = radius + this.far * ((this.light as PointLight).distance > 0 ? 1 : Math.sqrt(3));
+    const dx = x + e[12];
+    const dy = y + e[13];
+    const dz = z + e[14];
+    return dx * dx + dy * dy + dz * dz <= reach * reach;
+  }
+
+  /** Takes a place in the atlas; the map is to be drawn anew. */
+  place(tile: Tile, faceWidth: number, faceHeight: number): void {
+    this.tile = tile;
+    this.faceWidth = faceWidth;
+    this.faceHeight = faceHeight;
+    this.dirty = true;
+    this.drawn = false;
+    const width = this.isPoint ? faceWidth + 2 * CUBE_BORDER : faceWidth;
+    const height = this.isPoint ? faceHeight + 2 * CUBE_BORDER : faceHeight;
+    this.faces.forEach((face, i) => {
+      face.x = tile.x + (i % 3) * width;
+      face.y = tile.y + Math.floor(i / 3) * height;
+      face.width = width;
+      face.height = height;
+    });
+    if (this.isPoint) this.aimFaces();
+  }
+
+  private followMap(reversedDepth: boolean): void {
+    const { light, own } = this;
+    const camera = own.camera as unknown as ShadowCamera;
+    const host = light.shadow.camera as unknown as ShadowCamera;
+    let changed = camera._reversedDepth !== reversedDepth;
+    camera._reversedDepth = reversedDepth;
+    for (const name of CAMERA_NUMBERS) {
+      if (camera[name] === host[name]) continue;
+      camera[name] = host[name];
+      changed = true;
+    }
+    const far = (light.isSpotLight === true && (light as SpotLight).distance) || host.far;
+    if (camera.far !== far) {
+      camera.far = far;
+      changed = true;
+    }
+    if (changed) camera.updateProjectionMatrix();
+    own.updateMatrices(light);
+    this.near = camera.near;
+    this.far = camera.far;
+    this.faces[0].update();
+  }
+
+  private followPoint(reversedDepth: boolean): void {
+    const { light, matrix } = this;
+    const host = light.shadow.camera as unknown as ShadowCamera;
+    this.near = host.near;
+    this.far = (light as PointLight).distance || host.far;
+    position.setFromMatrixPosition(light.matrixWorld);
+    matrix.makeTranslation(-position.x, -position.y, -position.z);
+    for (const face of this.faces) (face.camera as unknown as ShadowCamera)._reversedDepth = reversedDepth;
+  }
+
+  private aimFaces(): void {
+    const { elements } = this.matrix;
+    position.set(-elements[12], -elements[13], -elements[14]);
+    const widening = (this.faceWidth + 2 * CUBE_BORDER) / this.faceWidth;
+    for (let i = 0; i < 6; i++) aimCubeFace(this.faces[i], i, position, this.near, this.far, widening);
+  }
+
+  private define(name: string, value: unknown): void {
+    Object.defineProperty(this.own, name, { value, writable: true, configurable: true, enumerable: true });
+  }
+}
