@@ -28,7 +28,7 @@ test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page 
   await addObject(page, 'Mesh', 'Box');
   await expect(page.getByRole('treeitem', { name: 'Box' })).toHaveAttribute('aria-selected', 'true');
 
-  await page.getByRole('button', { name: 'Add component' }).click();
+  await page.getByRole('combobox', { name: 'Add component' }).click();
   await page.getByRole('menuitem', { name: /^Light/ }).click();
   const light = page.getByRole('region', { name: 'Light', exact: true });
   await expect(light).toBeVisible();
@@ -209,8 +209,8 @@ test('plays, pauses, steps and stops without a trace in the history', async ({ p
   await openEditor(page);
   await openEmptyScene(page);
   await addObject(page, 'Mesh', 'Box');
-  await page.getByRole('button', { name: 'Add component' }).click();
-  await page.getByRole('menuitem', { name: /^Random Movement/ }).click();
+  await page.getByRole('combobox', { name: 'Add component' }).click();
+  await page.getByRole('option', { name: /^Random Movement/ }).click();
   const before = await serialized(page);
   const steps = await history(page);
   const time = (): Promise<number> => page.evaluate(() => window.editor.document.scene.time);

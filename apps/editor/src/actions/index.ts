@@ -19,7 +19,9 @@ import { selectAll } from './selectAll';
 import { showKeys } from './showKeys';
 import { showPalette } from './showPalette';
 import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showPanels';
+import { lookFrom } from './sides';
 import { snap } from './snap';
+import { showStatistics } from './statistics';
 import { undo } from './undo';
 import { continuous, showGrid, showIcons } from './viewportToggles';
 
@@ -52,6 +54,8 @@ export const actions = new ActionRegistry([
   showGrid,
   showIcons,
   continuous,
+  showStatistics,
+  ...lookFrom,
   play,
   pause,
   step,

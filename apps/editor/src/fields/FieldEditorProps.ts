@@ -5,6 +5,8 @@ export interface FieldEditorProps<F extends Field> {
   readonly field: F;
   /** Null where several objects are edited and their values differ. */
   readonly value: ValueOf<F> | null;
+  /** Of a vector whose values differ: the coordinates that all have in common, null for the others. */
+  readonly parts?: readonly (number | null)[];
   /** Whether the values differ. */
   readonly mixed: boolean;
   /** Accessible name. */

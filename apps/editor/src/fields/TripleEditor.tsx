@@ -5,6 +5,8 @@ import { NumberInput } from '../ui/NumberInput';
 interface TripleEditorProps {
   /** Null where the values differ. */
   readonly value: Vector3Tuple | null;
+  /** What all have in common where the values differ. */
+  readonly parts?: readonly (number | null)[];
   readonly label: string;
   readonly description: string;
   readonly disabled: boolean;
@@ -23,7 +25,19 @@ interface TripleEditorProps {
 const axes = ['x', 'y', 'z'] as const;
 
 /** Three numbers side by side, one for each axis. */
-export function TripleEditor({ value, label, toShown, fromShown, onPreview, ...rest }: TripleEditorProps): ReactNode {
+export function TripleEditor({
+  value,
+  parts,
+  label,
+  toShown,
+  fromShown,
+  onPreview,
+  ...rest
+}: TripleEditorProps): ReactNode {
+  const shown = (i: number): number | null => {
+    const coordinate = value?.[i] ?? parts?.[i] ?? null;
+    return coordinate === null ? null : toShown(coordinate);
+  };
   return (
     <div className="triple" role="group" aria-label={label}>
       {axes.map((axis, i) => (
@@ -31,7 +45,7 @@ export function TripleEditor({ value, label, toShown, fromShown, onPreview, ...r
           {...rest}
           key={axis}
           digits="short"
-          value={value === null ? null : toShown(value[i])}
+          value={shown(i)}
           label={`${label} ${axis}`}
           handle={<span className={`axis axis-${axis}`}>{axis}</span>}
           onPreview={(next) =>

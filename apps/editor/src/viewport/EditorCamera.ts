@@ -138,6 +138,21 @@ export class EditorCamera {
     this.controls.update(0);
   }
 
+  /**
+   * Looks at the same point from another side.
+   * @param direction - from the point to the camera, in the world
+   */
+  lookFrom(direction: Vector3): void {
+    const { controls } = this;
+    const target = this.target;
+    const spherical = new Spherical().setFromVector3(direction);
+    void controls.setTarget(target.x, target.y, target.z, false);
+    // the shorter way round
+    const turns = Math.round((controls.azimuthAngle - spherical.theta) / (2 * Math.PI));
+    void controls.rotateTo(spherical.theta + turns * 2 * Math.PI, spherical.phi, controls.smoothTime > 0);
+    if (controls.smoothTime === 0) controls.update(0);
+  }
+
   dispose(): void {
     this.canvas.removeEventListener('pointerdown', this.chooseAction, true);
     this.canvas.removeEventListener('keydown', this.keyDown);

@@ -122,6 +122,11 @@ export class Gizmo {
     this.applySnapping();
   }
 
+  /** Whether a drag is under way. */
+  get isDragging(): boolean {
+    return this.gesture !== null;
+  }
+
   /** Whether a handle is under the pointer, or dragged. */
   get isHot(): boolean {
     return this.controls.dragging || (this.controls.axis !== null && this.controls.object !== undefined);
@@ -156,12 +161,13 @@ export class Gizmo {
     this.controls.dispose();
   }
 
-  /** The selected objects that are not below another one of them; asked each frame, so found once for each change. */
+  /** The selected objects that are not locked, and not below another one of them; asked each frame, so found once for each change. */
   private targets(): GameObject[] {
     const { selection, structure, selectedObjects, scene } = this.document;
     const revision = selection.changed.revision + structure.revision;
     if (revision !== this.targetsRevision) {
-      this.targetList = selectedObjects.length < 2 ? selectedObjects : topmost(selectedObjects, scene);
+      const free = selectedObjects.filter((object) => !object.lockedInHierarchy);
+      this.targetList = free.length < 2 ? free : topmost(free, scene);
       this.targetsRevision = revision;
     }
     return this.targetList;

@@ -5,7 +5,11 @@ import { drawSelection } from './drawSelection';
 import { Grid } from './Grid';
 import { IconPoints } from './IconPoints';
 import { LineSet } from './LineSet';
+import { SelectionOutline } from './SelectionOutline';
 import type { PickHit } from './pick';
+
+/** Of what is selected. */
+const COLOUR = '#ff9d3c';
 
 /**
  * What the editor draws over the picture: grid, icons, the selection's lines, the gizmo. It is a scene of its own, drawn
@@ -16,10 +20,17 @@ export class Helpers {
 
   private readonly grid = new Grid();
   private readonly icons = new IconPoints();
-  private readonly lines = new LineSet('#ff9d3c');
+  private readonly lines = new LineSet(COLOUR);
+  private readonly outline = new SelectionOutline(COLOUR);
+  private outlineKey = '';
+
+  private assetChanges = 0;
+  private readonly endAssets: () => void;
 
   constructor(private readonly document: EditorDocument) {
     this.scene.add(this.grid, this.icons, this.lines.three);
+    // what is loaded late is there late
+    this.endAssets = document.assets.onChange(() => this.assetChanges++);
   }
 
   get showGrid(): boolean {
@@ -38,8 +49,11 @@ export class Helpers {
     this.icons.visible = show;
   }
 
-  /** Draws over the picture that was just drawn with the same camera. */
-  render(webgl: WebGLRenderer, camera: Camera, lookThrough: CameraComponent | null): void {
+  /**
+   * Draws over the picture that was just drawn with the same camera.
+   * @param isDragging - whether the gizmo is at work: nothing but transforms changes then
+   */
+  render(webgl: WebGLRenderer, camera: Camera, lookThrough: CameraComponent | null, isDragging: boolean): void {
     const { scene, selection, selectedObjects } = this.document;
     if (this.icons.visible) {
       const selected = new Set(selection.ids);
@@ -50,6 +64,11 @@ export class Helpers {
     this.lines.end();
     const { autoClear } = webgl;
     webgl.autoClear = false;
+    if (!isDragging) {
+      const { edited } = this.document;
+      this.outlineKey = `${selection.changed.revision} ${edited.revision} ${this.assetChanges}`;
+    }
+    this.outline.render(webgl, camera, selectedObjects, this.outlineKey);
     webgl.render(this.scene, camera);
     webgl.autoClear = autoClear;
   }
@@ -63,5 +82,7 @@ export class Helpers {
     this.grid.dispose();
     this.icons.dispose();
     this.lines.dispose();
+    this.outline.dispose();
+    this.endAssets();
   }
 }

@@ -62,6 +62,7 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     let nearest: PickHit | null = null;
     let least = SIZE / 2 + 1;
     for (const object of this.shown) {
+      if (object.lockedInHierarchy) continue;
       place.setFromMatrixPosition(object.object3D.matrixWorld);
       const distance = place.distanceTo(cameraPlace.setFromMatrixPosition(camera.matrixWorld));
       place.project(camera);

@@ -1,14 +1,18 @@
-import { type Camera as CameraComponent, type GameObject, InputRouter } from '@farol/engine';
+import { Camera as CameraComponent, type GameObject, InputRouter } from '@farol/engine';
 import { FarolRenderer, type TechniqueName, type View } from '@farol/renderer';
-import { type Camera, Vector2, WebGLRenderer } from 'three';
+import { type Box2, type Camera, type Material, Vector2, WebGLRenderer } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
 import { Signal } from '../model/Signal';
 import { boundsOf } from './boundsOf';
+import { BoxSelect } from './BoxSelect';
+import { CameraPreview } from './CameraPreview';
 import { EditorCamera } from './EditorCamera';
 import { FrameStatistics } from './FrameStatistics';
 import { Gizmo, type GizmoMode, type GizmoSpace } from './Gizmo';
 import { Helpers } from './Helpers';
+import { MaterialBall } from './MaterialBall';
 import { hitPoint, pick } from './pick';
+import { pickBox } from './pickBox';
 import { PointerPicker } from './PointerPicker';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
@@ -25,6 +29,8 @@ export class Viewport {
   onError: (error: unknown) => void = () => {};
   /** Emits when one of the settings below changes. */
   readonly changed = new Signal();
+  /** Emits after each frame that was drawn. */
+  readonly drawn = new Signal();
   readonly statistics = new FrameStatistics();
   readonly webgl: WebGLRenderer;
   readonly farol: FarolRenderer;
@@ -34,6 +40,11 @@ export class Viewport {
 
   private readonly input: InputRouter;
   private readonly picker: PointerPicker;
+  private readonly boxSelect: BoxSelect;
+  private preview: CameraPreview | null = null;
+  private ball: MaterialBall | null = null;
+  private hasStatistics = false;
+  private assetChanges = 0;
   private readonly endings: (() => void)[] = [];
   private readonly resizer = new ResizeObserver(() => this.resize());
   private through: CameraComponent | null = null;
@@ -62,6 +73,7 @@ export class Viewport {
     this.editorCamera = new EditorCamera(canvas);
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);
+    this.boxSelect = new BoxSelect(this);
     this.picker = new PointerPicker(this);
     this.input = new InputRouter(canvas, window, {
       dispatchPointer: (event) => this.sceneListens && document.scene.dispatchPointer(event),
@@ -72,7 +84,10 @@ export class Viewport {
       this.endings.push(signal.subscribe(redraw));
     }
     this.endings.push(
-      document.assets.onChange(redraw),
+      document.assets.onChange(() => {
+        this.assetChanges++;
+        this.invalidate();
+      }),
       document.opened.subscribe(() => this.sceneOpened()),
     );
     this.endings.push(document.structure.subscribe(() => this.checkCamera()));
@@ -154,6 +169,22 @@ export class Viewport {
     this.changed.emit();
   }
 
+  /** Whether figures of the frames lie over the picture. */
+  get showStatistics(): boolean {
+    return this.hasStatistics;
+  }
+
+  set showStatistics(show: boolean) {
+    this.hasStatistics = show;
+    this.changed.emit();
+  }
+
+  /** The selected camera, of which a small picture lies over the large one; null when there is none. */
+  get previewed(): CameraComponent | null {
+    const camera = this.document.selectedObjects.at(-1)?.getComponent(CameraComponent) ?? null;
+    return camera === this.through ? null : camera;
+  }
+
   /** The camera of the scene that is looked through; null for the editor's own. Only then does input go to the scene. */
   get lookThrough(): CameraComponent | null {
     return this.through;
@@ -190,8 +221,16 @@ export class Viewport {
     this.through?.setViewport(this.width, this.height);
     this.farol.render(this.document.scene.three, this.camera);
     this.gizmo.update(this.camera);
-    if (this.view !== 'grid') this.helpers.render(this.webgl, this.camera, this.through);
+    if (this.view !== 'grid') this.helpers.render(this.webgl, this.camera, this.through, this.gizmo.isDragging);
+    const { previewed } = this;
+    if (previewed) {
+      this.preview ??= new CameraPreview(this.webgl);
+      const { scene, edited } = this.document;
+      const key = `${edited.revision} ${scene.time} ${this.assetChanges}`;
+      this.preview.render(scene, previewed, this.width, this.height, key);
+    }
     this.statistics.add(performance.now());
+    this.drawn.emit();
   }
 
   /**
@@ -203,6 +242,17 @@ export class Viewport {
     const icon = this.helpers.pickIcon(this.camera, point, this.width, this.height);
     if (icon && (!mesh || icon.distance < mesh.distance + ICON_REACH)) return icon.object;
     return mesh?.object ?? null;
+  }
+
+  /** The GameObjects within a box of the picture (normalised device coordinates). See `pickBox`. */
+  pickBox(box: Box2): GameObject[] {
+    return pickBox(this.document.scene, this.camera, box);
+  }
+
+  /** Draws a ball of a material on a canvas of the page. @returns fulfilled when it is there */
+  drawMaterial(material: Material, canvas: HTMLCanvasElement): Promise<void> {
+    this.ball ??= new MaterialBall(this.webgl);
+    return this.ball.draw(material, this.document.scene.three.environment, canvas);
   }
 
   /** Looks at the selection, or at everything. */
@@ -230,6 +280,9 @@ export class Viewport {
     this.resizer.disconnect();
     for (const end of this.endings) end();
     this.picker.dispose();
+    this.boxSelect.dispose();
+    this.preview?.dispose();
+    this.ball?.dispose();
     this.input.dispose();
     this.gizmo.dispose();
     this.helpers.dispose();

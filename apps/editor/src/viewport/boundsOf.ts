@@ -1,25 +1,41 @@
-import { type GameObject, ObjectRenderer } from '@farol/engine';
-import { Box3, Vector3 } from 'three';
+import type { GameObject } from '@farol/engine';
+import { Box3, SkinnedMesh, Vector3 } from 'three';
+import { drawnMeshes } from './drawnMeshes';
 
 const part = new Box3();
 const place = new Vector3();
 
+/** Adds the box round what an object draws itself; its place when it draws nothing. */
+function expandByObject(target: Box3, object: GameObject): void {
+  let isDrawn = false;
+  drawnMeshes(object, (mesh, geometry, matrixWorld) => {
+    isDrawn = true;
+    if (mesh instanceof SkinnedMesh) {
+      // where its bones have it now
+      mesh.computeBoundingBox();
+      part.copy(mesh.boundingBox!);
+    } else {
+      if (!geometry.boundingBox) geometry.computeBoundingBox();
+      part.copy(geometry.boundingBox!);
+    }
+    target.union(part.applyMatrix4(matrixWorld));
+  });
+  if (isDrawn) return;
+  if (object.components.length > 1 || object.children.length === 0) {
+    target.expandByPoint(place.setFromMatrixPosition(object.object3D.matrixWorld));
+  }
+}
+
 /**
- * The box in the world round GameObjects and all below them, as of the last drawn frame. What has no mesh, such as a
- * light, counts as its place.
+ * The box in the world round GameObjects, as of the last drawn frame. What has no mesh, such as a light, counts as its
+ * place.
+ * @param isDeep - whether all below them counts too
  */
-export function boundsOf(objects: readonly GameObject[], target = new Box3()): Box3 {
+export function boundsOf(objects: readonly GameObject[], target = new Box3(), isDeep = true): Box3 {
   target.makeEmpty();
   const visit = (object: GameObject): void => {
-    const geometry = object.getComponent(ObjectRenderer)?.geometry;
-    const { matrixWorld } = object.object3D;
-    if (geometry) {
-      if (!geometry.boundingBox) geometry.computeBoundingBox();
-      target.union(part.copy(geometry.boundingBox!).applyMatrix4(matrixWorld));
-    } else if (object.components.length > 1 || object.children.length === 0) {
-      target.expandByPoint(place.setFromMatrixPosition(matrixWorld));
-    }
-    object.children.forEach(visit);
+    expandByObject(target, object);
+    if (isDeep) object.children.forEach(visit);
   };
   objects.forEach(visit);
   return target;

@@ -1,12 +1,9 @@
-import { Camera, type GameObject, Light, ObjectRenderer } from '@farol/engine';
+import { Camera, type GameObject, Light } from '@farol/engine';
 import { Box3, Matrix4, OrthographicCamera, Vector3 } from 'three';
-import { boundsOf } from './boundsOf';
 import type { LineSet } from './LineSet';
 
-const identity = new Matrix4();
 const unprojected = new Matrix4();
 const clip = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
-const bounds = new Box3();
 const centre = new Vector3();
 const x = new Vector3();
 const y = new Vector3();
@@ -73,19 +70,11 @@ function drawCamera(lines: LineSet, camera: Camera): void {
   });
 }
 
-/** Adds the lines that show what is selected: boxes, ranges of lights, views of cameras. */
+/** Adds the lines that show what is selected besides its outline: ranges of lights, views of cameras. */
 export function drawSelection(lines: LineSet, objects: readonly GameObject[], lookThrough: Camera | null): void {
   for (const object of objects) {
-    const geometry = object.getComponent(ObjectRenderer)?.geometry;
     const light = object.getComponent(Light);
     const camera = object.getComponent(Camera);
-    if (geometry && !light) {
-      if (!geometry.boundingBox) geometry.computeBoundingBox();
-      lines.box(geometry.boundingBox!, object.object3D.matrixWorld);
-    } else if (!light && !camera && object.children.length > 0) {
-      boundsOf([object], bounds);
-      if (!bounds.isEmpty()) lines.box(bounds, identity);
-    }
     if (light) drawLight(lines, light);
     if (camera && camera !== lookThrough) drawCamera(lines, camera);
   }

@@ -1,27 +1,16 @@
 import type { Component } from '@farol/engine';
 import { type ReactNode, useState } from 'react';
-import { removeComponents, setEnabled } from '../../model/edits';
-import { SetFields } from '../../model/commands/SetFields';
+import { setEnabled } from '../../model/edits';
 import { useEditor } from '../../ui/EditorContext';
-import type { IconName } from '../../ui/iconPaths';
 import { MenuButton } from '../../ui/MenuButton';
 import type { MenuEntry } from '../../ui/MenuEntry';
 import { Toggle } from '../../ui/Toggle';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { componentEntries } from './componentEntries';
+import { componentIcon, wordsOf } from './componentIcons';
 import { FieldList } from './FieldList';
+import { MaterialPreview } from './MaterialPreview';
 import { Section } from './Section';
-
-const icons: Readonly<Record<string, IconName>> = {
-  Transform: 'transform',
-  ObjectRenderer: 'mesh',
-  Light: 'point',
-  Camera: 'camera',
-  KeyController: 'keyboard',
-  MouseController: 'mouse',
-  RandomMovement: 'motion',
-};
-
-const words = (typeName: string): string => typeName.replaceAll(/([a-z])([A-Z])/g, '$1 $2');
 
 /**
  * A component of the selected objects: its fields, whether it is enabled, and its menu.
@@ -30,34 +19,21 @@ const words = (typeName: string): string => typeName.replaceAll(/([a-z])([A-Z])/
 export function ComponentSection(props: { components: readonly Component[] }): ReactNode {
   const [components] = useState(props.components);
   const editor = useEditor();
-  const { commands, document } = editor;
+  const { commands } = editor;
   useOwnersRevision(components);
   const [{ componentClass, typeName, enabled }] = components;
-  const title = words(typeName);
+  const title = wordsOf(typeName);
   const isTransform = typeName === 'Transform';
   const mixed = components.some((component) => component.enabled !== enabled);
 
-  const reset = (): void => {
-    const fields = Object.entries(componentClass.fields);
-    const edits = components.flatMap((owner) => fields.map(([name, field]) => ({ owner, name, value: field.default })));
-    commands.run(new SetFields(`Reset ${title}`, edits));
-  };
-  const menu = (): MenuEntry[] => [
-    { label: 'Reset', help: 'Gives every field its default.', icon: 'undo', run: () => editor.attempt(reset) },
-    {
-      label: 'Remove',
-      icon: 'remove',
-      disabled: isTransform,
-      run: () => editor.attempt(() => commands.run(removeComponents(document.scene, components))),
-    },
-  ];
+  const menu = (): MenuEntry[] => componentEntries(editor, components);
 
   return (
     <Section
       id={typeName}
       title={title}
       help={componentClass.help}
-      icon={icons[typeName] ?? 'object'}
+      icon={componentIcon(typeName)}
       controls={
         <>
           {!isTransform && (
@@ -73,6 +49,7 @@ export function ComponentSection(props: { components: readonly Component[] }): R
       }
     >
       <FieldList owners={components} />
+      {typeName === 'ObjectRenderer' && <MaterialPreview components={components} />}
     </Section>
   );
 }

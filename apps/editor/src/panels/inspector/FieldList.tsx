@@ -27,10 +27,18 @@ export function FieldList({ owners }: { owners: readonly FieldOwner[] }): ReactN
           field={field}
           value={mixed ? null : value}
           mixed={mixed}
+          parts={mixed && Array.isArray(value) ? commonParts(owners, name) : ''}
+          isDefault={!mixed && sameValue(value, field.default)}
           live={owners.length === 1 ? (live[name] ?? null) : null}
         />
       );
     });
+}
+
+/** The coordinates of a vector that all owners have in common, null for the others; as JSON. */
+function commonParts(owners: readonly FieldOwner[], name: string): string {
+  const [first, ...others] = owners.map((owner) => owner.getAuthored(name) as readonly number[]);
+  return JSON.stringify(first.map((value, i) => (others.every((other) => other[i] === value) ? value : null)));
 }
 
 /** The values of one owner that simulation has taken elsewhere, as text; read some times a second while it plays. */

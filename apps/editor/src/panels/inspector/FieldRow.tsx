@@ -5,7 +5,9 @@ import { describeField } from '../../fields/describeField';
 import type { FieldEditorProps } from '../../fields/FieldEditorProps';
 import { labelOfField } from '../../fields/labelOfField';
 import { FieldGesture, type FieldUpdate } from '../../model/FieldGesture';
+import { resetFields } from '../../model/edits';
 import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
 
 interface FieldRowProps {
   /** All of one type; memoised. */
@@ -15,12 +17,17 @@ interface FieldRowProps {
   /** Null where the owners differ. */
   readonly value: FieldValue;
   readonly mixed: boolean;
+  /** Of a vector whose values differ: the coordinates that all have in common, as JSON. */
+  readonly parts: string;
+  /** Whether all have the default. */
+  readonly isDefault: boolean;
   /** Where simulation has taken it; null where it is as authored. */
   readonly live: string | null;
 }
 
 /** A field with its label: dragged, typed or chosen, it is edited in one step of history. */
-export const FieldRow = memo(function FieldRow({ owners, name, field, value, mixed, live }: FieldRowProps): ReactNode {
+export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode {
+  const { owners, name, field, value, mixed, parts, isDefault, live } = props;
   const editor = useEditor();
   const gesture = useMemo(() => new FieldGesture(editor.commands, owners, name), [editor, owners, name]);
   // one editor for each kind: the table's type says so, which a union of its members cannot
@@ -30,13 +37,28 @@ export const FieldRow = memo(function FieldRow({ owners, name, field, value, mix
   return (
     <div className={`field field-${field.kind}`} data-field={name} data-help={description}>
       <span className="field-label" title={description}>
-        {label}
+        <span className="field-name">{label}</span>
+        {!isDefault && !field.readOnly && (
+          <button
+            type="button"
+            className="field-reset"
+            aria-label="Reset to default"
+            aria-description={label}
+            title={`Reset ${label} to its default`}
+            onClick={() =>
+              editor.attempt(() => editor.commands.run(resetFields(`Reset ${label.toLowerCase()}`, owners, [name])))
+            }
+          >
+            <Icon name="undo" size={11} />
+          </button>
+        )}
       </span>
       <div className="field-editor">
         <Editor
           field={field}
           value={value as never}
           mixed={mixed}
+          parts={parts ? (JSON.parse(parts) as (number | null)[]) : undefined}
           label={label}
           description={description}
           disabled={field.readOnly ?? false}

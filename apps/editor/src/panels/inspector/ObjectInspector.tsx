@@ -3,11 +3,11 @@ import { type ReactNode, useMemo } from 'react';
 import { addComponent, renameObject, setActive } from '../../model/edits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
-import { MenuButton } from '../../ui/MenuButton';
-import type { MenuEntry } from '../../ui/MenuEntry';
+import { SearchMenu, type SearchMenuItem } from '../../ui/SearchMenu';
 import { TextInput } from '../../ui/TextInput';
 import { Toggle } from '../../ui/Toggle';
 import { objectIcon } from '../hierarchy/objectIcon';
+import { componentIcon, wordsOf } from './componentIcons';
 import { ComponentSection } from './ComponentSection';
 
 /** The components that all objects have, one of each object to a group, in the order of the first object. */
@@ -34,15 +34,19 @@ export function ObjectInspector(): ReactNode {
   const isOne = objects.length === 1;
   const mixed = objects.some(({ active }) => active !== first.active);
 
-  const menu = (): MenuEntry[] =>
-    [...document.scene.registry.types.values()]
+  const types = document.scene.registry.types;
+  const items = (): SearchMenuItem[] =>
+    [...types.values()]
       .filter(({ typeName }) => typeName !== 'Transform')
       .map((type) => ({
-        label: type.typeName.replaceAll(/([a-z])([A-Z])/g, '$1 $2'),
+        value: type.typeName,
+        label: wordsOf(type.typeName),
         help: type.help,
+        icon: componentIcon(type.typeName),
         disabled: type.unique && objects.every((object) => object.getComponent(type.typeName)),
-        run: () => editor.attempt(() => commands.run(addComponent(document.scene, objects, type))),
       }));
+  const add = (name: string): void =>
+    editor.attempt(() => commands.run(addComponent(document.scene, objects, types.get(name)!)));
 
   return (
     <>
@@ -69,7 +73,7 @@ export function ObjectInspector(): ReactNode {
         <ComponentSection key={components.map(({ id }) => id).join()} components={components} />
       ))}
       <div className="add-component">
-        <MenuButton label="Add component" icon="add" className="button wide" entries={menu} />
+        <SearchMenu label="Add component" icon="add" className="button wide" items={items} onChoose={add} />
       </div>
     </>
   );

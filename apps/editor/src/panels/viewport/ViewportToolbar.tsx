@@ -2,6 +2,7 @@ import type { ReactNode } from 'react';
 import { gizmoModes } from '../../actions/gizmoModes';
 import { gizmoSpace } from '../../actions/gizmoSpace';
 import { snap } from '../../actions/snap';
+import { showStatistics } from '../../actions/statistics';
 import { continuous, showGrid, showIcons } from '../../actions/viewportToggles';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -39,6 +40,7 @@ export function ViewportToolbar(): ReactNode {
         <ActionButton action={showGrid} />
         <ActionButton action={showIcons} />
         <ActionButton action={continuous} />
+        <ActionButton action={showStatistics} />
         <span className="bar-line" />
         <SelectBox
           value={viewport.lookThrough?.id ?? EDITOR_CAMERA}

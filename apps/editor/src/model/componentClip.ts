@@ -1,0 +1,31 @@
+import { checkFieldValue, type Component, type FieldTable, type FieldValue } from '@farol/engine';
+
+/** A copied component: its type and its authored values. */
+export interface ComponentClip {
+  readonly type: string;
+  readonly values: Readonly<Record<string, FieldValue>>;
+}
+
+/** A component as text for the clipboard. */
+export const copyComponent = (component: Component): string =>
+  JSON.stringify({ format: 'farol-component', type: component.typeName, values: component.authoredValues() });
+
+/** What the clipboard holds of a component; null when it holds something else. */
+export function readComponentClip(text: string | null): ComponentClip | null {
+  if (!text?.startsWith('{"format":"farol-component"')) return null;
+  try {
+    const { type, values } = JSON.parse(text) as Partial<ComponentClip>;
+    return typeof type === 'string' && typeof values === 'object' && values !== null ? { type, values } : null;
+  } catch {
+    return null;
+  }
+}
+
+/** The values of a copied component that a table of fields takes: those it has, of a kind and range that it allows. */
+export function fittingValues(clip: ComponentClip, fields: FieldTable): Record<string, FieldValue> {
+  return Object.fromEntries(
+    Object.entries(clip.values).filter(
+      ([name, value]) => name in fields && checkFieldValue(fields[name], value) === null,
+    ),
+  );
+}

@@ -1,0 +1,18 @@
+import type { IconName } from '../../ui/iconPaths';
+
+const icons: Readonly<Record<string, IconName>> = {
+  Transform: 'transform',
+  ObjectRenderer: 'mesh',
+  ModelRenderer: 'mesh',
+  Light: 'point',
+  Camera: 'camera',
+  KeyController: 'keyboard',
+  MouseController: 'mouse',
+  RandomMovement: 'motion',
+};
+
+/** The icon of a type of component. */
+export const componentIcon = (typeName: string): IconName => icons[typeName] ?? 'object';
+
+/** The name of a type of component in words: 'Object Renderer'. */
+export const wordsOf = (typeName: string): string => typeName.replaceAll(/([a-z])([A-Z])/g, '$1 $2');

@@ -1,0 +1,32 @@
+import { type ReactNode, useSyncExternalStore } from 'react';
+import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { CameraPreview } from '../../viewport/CameraPreview';
+
+/** The frame round the small picture of the selected camera, which the viewport draws. */
+export function PreviewFrame(): ReactNode {
+  const { viewport } = useEditor();
+  const camera = useSyncExternalStore(viewport.drawn.subscribe, () => viewport.previewed);
+  const place = useSyncExternalStore(viewport.drawn.subscribe, () => {
+    const { width, height } = viewport.size;
+    return Object.values(CameraPreview.placeIn(width, height)).join();
+  });
+  if (!camera) return null;
+  const [width, height, margin] = place.split(',').map(Number);
+  return (
+    <div className="preview-frame" style={{ width, height, right: margin, bottom: margin }}>
+      <span>{camera.gameObject.name}</span>
+      <button
+        type="button"
+        className="button small"
+        aria-label={`Look through ${camera.gameObject.name}`}
+        title="Look through this camera"
+        onClick={() => {
+          viewport.lookThrough = camera;
+        }}
+      >
+        <Icon name="maximise" size={12} />
+      </button>
+    </div>
+  );
+}

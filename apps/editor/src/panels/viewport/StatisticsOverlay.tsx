@@ -1,0 +1,69 @@
+import { type ReactNode, useCallback, useEffect, useRef } from 'react';
+import { useEditor } from '../../ui/EditorContext';
+import { usePoll } from '../../ui/usePoll';
+
+/** Frames that the curve shows, and the time at its top (ms). */
+const FRAMES = 120;
+const TOP = 33.3;
+
+const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+
+/** Figures of the last frames over the picture: read four times a second, the curve drawn with each frame. */
+export function StatisticsOverlay(): ReactNode {
+  const { viewport } = useEditor();
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    const context = canvas.current!.getContext('2d')!;
+    const times = new Float64Array(FRAMES);
+    let last = 0;
+    let at = 0;
+    return viewport.drawn.subscribe(() => {
+      const now = performance.now();
+      times[at++ % FRAMES] = Math.min(now - last, 200);
+      last = now;
+      const { width, height } = context.canvas;
+      context.clearRect(0, 0, width, height);
+      for (let i = 0; i < FRAMES; i++) {
+        const ms = times[(at + i) % FRAMES];
+        const tall = Math.min(height, (ms / TOP) * height);
+        context.fillStyle = ms > 34 ? '#f0696f' : ms > 17.5 ? '#ffc857' : '#7cc35a';
+        context.fillRect(i * (width / FRAMES), height - tall, width / FRAMES, tall);
+      }
+    });
+  }, [viewport]);
+  const figures = usePoll(
+    useCallback(() => {
+      const { info } = viewport.farol;
+      const { memory } = viewport.webgl.info;
+      const rate = viewport.statistics.rate(performance.now());
+      return [
+        `Frame\t${rate === null ? 'at rest' : `${whole.format(rate)} FPS, ${(1000 / rate).toFixed(1)} ms`}`,
+        `CPU\t${info.cpuMs.toFixed(2)} ms`,
+        `GPU\t${info.gpuMs === null ? 'not told' : `${info.gpuMs.toFixed(2)} ms`}`,
+        `Draws\t${whole.format(info.drawCalls)}`,
+        `Triangles\t${whole.format(info.triangles)}`,
+        `Lights\t${info.lights.visible} of ${info.lights.total}`,
+        `Geometries\t${memory.geometries}`,
+        `Textures\t${memory.textures}`,
+        `Technique\t${viewport.technique}`,
+      ].join('\n');
+    }, [viewport]),
+    4,
+  );
+  return (
+    <section className="statistics" aria-label="Figures of the frames">
+      <canvas ref={canvas} width={240} height={40} aria-hidden="true" />
+      <dl>
+        {figures.split('\n').map((line) => {
+          const [name, value] = line.split('\t');
+          return (
+            <div key={name}>
+              <dt>{name}</dt>
+              <dd>{value}</dd>
+            </div>
+          );
+        })}
+      </dl>
+    </section>
+  );
+}

@@ -1,0 +1,56 @@
+import { type ReactNode, useEffect, useRef } from 'react';
+import { Matrix4 } from 'three';
+import { lookFrom, sides } from '../../actions/sides';
+import { useEditor } from '../../ui/EditorContext';
+
+const matrix = new Matrix4();
+
+/** How CSS turns a face that looks at the reader to its side of the cube. */
+const turns = {
+  right: 'rotateY(90deg)',
+  left: 'rotateY(-90deg)',
+  top: 'rotateX(90deg)',
+  bottom: 'rotateX(-90deg)',
+  front: '',
+  back: 'rotateY(180deg)',
+};
+
+/** A cube that turns with the picture; a press on a face looks from that side. It costs no React while it turns. */
+export function ViewCube(): ReactNode {
+  const editor = useEditor();
+  const { viewport } = editor;
+  const cube = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    let shown = '';
+    const follow = (): void => {
+      // the view's rotation; y points down in CSS
+      const e = matrix.extractRotation(viewport.camera.matrixWorldInverse).elements;
+      const n = (value: number): string => value.toFixed(3);
+      const transform = `matrix3d(${n(e[0])},${n(-e[1])},${n(e[2])},0,${n(-e[4])},${n(e[5])},${n(-e[6])},0,${n(e[8])},${n(-e[9])},${n(e[10])},0,0,0,0,1)`;
+      if (transform === shown || !cube.current) return;
+      shown = transform;
+      cube.current.style.transform = transform;
+    };
+    follow();
+    return viewport.drawn.subscribe(follow);
+  }, [viewport]);
+  return (
+    <div className="view-cube" role="group" aria-label="View cube">
+      <div ref={cube} className="view-cube-body">
+        {sides.map(([side], i) => (
+          <button
+            key={side}
+            type="button"
+            className={`view-cube-face ${side}`}
+            style={{ transform: `${turns[side]} translateZ(24px)` }}
+            aria-label={`Look from the ${side}`}
+            title={`Look from the ${side}`}
+            onClick={() => editor.attempt(() => lookFrom[i].run(editor))}
+          >
+            {side}
+          </button>
+        ))}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,100 @@
+import { Box2, Vector2 } from 'three';
+import type { Viewport } from './Viewport';
+
+/** A press that moves farther than this (CSS pixels) draws a box. */
+const REACH = 4;
+
+/**
+ * Selects what is in a box that is drawn over the picture: by dragging while the handles are off, or with Ctrl held, which
+ * adds to the selection. Alt held, a drag orbits as ever.
+ */
+export class BoxSelect {
+  private readonly element = document.createElement('div');
+  private readonly from = new Vector2();
+  private readonly to = new Vector2();
+  private pointer: number | null = null;
+  private isOpen = false;
+
+  constructor(private readonly viewport: Viewport) {
+    this.element.className = 'select-box';
+    this.element.hidden = true;
+    const { canvas } = viewport;
+    // before the camera hears of the press
+    canvas.addEventListener('pointerdown', this.pointerDown, true);
+    canvas.addEventListener('pointermove', this.pointerMove);
+    canvas.addEventListener('pointerup', this.pointerUp);
+    canvas.addEventListener('pointercancel', this.cancel);
+    window.addEventListener('keydown', this.keyDown, true);
+  }
+
+  dispose(): void {
+    const { canvas } = this.viewport;
+    this.cancel();
+    canvas.removeEventListener('pointerdown', this.pointerDown, true);
+    canvas.removeEventListener('pointermove', this.pointerMove);
+    canvas.removeEventListener('pointerup', this.pointerUp);
+    canvas.removeEventListener('pointercancel', this.cancel);
+    window.removeEventListener('keydown', this.keyDown, true);
+    this.element.remove();
+  }
+
+  private readonly pointerDown = (event: PointerEvent): void => {
+    // a second finger is for the camera
+    if (this.pointer !== null && event.pointerId !== this.pointer) return this.cancel();
+    const { viewport } = this;
+    if (event.button !== 0 || event.altKey || event.shiftKey || viewport.gizmo.isHot) return;
+    if (viewport.mode !== 'select' && !(event.ctrlKey || event.metaKey)) return;
+    if (!viewport.editorCamera.enabled) return;
+    this.pointer = event.pointerId;
+    this.from.set(event.clientX, event.clientY);
+    viewport.editorCamera.enabled = false;
+  };
+
+  private readonly pointerMove = (event: PointerEvent): void => {
+    if (event.pointerId !== this.pointer) return;
+    const { viewport, element, from, to } = this;
+    to.set(event.clientX, event.clientY);
+    if (!this.isOpen) {
+      if (from.distanceTo(to) <= REACH) return;
+      this.isOpen = true;
+      viewport.canvas.setPointerCapture(event.pointerId);
+      viewport.canvas.parentElement?.append(element);
+      element.hidden = false;
+    }
+    const { left, top } = viewport.canvas.getBoundingClientRect();
+    element.style.transform = `translate(${Math.min(from.x, to.x) - left}px, ${Math.min(from.y, to.y) - top}px)`;
+    element.style.width = `${Math.abs(to.x - from.x)}px`;
+    element.style.height = `${Math.abs(to.y - from.y)}px`;
+  };
+
+  private readonly pointerUp = (event: PointerEvent): void => {
+    if (event.pointerId !== this.pointer) return;
+    const { viewport, isOpen } = this;
+    this.cancel();
+    if (!isOpen) return;
+    const { selection } = viewport.document;
+    const found = viewport.pickBox(this.box()).map(({ id }) => id);
+    selection.set(event.ctrlKey || event.metaKey ? [...selection.ids, ...found] : found);
+  };
+
+  private box(): Box2 {
+    const { left, top, width, height } = this.viewport.canvas.getBoundingClientRect();
+    const inPicture = ({ x, y }: Vector2): Vector2 =>
+      new Vector2(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2);
+    return new Box2().setFromPoints([inPicture(this.from), inPicture(this.to)]);
+  }
+
+  private readonly cancel = (): void => {
+    if (this.pointer === null) return;
+    this.pointer = null;
+    this.isOpen = false;
+    this.element.hidden = true;
+    this.viewport.editorCamera.enabled = this.viewport.lookThrough === null;
+  };
+
+  private readonly keyDown = (event: KeyboardEvent): void => {
+    if (event.key !== 'Escape' || !this.isOpen) return;
+    event.stopPropagation();
+    this.cancel();
+  };
+}

@@ -1,0 +1,95 @@
+import type { Camera as CameraComponent, Scene as EngineScene } from '@farol/engine';
+import { FarolRenderer } from '@farol/renderer';
+import {
+  HalfFloatType,
+  Mesh,
+  MeshBasicMaterial,
+  OrthographicCamera,
+  PlaneGeometry,
+  Scene,
+  Vector4,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+
+/** Height of the small picture (CSS pixels), and its largest width. */
+const HEIGHT = 130;
+const WIDEST = 260;
+const MARGIN = 10;
+
+/** Where the small picture is, from the right lower corner of the large one (CSS pixels). */
+export interface PreviewPlace {
+  readonly width: number;
+  readonly height: number;
+  readonly margin: number;
+}
+
+/** What a camera of the scene sees, as a small picture in a corner of the large one. Made when it is first asked for. */
+export class CameraPreview {
+  private readonly farol: FarolRenderer;
+  private readonly target = new WebGLRenderTarget(1, 1, { type: HalfFloatType, samples: 4 });
+  private readonly quad: Mesh<PlaneGeometry, MeshBasicMaterial>;
+  private readonly scene = new Scene();
+  private readonly camera = new OrthographicCamera();
+  private readonly viewport = new Vector4();
+  /** What the small picture was drawn of. */
+  private drawnOf = '';
+
+  constructor(private readonly webgl: WebGLRenderer) {
+    this.farol = new FarolRenderer(webgl, { technique: 'forward-single-pass' });
+    const material = new MeshBasicMaterial({
+      map: this.target.texture,
+      depthTest: false,
+      depthWrite: false,
+      fog: false,
+    });
+    this.quad = new Mesh(new PlaneGeometry(2, 2), material);
+    this.quad.frustumCulled = false;
+    this.quad.position.z = -1;
+    this.scene.add(this.quad);
+  }
+
+  /** Its place in a picture of a size (CSS pixels), by the form that the camera is given. */
+  static placeIn(width: number, height: number): PreviewPlace {
+    const small = Math.min(HEIGHT, height / 3);
+    return { width: Math.round(Math.min(WIDEST, (small * width) / height)), height: Math.round(small), margin: MARGIN };
+  }
+
+  /**
+   * Draws it over the picture.
+   * @param width - of the large picture (CSS pixels)
+   * @param height - of the large picture (CSS pixels)
+   * @param key - differs whenever the camera may see something else; the small picture is drawn anew only then
+   */
+  render(scene: EngineScene, camera: CameraComponent, width: number, height: number, key: string): void {
+    const { webgl } = this;
+    const place = CameraPreview.placeIn(width, height);
+    const ratio = webgl.getPixelRatio();
+    const wanted = `${camera.id} ${place.width} ${place.height} ${ratio} ${key}`;
+    this.target.setSize(Math.round(place.width * ratio), Math.round(place.height * ratio));
+    const { autoClear } = webgl;
+    const before = webgl.getRenderTarget();
+    webgl.getViewport(this.viewport);
+    if (wanted !== this.drawnOf) {
+      this.drawnOf = wanted;
+      camera.setViewport(place.width, place.height);
+      webgl.setRenderTarget(this.target);
+      webgl.autoClear = true;
+      this.farol.render(scene.three, camera.three);
+      webgl.setRenderTarget(before);
+    }
+    webgl.autoClear = false;
+    // counted from the lower left corner
+    webgl.setViewport(width - place.width - place.margin, place.margin, place.width, place.height);
+    webgl.render(this.scene, this.camera);
+    webgl.setViewport(this.viewport);
+    webgl.autoClear = autoClear;
+  }
+
+  dispose(): void {
+    this.farol.dispose();
+    this.target.dispose();
+    this.quad.geometry.dispose();
+    this.quad.material.dispose();
+  }
+}

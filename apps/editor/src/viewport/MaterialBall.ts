@@ -1,0 +1,101 @@
+import {
+  AmbientLight,
+  BackSide,
+  BoxGeometry,
+  DirectionalLight,
+  type Material,
+  Mesh,
+  MeshBasicMaterial,
+  PerspectiveCamera,
+  PointLight,
+  Scene,
+  SphereGeometry,
+  SRGBColorSpace,
+  type Texture,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+
+/**
+ * Draws a ball of a material on a canvas of the page, without waiting for the GPU. The material is the scene's own: it is
+ * drawn by three itself, under lights of its own.
+ */
+export class MaterialBall {
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(30, 1, 0.1, 20);
+  private readonly ball: Mesh;
+  private readonly target = new WebGLRenderTarget(1, 1, { samples: 4 });
+  private readonly own: Material[] = [];
+  private pixels = new Uint8Array(0);
+  private isBusy = false;
+  private next: (() => void) | null = null;
+
+  constructor(private readonly webgl: WebGLRenderer) {
+    this.target.texture.colorSpace = SRGBColorSpace;
+    this.ball = new Mesh(new SphereGeometry(1, 48, 32));
+    const room = new MeshBasicMaterial({ color: 0x30343c, side: BackSide, toneMapped: false });
+    this.own.push(room);
+    const key = new DirectionalLight(0xffffff, 2.4);
+    key.position.set(-2, 3, 3);
+    const rim = new PointLight(0x9db8ff, 14);
+    rim.position.set(2.4, 1, -1.5);
+    this.scene.add(this.ball, new Mesh(new BoxGeometry(12, 12, 12), room), key, rim, new AmbientLight(0xffffff, 0.35));
+    this.camera.position.set(0, 0.5, 4.3);
+    this.camera.lookAt(0, 0, 0);
+  }
+
+  /**
+   * Draws the ball. Of several calls while the GPU is at work the last one counts.
+   * @param canvas - filled by the picture
+   * @param environment - what it mirrors; null for none
+   */
+  async draw(material: Material, environment: Texture | null, canvas: HTMLCanvasElement): Promise<void> {
+    if (this.isBusy) {
+      this.next = () => void this.draw(material, environment, canvas);
+      return;
+    }
+    this.isBusy = true;
+    try {
+      await this.drawNow(material, environment, canvas);
+    } finally {
+      this.isBusy = false;
+      const { next } = this;
+      this.next = null;
+      next?.();
+    }
+  }
+
+  dispose(): void {
+    this.next = null;
+    this.target.dispose();
+    for (const child of this.scene.children) if (child instanceof Mesh) child.geometry.dispose();
+    for (const material of this.own) material.dispose();
+  }
+
+  private async drawNow(material: Material, environment: Texture | null, canvas: HTMLCanvasElement): Promise<void> {
+    const { webgl, target } = this;
+    const { width, height } = canvas;
+    const context = canvas.getContext('2d', { willReadFrequently: true });
+    if (!context) return;
+    this.ball.material = material;
+    this.scene.environment = environment;
+    target.setSize(width, height);
+    const before = webgl.getRenderTarget();
+    const { autoClear } = webgl;
+    webgl.autoClear = true;
+    webgl.setRenderTarget(target);
+    webgl.render(this.scene, this.camera);
+    webgl.setRenderTarget(before);
+    webgl.autoClear = autoClear;
+    this.scene.environment = null;
+    if (this.pixels.length !== width * height * 4) this.pixels = new Uint8Array(width * height * 4);
+    await webgl.readRenderTargetPixelsAsync(target, 0, 0, width, height, this.pixels);
+    // the GPU counts rows from below
+    const image = context.createImageData(width, height);
+    const row = width * 4;
+    for (let y = 0; y < height; y++) {
+      image.data.set(this.pixels.subarray((height - 1 - y) * row, (height - y) * row), y * row);
+    }
+    context.putImageData(image, 0, 0);
+  }
+}

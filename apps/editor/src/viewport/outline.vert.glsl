@@ -1,0 +1,7 @@
+// One triangle over the whole picture.
+varying vec2 vUv;
+
+void main() {
+  vUv = uv;
+  gl_Position = vec4(position.xy, 0.0, 1.0);
+}
