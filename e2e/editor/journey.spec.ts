@@ -29,7 +29,7 @@ test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page 
   await expect(page.getByRole('treeitem', { name: 'Box' })).toHaveAttribute('aria-selected', 'true');
 
   await page.getByRole('combobox', { name: 'Add component' }).click();
-  await page.getByRole('menuitem', { name: /^Light/ }).click();
+  await page.getByRole('option', { name: /^Light/ }).click();
   const light = page.getByRole('region', { name: 'Light', exact: true });
   await expect(light).toBeVisible();
 
