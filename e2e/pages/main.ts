@@ -2,6 +2,7 @@ import * as farol from '@farol/renderer';
 import * as ambientOcclusion from '@farol/renderer/ambient-occlusion';
 import * as antialiasing from '@farol/renderer/antialiasing';
 import * as three from 'three';
+import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
 import { Bench } from './Bench';
 import { edgeScene } from './edgeScene';
@@ -14,7 +15,7 @@ export interface TestPage {
   three: typeof three;
   farol: typeof farol;
   /** The effects, from their own entries. */
-  effects: typeof antialiasing & typeof ambientOcclusion;
+  effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency;
   materialScene: typeof materialScene;
   edgeScene: typeof edgeScene;
   supersampled: typeof supersampled;
@@ -33,7 +34,7 @@ declare global {
 window.testPage = {
   three,
   farol,
-  effects: { ...antialiasing, ...ambientOcclusion },
+  effects: { ...antialiasing, ...ambientOcclusion, ...transparency },
   materialScene,
   edgeScene,
   supersampled,

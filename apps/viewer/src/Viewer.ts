@@ -46,6 +46,7 @@ export const known: KnownNames = {
       dragon: 'medium',
       aa: 'none',
       ao: false,
+      oit: false,
     },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
@@ -155,6 +156,11 @@ export class Viewer {
   /** Switches ambient occlusion on or off. */
   setAmbientOcclusion(on: boolean): void {
     this.changed({ ao: on });
+  }
+
+  /** Averages transparent layers in place of sorting them, or sorts them. */
+  setOrderIndependentTransparency(on: boolean): void {
+    this.changed({ oit: on });
   }
 
   /** Chooses the resolution of the Stanford dragon, a key of `known.dragons`, and builds the scene on show anew. */
@@ -307,10 +313,9 @@ export class Viewer {
 
   /** Brings the renderer's effects up to the state; an effect that was on before is the same object. */
   private setEffects(): void {
-    const { aa, ao } = this.state;
-    const names = (Object.keys(effects) as EffectName[]).filter((name) =>
-      name === 'ambient-occlusion' ? ao : name === aa,
-    );
+    const { aa, ao, oit } = this.state;
+    const on: Partial<Record<EffectName, boolean>> = { 'ambient-occlusion': ao, 'order-independent-transparency': oit };
+    const names = (Object.keys(effects) as EffectName[]).filter((name) => on[name] ?? name === aa);
     if (names.join() === this.effectNames) return;
     this.effectNames = names.join();
     this.farol.effects = names.map((name) => {

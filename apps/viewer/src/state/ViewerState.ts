@@ -15,6 +15,8 @@ export interface ViewerState {
   aa: string;
   /** Whether ambient occlusion is on. */
   ao: boolean;
+  /** Whether transparent layers are averaged in place of sorted. */
+  oit: boolean;
   /** Fixed simulated time (s), drawn once and not moving; null lets it run. */
   time: number | null;
   /** Size of the picture (CSS pixels); null follows the window. */

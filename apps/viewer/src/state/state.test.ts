@@ -27,7 +27,16 @@ const known: KnownNames = {
   dragons: ['low', 'high'],
   antialiasing: ['none', 'smaa', 'taa'],
   defaults: {
-    ...{ scene: 'temple', technique: 'deferred', view: 'final', parameters: {}, dragon: 'low', aa: 'none', ao: false },
+    ...{
+      scene: 'temple',
+      technique: 'deferred',
+      view: 'final',
+      parameters: {},
+      dragon: 'low',
+      aa: 'none',
+      ao: false,
+      oit: false,
+    },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
 };
@@ -39,12 +48,12 @@ describe('readState', () => {
 
   it('reads every parameter', () => {
     const query =
-      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&time=2.5&width=160&height=90&dpr=1&gui=0';
+      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&oit=1&time=2.5&width=160&height=90&dpr=1&gui=0';
     const { state, problems } = readState(query, known);
     expect(problems).toEqual([]);
     expect(state).toEqual({
       ...{ scene: 'planes', technique: 'auto', view: 'albedo', parameters: { n: 7, mesh: 'dragon' }, dragon: 'high' },
-      ...{ aa: 'taa', ao: true, time: 2.5, width: 160, height: 90, dpr: 1, gui: false },
+      ...{ aa: 'taa', ao: true, oit: true, time: 2.5, width: 160, height: 90, dpr: 1, gui: false },
     });
   });
 
@@ -83,7 +92,7 @@ describe('readState', () => {
 
 describe('writeState', () => {
   const state: ViewerState = {
-    ...{ scene: 'planes', technique: 'forward', view: 'albedo', dragon: 'high', aa: 'smaa', ao: true },
+    ...{ scene: 'planes', technique: 'forward', view: 'albedo', dragon: 'high', aa: 'smaa', ao: true, oit: true },
     ...{ parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
     ...{ time: 0, width: 320, height: 180, dpr: 1.5, gui: false },
   };

@@ -21,7 +21,9 @@ export function writeState(state: ViewerState, { scenes, defaults }: KnownNames)
   for (const name of ['dragon', 'aa', 'time', 'width', 'height', 'dpr'] as const) {
     if (state[name] !== defaults[name]) entries.push([name, state[name]]);
   }
-  if (state.ao !== defaults.ao) entries.push(['ao', state.ao ? 1 : 0]);
+  for (const name of ['ao', 'oit'] as const) {
+    if (state[name] !== defaults[name]) entries.push([name, state[name] ? 1 : 0]);
+  }
   if (state.gui !== defaults.gui) entries.push(['gui', state.gui ? 1 : 0]);
   return `?${entries.map(([name, value]) => `${name}=${encodeURIComponent(text(value))}`).join('&')}`.replaceAll(
     '%2C',

@@ -26,6 +26,7 @@ export class ViewerMenu {
     view: string;
     aa: string;
     ao: boolean;
+    oit: boolean;
     dragon: string;
     stopped: boolean;
   };
@@ -34,8 +35,8 @@ export class ViewerMenu {
 
   constructor(private readonly viewer: Viewer) {
     const { gui } = this;
-    const { technique, view, aa, ao, dragon, time } = viewer.state;
-    this.values = { technique, view, aa, ao, dragon, stopped: time !== null };
+    const { technique, view, aa, ao, oit, dragon, time } = viewer.state;
+    this.values = { technique, view, aa, ao, oit, dragon, stopped: time !== null };
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
     gui
       .add(this.values, 'technique', names)
@@ -49,10 +50,8 @@ export class ViewerMenu {
       .add(this.values, 'aa', Object.fromEntries(known.antialiasing.map((name) => [labelOf(name), name])))
       .name('Anti-aliasing')
       .onChange((name: string) => viewer.setAntialiasing(name));
-    gui
-      .add(this.values, 'ao')
-      .name(effects['ambient-occlusion'].label)
-      .onChange((on: boolean) => viewer.setAmbientOcclusion(on)).domElement.title = effects['ambient-occlusion'].help;
+    this.addEffect('ao', 'ambient-occlusion', (on) => viewer.setAmbientOcclusion(on));
+    this.addEffect('oit', 'order-independent-transparency', (on) => viewer.setOrderIndependentTransparency(on));
     gui
       .add(this.values, 'stopped')
       .name('Stop time')
@@ -82,6 +81,7 @@ export class ViewerMenu {
     this.values.view = state.view;
     this.values.aa = state.aa;
     this.values.ao = state.ao;
+    this.values.oit = state.oit;
     this.values.dragon = state.dragon;
     this.values.stopped = state.time !== null;
     this.gui.show(state.gui);
@@ -99,6 +99,11 @@ export class ViewerMenu {
       this.parameterValues[name] = state.parameters[name] ?? (fields as Record<string, Field>)[name].default;
     }
     for (const controller of this.gui.controllersRecursive()) controller.updateDisplay();
+  }
+
+  private addEffect(value: 'ao' | 'oit', name: EffectName, set: (on: boolean) => void): void {
+    const { label, help } = effects[name];
+    this.gui.add(this.values, value).name(label).onChange(set).domElement.title = help;
   }
 
   private addParameter(name: string, field: Field): void {

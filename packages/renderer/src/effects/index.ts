@@ -1,6 +1,7 @@
 import type { FarolEffect } from '../FarolEffect';
 import { AmbientOcclusion } from './ambient-occlusion';
 import { SMAA, TAA } from './antialiasing';
+import { WeightedBlendedOIT } from './transparency';
 
 /** An effect as a menu shows it. */
 export interface EffectEntry {
@@ -21,6 +22,12 @@ export const effects = {
     help: 'Indirect light reaches less into corners; needs a technique that knows depth before it shades.',
     group: null,
     make: () => new AmbientOcclusion(),
+  },
+  'order-independent-transparency': {
+    label: 'Order-independent transparency',
+    help: 'Transparent layers are averaged, not sorted: they may pass through one another.',
+    group: null,
+    make: () => new WeightedBlendedOIT(),
   },
   smaa: {
     label: 'SMAA',

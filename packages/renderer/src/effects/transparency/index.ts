@@ -1,0 +1,1 @@
+export { WeightedBlendedOIT } from './WeightedBlendedOIT';

@@ -1,0 +1,46 @@
+import {
+  AddEquation,
+  CustomBlending,
+  GLSL3,
+  NormalBlending,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  type ShaderMaterial,
+  ZeroFactor,
+} from 'three';
+import { beforeLastBrace } from '../../materials/beforeLastBrace';
+import type { TwinKind } from '../../materials/TwinKind';
+import type { RenderItem } from '../../RenderItem';
+import weightedColor from './weightedColor.glsl?raw';
+
+/** One blend function for both attachments: sums in colour, the product of what is let through in alpha. */
+const BLENDING = {
+  blending: CustomBlending,
+  blendEquation: AddEquation,
+  blendSrc: OneFactor,
+  blendDst: OneFactor,
+  blendEquationAlpha: AddEquation,
+  blendSrcAlpha: ZeroFactor,
+  blendDstAlpha: OneMinusSrcAlphaFactor,
+  depthWrite: false,
+} as const;
+
+/** The kind of a transparent draw, which adds its colour to the weighted sums in place of laying it over what is there. */
+export function weightedTwin(kind: TwinKind): TwinKind {
+  return {
+    ...kind,
+    key: `${kind.key}-weighted`,
+    properties: { ...kind.properties, ...BLENDING },
+    patch(shader, source, header) {
+      kind.patch(shader, source, header);
+      shader.fragmentShader = `layout(location = 1) out highp vec4 farol_outWeight;\n${beforeLastBrace(shader.fragmentShader, weightedColor)}`;
+    },
+  };
+}
+
+/** True for what is laid over the picture by its opacity; other blending needs no order, or means one. */
+export function isWeighted({ material }: RenderItem): boolean {
+  const shader = material as ShaderMaterial & { isRawShaderMaterial?: boolean };
+  const ownOutputs = shader.isRawShaderMaterial === true || shader.glslVersion === GLSL3;
+  return material.blending === NormalBlending && !ownOutputs && material.depthTest && material.colorWrite;
+}
