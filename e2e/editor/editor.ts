@@ -1,5 +1,6 @@
 import type { GameObject, Scene } from '@farol/engine';
 import { expect, type Page } from '@playwright/test';
+import type { WebGLRenderer } from 'three';
 
 /** `window.editor` as far as the tests use it; documented in apps/editor/src/Editor.ts. */
 export interface EditorHandle {
@@ -10,6 +11,8 @@ export interface EditorHandle {
     readonly selection: { readonly ids: readonly string[]; set(ids: readonly string[]): void };
     readonly simulation: { readonly state: string };
   };
+  readonly microShaders: { textOf(name: string): string };
+  openMicroShader(name: string, line?: number): void;
   readonly commands: { readonly history: readonly string[]; readonly isDirty: boolean };
   readonly viewport: {
     readonly canvas: HTMLCanvasElement;
@@ -19,6 +22,7 @@ export interface EditorHandle {
     readonly view: string;
     readonly statistics: { readonly frames: number };
     readonly editorCamera: { readonly target: { toArray(): number[] } };
+    readonly webgl: WebGLRenderer;
     renderNow(): void;
   };
   serialize(): string;
@@ -30,14 +34,14 @@ declare global {
   }
 }
 
-/** Opens the editor with small panels and without the browser's own file dialogs, and waits for the temple. */
-export async function openEditor(page: Page): Promise<void> {
+/** Opens the editor without the browser's own file dialogs, and waits for its scene. @param scene - the temple when absent */
+export async function openEditor(page: Page, scene?: 'empty'): Promise<void> {
   await page.addInitScript(() => {
     // the fallbacks, a download and a file input, are what a test can answer
     Reflect.deleteProperty(window, 'showOpenFilePicker');
     Reflect.deleteProperty(window, 'showSaveFilePicker');
   });
-  await page.goto('./');
+  await page.goto(scene ? `./?scene=${scene}` : './');
   await waitUntilReady(page);
 }
 

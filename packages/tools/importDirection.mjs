@@ -15,6 +15,7 @@ export const importRules = [
   { from: 'packages/renderer/src/effects', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/three-pass', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
+  { from: 'packages/renderer/src/authoring', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/r3f', may: ['packages/renderer', 'three', 'react', '@react-three/fiber'] },
   {
     from: 'packages/renderer',
@@ -24,6 +25,7 @@ export const importRules = [
       'packages/renderer/src/three-pass',
       'packages/renderer/src/postprocessing',
       'packages/renderer/src/r3f',
+      'packages/renderer/src/authoring',
     ],
   },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },

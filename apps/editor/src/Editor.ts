@@ -2,11 +2,15 @@ import { AssetLibrary, deserialize, FileError, type Scene, scenes } from '@farol
 import type { CommandStack } from './model/CommandStack';
 import { Clipboard } from './model/Clipboard';
 import { ConsoleLog } from './model/ConsoleLog';
+import { MicroShaderEditing } from './microshaders/MicroShaderEditing';
+import { PlaceToShow } from './microshaders/PlaceToShow';
 import { Dialogs } from './model/Dialogs';
+import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
 import { Signal } from './model/Signal';
 import { Viewport } from './viewport/Viewport';
+import { layoutActions } from './layout/useLayout';
 import { watchErrors } from './watchErrors';
 
 /** Scene of the engine's that is there at first, and its parameters. */
@@ -32,6 +36,9 @@ export interface OpenFile {
 export class Editor {
   readonly document: EditorDocument;
   readonly viewport: Viewport;
+  readonly microShaders: MicroShaderEditing;
+  /** What the Microshaders panel shows. */
+  readonly microShaderPlace = new PlaceToShow();
   readonly dialogs = new Dialogs();
   readonly clipboard = new Clipboard();
   /** What the Console panel shows. */
@@ -48,9 +55,10 @@ export class Editor {
   /**
    * @param canvas - what the picture is drawn to
    * @param urls - addresses of assets that are files, by name
+   * @param first - the scene that is there at first: a name of the engine's `scenes`, or 'empty'; the temple when absent
    * @throws Error when the browser has no WebGL 2
    */
-  constructor(canvas: HTMLCanvasElement, urls: Record<string, string> = {}) {
+  constructor(canvas: HTMLCanvasElement, urls: Record<string, string> = {}, first?: string | null) {
     this.document = new EditorDocument(new AssetLibrary({ urls }));
     this.viewport = new Viewport(this.document, canvas);
     this.document.assets.onChange(({ kind, error }) => {
@@ -58,7 +66,8 @@ export class Editor {
     });
     this.watchPicture();
     watchErrors(this);
-    this.ready = this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
+    this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
+    this.ready = this.openFirst(first ?? null);
   }
 
   get commands(): CommandStack {
@@ -79,6 +88,12 @@ export class Editor {
   /** The scene as the text of a file. */
   serialize(): string {
     return this.document.serialize();
+  }
+
+  private async openFirst(name: string | null): Promise<void> {
+    if (name === 'empty') this.show(makeEmptyScene(this.document.assets), { name: null, handle: null });
+    else if (name !== null && Object.hasOwn(scenes, name)) await this.openScene(name);
+    else await this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
   }
 
   /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
@@ -140,6 +155,12 @@ export class Editor {
     } catch (error) {
       failed(error);
     }
+  }
+
+  /** Shows a microshader in its panel, at a line (from 1) if one is given. */
+  openMicroShader(chunk: string, line = 0): void {
+    this.microShaderPlace.show({ chunk, line });
+    layoutActions.open('microshaders');
   }
 
   /** Edits another scene, with an empty history. */

@@ -19,7 +19,11 @@ declare global {
 
 const place = document.getElementById('app')!;
 try {
-  const editor = new Editor(document.createElement('canvas'), { dragon: dragonUrl });
+  const editor = new Editor(
+    document.createElement('canvas'),
+    { dragon: dragonUrl },
+    new URLSearchParams(location.search).get('scene'),
+  );
   window.editor = editor;
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
   for (const isCapture of [true, false]) {

@@ -16,6 +16,7 @@ import { copyObjects, pasteObjects } from './clip';
 import type { Command } from './Command';
 import type { Container } from './commands/Placement';
 import { SetFields } from './commands/SetFields';
+import { SetMicroShaders } from './commands/SetMicroShaders';
 import { SetProperty } from './commands/SetProperty';
 import {
   addComponent,
@@ -86,11 +87,21 @@ const some = (random: Random, all: readonly GameObject[]): GameObject[] => {
   return chosen.length > 0 ? chosen : [pick(random, all)];
 };
 
+function randomMicroShaders(random: Random, { scene }: EditorDocument): Command {
+  const names = ['heatMap', 'own/a', 'own/b'].filter(() => random() < 0.6);
+  const text = (): string | null => (random() < 0.3 ? null : `float v${below(random, 1000)};`);
+  return new SetMicroShaders(
+    'Edit microshaders',
+    scene,
+    names.map((name) => ({ name, text: text() })),
+  );
+}
+
 function randomCommand(random: Random, document: EditorDocument): Command {
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 21);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 22);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -147,8 +158,10 @@ function randomCommand(random: Random, document: EditorDocument): Command {
     case 17:
       return resetFields('Reset', [pick(random, pick(random, all).components)]);
     case 18:
-      return new SetProperty('Rename scene', [scene], 'name', `Scene ${below(random, 100)}`);
+      return randomMicroShaders(random, document);
     case 19:
+      return new SetProperty('Rename scene', [scene], 'name', `Scene ${below(random, 100)}`);
+    case 20:
       return new SetProperty(
         'Set camera',
         [scene],

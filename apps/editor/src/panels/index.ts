@@ -37,4 +37,11 @@ export const panels = new PanelRegistry([
     place: 'bottom',
     load: () => import('./console/ConsolePanel').then(({ ConsolePanel }) => ConsolePanel),
   },
+  {
+    id: 'microshaders',
+    title: 'Microshaders',
+    icon: 'code',
+    place: 'bottom',
+    load: () => import('./microshaders/MicroShadersPanel').then(({ MicroShadersPanel }) => MicroShadersPanel),
+  },
 ]);

@@ -75,11 +75,17 @@ export function ConsolePanel(): ReactNode {
 }
 
 function ConsoleLine({ entry }: { entry: ConsoleEntry }): ReactNode {
-  const { kind, source, text, count, time } = entry;
+  const editor = useEditor();
+  const { kind, source, text, count, time, place } = entry;
   return (
     <li className={`console-line ${kind}`}>
       <Icon name={icons[kind]} size={13} />
       <span className="console-text">{text}</span>
+      {place && (
+        <button type="button" className="button small" onClick={() => editor.openMicroShader(place.chunk, place.line)}>
+          {place.chunk}:{place.line}
+        </button>
+      )}
       {count > 1 && (
         <span className="console-count" title={`Said ${count} times`}>
           {count}

@@ -1,0 +1,225 @@
+import { MicroShaderOverrides } from '@farol/engine';
+import {
+  formatMicroShader,
+  type MicroShader,
+  MicroShaderCompileError,
+  type MicroShaderCompileEntry,
+  type MicroShaderRegistry,
+  parseMicroShaderXML,
+} from '@farol/renderer';
+import { type MicroShaderEdit, SetMicroShaders } from '../model/commands/SetMicroShaders';
+import type { ConsoleLog } from '../model/ConsoleLog';
+import type { EditorDocument } from '../model/EditorDocument';
+import type { Gesture } from '../model/Gesture';
+import { Signal } from '../model/Signal';
+
+/** How long after the last key a text is compiled (ms). */
+const DELAY = 180;
+
+/** Why a text is not in use. */
+export interface MicroShaderProblemText {
+  readonly message: string;
+  /** By chunk and line; none where the text cannot even be read. */
+  readonly entries: readonly MicroShaderCompileEntry[];
+}
+
+function problemOf(error: unknown): MicroShaderProblemText {
+  const message = error instanceof Error ? error.message : String(error);
+  return { message, entries: error instanceof MicroShaderCompileError ? error.entries : [] };
+}
+
+/** What a new chunk begins with. */
+const TEMPLATE = `// What it is for.
+// Where it comes from.
+`;
+
+/**
+ * The microshaders of the document as texts that are edited: what compiles is drawn with at once and becomes a step of
+ * history; what does not stays a draft, and the picture keeps the last good text.
+ */
+export class MicroShaderEditing {
+  /** Emits when a text, a draft or a problem changes. */
+  readonly changed = new Signal();
+  /** Texts of the built-in chunks as they were written; what is drawn with may have lost its comments. */
+  sources: Readonly<Record<string, string>> = {};
+
+  private readonly overrides: MicroShaderOverrides[];
+  private readonly drafts = new Map<string, string>();
+  private readonly problems = new Map<string, MicroShaderProblemText>();
+  private gesture: Gesture | null = null;
+  private waiting: { readonly name: string; readonly timer: ReturnType<typeof setTimeout> } | null = null;
+
+  /** @param registry - of the renderer of the picture */
+  constructor(
+    private readonly document: EditorDocument,
+    readonly registry: MicroShaderRegistry,
+    private readonly log: ConsoleLog,
+  ) {
+    this.overrides = [new MicroShaderOverrides(registry)];
+    document.microShaders.subscribe(() => this.apply());
+    document.opened.subscribe(() => this.forget());
+  }
+
+  /** Names of all chunks: the built-in ones, then the scene's own. */
+  get names(): string[] {
+    return [...new Set([...this.registry.names(), ...this.document.scene.microShaders.texts.keys()])];
+  }
+
+  /** Whether a chunk is the scene's own, not one that it replaces. */
+  isOwn(name: string): boolean {
+    return this.registry.original(name) === undefined;
+  }
+
+  /** Whether the scene has a text of its own for a chunk. */
+  isChanged(name: string): boolean {
+    return this.document.scene.microShaders.get(name) !== undefined;
+  }
+
+  /** Why the text of a chunk is not in use; null when it is. */
+  problem(name: string): MicroShaderProblemText | null {
+    return this.problems.get(name) ?? null;
+  }
+
+  /** The text of a chunk as it is being edited. */
+  textOf(name: string): string {
+    return this.drafts.get(name) ?? this.document.scene.microShaders.get(name) ?? this.originalOf(name);
+  }
+
+  /** The text of a built-in chunk as it is without the scene's; '' for the scene's own. */
+  originalOf(name: string): string {
+    const original = this.registry.original(name);
+    if (!original) return '';
+    return this.sources[name] ?? formatMicroShader(original);
+  }
+
+  /** A key was pressed: compiles the text once no more follow. */
+  edit(name: string, text: string): void {
+    if (this.waiting && this.waiting.name !== name) this.flush();
+    if (this.waiting) clearTimeout(this.waiting.timer);
+    this.drafts.set(name, text);
+    this.waiting = { name, timer: setTimeout(() => this.flush(), DELAY) };
+  }
+
+  /** Compiles what waits to be. */
+  flush(): void {
+    if (!this.waiting) return;
+    const { name, timer } = this.waiting;
+    clearTimeout(timer);
+    this.waiting = null;
+    this.compile(name, this.drafts.get(name)!);
+    this.changed.emit();
+  }
+
+  /** The user turned elsewhere: what was edited is one step of history, and what is broken is told. */
+  finish(): void {
+    this.flush();
+    this.gesture?.commit();
+    this.gesture = null;
+    for (const [name, { message, entries }] of this.problems) {
+      if (entries.length === 0) this.log.add('error', 'shader', message, { chunk: name, line: 1 });
+      for (const { chunk, line, message: text } of entries) {
+        this.log.add('error', 'shader', text, { chunk: chunk ?? name, line });
+      }
+    }
+  }
+
+  /** Drops a draft that does not compile. */
+  discardDraft(name: string): void {
+    this.flush();
+    this.drafts.delete(name);
+    this.problems.delete(name);
+    this.changed.emit();
+  }
+
+  /** Takes the scene's text of a chunk out: the built-in one is back; one of the scene's own is gone. @throws Error when it is needed */
+  revert(name: string): void {
+    this.discardDraft(name);
+    const users = this.isOwn(name) ? this.registry.usersOf(name).filter((other) => other !== name) : [];
+    if (users.length > 0) throw new Error(`“${name}” is needed by ${users.join(', ')}: change those first.`);
+    const label = this.isOwn(name) ? `Delete microshader ${name}` : `Revert microshader ${name}`;
+    this.run(label, [{ name, text: null }]);
+  }
+
+  /** Adds a chunk of the scene's own. @throws Error for a name that is taken or cannot be */
+  create(name: string): void {
+    if (this.names.includes(name)) throw new Error(`There is a microshader “${name}” already: choose another name.`);
+    this.run(`New microshader ${name}`, [{ name, text: TEMPLATE }]);
+  }
+
+  /**
+   * Takes the chunks of a file of XML over, in place of those of the same name.
+   * @returns their names
+   * @throws Error with file and line
+   */
+  importXML(text: string, file: string): string[] {
+    const chunks = parseMicroShaderXML(text, file);
+    const edits = chunks.map((chunk) => ({ name: chunk.name, text: formatMicroShader(chunk) }));
+    this.run(`Import ${file}`, edits);
+    return chunks.map(({ name }) => name);
+  }
+
+  /** The chunks of the scene, or all when it has none, as they are in use. */
+  exported(): MicroShader[] {
+    const own = [...this.document.scene.microShaders.texts.keys()].toSorted();
+    return (own.length > 0 ? own : this.names).flatMap((name) => this.registry.get(name) ?? []);
+  }
+
+  /** Has another renderer draw with the scene's microshaders too. @returns a function that ends it */
+  addRegistry(registry: MicroShaderRegistry): () => void {
+    const overrides = new MicroShaderOverrides(registry);
+    overrides.apply(this.document.scene.microShaders.texts);
+    this.overrides.push(overrides);
+    return () => this.overrides.splice(this.overrides.indexOf(overrides), 1);
+  }
+
+  private run(label: string, edits: readonly MicroShaderEdit[]): void {
+    this.finish();
+    this.document.commands.run(new SetMicroShaders(label, this.document.scene, edits));
+  }
+
+  /** Tries a text; one that compiles is shown, and kept as a step once `finish` is called. */
+  private compile(name: string, text: string): void {
+    try {
+      const isOriginal = !this.isOwn(name) && text === this.originalOf(name);
+      if (!isOriginal) {
+        this.registry.replace(name, text);
+        this.overrides[0].accept(name, text);
+      }
+      this.drafts.delete(name);
+      this.problems.delete(name);
+      this.preview(name, isOriginal ? null : text);
+    } catch (error) {
+      this.problems.set(name, problemOf(error));
+    }
+  }
+
+  private preview(name: string, text: string | null): void {
+    const { commands, scene } = this.document;
+    if (!this.gesture?.isOpen) this.gesture = commands.begin();
+    this.gesture.preview(new SetMicroShaders(`Edit microshader ${name}`, scene, [{ name, text }]));
+  }
+
+  /** Brings the scene's texts into the renderers: after an edit, an undo, or when another scene was opened. */
+  private apply(): void {
+    const { texts } = this.document.scene.microShaders;
+    for (const overrides of this.overrides.slice(1)) overrides.apply(texts);
+    for (const { name, error } of this.overrides[0].apply(texts)) {
+      this.problems.set(name, problemOf(error));
+      this.log.add('error', 'shader', error.message, { chunk: name, line: 1 });
+    }
+    // a draft of a text that came from elsewhere is out of date
+    for (const name of this.drafts.keys())
+      if (this.waiting?.name !== name && !this.problems.has(name)) this.drafts.delete(name);
+    for (const name of this.problems.keys())
+      if (!this.registry.has(name) && !texts.has(name)) this.problems.delete(name);
+    this.changed.emit();
+  }
+
+  private forget(): void {
+    if (this.waiting) clearTimeout(this.waiting.timer);
+    this.waiting = null;
+    this.gesture = null;
+    this.drafts.clear();
+    this.problems.clear();
+  }
+}

@@ -1,0 +1,36 @@
+import { MicroShaderOverrides } from '@farol/engine';
+import { FarolRenderer, type FarolOptions } from '@farol/renderer';
+import { WebGLRenderer } from 'three';
+import { type DrySource, makeDryContext } from './DryContext';
+import { makeDryScene } from './dryScene';
+
+/**
+ * The shaders that a technique or a view draws with on this device, without drawing or compiling.
+ * @param texts - microshaders of the scene
+ */
+export function dryRun(
+  gl: WebGL2RenderingContext,
+  options: Pick<FarolOptions, 'technique' | 'view'>,
+  texts: ReadonlyMap<string, string>,
+): readonly DrySource[] {
+  const { context, sources } = makeDryContext(gl);
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 16;
+  const webgl = new WebGLRenderer({ canvas, context });
+  const farol = new FarolRenderer(webgl, options);
+  const { scene, camera, dispose } = makeDryScene();
+  new MicroShaderOverrides(farol.microshaders).apply(texts);
+  sources.length = 0;
+  farol.render(scene, camera);
+  farol.dispose();
+  dispose();
+  webgl.dispose();
+  return sources;
+}
+
+const FRAME = /^\/\/ <([^/>][^>]*)>/gm;
+
+/** The microshaders that a composed source holds, by its frames; three's own left out. */
+export function chunksOf(source: string): Set<string> {
+  return new Set([...source.matchAll(FRAME)].map(([, name]) => name).filter((name) => !name.startsWith('three/')));
+}

@@ -1,0 +1,17 @@
+import { type AssetLibrary, Camera, GameObject, Light, Scene } from '@farol/engine';
+
+/** A scene to begin with: a camera, a sun and a sky. */
+export function makeEmptyScene(assets: AssetLibrary): Scene {
+  const scene = new Scene({ name: 'Untitled', assets });
+  const camera = new GameObject('Camera');
+  camera.addComponent(Camera);
+  camera.transform.lookAt([4, 3, 6], [0, 0.5, 0]);
+  const sun = new GameObject('Sun');
+  sun.addComponent(Light, { type: 'directional', intensity: 2 });
+  sun.transform.lookAt([6, 8, 4], [0, 0, 0]);
+  const sky = new GameObject('Sky');
+  sky.addComponent(Light, { type: 'hemisphere', intensity: 0.4 });
+  sky.transform.position = [0, 5, 0];
+  for (const object of [camera, sun, sky]) scene.add(object);
+  return scene;
+}

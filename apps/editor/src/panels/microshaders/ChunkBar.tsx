@@ -1,0 +1,52 @@
+import type { ReactNode } from 'react';
+import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+
+/** Name and state of the chunk, and what can be done to it. */
+export function ChunkBar({ name, onOpen }: { name: string; onOpen(name: string): void }): ReactNode {
+  const editor = useEditor();
+  const { microShaders } = editor;
+  const problem = microShaders.problem(name);
+  const isOwn = microShaders.isOwn(name);
+  const isChanged = microShaders.isChanged(name);
+  const stage = microShaders.registry.get(name)?.stage;
+  const state = problem
+    ? 'Broken: the last good text is drawn'
+    : isOwn
+      ? 'Of this scene'
+      : isChanged
+        ? 'Edited in this scene'
+        : 'As built in';
+  return (
+    <div className="panel-bar">
+      <strong>{name}</strong>
+      {stage && stage !== 'both' && <span className="chunk-tag">{stage}</span>}
+      <span className={problem ? 'chunk-state broken' : 'chunk-state'} role="status">
+        {problem && <Icon name="warning" size={12} />}
+        {state}
+      </span>
+      <span className="panel-space" />
+      {problem && (
+        <button type="button" className="button small" onClick={() => microShaders.discardDraft(name)}>
+          <Icon name="undo" size={12} />
+          Last good text
+        </button>
+      )}
+      {isChanged && (
+        <button
+          type="button"
+          className="button small"
+          onClick={() =>
+            editor.attempt(() => {
+              microShaders.revert(name);
+              if (isOwn) onOpen(microShaders.names[0]);
+            })
+          }
+        >
+          <Icon name={isOwn ? 'remove' : 'undo'} size={12} />
+          {isOwn ? 'Delete' : 'Revert to built in'}
+        </button>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,79 @@
+import { type KeyboardEvent, type ReactNode, useEffect, useRef, useState } from 'react';
+import type { MicroShaderUses } from '../../microshaders/MicroShaderUses';
+import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { NewChunk } from './NewChunk';
+import { XMLMenu } from './XMLMenu';
+
+interface ChunkListProps {
+  readonly names: readonly string[];
+  readonly current: string;
+  readonly uses: MicroShaderUses;
+  onChoose(name: string): void;
+}
+
+/** The chunks by name; those of the scene first, marked where they are edited or broken. */
+export function ChunkList({ names, current, uses, onChoose }: ChunkListProps): ReactNode {
+  const { microShaders, viewport } = useEditor();
+  const [query, setQuery] = useState('');
+  const list = useRef<HTMLUListElement>(null);
+  const words = query.toLowerCase();
+  const found = names
+    .filter((name) => name.toLowerCase().includes(words))
+    .toSorted((a, b) => Number(microShaders.isOwn(b)) - Number(microShaders.isOwn(a)) || (a < b ? -1 : 1));
+  const { technique } = viewport.farol.info;
+  useEffect(() => {
+    list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: 'nearest' });
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- another one is marked then
+  }, [current]);
+  const keyDown = (event: KeyboardEvent): void => {
+    const at = found.indexOf(current);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: found.length - 1 }[event.key];
+    if (to === undefined || found.length === 0) return;
+    event.preventDefault();
+    onChoose(found[Math.min(found.length - 1, Math.max(0, to))]);
+  };
+  return (
+    <div className="chunk-list">
+      <div className="panel-bar">
+        <input
+          className="input"
+          type="search"
+          aria-label="Search microshaders"
+          placeholder="Search"
+          value={query}
+          onChange={(event) => setQuery(event.target.value)}
+        />
+        <NewChunk onMade={onChoose} />
+        <XMLMenu />
+      </div>
+      {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-element-to-interactive-role -- a list that is chosen from */}
+      <ul ref={list} role="listbox" aria-label="Microshaders" tabIndex={0} onKeyDown={keyDown}>
+        {found.map((name) => {
+          const problem = microShaders.problem(name);
+          const isInUse = uses.techniquesOf(name).some((each) => each === technique);
+          return (
+            <li
+              key={name}
+              role="option"
+              aria-selected={name === current}
+              className="chunk-item"
+              data-used={isInUse}
+              onClick={() => onChoose(name)}
+            >
+              <span className="chunk-name">{name}</span>
+              {microShaders.isOwn(name) && <span className="chunk-tag">scene</span>}
+              {!microShaders.isOwn(name) && microShaders.isChanged(name) && <span className="chunk-tag">edited</span>}
+              {problem && (
+                <span className="chunk-broken" title={problem.message}>
+                  <Icon name="warning" size={12} />
+                  <span className="visually-hidden">broken</span>
+                </span>
+              )}
+            </li>
+          );
+        })}
+      </ul>
+    </div>
+  );
+}

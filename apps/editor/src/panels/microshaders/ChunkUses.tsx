@@ -1,0 +1,64 @@
+import { techniques } from '@farol/renderer';
+import type { ReactNode } from 'react';
+import type { MicroShaderUses } from '../../microshaders/MicroShaderUses';
+import { useEditor } from '../../ui/EditorContext';
+
+/** What a chunk depends on, what depends on it, and who draws with it. */
+export function ChunkUses({ name, uses }: { name: string; uses: MicroShaderUses }): ReactNode {
+  const editor = useEditor();
+  const { registry } = editor.microShaders;
+  const needs = registry.get(name)?.dependencies ?? [];
+  const users = registry.names().filter((other) => registry.get(other)!.dependencies.includes(name));
+  const drawn = uses.techniquesOf(name);
+  const viewed = uses.viewsOf(name);
+  const programs = [...new Set(uses.programsOf(name))];
+  return (
+    <aside className="chunk-uses" aria-label={`Uses of ${name}`}>
+      <Chunks title="Needs" names={needs} />
+      <Chunks title="Needed by" names={users} />
+      <h3>Techniques</h3>
+      {drawn.length === 0 && <p>{uses.isKnown ? 'None draws with it.' : 'Looking…'}</p>}
+      <ul>
+        {drawn.map((technique) => (
+          <li key={technique}>
+            <button
+              type="button"
+              title={techniques[technique].help}
+              aria-pressed={editor.viewport.technique === technique}
+              onClick={() => editor.attempt(() => void (editor.viewport.technique = technique))}
+            >
+              {techniques[technique].label}
+            </button>
+          </li>
+        ))}
+      </ul>
+      {viewed.length > 0 && (
+        <>
+          <h3>Views</h3>
+          <p>{viewed.join(', ')}</p>
+        </>
+      )}
+      <h3>Programs on the device</h3>
+      <p>{programs.length === 0 ? 'None at present.' : programs.join(', ')}</p>
+    </aside>
+  );
+}
+
+function Chunks({ title, names }: { title: string; names: readonly string[] }): ReactNode {
+  const editor = useEditor();
+  if (names.length === 0) return null;
+  return (
+    <>
+      <h3>{title}</h3>
+      <ul>
+        {names.map((name) => (
+          <li key={name}>
+            <button type="button" onClick={() => editor.openMicroShader(name)}>
+              {name}
+            </button>
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}

@@ -1,0 +1,60 @@
+import { formatMicroShaderXML } from '@farol/renderer/authoring';
+import { fileOpen, fileSave } from 'browser-fs-access';
+import type { ReactNode } from 'react';
+import { useEditor } from '../../ui/EditorContext';
+import { MenuButton } from '../../ui/MenuButton';
+
+const fileType = {
+  id: 'farol-microshaders',
+  description: 'Microshaders',
+  mimeTypes: ['text/xml'],
+  extensions: ['.xml'],
+};
+
+/** Where the thesis's own microshaders are served. */
+const THESIS = 'microshaders/thesis.xml';
+
+/** Import and export of microshaders as the thesis's file of XML. */
+export function XMLMenu(): ReactNode {
+  const editor = useEditor();
+  const { microShaders, notices } = editor;
+  const take = (text: string, name: string): void => {
+    const names = microShaders.importXML(text, name);
+    notices.show('info', `Imported ${names.length} microshaders of ${name}`, 'file');
+    if (names.length > 0) editor.openMicroShader(names[0]);
+  };
+  const open = async (): Promise<void> => {
+    const file = await fileOpen(fileType);
+    take(await file.text(), file.name);
+  };
+  const thesis = async (): Promise<void> => {
+    const response = await fetch(THESIS);
+    if (!response.ok)
+      throw new Error(`${THESIS}: the server answers ${response.status}; serve the folder public/ too.`);
+    take(await response.text(), 'thesis.xml');
+  };
+  const save = async (): Promise<void> => {
+    const chunks = microShaders.exported();
+    const blob = new Blob([formatMicroShaderXML(chunks)], { type: 'text/xml' });
+    await fileSave(blob, { ...fileType, fileName: 'microshaders.xml' });
+    notices.show('info', `Exported ${chunks.length} microshaders`, 'file');
+  };
+  return (
+    <MenuButton
+      label="Import and export"
+      icon="more"
+      iconOnly
+      className="button small"
+      entries={() => [
+        { label: 'Import XML…', icon: 'open', run: () => editor.attempt(open) },
+        { label: "Import the thesis's", icon: 'open', run: () => editor.attempt(thesis) },
+        {
+          label: 'Export XML…',
+          help: 'Those of the scene; all, when it has none.',
+          icon: 'save',
+          run: () => editor.attempt(save),
+        },
+      ]}
+    />
+  );
+}

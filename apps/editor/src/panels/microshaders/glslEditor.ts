@@ -1,0 +1,85 @@
+import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { bracketMatching, HighlightStyle, indentUnit, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
+import { shader } from '@codemirror/legacy-modes/mode/clike';
+import { lintGutter, lintKeymap } from '@codemirror/lint';
+import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { Annotation, EditorState, type Extension } from '@codemirror/state';
+import {
+  drawSelection,
+  EditorView,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  keymap,
+  lineNumbers,
+} from '@codemirror/view';
+import { tags } from '@lezer/highlight';
+
+const style = HighlightStyle.define([
+  { tag: tags.comment, color: 'var(--code-comment)' },
+  { tag: [tags.keyword, tags.operatorKeyword, tags.controlKeyword], color: 'var(--code-keyword)' },
+  { tag: [tags.typeName, tags.standard(tags.variableName), tags.standard(tags.name)], color: 'var(--code-type)' },
+  { tag: [tags.number, tags.bool, tags.atom], color: 'var(--code-number)' },
+  { tag: [tags.string, tags.meta], color: 'var(--code-meta)' },
+]);
+
+const theme = EditorView.theme({
+  '&': { height: '100%', color: 'var(--text)', backgroundColor: 'var(--field)', fontSize: '12px' },
+  '&.cm-focused': { outline: 'none' },
+  '.cm-scroller': { fontFamily: 'var(--code-font)', lineHeight: '1.5' },
+  '.cm-gutters': { backgroundColor: 'var(--field)', color: 'var(--dim)', border: '0' },
+  '.cm-activeLine, .cm-activeLineGutter': { backgroundColor: 'color-mix(in srgb, var(--hover) 45%, transparent)' },
+  '.cm-cursor': { borderLeftColor: 'var(--accent)' },
+  '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground': {
+    backgroundColor: 'var(--selected)',
+  },
+  '.cm-selectionMatch, .cm-searchMatch': { backgroundColor: 'var(--selected-quiet)' },
+  '&.cm-focused .cm-matchingBracket': {
+    backgroundColor: 'var(--selected-quiet)',
+    outline: '1px solid var(--line-strong)',
+  },
+  '.cm-tooltip': {
+    border: '1px solid var(--line-strong)',
+    borderRadius: '4px',
+    backgroundColor: 'var(--raised)',
+    color: 'var(--text)',
+  },
+  '.cm-diagnostic-error': { borderLeftColor: 'var(--error)' },
+  '.cm-panels': { backgroundColor: 'var(--panel)', color: 'var(--text)' },
+  '.cm-panels input, .cm-panels button': {
+    border: '1px solid var(--line-strong)',
+    borderRadius: '3px',
+    background: 'var(--field)',
+    color: 'var(--text)',
+  },
+});
+
+/** Marks a change that came from elsewhere, such as an undo of the document's. */
+export const fromOutside = Annotation.define<boolean>();
+
+/** A code editor for GLSL, in the colours of the theme. @param onInput - gets the text after each edit by hand */
+export function glslExtensions(onInput: (text: string) => void): Extension {
+  return [
+    lineNumbers(),
+    highlightActiveLine(),
+    highlightActiveLineGutter(),
+    history(),
+    drawSelection(),
+    bracketMatching(),
+    highlightSelectionMatches(),
+    search({ top: true }),
+    lintGutter(),
+    indentUnit.of('  '),
+    EditorState.tabSize.of(2),
+    StreamLanguage.define(shader),
+    syntaxHighlighting(style),
+    theme,
+    keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]),
+    EditorView.contentAttributes.of({ 'aria-label': 'Text of the microshader', spellcheck: 'false', tabindex: '0' }),
+    EditorView.updateListener.of((update) => {
+      const byHand = update.transactions.some(
+        (transaction) => transaction.docChanged && transaction.annotation(fromOutside) !== true,
+      );
+      if (byHand) onInput(update.state.doc.toString());
+    }),
+  ];
+}

@@ -1,0 +1,22 @@
+import { microShaderSources } from '@farol/renderer/authoring';
+import { useEffect } from 'react';
+import type { Editor } from '../../Editor';
+import { MicroShaderUses } from '../../microshaders/MicroShaderUses';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+
+const known = new WeakMap<Editor, MicroShaderUses>();
+
+/** Where microshaders are used in an editor; found once, when it is first asked for. Their texts as written come with it. */
+export function useMicroShaderUses(): MicroShaderUses {
+  const editor = useEditor();
+  let uses = known.get(editor);
+  if (!uses) {
+    const { viewport, document } = editor;
+    uses = new MicroShaderUses(viewport.webgl, viewport.farol.microshaders, () => document.scene.microShaders.texts);
+    known.set(editor, uses);
+    editor.microShaders.sources = microShaderSources;
+  }
+  useSignal(uses.changed);
+  useEffect(() => void uses.find(), [uses]);
+  return uses;
+}

@@ -1,0 +1,138 @@
+import type { Locator, Page } from '@playwright/test';
+import { readFile } from 'node:fs/promises';
+import { expect, test } from '../support/test';
+import { axeProblems } from './axe';
+import { addObject, history, openEditor, serialized } from './editor';
+
+test.use({ viewport: { width: 1200, height: 640 }, reducedMotion: 'reduce' });
+
+const panel = (page: Page): Locator => page.getByRole('region', { name: 'Microshaders' });
+
+/** The colour in the middle of the picture, drawn now; each channel from 0 to 255. */
+const middle = (page: Page): Promise<number[]> =>
+  page.evaluate(() => {
+    const { viewport } = window.editor;
+    const gl = viewport.webgl.getContext() as WebGL2RenderingContext;
+    viewport.renderNow();
+    const pixel = new Uint8Array(4);
+    gl.readPixels(gl.drawingBufferWidth >> 1, gl.drawingBufferHeight >> 1, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return [...pixel.slice(0, 3)];
+  });
+
+const isRed = (page: Page): Promise<boolean> => middle(page).then(([r, g]) => r > 2 * g);
+
+/** Puts the cursor before the line of a chunk that begins with a text. */
+async function goBefore(page: Page, chunk: string, beginning: string): Promise<void> {
+  await page.evaluate(
+    ([name, start]) => {
+      const lines = window.editor.microShaders.textOf(name).split('\n');
+      window.editor.openMicroShader(name, 1 + lines.findIndex((line) => line.trim().startsWith(start)));
+    },
+    [chunk, beginning] as const,
+  );
+  await expect(panel(page).locator('.cm-editor')).toHaveClass(/cm-focused/);
+}
+
+/** A sphere in the middle of the picture, lit by one white light, without helpers. */
+async function openSphere(page: Page): Promise<void> {
+  await openEditor(page, 'empty');
+  await addObject(page, 'Mesh', 'Sphere');
+  await page.evaluate(() => {
+    const { document, viewport } = window.editor;
+    for (const name of ['Sky']) document.scene.find(name)!.active = false;
+    Object.assign(viewport, { technique: 'forward-single-pass', showGrid: false, showIcons: false });
+  });
+  await page.keyboard.press('f');
+  await page.keyboard.press('Escape');
+  await page.getByRole('tab', { name: 'Microshaders' }).click();
+  await expect(panel(page).locator('.cm-content')).toBeVisible();
+}
+
+test('edit a microshader, break it, mend it: the picture follows, and keeps the last good one', async ({ page }) => {
+  await openSphere(page);
+  await expect.poll(() => isRed(page)).toBe(false);
+  const before = await history(page);
+
+  // compiled while it is typed
+  await goBefore(page, 'incidentLight', 'light.attenuation = 1.0');
+  await page.keyboard.type('light.color *= vec3(1.0, 0.0, 0.0);\n');
+  await expect.poll(() => isRed(page)).toBe(true);
+  await expect(panel(page).getByRole('status')).toContainText('Edited in this scene');
+
+  // broken: the error is at its line, the picture as it was
+  await goBefore(page, 'incidentLight', 'light.color *=');
+  await page.keyboard.type('light.color = nothing;\n');
+  await expect(panel(page).getByRole('status')).toContainText('Broken');
+  const line = await page.evaluate(
+    () => 1 + window.editor.microShaders.textOf('incidentLight').split('\n').indexOf('light.color = nothing;'),
+  );
+  await expect(panel(page).getByRole('list', { name: 'Errors' })).toContainText(`incidentLight:${line}`);
+  await expect(panel(page).locator('.cm-lint-marker-error')).toHaveCount(1);
+  expect(await isRed(page)).toBe(true);
+
+  // mended
+  await goBefore(page, 'incidentLight', 'light.color = nothing');
+  await page.keyboard.press('Control+Shift+k');
+  await expect(panel(page).getByRole('status')).toContainText('Edited in this scene');
+  await expect(panel(page).locator('.cm-lint-marker-error')).toHaveCount(0);
+  expect(await isRed(page)).toBe(true);
+
+  // one step of history, saved with the scene
+  await page.getByRole('tab', { name: 'History' }).click();
+  await expect.poll(() => history(page)).toEqual([...before, 'Edit microshader incidentLight']);
+  const saved = await serialized(page);
+  expect(JSON.parse(saved).microShaders.incidentLight).toContain('vec3(1.0, 0.0, 0.0)');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => isRed(page)).toBe(false);
+  await expect(panel(page).getByRole('status')).toContainText('As built in');
+  await expect(panel(page).locator('.cm-content')).not.toContainText('vec3(1.0, 0.0, 0.0)');
+  await page.keyboard.press('Control+y');
+  await expect.poll(() => isRed(page)).toBe(true);
+
+  // a chunk that nothing on the device draws with is compiled as the techniques would
+  await expect(panel(page).getByRole('complementary')).toContainText('Clustered forward', { timeout: 30_000 });
+  await goBefore(page, 'tileMask', '#include');
+  await page.keyboard.type('float wrong = nowhere;\n');
+  await expect(panel(page).getByRole('list', { name: 'Errors' })).toContainText('nowhere');
+  await expect(panel(page).getByRole('complementary')).toContainText('None at present');
+  expect(await axeProblems(page)).toEqual([]);
+  await panel(page).getByRole('button', { name: 'Last good text' }).click();
+  await page.getByRole('tab', { name: 'Console' }).click();
+  await expect(page.getByRole('region', { name: 'Console' })).toContainText("'nowhere' : undeclared identifier");
+});
+
+test('a new chunk, and XML: into the scene and out of it', async ({ page }, info) => {
+  await openSphere(page);
+  await panel(page).getByRole('button', { name: 'New microshader' }).click();
+  await page.getByRole('textbox', { name: 'Name of the microshader' }).fill('own/tint');
+  await page.keyboard.press('Enter');
+  await expect(panel(page).getByRole('option', { name: 'own/tint' })).toHaveAttribute('aria-selected', 'true');
+  await goBefore(page, 'own/tint', '//');
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('vec3 own_tint() { return vec3(1.0, 0.0, 0.0); }');
+
+  // the thesis's chunks come in as one step
+  await panel(page).getByRole('button', { name: 'Import and export' }).click();
+  await page.getByRole('menuitem', { name: "Import the thesis's" }).click();
+  await expect.poll(() => history(page).then((steps) => steps.at(-1))).toBe('Import thesis.xml');
+  const chunks = Object.keys(JSON.parse(await serialized(page)).microShaders);
+  expect(chunks).toContain('own/tint');
+  expect(chunks.length).toBeGreaterThan(10);
+
+  const download = page.waitForEvent('download');
+  await panel(page).getByRole('button', { name: 'Import and export' }).click();
+  await page.getByRole('menuitem', { name: /^Export XML/ }).click();
+  const file = info.outputPath('microshaders.xml');
+  await (await download).saveAs(file);
+  const xml = await readFile(file, 'utf8');
+  expect(xml.match(/<microshader /g)).toHaveLength(chunks.length);
+  expect(xml).toContain('vec3 own_tint()');
+
+  // deleted, and back
+  await page.evaluate(() => window.editor.openMicroShader('own/tint'));
+  await panel(page).getByRole('button', { name: 'Delete' }).click();
+  await expect(panel(page).getByRole('option', { name: 'own/tint' })).toHaveCount(0);
+  await panel(page).getByRole('listbox').focus();
+  await page.keyboard.press('Control+z');
+  await expect(panel(page).getByRole('option', { name: 'own/tint' })).toBeVisible();
+});

@@ -1,0 +1,21 @@
+import type { MicroShader } from '../microshaders';
+
+const quoted = (value: string): string =>
+  `"${value.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;')}"`;
+
+/** A CDATA section cannot hold its own end. */
+const cdata = (text: string): string => `<![CDATA[${text.replaceAll(']]>', ']]]]><![CDATA[>')}]]>`;
+
+/** Microshaders as the thesis's file of XML, which `parseMicroShaderXML` reads as the same chunks. @see thesis 3.2.6 */
+export function formatMicroShaderXML(chunks: readonly MicroShader[]): string {
+  const elements = chunks.map(({ name, stage, dependencies, header, main }) => {
+    const attributes = [
+      `name=${quoted(name)}`,
+      ...(stage === undefined ? [] : [`stage=${quoted(stage)}`]),
+      ...(dependencies.length > 0 ? [`dependencies=${quoted(dependencies.join(' '))}`] : []),
+    ];
+    const part = (tag: string, text: string): string => (text === '' ? '' : `    <${tag}>${cdata(text)}</${tag}>\n`);
+    return `  <microshader ${attributes.join(' ')}>\n${part('header', header)}${part('main', main)}  </microshader>\n`;
+  });
+  return `<?xml version="1.0" encoding="UTF-8"?>\n<microshaders>\n${elements.join('\n')}</microshaders>\n`;
+}

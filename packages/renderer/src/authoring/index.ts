@@ -1,0 +1,2 @@
+export { formatMicroShaderXML } from './formatMicroShaderXML';
+export { microShaderSources } from './microShaderSources';

@@ -1,0 +1,11 @@
+const files = import.meta.glob<string>('../microshaders/builtin/*.glsl', {
+  // the query keeps the build from taking the comments out
+  query: '?raw&commented',
+  import: 'default',
+  eager: true,
+});
+
+/** The text of each built-in microshader as it was written, comments and all, by name; line for line that which is drawn with. */
+export const microShaderSources: Readonly<Record<string, string>> = Object.fromEntries(
+  Object.entries(files).map(([path, text]) => [path.slice(path.lastIndexOf('/') + 1, -'.glsl'.length), text]),
+);
