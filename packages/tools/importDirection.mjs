@@ -8,7 +8,7 @@ import { parseSync } from 'vite';
  *
  * microshaders <- the rest of renderer; renderer and engine speak plain three; engine -> renderer; apps -> both;
  * nothing imports apps; the browser tests use published entry points only. The renderer's other entries plug it into one
- * library each, or are optional effects: its core knows none of them.
+ * library each, are optional effects, or serve editors: its core knows none of them.
  */
 export const importRules = [
   { from: 'packages/renderer/src/microshaders', may: ['packages/renderer/src/microshaders', 'three'] },
