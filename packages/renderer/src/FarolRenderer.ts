@@ -126,7 +126,7 @@ export class FarolRenderer {
     });
     this.frame = new Frame(webgl, this.lights, this.twins, this.uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
-    this.shadows = new ShadowMaps(webgl, Math.max(512, options.shadowAtlasSize ?? 8192));
+    this.shadows = new ShadowMaps(webgl, this.microshaders, Math.max(512, options.shadowAtlasSize ?? 8192));
     this.shadowDraws.stands = this.shadows.stands;
     this.timing = options.timing ?? false;
     this.technique = options.technique ?? 'auto';
@@ -280,7 +280,8 @@ export class FarolRenderer {
     masks[0] = lights.firstMask;
     masks[1] = this.shadows.records / RECORDS_PER_MASK;
     uniforms.farol_heatScale.value = 1 / this.heatMapMaximum;
-    uniforms.farol_shadowAtlas.value = this.shadows.atlas.texture;
+    uniforms.farol_shadowAtlas.value = this.shadows.depthTexture;
+    uniforms.farol_lightAtlas.value = this.shadows.colourTexture;
   }
 
   /** From the first light with a shadow on, shaders look for masks. */
@@ -380,7 +381,7 @@ export class FarolRenderer {
   }
 
   private targetBytes(): number {
-    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.bytes + this.shadows.atlas.bytes;
+    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.bytes + this.shadows.bytes;
     for (const passes of this.passLists.values()) for (const pass of passes) bytes += pass.bytes;
     for (const effect of this.effects) bytes += effect.bytes;
     return bytes;

@@ -5,6 +5,7 @@ export { views, type View } from './debug/views';
 export type { FarolEffect } from './FarolEffect';
 export type { FarolInfo, PassInfo } from './FarolInfo';
 export type { FarolAttenuation, FarolLightData, LinearRGB } from './lights/FarolLightData';
+export { setLightCookie } from './lights/lightCookie';
 export { GBuffer } from './gbuffer/GBuffer';
 export { gbufferLayout, type GBufferAttachment } from './gbuffer/gbufferLayout';
 export { WebGLMultipleRenderTargets } from './gbuffer/WebGLMultipleRenderTargets';

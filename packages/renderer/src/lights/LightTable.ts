@@ -353,7 +353,7 @@ export class LightTable {
     const at = record * FLOATS_PER_RECORD;
     this.axisOf(light, view);
     const extension = this.writeExtension(light);
-    const mask = light.castShadow ? this.maskOf(light) : 0;
+    const mask = this.mayBeMasked(light) ? this.maskOf(light) : 0;
     const { r, g, b } = light.color;
     const i = light.intensity;
     table.set4(at, target.x, target.y, target.z, 0);

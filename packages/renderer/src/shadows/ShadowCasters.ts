@@ -1,5 +1,8 @@
 import { type Camera, type LOD, type Mesh, type Object3D, Sphere } from 'three';
+import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
 import { casterSignature, isAnimatedCaster } from './casterSignature';
+import type { ShadowFace } from './ShadowFace';
+import type { ShadowSlot } from './ShadowSlot';
 
 /** One object that casts shadows, as it was when it was last seen. */
 export interface Caster {
@@ -143,4 +146,12 @@ function findSphere(object: Object3D, caster: Caster): void {
   caster.y = sphere.center.y;
   caster.z = sphere.center.z;
   caster.radius = sphere.radius;
+}
+
+/** True when a face of a light's map may see the caster. */
+export function isSeen(caster: Caster, slot: ShadowSlot, face: ShadowFace): boolean {
+  if ((caster.object.layers.mask & slot.layers) === 0) return false;
+  const { x, y, z, radius } = caster;
+  if (radius === Infinity) return true;
+  return !sphereOutsidePlanes(face.planes, x, y, z, radius) && (!slot.isCube || slot.reaches(x, y, z, radius));
 }

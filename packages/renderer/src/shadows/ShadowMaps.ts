@@ -1,87 +1,107 @@
 import {
   BasicShadowMap,
-  type BufferGeometry,
   type Camera,
+  DepthTexture,
+  HalfFloatType,
   type Light,
-  type Material,
-  type Mesh,
-  NoBlending,
+  LinearFilter,
+  NearestFilter,
   type Object3D,
+  RedFormat,
+  type Texture,
+  UnsignedIntType,
   VSMShadowMap,
   Vector3,
-  Vector4,
   type WebGLRenderer,
-  type WebGLRenderTarget,
+  WebGLRenderTarget,
 } from 'three';
 import type { DataTable } from '../lights/DataTable';
-import { FLOATS_PER_RECORD } from '../lights/lightRecord';
+import { cookieOf } from '../lights/lightCookie';
 import type { LightMasks } from '../lights/LightTable';
-import type { GeometryGroup } from '../RenderItem';
-import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
-import { CasterMaterials } from './CasterMaterials';
-import { casterStand } from './casterStand';
-import { RECORDS_PER_MASK, shadowKinds, writeMaskMatrix } from './maskRecord';
-import { ShadowAtlas } from './ShadowAtlas';
-import { ShadowCasters, type Caster } from './ShadowCasters';
-import type { ShadowFace } from './ShadowFace';
-import { CUBE_BORDER, type ShadowLight, ShadowSlot } from './ShadowSlot';
+import type { MicroShaderRegistry } from '../microshaders';
+import { CookieDraws } from './CookieDraws';
+import { CookieSlot } from './CookieSlot';
+import { RECORDS_PER_MASK, shadowKinds, writeMask } from './maskRecord';
+import { MomentDraws } from './MomentDraws';
+import { ShadowCasters } from './ShadowCasters';
+import { ShadowMapDraws } from './ShadowMapDraws';
+import { type ShadowLight, ShadowSlot } from './ShadowSlot';
+import { type AtlasTenant, TileAtlas } from './TileAtlas';
 
-/** Frames for which the map of a light that is not lit is kept. */
+/** Frames for which the tile of a light or image that is not lit is kept. */
 const KEPT_FRAMES = 600;
-/** Frames between looks at whose maps are halved, when the atlas is full. */
+/** Frames between looks at whose tiles are halved, when an atlas is full. */
 const REBALANCE = 60;
-
-type Draw = (
-  camera: Camera,
-  scene: null,
-  geometry: BufferGeometry,
-  material: Material,
-  object: Object3D,
-  group: GeometryGroup | null,
-) => void;
+/** Texels a side of the atlas of colours at most. */
+const LARGEST_COLOURS = 4096;
 
 const position = new Vector3();
-const rectangle = new Vector4();
-const depth = new Float32Array(1);
 
 /**
- * The shadow maps of all lights of a renderer, in one atlas: which of them are to be drawn this frame, and the drawing.
- * A map is kept until something that casts shadows changes within its view, or the light does.
+ * The shadow maps and cookies of all lights of a renderer, in two atlases: which of them are to be drawn this frame, and the
+ * drawing. A map is kept until something that casts shadows changes within its view, or the light does.
  */
 export class ShadowMaps implements LightMasks {
   records = 0;
-  /** Stand-ins of the casters that are drawn this frame, for three to bring their buffers up to date. */
-  readonly stands: Object3D[] = [];
-  /** Maps that this frame draws (a point light has one), and those that it lights with as they are. */
+  /** Maps that this frame draws (a point light has one of six faces), and those that it lights with as they are. */
   drawn = 0;
   kept = 0;
-  readonly atlas: ShadowAtlas;
   private readonly slots = new Map<Light, ShadowSlot>();
+  private readonly cookies = new Map<Texture, CookieSlot>();
   private readonly lit: ShadowSlot[] = [];
-  private readonly unlit: ShadowSlot[] = [];
   private readonly stale: ShadowSlot[] = [];
+  private readonly unlit: AtlasTenant[] = [];
+  private readonly mapped: AtlasTenant[] = [];
+  private readonly coloured: AtlasTenant[] = [];
+  private readonly staleCookies: CookieSlot[] = [];
   private readonly casters = new WeakMap<Object3D, ShadowCasters>();
-  private readonly materials: CasterMaterials;
-  private readonly draw: Draw;
-  private current: ShadowCasters | null = null;
-  private camera: Camera | null = null;
+  private readonly depths: TileAtlas;
+  private readonly colours: TileAtlas;
+  private readonly draws: ShadowMapDraws;
+  private readonly moments: MomentDraws;
+  private readonly images: CookieDraws;
   private type = -1;
   private frame = 0;
-  private count = 0;
+  private tenants = 0;
 
-  /** @param limit of the atlas, texels a side */
+  /** @param limit of the atlas of depths, texels a side */
   constructor(
     private readonly webgl: WebGLRenderer,
+    microshaders: MicroShaderRegistry,
     limit: number,
   ) {
-    this.atlas = new ShadowAtlas(Math.min(limit, webgl.capabilities.maxTextureSize));
-    this.materials = new CasterMaterials(webgl);
-    this.draw = webgl.renderBufferDirect as unknown as Draw;
+    const { maxTextureSize } = webgl.capabilities;
+    this.depths = new TileAtlas(Math.min(limit, maxTextureSize), 5, depthTarget);
+    this.colours = new TileAtlas(Math.min(LARGEST_COLOURS, maxTextureSize), 8, colourTarget);
+    this.draws = new ShadowMapDraws(webgl);
+    this.moments = new MomentDraws(webgl, microshaders, this.draws);
+    this.images = new CookieDraws(webgl, microshaders);
   }
 
-  /** True when the next frame has maps to draw. */
+  /** Depths of the maps, to be compared by the sampler; null before the first is drawn. */
+  get depthTexture(): Texture | null {
+    const draws = this.stale.length > 0 && this.type !== VSMShadowMap;
+    return draws || !this.isLost(this.depths) ? this.depths.texture : null;
+  }
+
+  /** Colours of cookies, moments of variance shadow maps; null before the first is drawn. */
+  get colourTexture(): Texture | null {
+    const draws = this.staleCookies.length > 0 || (this.stale.length > 0 && this.type === VSMShadowMap);
+    return draws || !this.isLost(this.colours) ? this.colours.texture : null;
+  }
+
+  get bytes(): number {
+    return this.depths.bytes + this.colours.bytes + this.moments.bytes;
+  }
+
+  /** True when the frame has maps or cookies to draw. */
   get hasWork(): boolean {
-    return this.stale.length > 0;
+    return this.stale.length + this.staleCookies.length > 0;
+  }
+
+  /** Stand-ins of the casters that are drawn this frame, for three to bring their buffers up to date. */
+  get stands(): readonly Object3D[] {
+    return this.draws.stands;
   }
 
   /**
@@ -90,24 +110,18 @@ export class ShadowMaps implements LightMasks {
    */
   update(root: Object3D, camera: Camera, lights: readonly Light[]): void {
     this.frame++;
-    this.lit.length = this.stale.length = this.stands.length = 0;
+    this.lit.length = this.stale.length = this.staleCookies.length = 0;
     this.records = this.drawn = this.kept = 0;
+    if (lights.length === 0 && this.slots.size === 0) return;
     const { shadowMap } = this.webgl;
-    this.camera = camera;
+    this.followType();
     for (const light of lights) this.addLight(light, root, camera);
-    if (this.lit.length === 0 && this.slots.size === 0) return;
-    if (shadowMap.type !== this.type) {
-      this.type = shadowMap.type;
-      for (const slot of this.slots.values()) slot.dirty = true;
-    }
     this.dropLost();
     this.findChanges(root, camera);
-    this.follow(shadowMap.autoUpdate || shadowMap.needsUpdate);
-    this.forget();
-    const changed = this.lit.length !== this.count;
-    this.count = this.lit.length;
-    this.atlas.arrange(this.lit, this.unlit, changed || this.frame % REBALANCE === 0);
-    this.findStale(shadowMap.autoUpdate || shadowMap.needsUpdate);
+    const updates = shadowMap.autoUpdate || shadowMap.needsUpdate;
+    this.follow(updates);
+    this.arrange();
+    this.findStale(updates);
   }
 
   recordOf(light: Light): number {
@@ -116,30 +130,29 @@ export class ShadowMaps implements LightMasks {
   }
 
   write(table: DataTable, first: number, camera: Camera): void {
-    for (const slot of this.lit) if (slot.record >= 0) this.writeSlot(table, first + slot.record, slot, camera);
+    const reversed = this.webgl.state.buffers.depth.getReversed();
+    for (const slot of this.lit) {
+      if (slot.record >= 0) writeMask(table, first + slot.record, slot, this.kindOf(slot), camera, reversed);
+    }
   }
 
-  /** Draws the maps that are to be drawn. Call inside three's `render`, where it draws its own. */
+  /** Draws what is to be drawn. Call inside three's `render`, where it draws its own shadow maps. */
   render(): void {
-    const { webgl, stale } = this;
-    const { state } = webgl;
+    const { webgl, stale, depths, colours } = this;
     const target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     const face = webgl.getActiveCubeFace();
     const level = webgl.getActiveMipmapLevel();
-    const reversed = state.buffers.depth.getReversed();
-    this.atlas.setReversed(reversed);
-    webgl.setRenderTarget(this.atlas.target);
-    state.setBlending(NoBlending);
-    state.buffers.depth.setTest(true);
-    depth[0] = reversed ? 0 : 1;
+    this.draws.setComparison(depths);
+    if (stale.length > 0 && this.type !== VSMShadowMap) webgl.setRenderTarget(depths.target);
     for (const slot of stale) {
-      for (const tile of slot.faces) this.drawFace(slot, tile);
+      if (this.type === VSMShadowMap) this.moments.render(slot, colours);
+      else for (const tile of slot.faces) this.draws.drawFace(slot, tile, tile.x, tile.y);
       slot.dirty = false;
       slot.drawn = slot.hadMap = true;
       const { shadow } = slot.light;
       if (shadow.needsUpdate) shadow.needsUpdate = false;
     }
-    state.setScissorTest(false);
+    for (const cookie of this.staleCookies) this.images.render(cookie, colours);
     webgl.setRenderTarget(target, face, level);
   }
 
@@ -150,19 +163,37 @@ export class ShadowMaps implements LightMasks {
   }
 
   dispose(): void {
-    this.atlas.dispose();
-    this.materials.dispose();
+    this.depths.dispose();
+    this.colours.dispose();
+    this.draws.dispose();
+    this.moments.dispose();
+    this.images.dispose();
     this.slots.clear();
+    this.cookies.clear();
+  }
+
+  /** Another type of maps is drawn otherwise, and variance shadow maps lie elsewhere. */
+  private followType(): void {
+    const { type } = this.webgl.shadowMap;
+    if (type === this.type) return;
+    const atlas = this.type === VSMShadowMap ? this.colours : this.depths;
+    const moves = (type === VSMShadowMap) !== (this.type === VSMShadowMap);
+    for (const slot of this.slots.values()) {
+      slot.dirty = true;
+      if (moves) atlas.release(slot);
+    }
+    this.type = type;
   }
 
   private addLight(anyLight: Light, root: Object3D, camera: Camera): void {
-    const { shadowMap } = this.webgl;
-    if (!anyLight.castShadow || !shadowMap.enabled) return;
+    const { enabled } = this.webgl.shadowMap;
     const light = anyLight as ShadowLight;
-    if (shadowMap.type === VSMShadowMap && light.isPointLight) return;
+    const casts = light.castShadow && enabled && !(this.type === VSMShadowMap && light.isPointLight === true);
+    const image = cookieOf(light);
+    if (!casts && image === null) return;
     let slot = this.slots.get(light);
     if (slot !== undefined && slot.shadow !== light.shadow) {
-      this.atlas.release(slot);
+      this.releaseMap(slot);
       slot = undefined;
     }
     if (slot === undefined) {
@@ -172,6 +203,8 @@ export class ShadowMaps implements LightMasks {
     slot.root = root;
     slot.used = this.frame;
     slot.coverage = coverageOf(light, camera);
+    slot.casts = casts;
+    slot.cookie = image === null ? null : this.cookieFor(image);
     const { mask } = light.shadow.camera.layers;
     const layers = (mask & 0xfffffffe) !== 0 ? mask : camera.layers.mask;
     if (slot.layers !== layers) {
@@ -181,12 +214,20 @@ export class ShadowMaps implements LightMasks {
     this.lit.push(slot);
   }
 
+  private cookieFor(image: Texture): CookieSlot {
+    let cookie = this.cookies.get(image);
+    if (cookie === undefined) this.cookies.set(image, (cookie = new CookieSlot(image)));
+    if (cookie.used !== this.frame) cookie.follow();
+    cookie.used = this.frame;
+    return cookie;
+  }
+
   /** Marks the maps that see something that changed; also those of lights that are not lit now. */
   private findChanges(root: Object3D, camera: Camera): void {
     let casters = this.casters.get(root);
     if (casters === undefined) this.casters.set(root, (casters = new ShadowCasters()));
     casters.update(root, camera, this.type === VSMShadowMap);
-    this.current = casters;
+    this.draws.begin(casters, camera, this.type === VSMShadowMap);
     const { changes, changed } = casters;
     for (const slot of this.slots.values()) {
       if (slot.root !== root) continue;
@@ -201,141 +242,108 @@ export class ShadowMaps implements LightMasks {
     for (const slot of this.lit) {
       const { shadow } = slot.light;
       if (shadow.needsUpdate) slot.dirty = true;
-      if (!slot.hadMap || (updates && (shadow.autoUpdate || shadow.needsUpdate))) slot.follow(reversed);
+      const follows = !slot.hadMap || slot.cookie !== null || (updates && (shadow.autoUpdate || shadow.needsUpdate));
+      if (follows) slot.follow(reversed);
     }
+  }
+
+  /** Gives everything that is lit its tile, and lets go of what has not been lit for long. */
+  private arrange(): void {
+    const { mapped, coloured, unlit } = this;
+    const vsm = this.type === VSMShadowMap;
+    mapped.length = coloured.length = unlit.length = 0;
+    for (const slot of this.slots.values()) {
+      if (slot.used === this.frame) {
+        if (slot.casts) (vsm ? coloured : mapped).push(slot);
+        continue;
+      }
+      slot.record = -1;
+      if (this.frame - slot.used > KEPT_FRAMES) {
+        this.releaseMap(slot);
+        this.slots.delete(slot.light);
+      } else unlit.push(slot);
+    }
+    const keptMaps = vsm ? NONE : unlit;
+    const count = mapped.length + coloured.length;
+    const look = count !== this.tenants || this.frame % REBALANCE === 0;
+    this.tenants = count;
+    this.depths.arrange(mapped, keptMaps, look);
+    if (!vsm) unlit.length = 0;
+    for (const cookie of this.cookies.values()) {
+      if (cookie.used === this.frame) coloured.push(cookie);
+      else if (this.frame - cookie.used > KEPT_FRAMES) {
+        this.colours.release(cookie);
+        this.cookies.delete(cookie.texture);
+      } else unlit.push(cookie);
+    }
+    this.colours.arrange(coloured, unlit, look);
   }
 
   private findStale(updates: boolean): void {
     for (const slot of this.lit) {
       const { shadow } = slot.light;
       const may = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (slot.hadMap && !slot.drawn);
-      if (slot.tile !== null && may && (slot.dirty || !slot.drawn)) {
+      // a light whose first map may not be drawn yet casts no shadow
+      slot.shows = slot.casts && slot.tile !== null && (slot.drawn || may);
+      if (slot.shows && may && (slot.dirty || !slot.drawn)) {
         this.stale.push(slot);
         this.drawn++;
-        for (const face of slot.faces) this.prepare(slot, face);
-      } else if (slot.drawn) this.kept++;
-      // a light whose first map may not be drawn yet casts no shadow
-      slot.record = slot.tile !== null && (slot.drawn || may) ? this.records : -1;
+        for (const face of slot.faces) this.draws.prepare(slot, face);
+      } else if (slot.shows) this.kept++;
+      slot.record = slot.shows || slot.cookie !== null ? this.records : -1;
       if (slot.record >= 0) this.records += RECORDS_PER_MASK;
+    }
+    for (const cookie of this.cookies.values()) {
+      if (cookie.used === this.frame && cookie.tile !== null && !cookie.drawn) this.staleCookies.push(cookie);
     }
   }
 
-  private forget(): void {
-    this.unlit.length = 0;
-    for (const slot of this.slots.values()) {
-      if (slot.used === this.frame) continue;
-      slot.record = -1;
-      this.unlit.push(slot);
-      if (this.frame - slot.used <= KEPT_FRAMES) continue;
-      this.atlas.release(slot);
-      this.slots.delete(slot.light);
-    }
+  private kindOf(slot: ShadowSlot): number {
+    if (!slot.shows) return shadowKinds.none;
+    if (this.type === VSMShadowMap) return shadowKinds.vsm;
+    if (this.type === BasicShadowMap) return slot.isCube ? shadowKinds.cubeBasic : shadowKinds.basic;
+    return slot.isCube ? shadowKinds.cubePcf : shadowKinds.pcf;
+  }
+
+  private releaseMap(slot: ShadowSlot): void {
+    (this.type === VSMShadowMap ? this.colours : this.depths).release(slot);
   }
 
   /** A lost context takes the maps along. */
   private dropLost(): void {
-    const { texture } = this.atlas;
-    if (texture === null) return;
-    const { __webglTexture } = this.webgl.properties.get(texture) as { __webglTexture?: WebGLTexture };
-    if (__webglTexture === undefined) for (const slot of this.slots.values()) slot.drawn = false;
-  }
-
-  /** Has three bring the buffers of what a face will draw up to date. */
-  private prepare(slot: ShadowSlot, face: ShadowFace): void {
-    const { list, count } = this.current!;
-    for (let i = 0; i < count; i++) {
-      const caster = list[i];
-      if (caster.prepared === this.frame || !isSeen(caster, slot, face)) continue;
-      caster.prepared = this.frame;
-      caster.stand ??= casterStand(caster.object);
-      this.stands.push(caster.stand);
+    if (this.isLost(this.depths) || this.isLost(this.colours)) {
+      for (const slot of this.slots.values()) slot.drawn = false;
+      for (const cookie of this.cookies.values()) cookie.drawn = false;
     }
   }
 
-  private drawFace(slot: ShadowSlot, face: ShadowFace): void {
-    const { webgl } = this;
-    const { state } = webgl;
-    rectangle.set(face.x, face.y, face.width, face.height);
-    state.viewport(rectangle);
-    state.scissor(rectangle);
-    state.setScissorTest(true);
-    state.buffers.depth.setMask(true);
-    const gl = webgl.getContext() as WebGL2RenderingContext;
-    gl.clearBufferfv(gl.DEPTH, 0, depth);
-    const { list, count } = this.current!;
-    for (let i = 0; i < count; i++) if (isSeen(list[i], slot, face)) this.drawCaster(list[i].object, slot, face);
-  }
-
-  private drawCaster(object: Object3D, slot: ShadowSlot, face: ShadowFace): void {
-    const { geometry, material } = object as Mesh;
-    object.modelViewMatrix.multiplyMatrices(face.camera.matrixWorldInverse, object.matrixWorld);
-    if (!Array.isArray(material)) {
-      if (material.visible) this.drawPart(object, geometry, material, null, slot, face);
-      return;
-    }
-    for (const group of geometry.groups) {
-      const part = material[group.materialIndex ?? 0] as Material | undefined;
-      if (part?.visible) this.drawPart(object, geometry, part, group, slot, face);
-    }
-  }
-
-  private drawPart(
-    object: Object3D,
-    geometry: BufferGeometry,
-    source: Material,
-    group: GeometryGroup | null,
-    slot: ShadowSlot,
-    face: ShadowFace,
-  ): void {
-    const { webgl } = this;
-    const material = this.materials.get(object, source, slot.light, this.type === VSMShadowMap);
-    const before = object.onBeforeShadow as unknown as ShadowCallback;
-    const after = object.onAfterShadow as unknown as ShadowCallback;
-    before.call(object, webgl, object, this.camera!, face.camera, geometry, material, group);
-    this.draw(face.camera, null, geometry, material, object, group);
-    after.call(object, webgl, object, this.camera!, face.camera, geometry, material, group);
-  }
-
-  private writeSlot(table: DataTable, record: number, slot: ShadowSlot, camera: Camera): void {
-    const { tile, isPoint, light, near, far } = slot;
-    const { shadow } = light;
-    const reversed = this.webgl.state.buffers.depth.getReversed();
-    const at = record * FLOATS_PER_RECORD;
-    writeMaskMatrix(table, record, slot.matrix, camera);
-    const bias = reversed ? -shadow.bias : shadow.bias;
-    const basic = this.type === BasicShadowMap;
-    if (isPoint) table.set4(at + 16, tile!.x, tile!.y, slot.faceWidth, slot.faceWidth + 2 * CUBE_BORDER);
-    else table.set4(at + 16, tile!.x, tile!.y, slot.faceWidth, slot.faceHeight);
-    table.set4(at + 20, bias, shadow.normalBias, shadow.radius, shadow.intensity);
-    const kind = isPoint
-      ? basic
-        ? shadowKinds.cubeBasic
-        : shadowKinds.cubePcf
-      : basic
-        ? shadowKinds.basic
-        : shadowKinds.pcf;
-    table.set4(at + 24, kind, shadow.mapSize.x, shadow.mapSize.y, 0);
-    const depthRange = far - near;
-    if (reversed) table.set4(at + 28, -near / depthRange + bias, (near * far) / depthRange, near, far);
-    else table.set4(at + 28, far / depthRange + bias, (-near * far) / depthRange, near, far);
+  private isLost({ texture }: TileAtlas): boolean {
+    if (texture === null) return false;
+    return (this.webgl.properties.get(texture) as { __webglTexture?: WebGLTexture }).__webglTexture === undefined;
   }
 }
 
-type ShadowCallback = (
-  renderer: WebGLRenderer,
-  object: Object3D,
-  camera: Camera,
-  shadowCamera: Camera,
-  geometry: BufferGeometry,
-  material: Material,
-  group: GeometryGroup | null,
-) => void;
+const NONE: readonly AtlasTenant[] = [];
 
-function isSeen(caster: Caster, slot: ShadowSlot, face: ShadowFace): boolean {
-  if ((caster.object.layers.mask & slot.layers) === 0) return false;
-  const { x, y, z, radius } = caster;
-  if (radius === Infinity) return true;
-  return !sphereOutsidePlanes(face.planes, x, y, z, radius) && (!slot.isPoint || slot.reaches(x, y, z, radius));
+function depthTarget(size: number): WebGLRenderTarget {
+  const depthTexture = new DepthTexture(size, size, UnsignedIntType);
+  depthTexture.name = 'Farol shadow maps';
+  depthTexture.minFilter = depthTexture.magFilter = LinearFilter;
+  return new WebGLRenderTarget(size, size, {
+    format: RedFormat,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    depthTexture,
+  });
+}
+
+function colourTarget(size: number): WebGLRenderTarget {
+  return new WebGLRenderTarget(size, size, {
+    type: HalfFloatType,
+    minFilter: LinearFilter,
+    magFilter: LinearFilter,
+    depthBuffer: false,
+  });
 }
 
 /** Share of the picture that a light covers, roughly, 0 to 1. */

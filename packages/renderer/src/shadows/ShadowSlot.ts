@@ -12,6 +12,8 @@ import {
 } from 'three';
 import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
 import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
+import type { CookieSlot } from './CookieSlot';
+import { type AtlasTenant, CUBE_BORDER } from './TileAtlas';
 import type { Tile } from './TilePacker';
 
 /** Lights that three lets cast shadows. */
@@ -23,9 +25,6 @@ export type ShadowLight = (PointLight | SpotLight | DirectionalLight) & {
 type ShadowCamera = PerspectiveCamera & OrthographicCamera & { _reversedDepth: boolean };
 type OwnShadow = LightShadow & { updateMatrices(light: ShadowLight): void; _frustum: Frustum };
 
-/** Texels round each face of a cube, from what lies beside it, so that filters cross its edges. */
-export const CUBE_BORDER = 1;
-
 const CAMERA_NUMBERS = ['near', 'zoom', 'left', 'right', 'top', 'bottom'] as const;
 const position = new Vector3();
 
@@ -33,8 +32,8 @@ const position = new Vector3();
  * The shadow map of one light: its private cameras, where its tile lies, and whether that still holds. What three would
  * change of the light's own shadow (camera, matrix) is changed on a stand-in that inherits its settings.
  */
-export class ShadowSlot {
-  readonly isPoint: boolean;
+export class ShadowSlot implements AtlasTenant {
+  readonly isCube: boolean;
   /** The light's own, which is only read. */
   readonly shadow: LightShadow;
   /** The scene in which it was last lit. */
@@ -66,13 +65,19 @@ export class ShadowSlot {
   used = 0;
   /** Layers of the casters. */
   layers = 1;
+  /** The light casts shadows. */
+  casts = false;
+  /** It does in this frame. */
+  shows = false;
+  /** The image that it throws. */
+  cookie: CookieSlot | null = null;
   /** Place of its mask record in the frame, -1 for none. */
   record = -1;
   private readonly own: OwnShadow;
   private readonly before = new Float64Array(18);
 
   constructor(readonly light: ShadowLight) {
-    this.isPoint = light.isPointLight === true;
+    this.isCube = light.isPointLight === true;
     const shadow = light.shadow as unknown as OwnShadow;
     this.shadow = shadow;
     this.own = Object.create(shadow) as OwnShadow;
@@ -80,7 +85,7 @@ export class ShadowSlot {
     this.define('camera', camera);
     this.define('matrix', this.matrix);
     this.define('_frustum', new Frustum());
-    this.faces = this.isPoint ? makeCubeFaces() : [new ShadowFace(camera)];
+    this.faces = this.isCube ? makeCubeFaces() : [new ShadowFace(camera)];
   }
 
   /** Texels a side that the light's map has by its own settings. */
@@ -88,12 +93,12 @@ export class ShadowSlot {
     return Math.max(1, Math.round(this.light.shadow.mapSize.x));
   }
   get wantedHeight(): number {
-    return Math.max(1, Math.round(this.isPoint ? this.light.shadow.mapSize.x : this.light.shadow.mapSize.y));
+    return Math.max(1, Math.round(this.isCube ? this.light.shadow.mapSize.x : this.light.shadow.mapSize.y));
   }
 
   /** Follows the light and its settings; the slot is dirty when its view changed. */
   follow(reversedDepth: boolean): void {
-    if (this.isPoint) this.followPoint(reversedDepth);
+    if (this.isCube) this.followPoint(reversedDepth);
     else this.followMap(reversedDepth);
     const { before, matrix } = this;
     let same = before[16] === this.near && before[17] === this.far;
@@ -106,13 +111,13 @@ export class ShadowSlot {
     before[17] = this.far;
     if (same) return;
     this.dirty = true;
-    if (this.isPoint && this.faceWidth > 0) this.aimFaces();
+    if (this.isCube && this.faceWidth > 0) this.aimFaces();
   }
 
   /** True when a sphere (world space, m) may be in one of the maps. */
   reaches(x: number, y: number, z: number, radius: number): boolean {
     if (radius === Infinity) return true;
-    if (!this.isPoint) return !sphereOutsidePlanes(this.faces[0].planes, x, y, z, radius);
+    if (!this.isCube) return !sphereOutsidePlanes(this.faces[0].planes, x, y, z, radius);
     // beyond a range nothing is lit; without one, the corners of the cube of far planes count
     const e = this.matrix.elements;
     const reach = radius + this.far * ((this.light as PointLight).distance > 0 ? 1 : Math.sqrt(3));
@@ -129,15 +134,15 @@ export class ShadowSlot {
     this.faceHeight = faceHeight;
     this.dirty = true;
     this.drawn = false;
-    const width = this.isPoint ? faceWidth + 2 * CUBE_BORDER : faceWidth;
-    const height = this.isPoint ? faceHeight + 2 * CUBE_BORDER : faceHeight;
+    const width = this.isCube ? faceWidth + 2 * CUBE_BORDER : faceWidth;
+    const height = this.isCube ? faceHeight + 2 * CUBE_BORDER : faceHeight;
     this.faces.forEach((face, i) => {
       face.x = tile.x + (i % 3) * width;
       face.y = tile.y + Math.floor(i / 3) * height;
       face.width = width;
       face.height = height;
     });
-    if (this.isPoint) this.aimFaces();
+    if (this.isCube) this.aimFaces();
   }
 
   private followMap(reversedDepth: boolean): void {

@@ -1,6 +1,8 @@
 import { Matrix4, type Camera } from 'three';
 import type { DataTable } from '../lights/DataTable';
 import { FLOATS_PER_RECORD } from '../lights/lightRecord';
+import type { ShadowSlot } from './ShadowSlot';
+import { CUBE_BORDER } from './TileAtlas';
 
 /**
  * A mask in the light table: what a shadow map and a cookie let through of a light. Three records of four texels:
@@ -22,9 +24,37 @@ export const shadowKinds = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4
 
 const matrix = new Matrix4();
 
-/** Writes texels 0 to 3: a matrix from world space, for positions in view space. */
-export function writeMaskMatrix(table: DataTable, record: number, fromWorld: Matrix4, camera: Camera): void {
+/**
+ * Writes the mask of a light, for positions in view space.
+ * @param kind of its shadow, one of `shadowKinds`
+ * @param reversed the depth buffer is
+ */
+export function writeMask(
+  table: DataTable,
+  record: number,
+  slot: ShadowSlot,
+  kind: number,
+  camera: Camera,
+  reversed: boolean,
+): void {
+  const { tile, cookie, isCube, near, far, faceWidth, faceHeight } = slot;
+  const { shadow } = slot.light;
   const at = record * FLOATS_PER_RECORD;
-  const e = matrix.multiplyMatrices(fromWorld, camera.matrixWorld).elements;
+  const e = matrix.multiplyMatrices(slot.matrix, camera.matrixWorld).elements;
   for (let i = 0; i < 16; i += 4) table.set4(at + i, e[i], e[i + 1], e[i + 2], e[i + 3]);
+  const second = isCube ? faceWidth + 2 * CUBE_BORDER : faceHeight;
+  table.set4(at + 16, tile?.x ?? 0, tile?.y ?? 0, faceWidth, second);
+  const bias = reversed ? -shadow.bias : shadow.bias;
+  table.set4(at + 20, bias, kind === shadowKinds.none ? 0 : shadow.normalBias, shadow.radius, shadow.intensity);
+  const cookieKind = cookie === null || cookie.tile === null ? 0 : cookie.isCube ? 2 : 1;
+  table.set4(at + 24, kind, shadow.mapSize.x, shadow.mapSize.y, cookieKind);
+  const depthRange = far - near;
+  if (reversed) table.set4(at + 28, -near / depthRange + bias, (near * far) / depthRange, near, far);
+  else table.set4(at + 28, far / depthRange + bias, (-near * far) / depthRange, near, far);
+  if (cookieKind === 0) table.set4(at + 32, 0, 0, 1, 1);
+  else {
+    const { x, y } = cookie!.tile!;
+    const size = cookie!.faceWidth;
+    table.set4(at + 32, x, y, size, cookieKind === 2 ? size + 2 * CUBE_BORDER : cookie!.faceHeight);
+  }
 }

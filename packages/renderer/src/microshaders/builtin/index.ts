@@ -3,6 +3,7 @@ import { parseMicroShader } from '../parseMicroShader';
 import accumulatedOutput from './accumulatedOutput.glsl?raw';
 import ambientLight from './ambientLight.glsl?raw';
 import background from './background.glsl?raw';
+import cookieTile from './cookieTile.glsl?raw';
 import countView from './countView.glsl?raw';
 import deferredOutput from './deferredOutput.glsl?raw';
 import depthOnly from './depthOnly.glsl?raw';
@@ -43,6 +44,7 @@ import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import sumLight from './sumLight.glsl?raw';
 import shadowMask from './shadowMask.glsl?raw';
+import shadowMoments from './shadowMoments.glsl?raw';
 import surfaceView from './surfaceView.glsl?raw';
 import thinGBufferRead from './thinGBufferRead.glsl?raw';
 import thinGBufferWrite from './thinGBufferWrite.glsl?raw';
@@ -62,6 +64,7 @@ const sources = {
   accumulatedOutput,
   ambientLight,
   background,
+  cookieTile,
   countView,
   deferredOutput,
   depthOnly,
@@ -102,6 +105,7 @@ const sources = {
   shadeThree,
   sumLight,
   shadowMask,
+  shadowMoments,
   surfaceView,
   thinGBufferRead,
   thinGBufferWrite,

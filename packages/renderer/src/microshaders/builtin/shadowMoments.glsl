@@ -1,0 +1,29 @@
+// Mean and standard deviation of the depths of a shadow map, blurred down its columns; then (FAROL_ACROSS) across its rows.
+// three.js r187 vsm; Donnelly and Lauritzen 2006, Variance Shadow Maps
+uniform highp sampler2D farol_momentSource;
+uniform highp vec4 farol_momentTile; // corner of what is drawn, size of the map (texels)
+uniform highp vec3 farol_momentBlur; // radius (texels), samples
+layout(location = 0) out highp vec4 farol_moments;
+//# main
+vec2 at = gl_FragCoord.xy - farol_momentTile.xy;
+vec2 last = farol_momentTile.zw - 0.5;
+float samples = farol_momentBlur.y;
+float mean = 0.0;
+float squaredMean = 0.0;
+for (float i = 0.0; i < samples; i++) {
+  float offset = samples <= 1.0 ? 0.0 : (i * 2.0 / (samples - 1.0) - 1.0) * farol_momentBlur.x;
+#ifdef FAROL_ACROSS
+  vec2 texel = clamp(at + vec2(offset, 0.0), vec2(0.5), last);
+  vec2 moments = textureLod(farol_momentSource, texel / vec2(textureSize(farol_momentSource, 0)), 0.0).rg;
+  mean += moments.x;
+  squaredMean += moments.y * moments.y + moments.x * moments.x;
+#else
+  vec2 texel = clamp(at + vec2(0.0, offset), vec2(0.5), last);
+  float depth = texelFetch(farol_momentSource, ivec2(texel), 0).r;
+  mean += depth;
+  squaredMean += depth * depth;
+#endif
+}
+mean /= samples;
+squaredMean /= samples;
+farol_moments = vec4(mean, sqrt(max(0.0, squaredMean - mean * mean)), 0.0, 1.0);

@@ -1,0 +1,141 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  GreaterEqualCompare,
+  LessEqualCompare,
+  type Material,
+  type Mesh,
+  type Object3D,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
+import type { GeometryGroup } from '../RenderItem';
+import { CasterMaterials } from './CasterMaterials';
+import { casterStand } from './casterStand';
+import { type Caster, isSeen, type ShadowCasters } from './ShadowCasters';
+import type { ShadowFace } from './ShadowFace';
+import type { ShadowSlot } from './ShadowSlot';
+import type { TileAtlas } from './TileAtlas';
+
+export type Draw = (
+  camera: Camera,
+  scene: null,
+  geometry: BufferGeometry,
+  material: Material,
+  object: Object3D,
+  group: GeometryGroup | null,
+) => void;
+
+type ShadowCallback = (
+  renderer: WebGLRenderer,
+  object: Object3D,
+  camera: Camera,
+  shadowCamera: Camera,
+  geometry: BufferGeometry,
+  material: Material,
+  group: GeometryGroup | null,
+) => void;
+
+const rectangle = new Vector4();
+const depth = new Float32Array(1);
+
+/** Draws casters into the tiles of shadow maps as three's WebGLShadowMap would. Call inside three's `render`. */
+export class ShadowMapDraws {
+  /** Stand-ins of the casters that are drawn this frame, for three to bring their buffers up to date. */
+  readonly stands: Object3D[] = [];
+  private readonly materials: CasterMaterials;
+  private readonly draw: Draw;
+  private readonly gl: WebGL2RenderingContext;
+  private casters: ShadowCasters | null = null;
+  private camera: Camera | null = null;
+  private bothSides = false;
+  private frame = 0;
+
+  constructor(private readonly webgl: WebGLRenderer) {
+    this.materials = new CasterMaterials(webgl);
+    this.draw = webgl.renderBufferDirect as unknown as Draw;
+    this.gl = webgl.getContext() as WebGL2RenderingContext;
+  }
+
+  /**
+   * Begins a frame.
+   * @param bothSides the sides that are seen cast shadows, as for variance shadow maps
+   */
+  begin(casters: ShadowCasters, camera: Camera, bothSides: boolean): void {
+    this.casters = casters;
+    this.camera = camera;
+    this.bothSides = bothSides;
+    this.frame++;
+    this.stands.length = 0;
+  }
+
+  /** Has three bring the buffers of what a face will draw up to date. */
+  prepare(slot: ShadowSlot, face: ShadowFace): void {
+    const { list, count } = this.casters!;
+    for (let i = 0; i < count; i++) {
+      const caster = list[i];
+      if (caster.prepared === this.frame || !isSeen(caster, slot, face)) continue;
+      caster.prepared = this.frame;
+      caster.stand ??= casterStand(caster.object);
+      this.stands.push(caster.stand);
+    }
+  }
+
+  /** Has the sampler of an atlas of depths compare as the depth buffer is kept. */
+  setComparison(atlas: TileAtlas): void {
+    const texture = atlas.target?.depthTexture;
+    const wanted = this.webgl.state.buffers.depth.getReversed() ? GreaterEqualCompare : LessEqualCompare;
+    if (texture && texture.compareFunction !== wanted) texture.compareFunction = wanted;
+  }
+
+  /** Draws one face into the bound target: clears its rectangle, then the casters that it sees. */
+  drawFace(slot: ShadowSlot, face: ShadowFace, x: number, y: number): void {
+    const { state } = this.webgl;
+    rectangle.set(x, y, face.width, face.height);
+    state.viewport(rectangle);
+    state.scissor(rectangle);
+    state.setScissorTest(true);
+    state.buffers.depth.setTest(true);
+    state.buffers.depth.setMask(true);
+    depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
+    this.gl.clearBufferfv(this.gl.DEPTH, 0, depth);
+    const { list, count } = this.casters!;
+    for (let i = 0; i < count; i++) if (isSeen(list[i], slot, face)) this.drawCaster(list[i], slot, face);
+    state.setScissorTest(false);
+  }
+
+  dispose(): void {
+    this.materials.dispose();
+  }
+
+  private drawCaster({ object }: Caster, slot: ShadowSlot, face: ShadowFace): void {
+    const { geometry, material } = object as Mesh;
+    object.modelViewMatrix.multiplyMatrices(face.camera.matrixWorldInverse, object.matrixWorld);
+    if (!Array.isArray(material)) {
+      if (material.visible) this.drawPart(object, geometry, material, null, slot, face);
+      return;
+    }
+    for (const group of geometry.groups) {
+      const part = material[group.materialIndex ?? 0] as Material | undefined;
+      if (part?.visible) this.drawPart(object, geometry, part, group, slot, face);
+    }
+  }
+
+  private drawPart(
+    object: Object3D,
+    geometry: BufferGeometry,
+    source: Material,
+    group: GeometryGroup | null,
+    slot: ShadowSlot,
+    face: ShadowFace,
+  ): void {
+    const { webgl } = this;
+    const camera = this.camera!;
+    const material = this.materials.get(object, source, slot.light, this.bothSides);
+    const before = object.onBeforeShadow as unknown as ShadowCallback;
+    const after = object.onAfterShadow as unknown as ShadowCallback;
+    before.call(object, webgl, object, camera, face.camera, geometry, material, group);
+    this.draw(face.camera, null, geometry, material, object, group);
+    after.call(object, webgl, object, camera, face.camera, geometry, material, group);
+  }
+}

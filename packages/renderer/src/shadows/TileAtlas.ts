@@ -1,0 +1,218 @@
+import type { Texture, WebGLRenderTarget } from 'three';
+import { TilePacker, type Tile } from './TilePacker';
+
+/** Texels round each face of a cube, from what lies beside it, so that filters cross its edges. */
+export const CUBE_BORDER = 1;
+
+/** What has a tile in an atlas: a map, or the six faces of a cube, three by two, with borders. */
+export interface AtlasTenant {
+  readonly isCube: boolean;
+  /** Texels a side that are asked for. */
+  readonly wantedWidth: number;
+  readonly wantedHeight: number;
+  /** Share of the picture that it matters for, 0 to 1. */
+  readonly coverage: number;
+  /** The place of all faces together. */
+  tile: Tile | null;
+  /** Texels a side of a face that the tile was made for. */
+  faceWidth: number;
+  faceHeight: number;
+  /** How often the size asked for is halved, since the atlas is full, and how often it was before the last look. */
+  halvings: number;
+  halved: number;
+  /** The tile holds what it should. */
+  drawn: boolean;
+  /** Takes a place; what it holds is to be drawn anew. */
+  place(tile: Tile, faceWidth: number, faceHeight: number): void;
+}
+
+/** Texels a side of the smallest atlas. */
+const SMALLEST = 512;
+/** Texels a side below which a map is not halved. */
+const SMALLEST_MAP = 32;
+/** Part of the atlas that tiles of mixed sizes are counted on to fill. */
+const FILLED = 0.9;
+
+/**
+ * One texture in which every shadow map (or image) has a tile, of the size that is asked for. It grows with what is asked
+ * of it, up to a limit; then the tiles of lights that cover least of the picture for their size are halved.
+ */
+export class TileAtlas {
+  target: WebGLRenderTarget | null = null;
+  private readonly packer = new TilePacker(SMALLEST);
+  private readonly order: AtlasTenant[] = [];
+  private reduced = false;
+  /** Part of the largest atlas that maps are reduced to: less after they did not fit. */
+  private filled = FILLED;
+
+  /**
+   * @param limit texels a side at most
+   * @param bytesPerTexel of its target
+   * @param make a target of so many texels a side
+   */
+  constructor(
+    public limit: number,
+    private readonly bytesPerTexel: number,
+    private readonly make: (size: number) => WebGLRenderTarget,
+  ) {}
+
+  /** What shaders read: depth if the target has a texture of it; null while there is no target. */
+  get texture(): Texture | null {
+    return this.target?.depthTexture ?? this.target?.texture ?? null;
+  }
+
+  get bytes(): number {
+    return this.target === null ? 0 : this.target.width * this.target.height * this.bytesPerTexel;
+  }
+
+  /**
+   * Gives every tenant a tile of the size that it asks for, or a half, a quarter… of it where there is no room.
+   * @param tenants those of lit lights
+   * @param kept tiles of lights that are not lit now; they are taken when room is needed
+   * @param rebalance looks again at who has been reduced
+   */
+  arrange(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[], rebalance: boolean): void {
+    if (tenants.length === 0) return;
+    if (this.target === null) this.resize(SMALLEST);
+    if (rebalance && this.reduced && this.reduce(tenants)) {
+      this.repack(tenants, kept);
+      return;
+    }
+    for (const tenant of tenants) {
+      const width = mapWidth(tenant, this.limit);
+      const height = mapHeight(tenant, this.limit);
+      if (tenant.tile !== null && tenant.faceWidth === width && tenant.faceHeight === height) continue;
+      this.release(tenant);
+      if (this.tryPlace(tenant, width, height)) continue;
+      this.repack(tenants, kept);
+      return;
+    }
+  }
+
+  /** Gives a tenant's tile back. */
+  release(tenant: AtlasTenant): void {
+    if (tenant.tile === null) return;
+    this.packer.release(tenant.tile);
+    tenant.tile = null;
+    tenant.drawn = false;
+  }
+
+  dispose(): void {
+    this.target?.depthTexture?.dispose();
+    this.target?.dispose();
+    this.target = null;
+  }
+
+  private tryPlace(tenant: AtlasTenant, width: number, height: number): boolean {
+    const tile = this.packer.place(blockWidth(tenant, width), blockHeight(tenant, height));
+    if (tile !== null) tenant.place(tile, width, height);
+    return tile !== null;
+  }
+
+  /** Places all anew, the largest first, in the smallest atlas that has room, with maps halved where the largest has none. */
+  private repack(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[]): void {
+    const { limit, order } = this;
+    for (const tenant of kept) {
+      tenant.tile = null;
+      tenant.drawn = false;
+    }
+    order.length = 0;
+    for (const tenant of tenants) order.push(tenant);
+    this.filled = FILLED;
+    for (;;) {
+      this.reduce(tenants);
+      let area = 0;
+      for (const tenant of tenants) area += areaOf(tenant, limit);
+      order.sort((a, b) => blockHeight(b, mapHeight(b, limit)) - blockHeight(a, mapHeight(a, limit)));
+      let size = this.target!.width;
+      while (size < limit && size * size * FILLED < area) size *= 2;
+      while (!this.placeAll(Math.min(size, limit)) && size < limit) size *= 2;
+      size = Math.min(size, limit);
+      if (size !== this.target!.width) this.resize(size);
+      if (order.every((tenant) => tenant.tile !== null) || this.filled < 0.2) return;
+      this.filled *= 0.9;
+    }
+  }
+
+  /**
+   * Halves the maps that have most texels for what their lights cover of the picture, until all may fit.
+   * @returns whether any map's size changed by that
+   */
+  private reduce(tenants: readonly AtlasTenant[]): boolean {
+    const { limit } = this;
+    let area = 0;
+    for (const tenant of tenants) {
+      tenant.halved = tenant.halvings;
+      tenant.halvings = 0;
+      area += areaOf(tenant, limit);
+    }
+    this.reduced = false;
+    while (area > limit * limit * this.filled) {
+      const freed = this.halve(tenants);
+      if (freed === 0) break;
+      area -= freed;
+    }
+    return tenants.some((tenant) => tenant.halved !== tenant.halvings);
+  }
+
+  private placeAll(size: number): boolean {
+    const { limit, packer, order } = this;
+    packer.clear(size);
+    for (const tenant of order) tenant.tile = null;
+    for (const tenant of order) {
+      tenant.drawn = false;
+      if (!this.tryPlace(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) return false;
+    }
+    return true;
+  }
+
+  /** Halves the map that has most texels for what its light covers of the picture. @returns the texels freed */
+  private halve(tenants: readonly AtlasTenant[]): number {
+    let worst: AtlasTenant | null = null;
+    let most = 0;
+    for (const tenant of tenants) {
+      if (Math.min(mapWidth(tenant, this.limit), mapHeight(tenant, this.limit)) <= SMALLEST_MAP) continue;
+      const waste = areaOf(tenant, this.limit) / Math.max(tenant.coverage, 1e-4);
+      if (waste <= most) continue;
+      most = waste;
+      worst = tenant;
+    }
+    if (worst === null) return 0;
+    const before = areaOf(worst, this.limit);
+    worst.halvings++;
+    this.reduced = true;
+    return before - areaOf(worst, this.limit);
+  }
+
+  private resize(size: number): void {
+    this.dispose();
+    if (this.packer.size !== size) this.packer.clear(size);
+    this.target = this.make(size);
+  }
+}
+
+function mapWidth(tenant: AtlasTenant, limit: number): number {
+  return sideOf(tenant.wantedWidth, tenant, limit);
+}
+
+function mapHeight(tenant: AtlasTenant, limit: number): number {
+  return sideOf(tenant.wantedHeight, tenant, limit);
+}
+
+/** Texels a side of a face: as the light asks, but no more than fit alone, halved as there is need. */
+function sideOf(wanted: number, tenant: AtlasTenant, limit: number): number {
+  const most = tenant.isCube ? Math.floor(limit / 3) - 2 * CUBE_BORDER : limit;
+  return Math.max(1, Math.min(wanted, most) >> tenant.halvings);
+}
+
+function blockWidth(tenant: AtlasTenant, face: number): number {
+  return tenant.isCube ? 3 * (face + 2 * CUBE_BORDER) : face;
+}
+
+function blockHeight(tenant: AtlasTenant, face: number): number {
+  return tenant.isCube ? 2 * (face + 2 * CUBE_BORDER) : face;
+}
+
+function areaOf(tenant: AtlasTenant, limit: number): number {
+  return blockWidth(tenant, mapWidth(tenant, limit)) * blockHeight(tenant, mapHeight(tenant, limit));
+}
