@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
-import type { WebGLRenderer } from 'three';
+import type { AttachedEditor } from '@farol/attach';
+import type { Camera, Scene, WebGLRenderer } from 'three';
 import type { FarolRenderer } from '@farol/renderer';
 import type { FloatImage } from './images';
 
@@ -9,6 +10,11 @@ export interface ExampleHandle {
   readonly farol: FarolRenderer;
   readonly webgl: WebGLRenderer;
   draw(by: string): Pixels | Promise<Pixels>;
+  /** Of pages with an editor. */
+  readonly editor?: AttachedEditor | null;
+  readonly scene?: Scene;
+  readonly camera?: Camera;
+  drawFrame?(seconds: number): void;
 }
 
 interface Pixels {

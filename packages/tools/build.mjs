@@ -9,7 +9,7 @@ import { root } from './root.mjs';
 import { runTool } from './runTool.mjs';
 
 ensureInstalled();
-const folders = ['packages/renderer', 'packages/engine', 'apps/viewer', 'apps/editor'];
+const folders = ['packages/renderer', 'packages/engine', 'packages/attach', 'apps/viewer', 'apps/editor'];
 if (process.argv.includes('--tests')) folders.push('e2e/pages');
 
 if (runTool('typescript', 'tsc', ['-b', 'packages']) !== 0) process.exit(1);

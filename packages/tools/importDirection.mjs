@@ -6,7 +6,7 @@ import { parseSync } from 'vite';
  * folders of the repository and packages, `not` folders in those that are left out. Packages must also be declared by the
  * file's workspace, and their exports name what may be imported of them.
  *
- * microshaders <- the rest of renderer; renderer and engine speak plain three; engine -> renderer; apps -> both;
+ * microshaders <- the rest of renderer; renderer and engine speak plain three; engine -> renderer; attach -> both; apps -> all;
  * nothing imports apps; the browser tests use published entry points only. The renderer's other entries plug it into one
  * library each, are optional effects, or serve editors: its core knows none of them.
  */
@@ -29,6 +29,7 @@ export const importRules = [
     ],
   },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
+  { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
   { from: 'apps/editor', may: ['apps/editor', '*'] },
   { from: 'e2e', may: ['e2e', '*'] },

@@ -4,7 +4,14 @@ import { describe, expect, it } from 'vitest';
 import { importViolations } from './importDirection.mjs';
 import { root } from './root.mjs';
 
-const workspaces = ['packages/renderer', 'packages/engine', 'packages/tools', 'apps/viewer', 'apps/editor'];
+const workspaces = [
+  'packages/renderer',
+  'packages/engine',
+  'packages/attach',
+  'packages/tools',
+  'apps/viewer',
+  'apps/editor',
+];
 const manifests = new Map(
   ['', ...workspaces].map((folder) => [
     folder,

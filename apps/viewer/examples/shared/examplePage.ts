@@ -1,6 +1,7 @@
 import './example.css';
 import { type FarolRenderer, type TechniqueName, techniques } from '@farol/renderer';
-import type { WebGLRenderer } from 'three';
+import type { AttachedEditor } from '@farol/attach';
+import type { Camera, Scene, WebGLRenderer } from 'three';
 
 /** Who draws: a technique of Farol's, or three's own renderer. */
 export type Drawer = TechniqueName | 'three';
@@ -24,6 +25,10 @@ export interface Example {
   readonly webgl: WebGLRenderer;
   /** Draws the page as it is at 1 s, and gives what is on the canvas. */
   draw(by: Drawer): CanvasPixels | Promise<CanvasPixels>;
+  /** Where an editor is attached: it, and what the page draws. */
+  readonly editor?: AttachedEditor | null;
+  readonly scene?: Scene;
+  readonly camera?: Camera;
 }
 
 export interface CanvasPixels {

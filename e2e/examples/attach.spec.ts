@@ -1,0 +1,244 @@
+import AxeBuilder from '@axe-core/playwright';
+import type { Page } from '@playwright/test';
+import type { Mesh, MeshStandardMaterial, PointLight } from 'three';
+import { openExample } from '../support/example';
+import { expect, test } from '../support/test';
+
+/** What axe finds serious or critical. */
+async function problems(page: Page): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  return violations
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html}\n${failureSummary}`));
+}
+
+async function open(page: Page, name: string): Promise<void> {
+  await openExample(page, name);
+  await page.setViewportSize({ width: 720, height: 640 });
+}
+
+const row = (page: Page, name: string) => page.getByRole('treeitem', { name }).first();
+const clockOfR3F = /THREE\.Clock: This module has been deprecated/;
+
+test('on a page that knows nothing of Farol: select, edit, undo, draw by Farol', async ({ page }) => {
+  await open(page, 'attach');
+  const x = () => page.evaluate(() => window.example.scene!.getObjectByName('chest')!.position.x);
+  const shot = () => page.locator('body > canvas').screenshot();
+  const before = await shot();
+
+  await row(page, 'chest').click();
+  await expect(row(page, 'chest')).toHaveAttribute('aria-selected', 'true');
+  const input = page.getByRole('spinbutton', { name: 'Position x' });
+  await expect(input).toHaveValue('-2');
+  await input.fill('0.5');
+  expect(await x()).toBe(0.5); // a preview, which Escape takes back
+  await input.press('Escape');
+  expect(await x()).toBe(-2);
+  await input.fill('0.5');
+  await input.press('Enter');
+  expect(await x()).toBe(0.5);
+  expect((await shot()).equals(before)).toBe(false); // although the page draws no frames by itself
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect(await x()).toBe(-2);
+  await expect(input).toHaveValue('-2');
+  await page.keyboard.press('Control+y');
+  expect(await x()).toBe(0.5);
+
+  await page.getByLabel('Colour', { exact: true }).fill('#ff0000');
+  const colour = () =>
+    page.evaluate(() =>
+      ((window.example.scene!.getObjectByName('chest') as Mesh).material as MeshStandardMaterial).color.getHex(),
+    );
+  expect(await colour()).toBe(0xff0000);
+  await page.getByLabel('Visible').first().uncheck();
+  expect(await page.evaluate(() => window.example.scene!.getObjectByName('chest')!.visible)).toBe(false);
+
+  await row(page, 'lantern 1').click();
+  await page.getByRole('spinbutton', { name: 'Intensity' }).fill('-3'); // not allowed: marked, not taken
+  await expect(page.getByRole('spinbutton', { name: 'Intensity' })).toHaveAttribute('aria-invalid', 'true');
+  await page.getByRole('spinbutton', { name: 'Intensity' }).fill('9');
+  await page.keyboard.press('Enter');
+  const intensity = () =>
+    page.evaluate(() => (window.example.scene!.getObjectByName('lantern 1') as PointLight).intensity);
+  expect(await intensity()).toBe(9);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect(await intensity()).toBe(5);
+
+  expect(await problems(page)).toEqual([]);
+  await page.getByRole('button', { name: 'Draw with Farol' }).click();
+  await expect(page.getByLabel('Technique')).toHaveValue('auto');
+  await page.getByLabel('Technique').selectOption('deferred');
+  await expect(page.getByRole('cell', { name: 'g-buffer' })).toBeVisible();
+  await page.getByLabel('View').selectOption('albedo');
+  expect(await page.evaluate(() => window.example.farol.view)).toBe('albedo');
+  expect(await problems(page)).toEqual([]);
+  await page.getByLabel('Technique').selectOption('three');
+  expect(await page.evaluate(() => window.example.editor!.farol)).toBe(null);
+});
+
+test('the gizmo takes the pointer from the controls of the page, which have it beside the gizmo', async ({ page }) => {
+  await page.setViewportSize({ width: 720, height: 640 });
+  await page.goto('./examples/attach/index.html?still');
+  await page.waitForFunction(() => 'example' in window);
+  const state = () =>
+    page.evaluate(() => {
+      const { scene, camera } = window.example;
+      return { knot: scene!.getObjectByName('knot')!.position.toArray(), camera: camera!.position.toArray() };
+    });
+  const [x, y] = await page.evaluate(() => {
+    const { scene, camera } = window.example;
+    const { x, y } = scene!.getObjectByName('chest')!.position.clone().project(camera!);
+    return [((x + 1) / 2) * innerWidth, ((1 - y) / 2) * innerHeight];
+  });
+  await page.mouse.click(x, y);
+  await expect(row(page, 'chest')).toHaveAttribute('aria-selected', 'true');
+  await row(page, 'knot').click();
+  await page.evaluate(() => window.example.drawFrame!(1)); // the gizmo is on the picture now
+  const drag = async (fromX: number, fromY: number) => {
+    await page.mouse.move(fromX, fromY);
+    await page.mouse.down();
+    await page.mouse.move(fromX + 20, fromY);
+    await page.mouse.move(fromX + 40, fromY);
+    await page.mouse.up();
+  };
+  const before = await state();
+  await drag(425, 297); // the red arrow
+  const dragged = await state();
+  expect(dragged.knot[0]).toBeGreaterThan(0.2);
+  expect(dragged.knot[1]).toBe(before.knot[1]);
+  expect(dragged.camera).toEqual(before.camera);
+  await page.evaluate(() => window.example.editor!.history.undo());
+  expect((await state()).knot).toEqual(before.knot);
+  await drag(60, 560);
+  const turned = await state();
+  expect(turned.knot).toEqual(before.knot);
+  expect(turned.camera).not.toEqual(before.camera);
+});
+
+test('on React Three Fiber: what React adds is in the tree, edits are drawn', async ({ page, watch }) => {
+  await open(page, 'attach-r3f');
+  await expect(row(page, 'ball 1')).toBeVisible();
+  await expect(row(page, 'ball 2')).toBeHidden();
+  await page.getByRole('button', { name: 'Add a ball' }).click();
+  await row(page, 'ball 2').click();
+  const shot = () => page.locator('canvas').screenshot();
+  const before = await shot();
+  await page.getByRole('spinbutton', { name: 'Scale y' }).fill('2');
+  await page.keyboard.press('Enter');
+  expect((await shot()).equals(before)).toBe(false);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect((await shot()).equals(before)).toBe(true);
+  expect(await problems(page)).toEqual([]);
+  watch.forgive(clockOfR3F);
+});
+
+test('dispose leaves the page as it was', async ({ page, pagesURL }) => {
+  await page.addInitScript(() => {
+    const live = new Map<string, number>();
+    (window as unknown as { live: typeof live }).live = live;
+    for (const [method, step] of Object.entries({ addEventListener: 1, removeEventListener: -1 })) {
+      const original = window[method as 'addEventListener'];
+      Object.assign(window, {
+        [method](...args: Parameters<typeof original>) {
+          const [type, , options] = args;
+          live.set(type, (live.get(type) ?? 0) + step);
+          const signal = typeof options === 'object' ? options.signal : undefined;
+          signal?.addEventListener('abort', () => live.set(type, live.get(type)! - 1));
+          original.apply(window, args);
+        },
+      });
+    }
+  });
+  await page.goto(`${pagesURL}attached.html`);
+  await page.waitForFunction(() => 'attachedPage' in window);
+  const { before, during, after, pictures } = await page.evaluate(async () => {
+    const { webgl, scene, camera, attachEditor, pixels } = window.attachedPage;
+    const first = await pixels('three');
+    const render = webgl.render;
+    const { live } = window as unknown as { live: Map<string, number> };
+    const snapshot = () => ({
+      render: webgl.render === render,
+      elements: document.querySelectorAll('*').length,
+      listeners: [...live]
+        .filter(([, count]) => count > 0)
+        .sort()
+        .join(';'),
+      memory: JSON.stringify(webgl.info.memory),
+      programs: webgl.info.programs!.length,
+      objects: scene.children.map(({ uuid }) => uuid).join(),
+      keys: [...Object.keys(webgl), ...Object.keys(scene), ...Object.keys(scene.children[0])].sort().join(),
+      style: document.body.getAttribute('style'),
+      canvas: webgl.domElement.outerHTML,
+      viewport: webgl.getViewport(new window.attachedPage.three.Vector4()).toArray().join(),
+      autoClear: webgl.autoClear,
+    });
+    const before = snapshot();
+    const editor = attachEditor(scene, camera, webgl);
+    editor.selected = scene.children[0];
+    const overlaid = await pixels('three');
+    await editor.drawWith('clustered-deferred');
+    await pixels('three');
+    const during = snapshot();
+    editor.dispose();
+    editor.dispose(); // a second time does nothing
+    const last = await pixels('three');
+    const same = (a: number[], b: number[]) => a.every((byte, i) => byte === b[i]);
+    return {
+      before,
+      during,
+      after: snapshot(),
+      pictures: { overlaid: same(first, overlaid), last: same(first, last) },
+    };
+  });
+  expect(during.render).toBe(false);
+  expect(during.memory).not.toBe(before.memory);
+  expect(after).toEqual(before);
+  expect(pictures).toEqual({ overlaid: false, last: true });
+});
+
+test('over a page with its own Farol, or with a composer, and beside another wrapper of render', async ({
+  page,
+  pagesURL,
+}) => {
+  await page.goto(`${pagesURL}attached.html`);
+  await page.waitForFunction(() => 'attachedPage' in window);
+  const seen = await page.evaluate(async () => {
+    const { webgl, scene, camera, farol, attachEditor, pixels } = window.attachedPage;
+    const differs = (a: number[], b: number[]) => a.some((byte, i) => byte !== b[i]);
+    const plain = { farol: await pixels('farol'), composer: await pixels('composer') };
+
+    const editor = attachEditor(scene, camera, webgl, { farol });
+    editor.selected = scene.children[0];
+    const withOwn = differs(plain.farol, await pixels('farol'));
+    await editor.drawWith('forward');
+    const technique = farol.technique;
+    const refused = await editor.drawWith('three').catch((error: Error) => error.message);
+    let twice = '';
+    try {
+      attachEditor(scene, camera, webgl);
+    } catch (error) {
+      twice = (error as Error).message;
+    }
+    editor.dispose();
+
+    const overComposer = attachEditor(scene, camera, webgl);
+    const untouched = !differs(plain.composer, await pixels('composer')); // nothing selected: no overlay
+    overComposer.selected = scene.children[0];
+    const withComposer = differs(plain.composer, await pixels('composer'));
+    // another tool wraps render, and stays when the editor goes
+    const ours = webgl.render;
+    let calls = 0;
+    webgl.render = (...args) => {
+      calls++;
+      ours.apply(webgl, args);
+    };
+    overComposer.dispose();
+    const afterwards = !differs(plain.composer, await pixels('composer'));
+    return { withOwn, technique, refused, twice, untouched, withComposer, afterwards, called: calls > 0 };
+  });
+  expect(seen).toEqual({
+    ...{ withOwn: true, technique: 'forward', untouched: true, withComposer: true, afterwards: true, called: true },
+    refused: expect.stringContaining('its own FarolRenderer'),
+    twice: expect.stringContaining('has an editor already'),
+  });
+});

@@ -1,0 +1,164 @@
+import type { FarolRenderer } from '@farol/renderer';
+import type { Camera, Object3D, WebGLRenderer } from 'three';
+import type { AttachOptions } from './attachEditor';
+import { type Drawer, Drawing } from './model/Drawing';
+import type { History } from './model/History';
+import { Session } from './model/Session';
+import { Bar } from './panels/Bar';
+import { FramePanel } from './panels/FramePanel';
+import { Inspector } from './panels/Inspector';
+import { Tree } from './panels/Tree';
+import style from './style.css?inline';
+import { element } from './ui/element';
+import { drawOver } from './viewport/drawOver';
+import { Gizmo } from './viewport/Gizmo';
+import { Pointer } from './viewport/Pointer';
+import { RenderHook } from './viewport/RenderHook';
+import { SelectionBox } from './viewport/SelectionBox';
+
+/** How often values and figures on the panels are brought up to date (ms). */
+const REFRESH = 200;
+
+const attached = new WeakSet<WebGLRenderer>();
+
+/** An editor over a running page, as made by `attachEditor`. */
+export class AttachedEditor {
+  /** What was put into the page; the panels are in its shadow root, where styles of the page do not reach. */
+  readonly element: HTMLElement;
+  private readonly session: Session;
+  private readonly hook: RenderHook;
+  private readonly drawing: Drawing;
+  private readonly parts: { dispose(): void }[];
+  private readonly timer: number;
+  private isDisposed = false;
+
+  constructor(
+    scene: Object3D,
+    camera: Camera,
+    private readonly webgl: WebGLRenderer,
+    private readonly options: AttachOptions,
+  ) {
+    if (attached.has(webgl))
+      throw new Error('attachEditor: this renderer has an editor already; dispose that one first.');
+    attached.add(webgl);
+    const session = new Session(scene, camera, webgl);
+    const gizmo = new Gizmo(session);
+    const box = new SelectionBox(session, gizmo.scene);
+    const hook = new RenderHook(webgl, scene, (render) => {
+      if (!gizmo.update() && session.selected === null) return;
+      box.update();
+      drawOver(webgl, render, gizmo.scene, session.camera);
+    });
+    const drawing = new Drawing(session, hook, options.farol ?? null);
+    const pointer = new Pointer(session, gizmo, options.domElement ?? webgl.domElement);
+    const tree = new Tree(session);
+    const inspector = new Inspector(session);
+    const frame = new FramePanel(session, hook, drawing);
+    const panels = element('div', { className: 'panels' }, tree.element, inspector.element, frame.element);
+    const bar = new Bar(session, gizmo, () => (panels.hidden = !panels.hidden));
+    this.element = this.makeHost(bar.element, panels);
+    this.session = session;
+    this.hook = hook;
+    this.drawing = drawing;
+    this.parts = [pointer, bar, frame, inspector, tree, drawing, box, gizmo, hook];
+    session.selectionChanged.listen(() => this.redraw());
+    session.edited.listen(() => {
+      inspector.refresh();
+      this.redraw();
+    });
+    (options.container ?? document.body).append(this.element);
+    const refresh = () => {
+      if (panels.hidden) return;
+      tree.refresh();
+      inspector.refresh();
+      frame.refresh();
+    };
+    refresh();
+    this.timer = setInterval(refresh, REFRESH) as unknown as number;
+  }
+
+  /** The selected object, or null; setting it selects. */
+  get selected(): Object3D | null {
+    return this.session.selected;
+  }
+
+  set selected(object: Object3D | null) {
+    this.session.selected = object;
+  }
+
+  /** What the page looks through. */
+  get camera(): Camera {
+    return this.session.camera;
+  }
+
+  set camera(camera: Camera) {
+    this.session.camera = camera;
+  }
+
+  get history(): History {
+    return this.session.history;
+  }
+
+  /** The FarolRenderer that draws the page; null while three's own renderer does. */
+  get farol(): FarolRenderer | null {
+    return this.drawing.farol;
+  }
+
+  /**
+   * Has the page drawn by a technique of Farol's, or by three's own renderer again, from the next frame on.
+   * @throws Error (as a rejection) for an unknown technique, or one that the device cannot run; what drew goes on
+   */
+  drawWith(drawer: Drawer): Promise<void> {
+    return this.drawing.choose(drawer);
+  }
+
+  /** Closes the editor and leaves the page as it was before, but for edits of its scene. */
+  dispose(): void {
+    if (this.isDisposed) return;
+    this.isDisposed = true;
+    clearInterval(this.timer);
+    for (const part of this.parts) part.dispose();
+    this.element.remove();
+    attached.delete(this.webgl);
+    if (this.options.onChange) this.options.onChange();
+    else if (this.hook.isIdle) this.webgl.render(this.session.scene, this.session.camera);
+  }
+
+  private makeHost(...children: HTMLElement[]): HTMLElement {
+    const host = element('div', { className: 'farol-attach' });
+    const root = host.attachShadow({ mode: 'open' });
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(style);
+    root.adoptedStyleSheets = [sheet];
+    const editor = element('section', { className: 'editor', 'aria-label': 'Farol editor' }, ...children);
+    editor.addEventListener('keydown', (event) => this.key(event));
+    root.append(editor);
+    return host;
+  }
+
+  /** Keys pressed in the panels; the page does not get them. */
+  private key(event: KeyboardEvent): void {
+    event.stopPropagation();
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    const key = event.key.toLowerCase();
+    if (key !== 'z' && key !== 'y') return;
+    event.preventDefault();
+    if (key === 'y' || event.shiftKey) this.history.redo();
+    else this.history.undo();
+  }
+
+  /** Asks the page for a frame. */
+  private redraw(): void {
+    const { options, hook, webgl, session } = this;
+    if (options.onChange) {
+      options.onChange();
+      return;
+    }
+    const { frames } = hook;
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => {
+        if (hook.frames === frames && !this.isDisposed) webgl.render(session.scene, session.camera);
+      }),
+    );
+  }
+}

@@ -1,0 +1,38 @@
+import type { FarolRenderer } from '@farol/renderer';
+import type { Camera, Object3D, WebGLRenderer } from 'three';
+import { AttachedEditor } from './AttachedEditor';
+
+export interface AttachOptions {
+  /** The FarolRenderer that the page draws with, if it does; its technique, view and figures are shown then. */
+  farol?: FarolRenderer;
+  /** What the panels are put into. Default the page's body; they lie over it, at the right edge of the window. */
+  container?: HTMLElement;
+  /** The element that the page's own controls listen on. Default the canvas. */
+  domElement?: HTMLElement;
+  /**
+   * Called when the scene was edited, for a page that draws on demand. Default: the scene is drawn once more if the page
+   * itself draws no frame soon.
+   */
+  onChange?: () => void;
+}
+
+/**
+ * Opens an editor over a running three.js page: the tree of its objects, an inspector of transform, flags, light, camera
+ * and materials, a gizmo on the selected object, undo, and a frame panel which can have the page drawn by Farol. The page
+ * needs to know nothing of it. While the editor is there, it stands in for `renderer.render` of this one renderer; all
+ * else is listened to, or drawn over the finished frame. `dispose()` takes all of that away; edits of the scene stay.
+ *
+ * @param camera what the page looks through; set `camera` of the editor when that changes
+ * @example
+ * const editor = attachEditor(scene, camera, renderer);
+ * editor.dispose();
+ * @throws Error when an editor is attached to this renderer already
+ */
+export function attachEditor(
+  scene: Object3D,
+  camera: Camera,
+  renderer: WebGLRenderer,
+  options: AttachOptions = {},
+): AttachedEditor {
+  return new AttachedEditor(scene, camera, renderer, options);
+}

@@ -1,0 +1,100 @@
+import { checkFieldValue, type Field, type FieldValue, sameValue } from '@farol/engine';
+import * as THREE from 'three';
+import { describe, expect, it } from 'vitest';
+import { sectionsOf } from './sectionsOf';
+
+const materials = [
+  THREE.MeshBasicMaterial,
+  THREE.MeshLambertMaterial,
+  THREE.MeshPhongMaterial,
+  THREE.MeshStandardMaterial,
+  THREE.MeshPhysicalMaterial,
+  THREE.MeshToonMaterial,
+  THREE.PointsMaterial,
+  THREE.LineBasicMaterial,
+  THREE.SpriteMaterial,
+  THREE.ShaderMaterial,
+];
+const objects: THREE.Object3D[] = [
+  new THREE.Group(),
+  new THREE.AmbientLight(),
+  new THREE.HemisphereLight(),
+  new THREE.DirectionalLight(),
+  new THREE.PointLight(),
+  new THREE.SpotLight(),
+  new THREE.RectAreaLight(),
+  new THREE.PerspectiveCamera(),
+  new THREE.OrthographicCamera(),
+  ...materials.map((Type) => new THREE.Mesh(new THREE.BufferGeometry(), new Type())),
+];
+
+/** Another value that the field allows. */
+function other(field: Field, value: FieldValue): FieldValue {
+  switch (field.kind) {
+    case 'number': {
+      const step = field.integer ? 1 : 0.25;
+      return checkFieldValue(field, (value as number) + step) === null
+        ? (value as number) + step
+        : (value as number) - step;
+    }
+    case 'angle':
+      return 0.5;
+    case 'boolean':
+      return !value;
+    case 'choice':
+      return field.options.find((option) => option !== value)!;
+    case 'string':
+      return `${value as string}x`;
+    default:
+      return [0.25, 0.5, 0.75];
+  }
+}
+
+describe('the properties of three objects', () => {
+  it.each(objects.map((object) => [sectionsOf(object).at(-1)!.title, object] as const))(
+    '%s: each is read, set and put back as it was',
+    (_title, object) => {
+      for (const { title, properties } of sectionsOf(object)) {
+        for (const { name, field, get, set } of properties) {
+          const before = get();
+          expect(checkFieldValue(field, before), `${title}, ${name}`).toBeNull();
+          const after = other(field, before);
+          expect(checkFieldValue(field, after), `${title}, ${name}`).toBeNull();
+          set(after);
+          expect(sameValue(get(), after), `${title}, ${name}: ${String(get())}`).toBe(true);
+          set(before);
+          expect(sameValue(get(), before), `${title}, ${name}`).toBe(true);
+        }
+      }
+    },
+  );
+
+  it('shows what a kind has, and no more', () => {
+    const names = (object: THREE.Object3D) =>
+      sectionsOf(object).flatMap(({ properties }) => properties.map((p) => p.name));
+    expect(names(new THREE.SpotLight())).toEqual(expect.arrayContaining(['color', 'angle', 'penumbra', 'distance']));
+    expect(names(new THREE.PointLight())).not.toContain('angle');
+    expect(names(new THREE.Mesh(undefined, new THREE.MeshBasicMaterial()))).not.toContain('roughness');
+  });
+
+  it('shows a material that two groups share once', () => {
+    const [a, b] = [new THREE.MeshBasicMaterial(), new THREE.MeshBasicMaterial()];
+    expect(sectionsOf(new THREE.Mesh(undefined, [a, b, a]))).toHaveLength(4);
+  });
+
+  it('has another program compiled where an edit needs it', () => {
+    const material = new THREE.MeshStandardMaterial();
+    const section = sectionsOf(new THREE.Mesh(undefined, material)).at(-1)!;
+    section.properties.find(({ name }) => name === 'flatShading')!.set(true);
+    expect(material.version).toBe(1);
+    section.properties.find(({ name }) => name === 'roughness')!.set(0.2);
+    expect(material.version).toBe(1);
+  });
+
+  it('moves objects whose matrix is set by hand', () => {
+    const object = new THREE.Object3D();
+    object.matrixAutoUpdate = false;
+    sectionsOf(object)[0].properties[0].set([1, 2, 3]);
+    expect(object.matrix.elements.slice(12, 15)).toEqual([1, 2, 3]);
+  });
+});

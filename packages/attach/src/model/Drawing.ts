@@ -1,0 +1,67 @@
+import type { FarolRenderer, TechniqueName } from '@farol/renderer';
+import type { RenderHook } from '../viewport/RenderHook';
+import type { Session } from './Session';
+import { Signal } from './Signal';
+
+/** Who draws the page's scene: a technique of Farol's, or three's own renderer. */
+export type Drawer = TechniqueName | 'three';
+
+type Renderer = typeof import('@farol/renderer');
+
+/** Has the scene drawn by Farol, or by three again. Farol's code is loaded when it is first asked for. */
+export class Drawing {
+  /** Emits when who draws changes. */
+  readonly changed = new Signal();
+  /** Farol's module once it is there: the names of techniques and views. */
+  module: Renderer | null = null;
+  private own: FarolRenderer | null = null;
+  private isDisposed = false;
+
+  /** @param given the page's own FarolRenderer, if it draws by one already; then three cannot be asked for */
+  constructor(
+    private readonly session: Session,
+    private readonly hook: RenderHook,
+    readonly given: FarolRenderer | null,
+  ) {
+    if (given) void this.load();
+  }
+
+  /** What draws by Farol at present; null while three draws. */
+  get farol(): FarolRenderer | null {
+    return this.given ?? this.hook.farol;
+  }
+
+  get drawer(): Drawer {
+    return this.farol?.technique ?? 'three';
+  }
+
+  async load(): Promise<Renderer> {
+    this.module ??= await import('@farol/renderer');
+    this.changed.emit();
+    return this.module;
+  }
+
+  /** @throws Error (as a rejection) for an unknown technique, or one that the device cannot run; what drew goes on */
+  async choose(drawer: Drawer): Promise<void> {
+    const { session, hook, given } = this;
+    if (drawer === 'three') {
+      if (given)
+        throw new Error('attachEditor: this page draws by its own FarolRenderer; choose one of its techniques.');
+      hook.farol = null;
+    } else {
+      const { FarolRenderer } = await this.load();
+      if (this.isDisposed) return;
+      const farol = given ?? (this.own ??= new FarolRenderer(session.webgl));
+      farol.technique = drawer;
+      if (!given) hook.farol = farol;
+    }
+    this.changed.emit();
+    session.edited.emit();
+  }
+
+  dispose(): void {
+    this.isDisposed = true;
+    this.hook.farol = null;
+    this.own?.dispose();
+  }
+}

@@ -1,0 +1,105 @@
+import type { View } from '@farol/renderer';
+import type { Drawer, Drawing } from '../model/Drawing';
+import type { Session } from '../model/Session';
+import { element } from '../ui/element';
+import type { RenderHook } from '../viewport/RenderHook';
+
+/** Who draws and what is shown, and the figures of the last frame, pass by pass where Farol draws. */
+export class FramePanel {
+  readonly element: HTMLElement;
+  private readonly load = element('button', { type: 'button' }, 'Draw with Farol');
+  private readonly technique = element('select', { id: 'technique' });
+  private readonly view = element('select', { id: 'view' });
+  private readonly timing = element('input', { id: 'timing', type: 'checkbox' });
+  private readonly menus: HTMLElement;
+  private readonly figures = element('p', { className: 'figures' });
+  private readonly rows = element('tbody');
+  private readonly table: HTMLElement;
+  private readonly problem = element('p', { role: 'alert' });
+  private readonly end: () => void;
+  private counted = { frames: 0, at: performance.now() };
+
+  constructor(
+    private readonly session: Session,
+    private readonly hook: RenderHook,
+    private readonly drawing: Drawing,
+  ) {
+    const row = (id: string, label: string, control: HTMLElement) =>
+      element('div', { className: 'field' }, element('label', { htmlFor: id, className: 'label' }, label), control);
+    this.menus = element(
+      'div',
+      { hidden: true },
+      row('technique', 'Technique', this.technique),
+      row('view', 'View', this.view),
+      row('timing', 'GPU times', this.timing),
+    );
+    const heads = ['Pass', 'Draws', 'CPU ms', 'GPU ms'].map((text) => element('th', { scope: 'col' }, text));
+    this.table = element('table', { hidden: true }, element('thead', {}, element('tr', {}, ...heads)), this.rows);
+    this.element = element(
+      'details',
+      { open: true, className: 'frame' },
+      ...[element('summary', {}, 'Frame'), this.load, this.menus, this.problem, this.figures, this.table],
+    );
+    this.load.addEventListener('click', () => void this.choose('auto'));
+    this.technique.addEventListener('change', () => void this.choose(this.technique.value as Drawer));
+    this.view.addEventListener('change', () => {
+      if (drawing.farol) drawing.farol.view = this.view.value as View;
+      session.edited.emit();
+    });
+    this.timing.addEventListener('change', () => {
+      if (drawing.farol) drawing.farol.timing = this.timing.checked;
+    });
+    this.end = drawing.changed.listen(() => this.show());
+    this.show();
+  }
+
+  /** Brings the figures up to date; to be called a few times a second. */
+  refresh(): void {
+    const { webgl } = this.session;
+    const { farol } = this.drawing;
+    const now = performance.now();
+    const rate = ((this.hook.frames - this.counted.frames) * 1000) / Math.max(1, now - this.counted.at);
+    this.counted = { frames: this.hook.frames, at: now };
+    const { calls, triangles } = farol?.info ? { calls: farol.info.drawCalls, ...farol.info } : webgl.info.render;
+    const lights = farol ? `, ${farol.info.lights.visible} of ${farol.info.lights.total} lights` : '';
+    const text = `${rate.toFixed(0)} frames/s, ${calls} draws, ${triangles.toLocaleString('en')} triangles${lights}`;
+    if (this.figures.textContent !== text) this.figures.textContent = text;
+    if (!farol) return;
+    const milliseconds = (value: number | null) => (value === null ? '–' : value.toFixed(2));
+    const cells = farol.info.passes.map(({ name, drawCalls, cpuMs, gpuMs }) => [
+      ...[name, String(drawCalls), milliseconds(cpuMs), milliseconds(gpuMs)],
+    ]);
+    this.rows.replaceChildren(...cells.map((row) => element('tr', {}, ...row.map((cell) => element('td', {}, cell)))));
+  }
+
+  dispose(): void {
+    this.end();
+  }
+
+  private async choose(drawer: Drawer): Promise<void> {
+    this.problem.textContent = '';
+    try {
+      await this.drawing.choose(drawer);
+    } catch (error) {
+      this.problem.textContent = error instanceof Error ? error.message : String(error);
+      this.show();
+    }
+  }
+
+  private show(): void {
+    const { module, given, drawer, farol } = this.drawing;
+    this.load.hidden = module !== null;
+    this.menus.hidden = module === null;
+    this.table.hidden = farol === null;
+    this.view.disabled = this.timing.disabled = farol === null;
+    if (!module) return;
+    if (this.technique.length === 0) {
+      if (!given) this.technique.append(new Option("three's own renderer", 'three'));
+      for (const [name, { label }] of Object.entries(module.techniques)) this.technique.append(new Option(label, name));
+      this.view.append(...module.views.map((name) => new Option(name, name)));
+    }
+    this.technique.value = drawer;
+    this.view.value = farol?.view ?? 'final';
+    this.timing.checked = farol?.timing ?? false;
+  }
+}

@@ -1,0 +1,53 @@
+import { sectionsOf } from '../fields/sectionsOf';
+import type { Session } from '../model/Session';
+import { element } from '../ui/element';
+import { FieldInput } from '../ui/FieldInput';
+
+/** The values of the selected object: shown as they change, edited with undo. */
+export class Inspector {
+  readonly element = element('section', { className: 'inspector', 'aria-label': 'Inspector', tabIndex: 0 });
+  private inputs: FieldInput[] = [];
+  private readonly end: () => void;
+
+  constructor(private readonly session: Session) {
+    this.end = session.selectionChanged.listen(() => this.build());
+    this.build();
+  }
+
+  /** Brings what is shown up to date. */
+  refresh(): void {
+    for (const input of this.inputs) input.refresh();
+  }
+
+  dispose(): void {
+    this.end();
+    this.close();
+  }
+
+  private close(): void {
+    for (const input of this.inputs) input.close();
+  }
+
+  private build(): void {
+    this.close();
+    const { selected } = this.session;
+    this.inputs = [];
+    if (!selected) {
+      const hint = 'Nothing is selected: choose an object in the tree, or click one in the picture.';
+      this.element.replaceChildren(element('p', { className: 'hint' }, hint));
+      return;
+    }
+    this.element.replaceChildren(
+      ...sectionsOf(selected).map(({ title, properties }) => {
+        const inputs = properties.map((property) => new FieldInput(this.session, property));
+        this.inputs.push(...inputs);
+        return element(
+          'details',
+          { open: true },
+          element('summary', {}, title),
+          ...inputs.map((input) => input.element),
+        );
+      }),
+    );
+  }
+}

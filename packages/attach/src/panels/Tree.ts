@@ -1,0 +1,170 @@
+import type { Object3D } from 'three';
+import type { Session } from '../model/Session';
+import { element } from '../ui/element';
+
+const ROW = 22; // CSS pixels, as in style.css
+const MARGIN = 4; // rows drawn above and below what is seen
+
+interface Row {
+  object: Object3D;
+  depth: number;
+  /** Place among its siblings, from 1, and how many they are. */
+  place: number;
+  siblings: number;
+}
+
+/**
+ * The objects of the scene as a tree. Only rows that are seen are elements; what the page adds and removes shows at the
+ * next `refresh`. Arrow keys walk, open and close as in any tree.
+ *
+ * @see https://www.w3.org/WAI/ARIA/apg/patterns/treeview/
+ */
+export class Tree {
+  readonly element = element('div', { className: 'tree', role: 'tree', 'aria-label': 'Hierarchy', tabIndex: 0 });
+  private readonly spacer = element('div', { className: 'spacer', role: 'presentation' });
+  private readonly open = new Set<Object3D>();
+  private rows: Row[] = [];
+  private drawn = '';
+  private readonly end: () => void;
+  private readonly sizes: ResizeObserver;
+
+  constructor(private readonly session: Session) {
+    this.open.add(session.scene);
+    this.element.append(this.spacer);
+    this.element.addEventListener('scroll', () => this.draw());
+    this.element.addEventListener('click', (event) => this.click(event));
+    this.element.addEventListener('keydown', (event) => {
+      if (this.key(event.key)) event.preventDefault();
+    });
+    this.end = session.selectionChanged.listen(() => this.reveal());
+    this.sizes = new ResizeObserver(() => this.draw());
+    this.sizes.observe(this.element);
+    this.refresh();
+  }
+
+  /** Reads the scene again. */
+  refresh(): void {
+    const rows: Row[] = [];
+    const add = (object: Object3D, depth: number, place: number, siblings: number) => {
+      rows.push({ object, depth, place, siblings });
+      if (!this.open.has(object)) return;
+      const { children } = object;
+      for (let i = 0; i < children.length; i++) add(children[i], depth + 1, i + 1, children.length);
+    };
+    add(this.session.scene, 0, 1, 1);
+    this.rows = rows;
+    this.spacer.style.height = `${rows.length * ROW}px`;
+    this.draw();
+  }
+
+  dispose(): void {
+    this.end();
+    this.sizes.disconnect();
+  }
+
+  /** Opens what is above the selected object, and scrolls to it. */
+  private reveal(): void {
+    const { selected } = this.session;
+    for (let each = selected?.parent ?? null; each; each = each.parent) this.open.add(each);
+    this.refresh();
+    const index = this.rows.findIndex(({ object }) => object === selected);
+    if (index < 0) return;
+    const { scrollTop, clientHeight } = this.element;
+    if (index * ROW < scrollTop) this.element.scrollTop = index * ROW;
+    else if ((index + 1) * ROW > scrollTop + clientHeight) this.element.scrollTop = (index + 1) * ROW - clientHeight;
+    this.draw();
+  }
+
+  private draw(): void {
+    const { scrollTop, clientHeight } = this.element;
+    const first = Math.max(0, Math.floor(scrollTop / ROW) - MARGIN);
+    const rows = this.rows.slice(first, Math.ceil((scrollTop + clientHeight) / ROW) + MARGIN);
+    const { selected } = this.session;
+    const drawn = rows
+      .map(({ object, depth }) =>
+        [object.id, object.name, depth, object.visible, object.children.length > 0, this.open.has(object)].join(),
+      )
+      .join(';');
+    if (drawn + first + selected?.id === this.drawn) return;
+    this.drawn = drawn + first + selected?.id;
+    this.spacer.replaceChildren(...rows.map((row, i) => this.drawRow(row, first + i)));
+    const isSeen = selected && rows.some(({ object }) => object === selected);
+    if (isSeen) this.element.setAttribute('aria-activedescendant', `object-${selected.id}`);
+    else this.element.removeAttribute('aria-activedescendant');
+  }
+
+  private drawRow({ object, depth, place, siblings }: Row, index: number): HTMLElement {
+    const isOpen = this.open.has(object);
+    const row = element(
+      'div',
+      {
+        ...{ className: object.visible ? 'row' : 'row hidden', role: 'treeitem', id: `object-${object.id}` },
+        ...{ 'aria-level': depth + 1, 'aria-posinset': place, 'aria-setsize': siblings },
+        'aria-selected': object === this.session.selected,
+      },
+      element(
+        'span',
+        { className: 'twist', 'aria-hidden': true },
+        object.children.length === 0 ? '' : isOpen ? '▾' : '▸',
+      ),
+      element('span', { className: 'name' }, object.name || object.type),
+      element('span', { className: 'type' }, object.name ? object.type : ''),
+    );
+    if (object.children.length > 0) row.setAttribute('aria-expanded', String(isOpen));
+    row.style.top = `${index * ROW}px`;
+    row.style.paddingLeft = `${6 + 12 * depth}px`;
+    row.dataset.index = String(index);
+    return row;
+  }
+
+  private click(event: MouseEvent): void {
+    const target = event.target as HTMLElement;
+    const row = this.rows[Number(target.closest<HTMLElement>('.row')?.dataset.index ?? -1)];
+    if (!row) return;
+    if (target.className === 'twist' && row.object.children.length > 0) this.toggle(row.object);
+    else this.session.selected = row.object;
+  }
+
+  private toggle(object: Object3D): void {
+    if (!this.open.delete(object)) this.open.add(object);
+    this.refresh();
+  }
+
+  /** @returns whether the key is one of the tree's */
+  private key(key: string): boolean {
+    const { rows, session } = this;
+    const at = rows.findIndex(({ object }) => object === session.selected);
+    const select = (index: number) => {
+      const row = rows[Math.min(rows.length - 1, Math.max(0, index))];
+      session.selected = row.object;
+    };
+    const object = rows[at]?.object;
+    switch (key) {
+      case 'ArrowDown':
+        select(at + 1);
+        return true;
+      case 'ArrowUp':
+        select(at - 1);
+        return true;
+      case 'Home':
+        select(0);
+        return true;
+      case 'End':
+        select(rows.length - 1);
+        return true;
+      case 'ArrowRight':
+        if (object && object.children.length > 0 && !this.open.has(object)) this.toggle(object);
+        else if (object && this.open.has(object)) select(at + 1);
+        return true;
+      case 'ArrowLeft':
+        if (object && this.open.has(object) && object.children.length > 0) this.toggle(object);
+        else if (object?.parent && object !== session.scene) session.selected = object.parent;
+        return true;
+      case 'Escape':
+        session.selected = null;
+        return true;
+      default:
+        return false;
+    }
+  }
+}

@@ -1,0 +1,94 @@
+import { Vector2 } from 'three';
+import type { Session } from '../model/Session';
+import type { Gizmo } from './Gizmo';
+import { pickObject } from './pickObject';
+
+/** Way of the pointer (CSS pixels) up to which a press is a click. */
+const CLICK = 4;
+
+/**
+ * Pointer on the page's canvas: drags the gizmo, and selects what is clicked. What the gizmo takes, the page's own
+ * controls do not see; all else reaches them as ever.
+ */
+export class Pointer {
+  private readonly at = new Vector2();
+  private pressed: { x: number; y: number; id: number } | null = null;
+  private readonly listening = new AbortController();
+
+  /** @param area the element that the page's controls listen on */
+  constructor(
+    private readonly session: Session,
+    private readonly gizmo: Gizmo,
+    private readonly area: HTMLElement,
+  ) {
+    const options = { capture: true, signal: this.listening.signal };
+    addEventListener('pointermove', (event) => this.move(event), options);
+    addEventListener('pointerdown', (event) => this.down(event), options);
+    addEventListener('pointerup', (event) => this.up(event, true), options);
+    addEventListener('pointercancel', (event) => this.up(event, false), options);
+    addEventListener('keydown', (event) => this.escape(event), options);
+  }
+
+  dispose(): void {
+    if (this.gizmo.isDragging) this.gizmo.finish(this.at, false);
+    this.listening.abort();
+  }
+
+  private down(event: PointerEvent): void {
+    if (event.button !== 0 || !this.isOver(event)) return;
+    this.locate(event);
+    if (this.gizmo.hover(this.at)) {
+      this.gizmo.begin(this.at);
+      take(event);
+    } else {
+      this.pressed = { x: event.clientX, y: event.clientY, id: event.pointerId };
+    }
+  }
+
+  private move(event: PointerEvent): void {
+    if (this.gizmo.isDragging) {
+      this.locate(event);
+      this.gizmo.drag(this.at);
+      take(event);
+    } else if (event.buttons === 0 && this.isOver(event)) {
+      this.locate(event);
+      this.gizmo.hover(this.at);
+    }
+  }
+
+  private up(event: PointerEvent, keep: boolean): void {
+    this.locate(event);
+    if (this.gizmo.isDragging) {
+      this.gizmo.finish(this.at, keep);
+      take(event);
+      return;
+    }
+    const { pressed, session } = this;
+    this.pressed = null;
+    if (!pressed || pressed.id !== event.pointerId || !keep) return;
+    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > CLICK) return;
+    session.selected = pickObject(session.scene, session.camera, this.at);
+  }
+
+  private escape(event: KeyboardEvent): void {
+    if (event.key !== 'Escape' || !this.gizmo.isDragging) return;
+    this.gizmo.finish(this.at, false);
+    take(event);
+  }
+
+  private isOver({ target }: PointerEvent): boolean {
+    return target === this.area || target === this.session.webgl.domElement;
+  }
+
+  /** Where the pointer is in normalised device coordinates. */
+  private locate({ clientX, clientY }: PointerEvent): void {
+    const { left, top, width, height } = this.session.webgl.domElement.getBoundingClientRect();
+    this.at.set(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
+  }
+}
+
+/** Keeps an event from the page. */
+function take(event: Event): void {
+  event.stopImmediatePropagation();
+  event.preventDefault();
+}
