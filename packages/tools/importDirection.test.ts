@@ -45,6 +45,7 @@ describe('the direction of imports', () => {
     ['packages/engine/src/X.ts', "const lazy = () => import('react');", /may import/],
     ['packages/renderer/src/index.ts', "export * from './r3f/Farol';", /does not know what plugs it in/],
     ['packages/renderer/src/index.ts', "import 'react';", /may import/],
+    ['packages/engine/src/X.ts', "import { attachEditor } from '@farol/attach';", /may import/],
     ['packages/renderer/src/three-pass/X.ts', "import 'postprocessing';", /may import/],
     ['packages/engine/src/X.ts', "import { readFileSync } from 'node:fs';", /no Node modules/],
     [

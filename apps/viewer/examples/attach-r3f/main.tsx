@@ -68,7 +68,7 @@ function App() {
           <meshStandardMaterial color="#9a9488" roughness={0.75} />
         </mesh>
         {Array.from({ length: count }, (_, i) => (
-          <mesh key={i} name={`ball ${i + 1}`} position={[1.5 * i, 1, 0]}>
+          <mesh key={i} name={`ball ${i + 1}`} position={[-1.6 * i, 1, 0]}>
             <sphereGeometry args={[0.7, 32, 24]} />
             <meshStandardMaterial color="#c98f5a" metalness={0.5} roughness={0.4} />
           </mesh>

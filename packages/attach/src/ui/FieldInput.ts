@@ -33,7 +33,7 @@ export class FieldInput {
     const unit = field.kind === 'angle' || field.kind === 'euler' ? '°' : 'unit' in field ? field.unit : undefined;
     this.element = element(
       'div',
-      { className: 'field', role: 'group', 'aria-label': label },
+      single ? { className: 'field' } : { className: 'field', role: 'group', 'aria-label': label },
       name,
       element('span', { className: 'controls' }, ...this.controls),
       element('span', { className: 'unit', 'aria-hidden': true }, unit ?? ''),
