@@ -7,6 +7,19 @@ export default defineConfig({
   assetsInclude: ['**/*.ply.gz'],
   plugins: [react()],
   server: { port: 5173, strictPort: true },
+  // What is imported late must be known early, or the development server reloads the page when a file asks for it.
+  optimizeDeps: {
+    include: [
+      'three/addons/exporters/GLTFExporter.js',
+      'three/addons/libs/fflate.module.js',
+      'three/addons/libs/meshopt_decoder.module.js',
+      'three/addons/loaders/DRACOLoader.js',
+      'three/addons/loaders/EXRLoader.js',
+      'three/addons/loaders/GLTFLoader.js',
+      'three/addons/loaders/HDRLoader.js',
+      'three/addons/loaders/KTX2Loader.js',
+    ],
+  },
   resolve: { dedupe: ['three', 'react', 'react-dom'] },
   build: { target: 'es2022', chunkSizeWarningLimit: 2000 },
 });

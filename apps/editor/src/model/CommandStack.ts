@@ -107,10 +107,10 @@ export class CommandStack {
     return true;
   }
 
-  /** The document as it is now is saved. */
-  markSaved(): void {
+  /** The document is saved as it was after a step: the last one, unless another is named. */
+  markSaved(step?: Command | null): void {
     this.gesture?.commit();
-    this.savedAt = this.done.at(-1) ?? null;
+    this.savedAt = step === undefined ? this.last : step;
     this.changed.emit();
   }
 

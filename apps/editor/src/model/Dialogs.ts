@@ -16,6 +16,8 @@ export interface ProblemsDialog {
   readonly title: string;
   readonly text: string;
   readonly problems: readonly FileProblem[];
+  /** What the button that agrees says; there is none when absent. */
+  readonly action?: string;
 }
 
 /** The keys that there are. */

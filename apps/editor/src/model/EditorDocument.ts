@@ -18,8 +18,6 @@ import { Simulation } from './Simulation';
  * Every change of the scene goes through `commands`; simulation writes to the scene directly and is never history.
  */
 export class EditorDocument {
-  /** Meshes and textures, shared by all scenes that are opened. */
-  readonly assets: AssetLibrary;
   readonly commands = new CommandStack((command, isDone) => this.applied(command, isDone));
   readonly selection = new Selection();
   readonly simulation = new Simulation(() => this.scene);
@@ -29,6 +27,14 @@ export class EditorDocument {
   readonly structure = new Signal();
   /** Emits when another scene was opened. */
   readonly opened = new Signal();
+  /** Emits when an asset of the scene's library comes, is loaded, fails or goes, and when another library comes. */
+  readonly assetsChanged = new Signal();
+  /** Emits when a prefab of the scene changes, or an object becomes or ceases to be a copy of one. */
+  readonly prefabs = new Signal();
+  /** Takes what went wrong while an asset was loaded. */
+  onAssetFailed: (error: Error) => void = () => {};
+  /** Hears of every edit of the scene as it is made, previews included. */
+  onSceneChange: (change: SceneChange) => void = () => {};
 
   /** Emits when a microshader of the scene changes. */
   readonly microShaders = new Signal();
@@ -37,16 +43,22 @@ export class EditorDocument {
 
   private current: Scene;
   private unsubscribe: () => void;
+  private endAssets: () => void = () => {};
   private readonly ownerSignals = new WeakMap<FieldOwner, Signal>();
 
   constructor(assets: AssetLibrary = new AssetLibrary()) {
-    this.assets = assets;
     this.current = new Scene({ name: 'Untitled', assets });
+    this.watchAssets();
     this.unsubscribe = this.watch(this.current);
   }
 
   get scene(): Scene {
     return this.current;
+  }
+
+  /** Meshes, textures and models of the scene. */
+  get assets(): AssetLibrary {
+    return this.current.assets;
   }
 
   /** The selected GameObjects, in the order of their choice. */
@@ -63,8 +75,13 @@ export class EditorDocument {
     this.unsubscribe = this.watch(scene);
     this.simulation.restart();
     this.selection.clear();
+    const library = before.assets;
     before.dispose();
+    if (library !== scene.assets) library.dispose();
+    this.watchAssets();
     this.opened.emit();
+    this.assetsChanged.emit();
+    this.prefabs.emit();
     this.structure.emit();
     this.microShaders.emit();
     this.edited.emit();
@@ -92,13 +109,25 @@ export class EditorDocument {
     if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
     else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
     else if (change.kind === 'microshader') this.microShaders.emit();
-    else this.structure.emit();
+    else {
+      if (change.kind === 'prefab' || (change.kind === 'object' && change.property === 'prefab')) this.prefabs.emit();
+      this.structure.emit();
+    }
+    this.onSceneChange(change);
     this.edited.emit();
   }
 
   private watch(scene: Scene): () => void {
     scene.onComponentError = (component, error) => this.onComponentError(component, error);
     return scene.onChange((change) => this.sceneChanged(change));
+  }
+
+  private watchAssets(): void {
+    this.endAssets();
+    this.endAssets = this.assets.onChange((change) => {
+      if (change.kind === 'failed' && change.error) this.onAssetFailed(change.error);
+      this.assetsChanged.emit();
+    });
   }
 
   /** Deselects what is no longer in the scene. */

@@ -31,6 +31,13 @@ export const panels = new PanelRegistry([
     load: () => import('./history/HistoryPanel').then(({ HistoryPanel }) => HistoryPanel),
   },
   {
+    id: 'assets',
+    title: 'Assets',
+    icon: 'assets',
+    place: 'bottom',
+    load: () => import('./assets/AssetsPanel').then(({ AssetsPanel }) => AssetsPanel),
+  },
+  {
     id: 'console',
     title: 'Console',
     icon: 'console',

@@ -1,5 +1,7 @@
 /** Icons as strokes of SVG paths in a square of 16 by 16. The viewport draws some of them too. */
 export const iconPaths = {
+  prefab: 'M8 1.8l5.4 3v6.4L8 14.2l-5.4-3V4.8zM8 5.2L10.6 8 8 10.8 5.4 8z',
+  assets: 'M1.8 3h5v4.4h-5zM9.2 3h5v4.4h-5zM1.8 9.4h5v3.6h-5zM9.2 9.4h5v3.6h-5z',
   point: 'M8 1.8a4.2 4.2 0 0 0-2.4 7.6c.5.4.8.9.8 1.4v.4h3.2v-.4c0-.5.3-1 .8-1.4A4.2 4.2 0 0 0 8 1.8M6.6 13.6h2.8',
   spot: 'M6.2 2h3.6l1.4 4.4H4.8zM4.4 9l-1.6 4.6M8 9v4.8M11.6 9l1.6 4.6',
   directional:

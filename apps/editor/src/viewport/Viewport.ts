@@ -84,7 +84,7 @@ export class Viewport {
       this.endings.push(signal.subscribe(redraw));
     }
     this.endings.push(
-      document.assets.onChange(() => {
+      document.assetsChanged.subscribe(() => {
         this.assetChanges++;
         this.invalidate();
       }),

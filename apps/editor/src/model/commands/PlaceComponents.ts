@@ -5,13 +5,13 @@ import { StructuralCommand } from './StructuralCommand';
 export class PlaceComponents extends StructuralCommand {
   /**
    * @param kind - whether `do` adds or removes
-   * @param places - component, its object, and its place in the object's list
+   * @param places - component, its object, its place in the object's list, and the id that a new one gets
    */
   constructor(
     label: string,
     scene: Scene,
     private readonly kind: 'add' | 'remove',
-    private readonly places: readonly { component: Component; object: GameObject; index: number }[],
+    private readonly places: readonly { component: Component; object: GameObject; index: number; id?: string }[],
   ) {
     super(label, scene);
   }
@@ -39,8 +39,8 @@ export class PlaceComponents extends StructuralCommand {
     let count = 0;
     try {
       for (; count < this.places.length; count++) {
-        const { component, object, index } = this.places[count];
-        object.addComponent(component, {}, { index, enabled: component.enabled });
+        const { component, object, index, id } = this.places[count];
+        object.addComponent(component, {}, { index, id, enabled: component.enabled });
       }
     } catch (error) {
       while (count-- > 0) this.places[count].object.removeComponent(this.places[count].component);

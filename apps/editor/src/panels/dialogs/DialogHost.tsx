@@ -45,7 +45,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
       <Dialog.Description>{request.text}</Dialog.Description>
       {request.kind === 'problems' && (
         // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
-        <ul className="problems" tabIndex={0} aria-label="Problems">
+        <ul className="problems" tabIndex={0} aria-label={request.action ? 'Uses' : 'Problems'}>
           {request.problems.map(({ path, problem }) => (
             <li key={path + problem}>
               {path && <code>{path}</code>} {problem}
@@ -53,7 +53,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
           ))}
         </ul>
       )}
-      <Buttons action={request.kind === 'confirm' ? request.action : undefined} onClose={onClose} />
+      <Buttons action={request.action} onClose={onClose} />
     </>
   );
 }

@@ -10,6 +10,7 @@ import { focus } from '../../actions/focus';
 import { group, ungroup } from '../../actions/group';
 import { hide } from '../../actions/hide';
 import { lock } from '../../actions/lock';
+import { makePrefab, unpackPrefab } from '../../actions/prefabs';
 import { remove } from '../../actions/remove';
 import { rename } from '../../actions/rename';
 import type { Action } from '../../actions/Action';
@@ -78,7 +79,7 @@ export function HierarchyPanel(): ReactNode {
     if (!selected) return [add, ...entries(paste)];
     return [
       ...[add, 'separator' as const, ...entries(cut, copy, paste, pasteBelow, duplicate)],
-      ...['separator' as const, ...entries(rename, group, ungroup, remove)],
+      ...['separator' as const, ...entries(rename, group, ungroup, makePrefab, unpackPrefab, remove)],
       ...['separator' as const, ...entries(hide, lock, focus)],
     ];
   };

@@ -35,6 +35,7 @@ export function rowState(tree: TreeInstance<string>, item: ItemInstance<string>,
       object.children.length > 0,
     ],
     ...[level, setSize, posInSet, item.isSelected(), item.isFocused(), item.isExpanded()],
+    object.prefabLink !== null,
     ...[item.isUnorderedDragTarget(), item.isRenaming() ? tree.getRenamingValue() : null],
   ].join('\n');
 }
@@ -49,6 +50,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
     item.isSelected() && 'selected',
     item.isUnorderedDragTarget() && 'drop-target',
     !object.activeInHierarchy && 'inactive',
+    object.prefabLink && 'instance',
   ];
   return (
     <div

@@ -1,11 +1,12 @@
-import { Camera, type GameObject, Light, ObjectRenderer } from '@farol/engine';
+import { Camera, type GameObject, isInstanceRoot, Light, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { IconName } from '../../ui/iconPaths';
 
 /** The icon that says what a GameObject is. */
 export function objectIcon(object: GameObject): IconName {
+  if (isInstanceRoot(object)) return 'prefab';
   const light = object.getComponent(Light);
   if (light) return light.type;
   if (object.getComponent(Camera)) return 'camera';
-  if (object.getComponent(ObjectRenderer)) return 'mesh';
+  if (object.getComponent(ObjectRenderer) || object.getComponent(ModelRenderer)) return 'mesh';
   return object.children.length > 0 ? 'folder' : 'object';
 }

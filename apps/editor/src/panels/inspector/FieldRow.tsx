@@ -6,6 +6,7 @@ import type { FieldEditorProps } from '../../fields/FieldEditorProps';
 import { labelOfField } from '../../fields/labelOfField';
 import { FieldGesture, type FieldUpdate } from '../../model/FieldGesture';
 import { resetFields } from '../../model/edits';
+import { OverrideMark } from '../prefab/OverrideMark';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
@@ -52,6 +53,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
             <Icon name="undo" size={11} />
           </button>
         )}
+        <OverrideMark owners={owners} name={name} label={label} />
       </span>
       <div className="field-editor">
         <Editor

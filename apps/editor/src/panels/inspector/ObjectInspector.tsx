@@ -8,6 +8,7 @@ import { TextInput } from '../../ui/TextInput';
 import { Toggle } from '../../ui/Toggle';
 import { objectIcon } from '../hierarchy/objectIcon';
 import { componentIcon, wordsOf } from './componentIcons';
+import { PrefabBar } from '../prefab/PrefabBar';
 import { ComponentSection } from './ComponentSection';
 
 /** The components that all objects have, one of each object to a group, in the order of the first object. */
@@ -69,6 +70,7 @@ export function ObjectInspector(): ReactNode {
           onChange={(active) => commands.run(setActive(objects, active))}
         />
       </div>
+      {isOne && first.prefabLink && <PrefabBar object={first} />}
       {groups.map((components) => (
         <ComponentSection key={components.map(({ id }) => id).join()} components={components} />
       ))}

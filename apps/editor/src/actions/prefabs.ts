@@ -1,0 +1,34 @@
+import { instanceRootOf } from '@farol/engine';
+import { createPrefab, unpackInstance } from '../model/prefabEdits';
+import type { Action } from './Action';
+
+/** Makes a prefab of the selected object. */
+export const makePrefab: Action = {
+  id: 'prefab.make',
+  label: 'Make prefab',
+  icon: 'prefab',
+  run({ document, commands, notices }) {
+    const [object] = document.selectedObjects;
+    commands.run(createPrefab(document.scene, object, document.selection.ids));
+    notices.show('info', `${object.name} is a prefab: place it from Assets`);
+  },
+  enabled: ({ document }) => {
+    const { selectedObjects } = document;
+    if (selectedObjects.length !== 1) return false;
+    const root = instanceRootOf(selectedObjects[0]);
+    return root === null || root === selectedObjects[0];
+  },
+};
+
+/** Makes the selected instance an object of its own. */
+export const unpackPrefab: Action = {
+  id: 'prefab.unpack',
+  label: 'Unpack prefab',
+  icon: 'object',
+  run({ document, commands }) {
+    const root = instanceRootOf(document.selectedObjects[0]);
+    if (root) commands.run(unpackInstance(document.scene, root, document.selection.ids));
+  },
+  enabled: ({ document }) =>
+    document.selectedObjects.length === 1 && instanceRootOf(document.selectedObjects[0]) !== null,
+};

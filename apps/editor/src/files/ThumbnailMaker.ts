@@ -1,0 +1,180 @@
+import { instantiatePrefab, type Prefab, Scene as EngineScene } from '@farol/engine';
+import {
+  Box3,
+  DataUtils,
+  DirectionalLight,
+  HalfFloatType,
+  HemisphereLight,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  type Object3D,
+  OrthographicCamera,
+  PerspectiveCamera,
+  PlaneGeometry,
+  Scene,
+  Sphere,
+  SphereGeometry,
+  Vector3,
+  WebGLRenderTarget,
+} from 'three';
+import { clone } from 'three/addons/utils/SkeletonUtils.js';
+import type { Viewport } from '../viewport/Viewport';
+import type { AssetEntry } from './assetKinds';
+
+/** Side of a thumbnail (pixels). */
+const SIZE = 96;
+
+/** Linear light as a byte of sRGB, bright parts rolled off. @see Reinhard 2002, equation 4, white at 4 */
+function encode(linear: number): number {
+  const light = Math.max(0, linear);
+  const toned = light <= 0.8 ? light : 0.8 + 0.2 * (1 - 1 / (1 + (light - 0.8) * 2));
+  return 255 * (toned <= 0.0031308 ? toned * 12.92 : 1.055 * toned ** (1 / 2.4) - 0.055);
+}
+
+/** Draws small pictures of assets with the viewport's own renderer, one at a time while the page is idle. */
+export class ThumbnailMaker {
+  private readonly target = new WebGLRenderTarget(SIZE, SIZE, { type: HalfFloatType, samples: 4 });
+  private readonly pixels = new Uint16Array(SIZE * SIZE * 4);
+  private readonly pictures = new WeakMap<object, Map<string, Promise<string | null>>>();
+  private last: Promise<unknown> = Promise.resolve();
+
+  constructor(private readonly viewport: Viewport) {}
+
+  /** An address of a picture of an asset; null when none can be drawn now. It is drawn once for each state of the asset. */
+  pictureOf(entry: AssetEntry): Promise<string | null> {
+    const { scene, assets } = this.viewport.document;
+    const prefab = entry.kind === 'prefab' ? scene.prefabs.get(entry.name) : null;
+    const owner: object = prefab ?? assets;
+    let known = this.pictures.get(owner);
+    if (!known) this.pictures.set(owner, (known = new Map()));
+    const key = `${entry.kind}/${entry.name}`;
+    let picture = known.get(key);
+    if (!picture) {
+      picture = this.last.then(idle).then(() => this.draw(entry, prefab));
+      this.last = picture;
+      known.set(key, picture);
+      // what was not loaded yet is asked for again
+      void picture.then((address) => address ?? known.delete(key));
+    }
+    return picture;
+  }
+
+  private async draw(entry: AssetEntry, prefab: Prefab | null): Promise<string | null> {
+    let release = (): void => {};
+    try {
+      const { assets } = this.viewport.document;
+      if (prefab) {
+        const stage = new EngineScene({ assets, registry: this.viewport.document.scene.registry });
+        release = () => stage.dispose();
+        stage.add(instantiatePrefab(prefab, stage.registry));
+        return await this.render(stage.three);
+      }
+      if (entry.kind === 'prefab' || !assets.isReady(entry.kind, entry.name)) return null;
+      const { subject, dispose } = this.subjectOf(entry);
+      release = dispose;
+      const stage = new Scene();
+      stage.add(subject);
+      return await this.render(stage, entry.kind === 'texture');
+    } catch {
+      // an asset that cannot be drawn has its icon
+      return null;
+    } finally {
+      release();
+    }
+  }
+
+  private subjectOf({ kind, name }: AssetEntry): { subject: Object3D; dispose(): void } {
+    const { assets } = this.viewport.document;
+    if (kind === 'model') return { subject: clone(assets.model(name).scene), dispose: () => {} };
+    if (kind === 'mesh') {
+      const material = new MeshStandardMaterial({ color: 0xb8bcc4, roughness: 0.7 });
+      return { subject: new Mesh(assets.mesh(name), material), dispose: () => material.dispose() };
+    }
+    if (kind === 'texture') {
+      const geometry = new PlaneGeometry(2, 2);
+      const material = new MeshBasicMaterial({ map: assets.texture(name), toneMapped: false });
+      return {
+        subject: new Mesh(geometry, material),
+        dispose: () => {
+          geometry.dispose();
+          material.dispose();
+        },
+      };
+    }
+    const geometry = new SphereGeometry(1, 32, 16);
+    const material = kind === 'shader' ? assets.shader(name) : assets.material(name);
+    return { subject: new Mesh(geometry, material), dispose: () => geometry.dispose() };
+  }
+
+  private async render(stage: Scene, isFlat = false): Promise<string | null> {
+    const { webgl } = this.viewport;
+    const lights = [new HemisphereLight(0xdfe8ff, 0x55504a, 1.6), new DirectionalLight(0xffffff, 2.4)];
+    lights[1].position.set(2, 3, 2.5);
+    stage.add(...lights);
+    const camera = isFlat ? flatCamera() : cameraFor(stage);
+    if (!camera) return null;
+    const before = { target: webgl.getRenderTarget(), alpha: webgl.getClearAlpha(), autoClear: webgl.autoClear };
+    webgl.setRenderTarget(this.target);
+    webgl.setClearAlpha(0);
+    webgl.autoClear = true;
+    try {
+      webgl.render(stage, camera);
+    } finally {
+      webgl.setRenderTarget(before.target);
+      webgl.setClearAlpha(before.alpha);
+      webgl.autoClear = before.autoClear;
+      stage.remove(...lights);
+    }
+    await webgl.readRenderTargetPixelsAsync(this.target, 0, 0, SIZE, SIZE, this.pixels);
+    return this.toAddress();
+  }
+
+  private toAddress(): Promise<string | null> {
+    const canvas = document.createElement('canvas');
+    canvas.width = canvas.height = SIZE;
+    const context = canvas.getContext('2d')!;
+    const image = context.createImageData(SIZE, SIZE);
+    for (let y = 0; y < SIZE; y++) {
+      for (let x = 0; x < SIZE; x++) {
+        const from = (y * SIZE + x) * 4;
+        const to = ((SIZE - 1 - y) * SIZE + x) * 4;
+        const alpha = DataUtils.fromHalfFloat(this.pixels[from + 3]);
+        for (let i = 0; i < 3; i++) {
+          const light = DataUtils.fromHalfFloat(this.pixels[from + i]) / Math.max(alpha, 1e-3);
+          image.data[to + i] = encode(light);
+        }
+        image.data[to + 3] = alpha * 255;
+      }
+    }
+    context.putImageData(image, 0, 0);
+    return new Promise((resolve) => {
+      canvas.toBlob((blob) => resolve(blob && URL.createObjectURL(blob)));
+    });
+  }
+}
+
+const idle = (): Promise<void> =>
+  new Promise((resolve) => {
+    if ('requestIdleCallback' in window) requestIdleCallback(() => resolve(), { timeout: 500 });
+    else setTimeout(resolve, 20);
+  });
+
+function flatCamera(): OrthographicCamera {
+  const camera = new OrthographicCamera(-1, 1, 1, -1, 0, 2);
+  camera.position.z = 1;
+  return camera;
+}
+
+/** A camera that sees everything from the front, right and above; null where there is nothing to see. */
+function cameraFor(stage: Scene): PerspectiveCamera | null {
+  stage.updateMatrixWorld(true);
+  const box = new Box3().setFromObject(stage);
+  if (box.isEmpty()) return null;
+  const { center, radius } = box.getBoundingSphere(new Sphere());
+  const size = Math.max(radius, 1e-4);
+  const camera = new PerspectiveCamera(30, 1, size * 0.05, size * 20);
+  camera.position.copy(center).addScaledVector(new Vector3(0.62, 0.48, 1).normalize(), size / Math.sin(Math.PI / 12));
+  camera.lookAt(center);
+  return camera;
+}

@@ -1,0 +1,32 @@
+/** Files by their path from what was dropped, with `/`: 'room/textures/wall.png'. */
+export type FileMap = ReadonlyMap<string, File>;
+
+/** All files of a drop, folders with everything in them. */
+export async function collectFiles(transfer: DataTransfer): Promise<FileMap> {
+  const files = new Map<string, File>();
+  // The items are gone after the first await: take them all before.
+  const entries: FileSystemEntry[] = [];
+  for (const item of transfer.items) {
+    const entry = item.kind === 'file' ? item.webkitGetAsEntry?.() : null;
+    if (entry) entries.push(entry);
+  }
+  const plain = [...transfer.files];
+  if (entries.length === 0) for (const file of plain) files.set(file.name, file);
+  for (const entry of entries) await addEntry(entry, files);
+  return files;
+}
+
+async function addEntry(entry: FileSystemEntry, files: Map<string, File>): Promise<void> {
+  if (entry.isFile) {
+    const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+    files.set(entry.fullPath.replace(/^\//, ''), file);
+    return;
+  }
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  for (;;) {
+    // A reader gives at most 100 entries at a time, and none when it is done.
+    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
+    if (batch.length === 0) return;
+    for (const child of batch) await addEntry(child, files);
+  }
+}

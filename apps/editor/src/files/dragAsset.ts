@@ -1,0 +1,34 @@
+import type { AssetKind } from './assetKinds';
+
+/** What is dragged from the Assets panel. */
+export interface DraggedAsset {
+  readonly kind: AssetKind;
+  /** Name of the asset, id of the prefab. */
+  readonly name: string;
+}
+
+const TYPE = 'application/x-farol-asset';
+
+/** Types can be read while something is dragged, what they hold only when it is dropped: the kind is in the type. */
+const typeOf = (kind: AssetKind): string => `${TYPE}-${kind}`;
+
+/** Begins a drag. */
+export function setDraggedAsset(transfer: DataTransfer, asset: DraggedAsset): void {
+  transfer.setData(TYPE, JSON.stringify(asset));
+  transfer.setData(typeOf(asset.kind), asset.name);
+  transfer.setData('text/plain', asset.name);
+  transfer.effectAllowed = 'copy';
+}
+
+/** Whether an asset is dragged, of this kind if one is given. */
+export const isAssetDrag = (transfer: DataTransfer, kind?: AssetKind): boolean =>
+  transfer.types.includes(kind ? typeOf(kind) : TYPE);
+
+/** Whether files are dragged from outside. */
+export const isFileDrag = (transfer: DataTransfer): boolean => transfer.types.includes('Files');
+
+/** What is dropped; null when it is no asset of the editor's. */
+export function draggedAsset(transfer: DataTransfer): DraggedAsset | null {
+  const text = transfer.getData(TYPE);
+  return text ? (JSON.parse(text) as DraggedAsset) : null;
+}

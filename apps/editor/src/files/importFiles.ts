@@ -1,0 +1,113 @@
+import { type AssetLibrary, packGltf, readableEndings, typeOfUrl } from '@farol/engine';
+import type { Editor } from '../Editor';
+import { AddAssets } from '../model/commands/AddAssets';
+import type { FileMap } from './collectFiles';
+
+const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
+
+/** A name that is free: 'robot 2.glb' when there is a 'robot.glb'. */
+export function freeName(assets: AssetLibrary, name: string): string {
+  const dot = name.indexOf('.', 1);
+  const [stem, ending] = dot < 0 ? [name, ''] : [name.slice(0, dot), name.slice(dot)];
+  let free = name;
+  for (let n = 2; assets.has(free); n++) free = `${stem} ${n}${ending}`;
+  return free;
+}
+
+async function sameBytes(a: Blob, b: Blob): Promise<boolean> {
+  if (a.size !== b.size) return false;
+  const [one, two] = await Promise.all([a.arrayBuffer(), b.arrayBuffer()]);
+  const [left, right] = [new Uint8Array(one), new Uint8Array(two)];
+  return left.every((byte, i) => byte === right[i]);
+}
+
+/** The asset that has these very bytes already; null when there is none. */
+async function knownAs(assets: AssetLibrary, blob: Blob): Promise<string | null> {
+  for (const file of assets.files) if (await sameBytes(file.blob, blob)) return file.name;
+  return null;
+}
+
+function find(files: FileMap, model: string, uri: string): [string, File] | null {
+  const parts = model.split('/').slice(0, -1);
+  for (const part of decodeURIComponent(uri).replaceAll('\\', '/').split('/')) {
+    if (part === '..') parts.pop();
+    else if (part !== '.' && part !== '') parts.push(part);
+  }
+  const path = parts.join('/');
+  // files that were chosen one by one have lost their folder
+  const found = [path, nameIn(path)].find((each) => files.has(each));
+  return found === undefined ? null : [found, files.get(found)!];
+}
+
+/** One GLB of a .gltf and the files beside it, which are taken out of `left`. */
+async function packed(files: FileMap, path: string, left: Set<string>): Promise<Blob> {
+  const bytes = await packGltf(await files.get(path)!.arrayBuffer(), async (uri) => {
+    const found = find(files, path, uri);
+    if (!found) return null;
+    left.delete(found[0]);
+    return found[1].arrayBuffer();
+  });
+  return new Blob([bytes], { type: 'model/gltf-binary' });
+}
+
+/** What came of an import. */
+export interface ImportResult {
+  /** Names of the assets, those that were there already included. */
+  readonly names: readonly string[];
+}
+
+/**
+ * Takes files in as assets: one step of history. Each is read before anything changes; what cannot be read is told by
+ * name, and the others come in all the same. The bytes that are there already are used as they are.
+ * @throws Error naming the files, when none of them is one that can be read
+ */
+export async function importFiles(editor: Editor, files: FileMap): Promise<ImportResult> {
+  const { assets } = editor.document;
+  const left = new Set(files.keys());
+  const problems: string[] = [];
+  const names: string[] = [];
+  const added: string[] = [];
+  const take = async (path: string, blob: Blob, fileName: string): Promise<void> => {
+    const known = await knownAs(assets, blob);
+    if (known) {
+      names.push(known);
+      return;
+    }
+    const name = freeName(assets, fileName);
+    assets.registerFile(name, blob);
+    try {
+      await assets.load(name);
+      added.push(name);
+      names.push(name);
+    } catch (error) {
+      assets.unregister(name);
+      const { cause } = error as Error;
+      problems.push(`${path} cannot be imported: ${cause instanceof Error ? cause.message : String(error)}`);
+    }
+  };
+  // of the model first: what it names is a part of it
+  for (const path of files.keys()) {
+    if (!/\.gltf$/i.test(path)) continue;
+    left.delete(path);
+    try {
+      await take(path, await packed(files, path, left), nameIn(path).replace(/\.gltf$/i, '.glb'));
+    } catch (error) {
+      problems.push(`${path} cannot be imported: ${error instanceof Error ? error.message : String(error)}`);
+    }
+  }
+  const unknown = [...left].filter((path) => !typeOfUrl(path));
+  for (const path of left) if (typeOfUrl(path)) await take(path, files.get(path)!, nameIn(path));
+  if (assets === editor.document.assets) {
+    editor.commands.run(
+      new AddAssets(
+        assets,
+        added.map((name) => assets.take(name)),
+      ),
+    );
+  }
+  if (unknown.length > 0 && names.length + problems.length === 0) {
+    throw new Error(`${unknown.slice(0, 4).join(', ')} cannot be imported: only ${readableEndings} can.`);
+  }
+  for (const problem of problems) editor.notices.show('error', problem);
+  return { names };
+}

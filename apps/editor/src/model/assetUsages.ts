@@ -1,0 +1,81 @@
+import type { AssetType, FieldOwner, FieldTable, FieldValue, Prefab, Scene } from '@farol/engine';
+import type { Command } from './Command';
+import { RemoveAsset } from './commands/AddAssets';
+import { Sequence } from './commands/Sequence';
+import { type FieldEdit, SetFields } from './commands/SetFields';
+import { SetPrefab } from './commands/SetPrefab';
+
+/** A place that names an asset. */
+export interface AssetUsage {
+  /** Where: 'Robot', 'Scene', 'Lamp (prefab)'. */
+  readonly place: string;
+  /** What: 'ModelRenderer.model'. */
+  readonly field: string;
+}
+
+const isOne = (names: ReadonlySet<string>, value: FieldValue | undefined): boolean =>
+  typeof value === 'string' && names.has(value);
+
+function editsOf(scene: Scene, names: ReadonlySet<string>): (FieldEdit & { readonly place: string })[] {
+  const edits: (FieldEdit & { readonly place: string })[] = [];
+  const visit = (owner: FieldOwner, place: string): void => {
+    for (const [name, field] of Object.entries(owner.fields)) {
+      if (field.kind !== 'asset' || !isOne(names, owner.getAuthored(name))) continue;
+      edits.push({ owner, name, value: null, place });
+    }
+  };
+  visit(scene.settings, 'Scene');
+  scene.traverse((object) => {
+    for (const component of object.components) visit(component, object.name);
+  });
+  return edits;
+}
+
+const assetFields = (fields: FieldTable): [string, AssetType][] =>
+  Object.entries(fields).flatMap(
+    ([name, field]) => (field.kind === 'asset' ? [[name, field.assetType] as const] : []) as [string, AssetType][],
+  );
+
+/** A prefab without the assets, and where it named them. */
+function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { next: Prefab; usages: AssetUsage[] } {
+  const usages: AssetUsage[] = [];
+  const objects = prefab.objects.map((object) => ({
+    ...object,
+    components: object.components.map((component) => {
+      const values = { ...component.values };
+      for (const [name] of assetFields(scene.registry.get(component.type).fields)) {
+        if (!isOne(names, values[name])) continue;
+        values[name] = null;
+        usages.push({ place: `${object.name} (prefab ${prefab.name})`, field: `${component.type}.${name}` });
+      }
+      return { ...component, values };
+    }),
+  }));
+  return { next: { ...prefab, objects }, usages };
+}
+
+const withParts = (scene: Scene, asset: string): Set<string> => new Set([asset, ...scene.assets.partsOf(asset)]);
+
+/** Every place that names an asset, or a part of it. */
+export function usagesOf(scene: Scene, asset: string): AssetUsage[] {
+  const names = withParts(scene, asset);
+  return [
+    ...editsOf(scene, names).map(({ owner, name, place }) => ({ place, field: `${owner.ownerName}.${name}` })),
+    ...scene.prefabs.list.flatMap((prefab) => without(scene, prefab, names).usages),
+  ];
+}
+
+/** Deletes an asset; what used it is left without one. */
+export function deleteAsset(scene: Scene, asset: string): Command {
+  const names = withParts(scene, asset);
+  const edits = editsOf(scene, names);
+  const prefabs = scene.prefabs.list.flatMap((prefab) => {
+    const { next, usages } = without(scene, prefab, names);
+    return usages.length > 0 ? [next] : [];
+  });
+  return new Sequence(`Delete ${asset}`, [
+    ...prefabs.map((prefab) => () => new SetPrefab(scene, prefab.id, prefab)),
+    ...(edits.length > 0 ? [() => new SetFields('Clear', edits)] : []),
+    () => new RemoveAsset(scene.assets, asset),
+  ]);
+}

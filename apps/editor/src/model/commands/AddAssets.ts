@@ -1,0 +1,52 @@
+import type { AssetLibrary, TakenAsset } from '@farol/engine';
+import type { Command } from '../Command';
+
+const labelOf = (verb: string, assets: readonly TakenAsset[]): string =>
+  `${verb} ${assets.length === 1 ? assets[0].name : `${assets.length} assets`}`;
+
+/** Puts loaded assets into the library. */
+export class AddAssets implements Command {
+  readonly label: string;
+  private taken: readonly TakenAsset[];
+
+  constructor(
+    private readonly assets: AssetLibrary,
+    taken: readonly TakenAsset[],
+  ) {
+    this.taken = taken;
+    this.label = labelOf('Import', taken);
+  }
+
+  get isEmpty(): boolean {
+    return this.taken.length === 0;
+  }
+
+  do(): void {
+    for (const each of this.taken) this.assets.restore(each);
+  }
+
+  undo(): void {
+    this.taken = this.taken.map(({ name }) => this.assets.take(name));
+  }
+}
+
+/** Takes an asset, with its parts, out of the library. Nothing may use it any more. */
+export class RemoveAsset implements Command {
+  readonly label: string;
+  private taken: TakenAsset | null = null;
+
+  constructor(
+    private readonly assets: AssetLibrary,
+    private readonly name: string,
+  ) {
+    this.label = `Delete ${name}`;
+  }
+
+  do(): void {
+    this.taken = this.assets.take(this.name);
+  }
+
+  undo(): void {
+    if (this.taken) this.assets.restore(this.taken);
+  }
+}

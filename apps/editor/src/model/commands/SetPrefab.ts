@@ -1,0 +1,37 @@
+import type { Prefab, Scene } from '@farol/engine';
+import type { Command } from '../Command';
+
+/** Puts a prefab into a scene, in the place of one of its id, or takes it out. Objects of the scene stay as they are. */
+export class SetPrefab implements Command {
+  readonly label: string;
+  private before: Prefab | null = null;
+  private order: readonly Prefab[] = [];
+
+  /** @param next - null takes it out */
+  constructor(
+    private readonly scene: Scene,
+    private readonly id: string,
+    private readonly next: Prefab | null,
+  ) {
+    this.label = `${next ? 'Change' : 'Delete'} prefab`;
+  }
+
+  do(): void {
+    const { prefabs } = this.scene;
+    this.before = prefabs.get(this.id);
+    this.order = prefabs.list;
+    if (this.next) prefabs.set(this.next);
+    else prefabs.delete(this.id);
+  }
+
+  undo(): void {
+    const { prefabs } = this.scene;
+    if (this.before && this.next) prefabs.set(this.before);
+    else if (!this.before) prefabs.delete(this.id);
+    else {
+      // back to its place among the others
+      for (const { id } of prefabs.list) prefabs.delete(id);
+      for (const prefab of this.order) prefabs.set(prefab);
+    }
+  }
+}

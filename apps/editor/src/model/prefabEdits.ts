@@ -1,0 +1,179 @@
+import {
+  type Component,
+  type FieldOverride,
+  type GameObject,
+  instanceRootOf,
+  instantiatePrefab,
+  isInstanceRoot,
+  makePrefab,
+  planApplyAll,
+  planApplyField,
+  planRevertAll,
+  planUnpack,
+  type Prefab,
+  type PrefabEdit,
+  type PrefabPlan,
+  type Scene,
+  withoutPin,
+} from '@farol/engine';
+import type { Command } from './Command';
+import { MoveLocal } from './commands/MoveLocal';
+import type { Container } from './commands/Placement';
+import { PlaceComponents } from './commands/PlaceComponents';
+import { PlaceObjects } from './commands/PlaceObjects';
+import { Sequence } from './commands/Sequence';
+import { SetFields } from './commands/SetFields';
+import { SetPrefab } from './commands/SetPrefab';
+import { SetProperty } from './commands/SetProperty';
+import { addObject, deleteObjects } from './edits';
+
+/** Commands for what a user does with prefabs. Each captures what the scene is like when it is made. */
+
+const stay = { done: [], undone: [] };
+
+/** The command of one edit that the engine planned. */
+function commandOf(scene: Scene, edit: PrefabEdit): Command {
+  switch (edit.kind) {
+    case 'field':
+      return new SetFields('Set field', [{ owner: edit.component, name: edit.field, value: edit.value }]);
+    case 'enabled':
+      return new SetProperty('Enable', [edit.component], 'enabled', edit.value);
+    case 'name':
+      return new SetProperty('Rename', [edit.object], 'name', edit.value);
+    case 'active':
+      return new SetProperty('Show', [edit.object], 'active', edit.value);
+    case 'tags':
+      return new SetProperty('Tag', [edit.object], 'tags', edit.value);
+    case 'link':
+      return new SetProperty('Link', [edit.object], 'prefabLink', edit.value);
+    case 'add-component': {
+      const { object, component, id } = edit;
+      const place = { object, component, index: object.components.length, id };
+      return new PlaceComponents('Add component', scene, 'add', [place]);
+    }
+    case 'remove-component': {
+      const { object, component } = edit;
+      const place = { object, component, index: object.components.indexOf(component) };
+      return new PlaceComponents('Remove component', scene, 'remove', [place]);
+    }
+    case 'add-object': {
+      const { object, parent } = edit;
+      const place = { object, parent, index: parent.children.length };
+      return new PlaceObjects('Add object', scene, 'add', [place], stay);
+    }
+    case 'remove-object':
+      return deleteObjects(scene, [edit.object]);
+    case 'move-object':
+      return new MoveLocal(scene, edit.object, edit.parent);
+  }
+}
+
+/** All of a plan as one step. @param selected - stays selected */
+function planned(label: string, scene: Scene, plan: PrefabPlan, selected: readonly string[]): Command {
+  return new Sequence(
+    label,
+    [
+      ...plan.prefabs.map((prefab) => () => new SetPrefab(scene, prefab.id, prefab)),
+      ...plan.edits.map((edit) => () => commandOf(scene, edit)),
+    ],
+    { done: selected, undone: selected },
+  );
+}
+
+/** Makes a prefab of an object with all below it, which becomes its first instance. @throws PrefabError for a part of an instance */
+export function createPrefab(scene: Scene, object: GameObject, selected: readonly string[]): Command {
+  const { prefab, links } = makePrefab(object);
+  const edits = [...links].map(([each, value]): PrefabEdit => ({ kind: 'link', object: each, value }));
+  return planned(`Make prefab ${prefab.name}`, scene, { prefabs: [prefab], edits }, selected);
+}
+
+/** Adds an instance at the end of a parent, and selects it. @param position - in the parent (m); the prefab's own when absent */
+export function placePrefab(
+  scene: Scene,
+  prefab: Prefab,
+  parent: Container,
+  selected: readonly string[],
+  position?: readonly [number, number, number],
+): Command {
+  const object = instantiatePrefab(prefab, scene.registry);
+  if (position) object.transform.position = [...position];
+  return addObject(scene, object, parent, selected);
+}
+
+/** Gives a prefab everything that an instance has of its own; all others follow. */
+export function applyInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
+  return planned(`Apply ${root.name} to its prefab`, scene, planApplyAll(root), selected);
+}
+
+/** Gives a prefab one field of an instance; all others follow. */
+export function applyField(scene: Scene, component: Component, field: string, selected: readonly string[]): Command {
+  return planned(`Apply ${field} to the prefab`, scene, planApplyField(component, field), selected);
+}
+
+/** Makes an instance as its prefab is. */
+export function revertInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
+  return planned(`Revert ${root.name} to its prefab`, scene, { prefabs: [], edits: planRevertAll(root) }, selected);
+}
+
+/** Gives a field of an instance what the prefab has. */
+export function revertField(scene: Scene, override: FieldOverride, selected: readonly string[]): Command {
+  const { component, field, base } = override;
+  const object = component.gameObject;
+  const pin = override.path.slice(override.path.indexOf('/') + 1);
+  const edits: PrefabEdit[] = [{ kind: 'field', component, field, value: base }];
+  if (object.prefabLink?.pinned) edits.push({ kind: 'link', object, value: withoutPin(object.prefabLink, pin) });
+  return planned(`Revert ${field} to the prefab`, scene, { prefabs: [], edits }, selected);
+}
+
+/** Makes an instance an object of its own. */
+export function unpackInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
+  return planned(`Unpack ${root.name}`, scene, { prefabs: [], edits: planUnpack(root) }, selected);
+}
+
+export function renamePrefab(scene: Scene, prefab: Prefab, name: string): Command {
+  return new Sequence(`Rename prefab ${prefab.name}`, [() => new SetPrefab(scene, prefab.id, { ...prefab, name })]);
+}
+
+/** The roots of all instances of a prefab in a scene. */
+export function instancesOf(scene: Scene, id: string): GameObject[] {
+  const roots: GameObject[] = [];
+  scene.traverse((object) => {
+    if (object.prefabLink?.prefab === id && isInstanceRoot(object)) roots.push(object);
+  });
+  return roots;
+}
+
+/** Deletes a prefab; its instances, in the scene and in other prefabs, become objects of their own. */
+export function deletePrefab(scene: Scene, prefab: Prefab, selected: readonly string[]): Command {
+  const others = scene.prefabs.list.flatMap((other): Prefab[] => {
+    if (!other.objects.some((object) => object.prefab?.prefab === prefab.id)) return [];
+    const objects = other.objects.map((object) => {
+      if (object.prefab?.prefab !== prefab.id) return object;
+      const { prefab: _link, ...rest } = object;
+      return rest;
+    });
+    return [{ ...other, objects }];
+  });
+  const edits = instancesOf(scene, prefab.id).flatMap(planUnpack);
+  return new Sequence(
+    `Delete prefab ${prefab.name}`,
+    [
+      ...edits.map((edit) => () => commandOf(scene, edit)),
+      ...others.map((other) => () => new SetPrefab(scene, other.id, other)),
+      () => new SetPrefab(scene, prefab.id, null),
+    ],
+    { done: selected, undone: selected },
+  );
+}
+
+/** The instance that something selected belongs to; null when it is none. */
+export const instanceOf = (object: GameObject | undefined): GameObject | null =>
+  object ? instanceRootOf(object) : null;
+
+/** Whether a prefab can be placed below a parent: not within an instance of itself. */
+export function canPlacePrefab(scene: Scene, prefab: Prefab, parent: Container): boolean {
+  for (let above: Container | null = parent; above && 'prefabLink' in above; above = above.parent) {
+    if (above.prefabLink && scene.prefabs.contains(prefab.id, above.prefabLink.prefab)) return false;
+  }
+  return true;
+}

@@ -1,0 +1,83 @@
+import { importModel } from '@farol/engine';
+import type { Editor } from '../../Editor';
+import { type AssetEntry, isEnvironment } from '../../files/assetKinds';
+import { placeAsset, useAsEnvironment } from '../../files/placeAsset';
+import { deleteAsset, usagesOf } from '../../model/assetUsages';
+import { addObject } from '../../model/edits';
+import { deletePrefab, instancesOf } from '../../model/prefabEdits';
+import type { MenuEntry } from '../../ui/MenuEntry';
+
+const counted = (count: number, what: string): string => `${count} ${what}${count === 1 ? '' : 's'}`;
+
+/** Deletes an asset or a prefab; where it is used, the user is asked first, with every place by name. */
+export async function removeEntry(editor: Editor, entry: AssetEntry): Promise<void> {
+  const { document, commands, dialogs } = editor;
+  const { scene } = document;
+  if (entry.isBuiltin) throw new Error(`${entry.label} came with Farol, and cannot be deleted.`);
+  const model = document.assets.modelOf(entry.name);
+  if (model) throw new Error(`${entry.label} is a part of ${model}: delete that.`);
+  const prefab = entry.kind === 'prefab' ? scene.prefabs.get(entry.name) : null;
+  const usages = prefab
+    ? instancesOf(scene, prefab.id).map(({ name }) => ({ path: name, problem: 'becomes an object of its own.' }))
+    : usagesOf(scene, entry.name).map(({ place, field }) => ({ path: place, problem: `${field} becomes empty.` }));
+  if (usages.length > 0) {
+    const agreed = await dialogs.show({
+      kind: 'problems',
+      title: `Delete ${entry.label}?`,
+      text: `It is used in ${counted(usages.length, 'place')}. The step can be undone.`,
+      problems: usages,
+      action: 'Delete',
+    });
+    if (!agreed) return;
+  }
+  if (prefab) commands.run(deletePrefab(scene, prefab, document.selection.ids));
+  else if (entry.kind !== 'prefab') commands.run(deleteAsset(scene, entry.name));
+}
+
+/** Puts the parts of a model into the scene, each an object that can be edited. */
+function unpackModel(editor: Editor, name: string): void {
+  const { document, commands, viewport } = editor;
+  const object = importModel(document.assets.model(name), document.assets, name);
+  object.name = name.replace(/\.\w+$/, '');
+  object.transform.position = viewport.editorCamera.target.toArray();
+  commands.run(addObject(document.scene, object, document.scene, document.selection.ids));
+}
+
+/** Lines of the context menu of a card. */
+export function assetMenu(editor: Editor, entry: AssetEntry): MenuEntry[] {
+  const { document } = editor;
+  const attempt = (run: () => unknown) => (): void => editor.attempt(run);
+  const entries: MenuEntry[] = [];
+  if (entry.kind === 'texture') {
+    const run = attempt(async () => {
+      await document.assets.load(entry.name);
+      useAsEnvironment(editor, entry.name);
+    });
+    const help = 'Lights every surface, and is seen behind.';
+    entries.push({ label: 'Use as environment', icon: 'world', help, run });
+  }
+  if (entry.kind !== 'texture' || !isEnvironment(entry.name)) {
+    const label = entry.kind === 'material' || entry.kind === 'shader' ? 'Place on a sphere' : 'Place in scene';
+    entries.push({ label, icon: 'add', run: attempt(() => placeAsset(editor, entry)) });
+  }
+  if (entry.kind === 'model') {
+    const help = 'Each mesh becomes an object that can be edited; skeletons and animations are left out.';
+    const run = attempt(async () => {
+      await document.assets.load(entry.name);
+      unpackModel(editor, entry.name);
+    });
+    entries.push({ label: 'Place as objects', icon: 'tree', help, run });
+  }
+  if (entry.kind === 'prefab') {
+    const select = (): void => document.selection.set(instancesOf(document.scene, entry.name).map(({ id }) => id));
+    entries.push({ label: 'Select instances', icon: 'select', run: select });
+  }
+  const disabled = entry.isBuiltin || document.assets.modelOf(entry.name) !== null;
+  entries.push('separator', {
+    label: 'Delete…',
+    icon: 'remove',
+    disabled,
+    run: attempt(() => removeEntry(editor, entry)),
+  });
+  return entries;
+}

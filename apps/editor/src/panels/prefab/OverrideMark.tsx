@@ -1,0 +1,52 @@
+import { Component, type FieldOwner, fieldOverride, type FieldValue } from '@farol/engine';
+import type { ReactNode } from 'react';
+import { applyField, revertField } from '../../model/prefabEdits';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { MenuButton } from '../../ui/MenuButton';
+import './prefab.css';
+
+const textOf = (value: FieldValue): string =>
+  Array.isArray(value) ? value.map((each: number) => Number(each.toFixed(3))).join(', ') : String(value ?? 'none');
+
+interface OverrideMarkProps {
+  readonly owners: readonly FieldOwner[];
+  readonly name: string;
+  /** What the field is called. */
+  readonly label: string;
+}
+
+/** Shown beside a field of an instance that differs from its prefab: takes the prefab's value, or gives it this one. */
+export function OverrideMark({ owners, name, label }: OverrideMarkProps): ReactNode {
+  const editor = useEditor();
+  const { document, commands } = editor;
+  useSignal(document.prefabs);
+  const [owner] = owners;
+  if (owners.length !== 1 || !(owner instanceof Component) || !owner.scene) return null;
+  const override = fieldOverride(owner, name);
+  if (!override) return null;
+  const { scene, selection } = document;
+  return (
+    <span className="override-mark">
+      <MenuButton
+        label={`${label} differs from the prefab`}
+        icon="prefab"
+        iconOnly
+        className="button small"
+        entries={() => [
+          {
+            label: 'Revert to prefab',
+            help: `It has ${textOf(override.base)}.`,
+            icon: 'undo',
+            run: () => editor.attempt(() => commands.run(revertField(scene, override, selection.ids))),
+          },
+          {
+            label: 'Apply to prefab',
+            help: 'Every instance without a value of its own follows.',
+            icon: 'check',
+            run: () => editor.attempt(() => commands.run(applyField(scene, owner, name, selection.ids))),
+          },
+        ]}
+      />
+    </span>
+  );
+}

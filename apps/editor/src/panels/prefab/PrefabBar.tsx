@@ -1,0 +1,64 @@
+import { type GameObject, instanceRootOf, overridesOf } from '@farol/engine';
+import type { ReactNode } from 'react';
+import { applyInstance, revertInstance, unpackInstance } from '../../model/prefabEdits';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { MenuButton } from '../../ui/MenuButton';
+import './prefab.css';
+
+/** Of what prefab the selected object is an instance, how it differs, and what can be done about it. */
+export function PrefabBar({ object }: { object: GameObject }): ReactNode {
+  const editor = useEditor();
+  const { document, commands } = editor;
+  useSignal(document.prefabs);
+  useSignal(document.edited);
+  const { scene, selection } = document;
+  const root = instanceRootOf(object);
+  const prefab = root?.prefabLink ? scene.prefabs.get(root.prefabLink.prefab) : null;
+  if (!root || !prefab) return null;
+  const { fields, others } = overridesOf(root);
+  const list = [...fields.map(({ path }) => path), ...others];
+  const run = (make: typeof applyInstance) => (): void =>
+    editor.attempt(() => commands.run(make(scene, root, selection.ids)));
+  const none = list.length === 0;
+  return (
+    <div className="prefab-bar" role="group" aria-label="Prefab">
+      <Icon name="prefab" />
+      <span className="prefab-name" title={list.join('\n')}>
+        {prefab.name}
+        <span className="prefab-count">
+          {none ? 'as the prefab' : `${list.length} ${list.length === 1 ? 'override' : 'overrides'}`}
+        </span>
+      </span>
+      <MenuButton
+        label="Prefab"
+        entries={() => [
+          {
+            label: 'Apply all to prefab',
+            help: none ? 'Nothing differs.' : list.slice(0, 6).join(', '),
+            icon: 'check',
+            disabled: none,
+            run: run(applyInstance),
+          },
+          {
+            label: 'Revert all',
+            help: 'Makes this instance as the prefab is.',
+            icon: 'undo',
+            disabled: none,
+            run: run(revertInstance),
+          },
+          'separator',
+          ...(root === object
+            ? []
+            : [{ label: 'Select the whole instance', icon: 'select' as const, run: () => selection.set([root.id]) }]),
+          {
+            label: 'Unpack',
+            help: 'Makes it an object of its own, which follows no more.',
+            icon: 'object',
+            run: run(unpackInstance),
+          },
+        ]}
+      />
+    </div>
+  );
+}
