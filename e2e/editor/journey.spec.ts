@@ -1,9 +1,17 @@
 import { readFile, writeFile } from 'node:fs/promises';
+import { inflateRawSync } from 'node:zlib';
 import { expect, test } from '../support/test';
 import { addObject, fieldOf, history, openEditor, openEmptyScene, pointOf, serialized, waitUntilReady } from './editor';
 
 // a small picture: the software rasteriser draws every pixel on the CPU
 test.use({ viewport: { width: 900, height: 420 }, reducedMotion: 'reduce' });
+
+/** The scene in a container: its first entry, by the local header's lengths of name and extra. @see APPNOTE.TXT 4.3.7 */
+function sceneOf(zip: Buffer): string {
+  const start = 30 + zip.readUInt16LE(26) + zip.readUInt16LE(28);
+  expect(zip.subarray(30, 40).toString()).toBe('scene.json');
+  return inflateRawSync(zip.subarray(start, start + zip.readUInt32LE(18))).toString();
+}
 
 test('opens the temple with its lights', async ({ page }) => {
   await openEditor(page);
@@ -66,12 +74,12 @@ test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page 
   expect(await fieldOf(page, 'Box', 'Light', 'cutoff')).toBeCloseTo((40 * Math.PI) / 180, 12);
   await light.getByLabel('Cast shadow').click();
 
-  const file = info.outputPath('scene.json');
+  const file = info.outputPath('scene.farol');
   const download = page.waitForEvent('download');
   await page.keyboard.press('Control+s');
   await (await download).saveAs(file);
   const saved = await serialized(page);
-  expect(await readFile(file, 'utf8')).toBe(saved);
+  expect(sceneOf(await readFile(file))).toBe(saved);
   await expect.poll(() => page.evaluate(() => window.editor.commands.isDirty)).toBe(false);
 
   // all of it back, and again

@@ -13,30 +13,43 @@ function targetOf(event: DragEvent): DropTarget {
   return { kind: 'elsewhere' };
 }
 
+/** Whether an event is a drag that the editor takes at this point of its way. */
+function isOurs(event: DragEvent): event is DragEvent & { readonly dataTransfer: DataTransfer } {
+  const { dataTransfer } = event;
+  if (event.defaultPrevented || !dataTransfer || !(isFileDrag(dataTransfer) || isAssetDrag(dataTransfer))) return false;
+  // the tree has drags of its own, and would take these for such: it does not get to hear of them
+  return (targetOf(event).kind === 'tree') === (event.eventPhase === Event.CAPTURING_PHASE);
+}
+
 /**
  * Takes what is dropped on the page, files from outside and assets of the editor's: into the picture, below an object of
  * the tree, or elsewhere, where files are imported only. What a field takes for itself is not heard of here.
  */
 export function watchDrops(editor: Editor): void {
-  window.addEventListener('dragover', (event) => {
-    const { dataTransfer } = event;
-    if (event.defaultPrevented || !dataTransfer || !(isFileDrag(dataTransfer) || isAssetDrag(dataTransfer))) return;
-    if (isAssetDrag(dataTransfer) && targetOf(event).kind === 'elsewhere') return;
+  const over = (event: DragEvent): void => {
+    if (!isOurs(event)) return;
+    const { kind } = targetOf(event);
+    if (kind === 'elsewhere' && isAssetDrag(event.dataTransfer)) return;
     event.preventDefault();
-    dataTransfer.dropEffect = 'copy';
-  });
-  window.addEventListener('drop', (event) => {
-    const { dataTransfer } = event;
-    if (event.defaultPrevented || !dataTransfer || !(isFileDrag(dataTransfer) || isAssetDrag(dataTransfer))) return;
+    if (kind === 'tree') event.stopPropagation();
+    event.dataTransfer.dropEffect = 'copy';
+  };
+  const drop = (event: DragEvent): void => {
+    if (!isOurs(event)) return;
     // else the browser would leave the editor for the file
     event.preventDefault();
-    const asset = draggedAsset(dataTransfer);
-    // what is dropped can be read during the event only
-    const files = asset ? new Map<string, File>() : collectFiles(dataTransfer);
     const target = targetOf(event);
+    if (target.kind === 'tree') event.stopPropagation();
+    const asset = draggedAsset(event.dataTransfer);
+    // what is dropped can be read during the event only
+    const files = asset ? new Map<string, File>() : collectFiles(event.dataTransfer);
     editor.attempt(async () => {
       const { dropOn } = await import('./dropOn');
       await dropOn(editor, { asset, files: await files }, target);
     });
-  });
+  };
+  for (const isCapture of [true, false]) {
+    window.addEventListener('dragover', over, isCapture);
+    window.addEventListener('drop', drop, isCapture);
+  }
 }

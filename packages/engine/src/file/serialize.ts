@@ -67,7 +67,8 @@ export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFi
     ...(scene.prefabs.list.length > 0 ? { prefabs: [...scene.prefabs.list] } : {}),
     objects,
   };
-  const { files } = assets;
+  // by name: an asset that left and came back is at the same place
+  const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
   for (const { name, type } of files) file.assets.push({ name, type, file: `assets/${encodeURIComponent(name)}` });
   for (const name of new Set(assetUses(file, scene.registry).map((use) => use.name))) {
     const url = assets.urlOf(name);

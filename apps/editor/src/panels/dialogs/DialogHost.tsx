@@ -46,8 +46,9 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
       {request.kind === 'problems' && (
         // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
         <ul className="problems" tabIndex={0} aria-label={request.action ? 'Uses' : 'Problems'}>
-          {request.problems.map(({ path, problem }) => (
-            <li key={path + problem}>
+          {request.problems.map(({ path, problem }, i) => (
+            // oxlint-disable-next-line react/no-array-index-key -- two objects may have the same name
+            <li key={i}>
               {path && <code>{path}</code>} {problem}
             </li>
           ))}

@@ -1,0 +1,93 @@
+import { expect, test } from '../support/test';
+import { addObject, fieldOf, history, openEditor, openEmptyScene, serialized } from './editor';
+import { dropFiles, pixelAt, plainSky, redBox } from './models';
+
+test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
+
+const picture = '.viewport-place canvas';
+
+test('imports a glTF by drop, lights it by an HDR, places it again from the panel, deletes it with its uses named', async ({
+  page,
+}) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await dropFiles(page, picture, [redBox()]);
+  await expect(page.getByRole('treeitem', { name: 'box' })).toHaveAttribute('aria-selected', 'true');
+  expect(await history(page)).toEqual(['Import box.glb', 'Add box']);
+  expect(await fieldOf(page, 'box', 'ModelRenderer', 'model')).toBe('box.glb');
+  await page.locator(picture).focus();
+  await page.keyboard.press('f');
+
+  // the sky alone lights it, and is behind it
+  await page.evaluate(() => window.editor.document.scene.lights.forEach((light) => (light.enabled = false)));
+  const [darkRed] = await pixelAt(page, 0.5, 0.5);
+  await dropFiles(page, picture, [plainSky(1)]);
+  await expect.poll(() => history(page)).toContain('Light by sky.hdr');
+  await expect.poll(async () => (await pixelAt(page, 0.5, 0.5))[0]).toBeGreaterThan(darkRed + 60);
+  const [red, green, blue] = await pixelAt(page, 0.5, 0.5);
+  expect(red).toBeGreaterThan(120);
+  expect(Math.max(green, blue)).toBeLessThan(red / 2);
+  expect(Math.min(...(await pixelAt(page, 0.03, 0.97)))).toBeGreaterThan(200);
+
+  // the same bytes come once; a second one is placed from the panel
+  await page.getByRole('tab', { name: 'Assets' }).click();
+  await dropFiles(page, '.assets-body', [redBox('copy.gltf')]);
+  await expect(page.locator('[data-asset="box.glb"]')).toBeVisible();
+  await expect(page.locator('[data-asset="copy.glb"]')).toHaveCount(0);
+  await page.getByLabel('Search assets').fill('box glb');
+  await page.locator('[data-asset="box.glb"]').dblclick();
+  await expect(page.getByRole('treeitem', { name: 'box' })).toHaveCount(2);
+  await expect(page.locator('[data-asset="box.glb"] img')).toBeVisible();
+
+  await page.locator('[data-asset="box.glb"]').click();
+  await page.keyboard.press('Delete');
+  const dialog = page.getByRole('dialog');
+  await expect(dialog).toContainText('It is used in 2 places');
+  await expect(dialog).toContainText('box ModelRenderer.model becomes empty.');
+  const before = await serialized(page);
+  await dialog.getByRole('button', { name: 'Delete' }).click();
+  await expect(page.locator('[data-asset="box.glb"]')).toHaveCount(0);
+  expect(await fieldOf(page, 'box', 'ModelRenderer', 'model')).toBeNull();
+  await page.keyboard.press('Control+z');
+  expect(await serialized(page)).toBe(before);
+});
+
+test('an asset is dragged into the picture, onto an object of the tree, and into a slot of the inspector', async ({
+  page,
+}) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  await page.getByRole('tab', { name: 'Assets' }).click();
+  await page.getByLabel('Search assets').fill('torus');
+  const torus = page.locator('[data-asset="torus"]');
+  await torus.dragTo(page.locator(picture));
+  await expect(page.getByRole('treeitem', { name: 'torus' })).toBeVisible();
+  await torus.dragTo(page.getByRole('treeitem', { name: 'torus' }));
+  await expect(page.getByRole('treeitem', { name: 'torus' })).toHaveCount(2);
+  await addObject(page, 'Mesh', 'Box');
+  const slot = page.locator('[data-field="mesh"] .asset-slot');
+  await torus.dragTo(slot);
+  await expect.poll(() => fieldOf(page, 'Box', 'ObjectRenderer', 'mesh')).toBe('torus');
+});
+
+test('files that cannot be read are named with the mend, and nothing changes', async ({ page }) => {
+  await openEditor(page);
+  await openEmptyScene(page);
+  const before = await serialized(page);
+  const cut = redBox('cut.gltf');
+  const notice = page.locator('.notices');
+  await dropFiles(page, picture, [{ name: 'cut.gltf', bytes: cut.bytes.subarray(0, 400) }]);
+  await expect(notice).toContainText('cut.gltf cannot be imported: its JSON cannot be read');
+  await dropFiles(page, picture, [{ name: 'photo.png', bytes: Buffer.from('hello') }]);
+  await expect(notice).toContainText('photo.png cannot be imported: its bytes are no PNG, JPEG or WebP');
+  await dropFiles(page, picture, [{ name: 'film.mp4', bytes: Buffer.from('hello') }]);
+  await expect(notice).toContainText('film.mp4 cannot be imported: only .glb, .gltf');
+  await dropFiles(page, picture, [{ name: 'scene.farol', bytes: Buffer.from('PK\u0003\u0004cut') }]);
+  await expect(page.getByRole('dialog')).toContainText('The file is cut short or damaged');
+  await page.getByRole('button', { name: 'Close', exact: true }).click();
+  const newer = JSON.stringify({ ...JSON.parse(before), version: 99 });
+  await dropFiles(page, picture, [{ name: 'newer.json', bytes: Buffer.from(newer) }]);
+  await expect(page.getByRole('dialog')).toContainText('version is 99, but this Farol reads files up to version 2');
+  await page.getByRole('button', { name: 'Close', exact: true }).click();
+  expect(await serialized(page)).toBe(before);
+});
