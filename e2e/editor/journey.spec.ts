@@ -4,7 +4,7 @@ import { expect, test } from '../support/test';
 import { addObject, fieldOf, history, openEditor, openEmptyScene, pointOf, serialized, waitUntilReady } from './editor';
 
 // a small picture: the software rasteriser draws every pixel on the CPU
-test.use({ viewport: { width: 900, height: 420 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 900, height: 600 }, reducedMotion: 'reduce' });
 
 /** The scene in a container: its first entry, by the local header's lengths of name and extra. @see APPNOTE.TXT 4.3.7 */
 function sceneOf(zip: Buffer): string {
