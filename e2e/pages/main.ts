@@ -2,6 +2,7 @@ import * as farol from '@farol/renderer';
 import * as ambientOcclusion from '@farol/renderer/ambient-occlusion';
 import * as antialiasing from '@farol/renderer/antialiasing';
 import * as three from 'three';
+import * as decals from '@farol/renderer/decals';
 import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
 import { Bench } from './Bench';
@@ -15,7 +16,7 @@ export interface TestPage {
   three: typeof three;
   farol: typeof farol;
   /** The effects, from their own entries. */
-  effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency;
+  effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency & typeof decals;
   materialScene: typeof materialScene;
   edgeScene: typeof edgeScene;
   supersampled: typeof supersampled;
@@ -34,7 +35,7 @@ declare global {
 window.testPage = {
   three,
   farol,
-  effects: { ...antialiasing, ...ambientOcclusion, ...transparency },
+  effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals },
   materialScene,
   edgeScene,
   supersampled,

@@ -1,6 +1,7 @@
 import type { FarolEffect } from '../FarolEffect';
 import { AmbientOcclusion } from './ambient-occlusion';
 import { SMAA, TAA } from './antialiasing';
+import { Decals } from './decals';
 import { WeightedBlendedOIT } from './transparency';
 
 /** An effect as a menu shows it. */
@@ -17,6 +18,12 @@ export interface EffectEntry {
 
 /** All effects by key, in the order in which they are to stand in `FarolRenderer.effects`. A new one is a file and a line here. */
 export const effects = {
+  decals: {
+    label: 'Decals',
+    help: 'Draws the decals of the scene on the surfaces in their boxes; needs a technique with a G-buffer.',
+    group: null,
+    make: () => new Decals(),
+  },
   'ambient-occlusion': {
     label: 'Ambient occlusion',
     help: 'Indirect light reaches less into corners; needs a technique that knows depth before it shades.',

@@ -1,0 +1,154 @@
+import { expect, test } from '../support/test';
+
+const TECHNIQUES = ['deferred', 'tiled-deferred', 'clustered-deferred'] as const;
+
+test.beforeEach(async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+});
+
+test('a decal on a plane is as a mesh of the same material laid on it, under all lights and ambient occlusion or none', async ({
+  page,
+}) => {
+  const results = await page.evaluate(
+    ([width, height, techniques]) => {
+      const { Bench, compareImages, effects, three } = window.testPage;
+      const bench = new Bench(width, height);
+      const texture = (fill: (x: number, y: number) => number[]) => {
+        const data = new Uint8Array(32 * 32 * 4);
+        for (let i = 0; i < 32 * 32; i++) data.set(fill((i % 32) / 31, Math.floor(i / 32) / 31), i * 4);
+        const result = new three.DataTexture(data, 32, 32);
+        result.magFilter = three.LinearFilter;
+        result.minFilter = three.LinearMipmapLinearFilter;
+        result.generateMipmaps = true;
+        result.needsUpdate = true;
+        return result;
+      };
+      const map = texture((x, y) => [255 * x, 200, 255 * y, Math.hypot(x - 0.5, y - 0.5) < 0.45 ? 255 : 0]);
+      map.colorSpace = three.SRGBColorSpace;
+      const normalMap = texture((x) => [128 + 60 * Math.sin(12 * x), 128, 240, 255]);
+      const scene = new three.Scene();
+      scene.background = new three.Color(0.1, 0.1, 0.2);
+      const floor = new three.Mesh(
+        new three.PlaneGeometry(6, 6),
+        new three.MeshStandardMaterial({ color: 0x886644, roughness: 0.7 }),
+      );
+      floor.rotation.x = -Math.PI / 2;
+      const lamp = new three.PointLight(0xffeedd, 8, 8);
+      lamp.position.set(0.5, 1, 0.5);
+      const sun = new three.DirectionalLight(0xffffff, 0.7);
+      sun.position.set(1, 2, 0);
+      scene.add(
+        floor,
+        lamp,
+        sun,
+        new three.AmbientLight(0xffffff, 0.6),
+        new three.HemisphereLight(0x8899ff, 0x332211, 1),
+      );
+      const camera = new three.PerspectiveCamera(45, width / height, 0.1, 20);
+      camera.position.set(0.4, 1.8, 2.2);
+      camera.lookAt(0, 0, 0);
+      const surface = new three.MeshStandardMaterial({ map, normalMap, roughness: 0.35, metalness: 0.3 });
+      const laid = new three.Mesh(new three.PlaneGeometry(1.6, 1.2), surface.clone());
+      Object.assign(laid.material, {
+        transparent: true,
+        depthWrite: false,
+        polygonOffset: true,
+        polygonOffsetFactor: -4,
+      });
+      const decal = new effects.Decal(surface);
+      for (const object of [laid, decal]) {
+        object.rotation.set(-Math.PI / 2, 0, 0.4);
+        object.position.set(0.1, 0, 0.2);
+        scene.add(object);
+      }
+      decal.scale.set(1.6, 1.2, 0.3);
+      const list = [new effects.Decals()];
+      decal.visible = false;
+      const wanted = bench.stock(scene, camera);
+      laid.visible = false;
+      const without = bench.stock(scene, camera);
+      decal.visible = true;
+      bench.farol.effects = list;
+      const figures = techniques.map((technique) => {
+        const { psnr, share } = compareImages(wanted, bench.byTechnique(technique, scene, camera), 6);
+        return { technique, psnr, share };
+      });
+      // with ambient occlusion, which has its own share of indirect light: a plane alone closes nothing
+      bench.farol.effects = [...list, new effects.AmbientOcclusion()];
+      const occluded = compareImages(wanted, bench.byTechnique('deferred', scene, camera)).psnr;
+      // two of them, one over the other, by renderOrder
+      bench.farol.effects = list;
+      const upper = new effects.Decal(new three.MeshStandardMaterial({ color: 0x00ff00 }));
+      upper.rotation.copy(decal.rotation);
+      upper.scale.set(0.4, 0.4, 0.3);
+      upper.position.copy(decal.position);
+      scene.add(upper);
+      const pixel = () => {
+        const middle = new three.Vector3().copy(decal.position).project(camera);
+        const x = Math.floor((middle.x * 0.5 + 0.5) * width);
+        const y = Math.floor((middle.y * 0.5 + 0.5) * height);
+        const { data } = bench.byTechnique('deferred', scene, camera);
+        return [...data.slice((y * width + x) * 4, (y * width + x) * 4 + 3)];
+      };
+      upper.renderOrder = 1;
+      const over = pixel();
+      upper.renderOrder = -1;
+      const under = pixel();
+      // from below, and what faces away: nothing
+      upper.removeFromParent();
+      decal.rotation.x = Math.PI / 2;
+      const away = compareImages(without, bench.byTechnique('deferred', scene, camera)).largest;
+      decal.rotation.x = -Math.PI / 2;
+      decal.position.y = 0.2; // its box ends above the floor
+      const above = compareImages(without, bench.byTechnique('deferred', scene, camera)).largest;
+      return { figures, occluded, over, under, away, above, seen: compareImages(wanted, without).psnr };
+    },
+    [160, 120, TECHNIQUES] as const,
+  );
+  test.info().annotations.push({ type: 'decals', description: JSON.stringify(results) });
+  expect(results.seen, 'the decal is seen').toBeLessThan(30);
+  for (const { technique, psnr, share } of results.figures) {
+    expect(psnr, technique).toBeGreaterThan(42);
+    expect(share, technique).toBeLessThan(0.05);
+  }
+  expect(results.occluded).toBeGreaterThan(42);
+  expect(results.over[1]).toBeGreaterThan(20 * results.over[0]);
+  expect(results.under[1]).toBeLessThan(20 * results.under[0]);
+  // what deferred shading rounds
+  expect(results.away).toBeLessThan(1e-2);
+  expect(results.above).toBeLessThan(1e-2);
+});
+
+test('techniques without a G-buffer say so once, and toMesh gives what they can draw', async ({ page, watch }) => {
+  const { without, same, mesh } = await page.evaluate(() => {
+    const { Bench, compareImages, effects, three } = window.testPage;
+    const bench = new Bench(96, 64);
+    const scene = new three.Scene();
+    const ball = new three.Mesh(
+      new three.SphereGeometry(1, 32, 24),
+      new three.MeshStandardMaterial({ color: 0x999999 }),
+    );
+    scene.add(ball, new three.AmbientLight(0xffffff, 1));
+    const camera = new three.PerspectiveCamera(45, 1.5, 0.1, 20);
+    camera.position.z = 3;
+    const without = bench.byTechnique('forward-single-pass', scene, camera);
+    const decal = new effects.Decal(new three.MeshStandardMaterial({ color: 0xff0000 }));
+    decal.position.z = 1;
+    decal.scale.set(0.8, 0.8, 0.8);
+    scene.add(decal);
+    bench.farol.effects = [new effects.Decals()];
+    bench.byTechnique('forward-single-pass', scene, camera);
+    const same = compareImages(without, bench.byTechnique('forward-single-pass', scene, camera)).largest;
+    const written = bench.byTechnique('deferred', scene, camera);
+    const cut = decal.toMesh(ball);
+    decal.removeFromParent();
+    scene.add(cut);
+    const mesh = compareImages(written, bench.byTechnique('forward-single-pass', scene, camera)).psnr;
+    return { without: compareImages(without, written).psnr, same, mesh };
+  });
+  expect(same).toBe(0);
+  expect(without, 'the decal shows').toBeLessThan(25);
+  expect(mesh, 'the mesh cut out is where the decal is').toBeGreaterThan(30);
+  expect(watch.forgive(/decals are not drawn.*toMesh/)).toBe(1);
+});

@@ -1,0 +1,61 @@
+import { BoxGeometry, Euler, Mesh, MeshStandardMaterial, Quaternion, RawShaderMaterial, Vector3 } from 'three';
+import { DecalGeometry } from 'three/addons/geometries/DecalGeometry.js';
+
+/** What three draws of a decal: nothing. */
+const nothing = new RawShaderMaterial({
+  name: 'Farol decal',
+  depthTest: false,
+  depthWrite: false,
+  vertexShader: 'void main() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }',
+  fragmentShader: 'precision mediump float; void main() { gl_FragColor = vec4(0.0); }',
+});
+nothing.allowOverride = false;
+const box = new BoxGeometry();
+
+/**
+ * A picture that is put on whatever surface lies in its box: a unit cube round the object's origin, sized by `scale` (m). As
+ * three's DecalGeometry has it, the picture lies in the box's x and y and is thrown along z, seen from +z. Overlapping
+ * decals are drawn by `renderOrder`. Without the effect `Decals` nothing of it is seen.
+ *
+ * @example
+ * const decal = new Decal(new MeshStandardMaterial({ map, normalMap, roughness: 0.4 }));
+ * decal.position.copy(hit.point);
+ * decal.lookAt(hit.point.clone().add(normal));
+ * decal.scale.set(0.5, 0.5, 0.2);
+ * scene.add(decal);
+ */
+export class Decal extends Mesh {
+  readonly isDecal = true;
+  /** Largest angle (rad) of a surface's normal to the box's z axis, 0 to π. Default π/2: what faces away is left out. */
+  maximumAngle = Math.PI / 2;
+
+  /**
+   * @param surface what it is made of: `color`, `opacity`, `map` (its alpha is coverage), `normalMap`, `normalScale`,
+   *   `roughness` and `metalness` count; it stays the host's
+   */
+  constructor(public surface: MeshStandardMaterial = new MeshStandardMaterial()) {
+    super(box, nothing);
+    this.name = 'Decal';
+  }
+
+  /**
+   * The same as a mesh of its own, cut from another by three's DecalGeometry, for techniques without a G-buffer: add it to
+   * the scene in place of the decal. Right as long as neither moves; its geometry and material are the caller's to dispose.
+   * @param mesh that the decal lies on; matrices are brought up to date
+   */
+  toMesh(mesh: Mesh): Mesh<DecalGeometry, MeshStandardMaterial> {
+    this.updateWorldMatrix(true, false);
+    mesh.updateWorldMatrix(true, false);
+    const position = new Vector3();
+    const size = new Vector3();
+    const turn = new Quaternion();
+    this.matrixWorld.decompose(position, turn, size);
+    const geometry = new DecalGeometry(mesh, position, new Euler().setFromQuaternion(turn), size);
+    const material = this.surface.clone();
+    material.transparent = true;
+    material.depthWrite = false;
+    material.polygonOffset = true;
+    material.polygonOffsetFactor = -4;
+    return new Mesh(geometry, material);
+  }
+}

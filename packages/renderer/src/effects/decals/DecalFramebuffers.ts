@@ -1,0 +1,49 @@
+import type { Texture } from 'three';
+import type { Frame } from '../../Frame';
+import type { GBuffer } from '../../gbuffer/GBuffer';
+
+/** Framebuffers over a G-buffer's attachments without its depth, so that depth may be read while they are drawn to. */
+export class DecalFramebuffers {
+  private attached: WebGLTexture[] = [];
+  private framebuffers: WebGLFramebuffer[] = [];
+  private gl: WebGL2RenderingContext | null = null;
+
+  /** Brings them up to the G-buffer as it is now. */
+  follow(frame: Frame, gbuffer: GBuffer): void {
+    const { gl } = frame;
+    const { properties, state } = frame.webgl;
+    const handle = (texture: Texture) => (properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture;
+    const light = gbuffer.indirect === null ? [gbuffer.accumulation] : [gbuffer.accumulation, gbuffer.indirect];
+    const groups = [light.map(handle), [gbuffer.albedo, gbuffer.normal, gbuffer.material].map(handle)];
+    const all = groups.flat();
+    if (all.length === this.attached.length && all.every((texture, i) => texture === this.attached[i])) return;
+    this.dispose();
+    this.gl = gl;
+    this.attached = all;
+    this.framebuffers = groups.map((textures) => {
+      const framebuffer = gl.createFramebuffer();
+      state.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+      textures.forEach((texture, i) =>
+        gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, 0),
+      );
+      gl.drawBuffers(textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
+      return framebuffer;
+    });
+  }
+
+  /** Draws to accumulation (and indirect light) from here on. */
+  bindLight(frame: Frame): void {
+    frame.webgl.state.bindFramebuffer(frame.gl.FRAMEBUFFER, this.framebuffers[0]);
+  }
+
+  /** Draws to albedo, normal and material from here on. */
+  bindSurface(frame: Frame): void {
+    frame.webgl.state.bindFramebuffer(frame.gl.FRAMEBUFFER, this.framebuffers[1]);
+  }
+
+  dispose(): void {
+    for (const framebuffer of this.framebuffers) this.gl?.deleteFramebuffer(framebuffer);
+    this.framebuffers = [];
+    this.attached = [];
+  }
+}

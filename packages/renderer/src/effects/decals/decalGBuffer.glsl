@@ -1,0 +1,26 @@
+// Writes a decal's colour, normal, roughness and metalness over those of the surface, by its opacity.
+// Farol
+#include "decalSurface"
+layout(location = 0) out highp vec4 farol_albedo;
+layout(location = 1) out highp vec4 farol_normal;
+layout(location = 2) out highp vec4 farol_material;
+//# main
+ivec2 pixel = ivec2(gl_FragCoord.xy);
+FarolDecal decal;
+if (!farol_findDecal(pixel, decal)) discard;
+// what is stored is a square root, and blended as such: this makes the albedo itself be mixed
+vec3 mixed = sqrt(mix(decal.albedo, decal.color, decal.opacity));
+farol_albedo = vec4((mixed - (1.0 - decal.opacity) * sqrt(decal.albedo)) / decal.opacity, decal.opacity);
+farol_normal = vec4(0.0);
+if (farol_decalValues.z < 1e8) {
+  mat2 linear = mat2(farol_decalNormalMapTransform);
+  vec2 uv = (farol_decalNormalMapTransform * vec3(decal.uv, 1.0)).xy;
+  vec3 bent = textureGrad(farol_decalNormalMap, uv, linear * decal.across, linear * decal.up).xyz * 2.0 - 1.0;
+  bent.xy *= farol_decalValues.zw;
+  vec3 tangent = normalize(modelViewMatrix[0].xyz - decal.normal * dot(decal.normal, modelViewMatrix[0].xyz));
+  vec3 bitangent = cross(decal.normal, tangent);
+  vec3 normal = normalize(tangent * bent.x + bitangent * bent.y + decal.normal * bent.z);
+  farol_normal = vec4(farol_encodeNormal(normalize(mix(decal.normal, normal, decal.opacity))), 0.0, 1.0);
+}
+// standard surfaces alone have a roughness; 0.2: square root of the usual reflectance at normal incidence
+farol_material = (decal.flags & 3) == 1 ? vec4(farol_decalValues.xy, 0.2, decal.opacity) : vec4(0.0);

@@ -1,0 +1,59 @@
+// Where a decal meets the surface of a pixel: its colour there, with the opacity, and the surface as it was.
+// Krishnan 2012 / Persson, Volume Decals (GPU Pro 2, 2011); gradients from neighbours of the same surface: Wronski 2015
+#include "unproject"
+#include "octahedralNormal"
+uniform highp sampler2D farol_surfaceDepth;
+uniform highp sampler2D farol_surfaceNormal; // octahedral
+uniform lowp sampler2D farol_surfaceAlbedo; // square root of the albedo, flags
+uniform sampler2D farol_decalMap;
+uniform sampler2D farol_decalNormalMap;
+uniform highp mat4 farol_decalInverse; // view space (m) to the unit box
+uniform highp mat4 modelViewMatrix;
+uniform vec4 farol_decalColor; // linear, opacity
+uniform mat3 farol_decalMapTransform;
+uniform mat3 farol_decalNormalMapTransform;
+uniform vec4 farol_decalValues; // roughness, metalness, normal scale x, y; scale x above 1e8: no normal map
+uniform float farol_decalFacing; // cosine of the largest angle to the decal's axis
+
+struct FarolDecal {
+  vec3 color; // linear
+  float opacity;
+  vec3 normal; // of the surface, view space
+  vec3 albedo; // of the surface, linear
+  int flags; // of the surface
+  vec2 uv;
+  vec2 across; // change of uv to the next pixel
+  vec2 up;
+};
+
+vec3 farol_inDecal(const in ivec2 pixel) {
+  ivec2 size = textureSize(farol_surfaceDepth, 0);
+  ivec2 at = clamp(pixel, ivec2(0), size - 1);
+  vec3 position = farol_unproject((vec2(at) + 0.5) / vec2(size), texelFetch(farol_surfaceDepth, at, 0).r);
+  return (farol_decalInverse * vec4(position, 1.0)).xyz;
+}
+
+vec2 farol_smaller(const in vec3 a, const in vec3 b) {
+  return dot(a, a) < dot(b, b) ? a.xy : b.xy;
+}
+
+// false where the decal does not reach
+bool farol_findDecal(const in ivec2 pixel, out FarolDecal decal) {
+  if (texelFetch(farol_surfaceDepth, pixel, 0).r >= 1.0) return false;
+  vec3 place = farol_inDecal(pixel);
+  if (any(greaterThan(abs(place), vec3(0.5)))) return false;
+  decal.normal = farol_decodeNormal(texelFetch(farol_surfaceNormal, pixel, 0).xy);
+  if (dot(decal.normal, normalize(modelViewMatrix[2].xyz)) <= farol_decalFacing) return false;
+  decal.uv = place.xy + 0.5;
+  decal.across = farol_smaller(farol_inDecal(pixel + ivec2(1, 0)) - place, place - farol_inDecal(pixel - ivec2(1, 0)));
+  decal.up = farol_smaller(farol_inDecal(pixel + ivec2(0, 1)) - place, place - farol_inDecal(pixel - ivec2(0, 1)));
+  mat2 linear = mat2(farol_decalMapTransform);
+  vec4 color = textureGrad(farol_decalMap, (farol_decalMapTransform * vec3(decal.uv, 1.0)).xy, linear * decal.across, linear * decal.up);
+  color *= farol_decalColor;
+  decal.color = color.rgb;
+  decal.opacity = color.a;
+  vec4 albedo = texelFetch(farol_surfaceAlbedo, pixel, 0);
+  decal.albedo = albedo.rgb * albedo.rgb;
+  decal.flags = int(albedo.a * 255.0 + 0.5);
+  return decal.opacity > 0.0;
+}

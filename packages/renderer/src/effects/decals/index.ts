@@ -1,0 +1,2 @@
+export { Decal } from './Decal';
+export { Decals } from './Decals';
