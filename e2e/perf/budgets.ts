@@ -66,12 +66,12 @@ const ordinary: Budget = {
 const withoutCpuLists = { listsOfOne: 0, listsOfAll: 0, garbageOfLight: 110, garbageOfObject: 70 };
 
 const budgets: Record<string, Partial<Budget>> = {
-  // base, a draw for each pair, output; 32-bit float sum and depth
+  // base, a draw for each pair, output; 32-bit float sum, depth and stencil
   forward: {
     ...withoutCpuLists,
     draws: ({ objects, pairs }) => objects + pairs + OUTPUT,
     passes: 2 + TAIL,
-    bytesPerPixel: 20,
+    bytesPerPixel: 24,
     garbageOfLight: 210,
   },
   'forward-single-pass': {

@@ -1,36 +1,9 @@
 import type { Page } from '@playwright/test';
 import type { LightMix, MaterialSceneOptions } from '../pages/materialScene';
 import type { Difference } from '../support/images';
+import { checkAgreement, hardEdgeLimits } from '../support/agreement';
 import { expect, test } from '../support/test';
 
-/** How far a technique's picture may be from stock three's; what is left out is not asked. */
-interface Limits {
-  /** Largest linear difference of a channel, at most. */
-  readonly largest?: number;
-  /** Signal to noise, at least (dB). */
-  readonly psnr?: number;
-  /** Share of pixels off by more than 2/255, at most. */
-  readonly share?: number;
-  /** The same for lights with a hard edge. */
-  readonly hardEdge: Omit<Limits, 'hardEdge'>;
-}
-
-/**
- * Every technique draws every lit material of three, on every kind of mesh, as stock three does, in linear float.
- *
- * Forward techniques run three's own shader: what is left is rounding. Techniques that keep the surface in a G-buffer
- * round albedo, roughness and metalness to 8 bits, normals to half floats, and add light in half floats; positions are
- * rebuilt, so that the pixels at a hard edge of light may fall on its other side. Inferred lighting computes light at a
- * quarter of the pixels: what changes from pixel to pixel (normal maps of noise, small highlights, edges of light) is
- * smoothed; measured 35.8 to 41.8 dB and 5 to 10% of pixels, 31 dB and 12% with hard edges.
- */
-const FORWARD: Limits = { largest: 1e-4, hardEdge: { largest: 1e-4 } };
-const DEFERRED: Limits = { psnr: 60, share: 0.001, hardEdge: { share: 0.001 } };
-const limits: Record<string, Limits | undefined> = {
-  forward: FORWARD,
-  'forward-single-pass': FORWARD,
-  inferred: { psnr: 35, share: 0.12, hardEdge: { psnr: 30, share: 0.14 } },
-};
 const WIDTH = 320;
 const HEIGHT = 240;
 
@@ -65,14 +38,7 @@ async function drawAll(
 
 function check({ technique, flat, difference }: Pair, name: string, hardEdge = false): void {
   expect(flat, `${name}: stock picture is flat`).toBe(false);
-  const { largest, psnr, share } = difference;
-  const seen = `${name}, ${technique}: largest ${largest.toExponential(2)}, ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(3)}% off by more than 2/255`;
-  test.info().annotations.push({ type: 'agreement', description: seen });
-  const limit = limits[technique] ?? DEFERRED;
-  const asked = hardEdge ? limit.hardEdge : limit;
-  expect(largest, seen).toBeLessThanOrEqual(asked.largest ?? Infinity);
-  expect(psnr, seen).toBeGreaterThanOrEqual(asked.psnr ?? 0);
-  expect(share, seen).toBeLessThanOrEqual(asked.share ?? 1);
+  checkAgreement(technique, difference, name, hardEdge ? hardEdgeLimits(technique) : {});
 }
 
 // Ten techniques on a software rasteriser that other tests share.

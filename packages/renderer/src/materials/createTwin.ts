@@ -36,6 +36,10 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
     shader.uniforms = { ...shader.uniforms, ...context.uniforms } as TwinShader['uniforms'];
     kind.patch(shader, source, context.header(chunks));
   });
-  for (const [name, value] of Object.entries(kind.properties ?? {})) own(name, value);
+  // what a kind computes, it computes at each draw
+  const properties = Object.getOwnPropertyDescriptors(kind.properties ?? {});
+  for (const [name, descriptor] of Object.entries(properties)) {
+    Object.defineProperty(twin, name, { ...descriptor, configurable: true });
+  }
   return twin;
 }

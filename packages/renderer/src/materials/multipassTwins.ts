@@ -1,4 +1,13 @@
-import { AddEquation, CustomBlending, LessEqualDepth, OneFactor, ShaderChunk } from 'three';
+import {
+  AddEquation,
+  CustomBlending,
+  KeepStencilOp,
+  LessEqualDepth,
+  NotEqualStencilFunc,
+  OneFactor,
+  ReplaceStencilOp,
+  ShaderChunk,
+} from 'three';
 import type { View } from '../debug/views';
 import { isCountView } from '../debug/views';
 import { litTwin } from './litTwin';
@@ -15,6 +24,9 @@ export function baseTwin(view: View): TwinKind {
   return view === 'final' || view === 'grid' ? base : baseDark;
 }
 
+/** What the light being drawn leaves in the stencil, 1 to 255: of surfaces at one depth, it is added to one alone. */
+export const lightMark = { value: 1 };
+
 const ADDITIVE = {
   blending: CustomBlending,
   blendEquation: AddEquation,
@@ -25,6 +37,16 @@ const ADDITIVE = {
   blendDstAlpha: null,
   depthFunc: LessEqualDepth,
   depthWrite: false,
+  stencilWrite: true,
+  stencilFunc: NotEqualStencilFunc,
+  stencilFuncMask: 255,
+  stencilWriteMask: 255,
+  stencilFail: KeepStencilOp,
+  stencilZFail: KeepStencilOp,
+  stencilZPass: ReplaceStencilOp,
+  get stencilRef() {
+    return lightMark.value;
+  },
 } as const;
 
 /** An environment map that is mixed in is affine in the light: a light's own pass takes only the linear part. */
@@ -50,7 +72,7 @@ const additive = (count: boolean) =>
     key: count ? 'additive-count' : 'additive',
     loop: 'lightLoopOne',
     withThreeLights: false,
-    properties: { ...ADDITIVE },
+    properties: ADDITIVE,
     rewrite: onlyThisLight,
     atEnd: count ? 'gl_FragColor = vec4(farol_lightsEvaluated, 0.0, 0.0, 0.0);' : 'gl_FragColor.a = 0.0;',
   });

@@ -1,5 +1,6 @@
 import {
   type Material,
+  DepthStencilFormat,
   DepthTexture,
   FloatType,
   HalfFloatType,
@@ -14,13 +15,14 @@ import {
 import type { Frame } from '../Frame';
 import { coneIntersectsSphere } from '../lights/coneIntersectsSphere';
 import { projectedSphereBounds } from '../lights/projectedSphereBounds';
-import { additiveTwin, baseTwin } from '../materials/multipassTwins';
+import { additiveTwin, baseTwin, lightMark } from '../materials/multipassTwins';
 import type { RenderItem } from '../RenderItem';
 import type { Pass } from './Pass';
 
 const rectangle = new Float64Array(4);
 const scissor = new Vector4();
 const centre = new Vector3();
+const NO_MARK = new Int32Array(1);
 
 /**
  * Multipass lighting: ambient, environment and emissive once, then each light added by a draw of its own over the objects
@@ -44,7 +46,7 @@ export class MultipassLightsPass implements Pass {
   constructor(private readonly lightIndex: { value: number }) {}
 
   get bytes(): number {
-    const perPixel = this.target?.texture.type === FloatType ? 20 : 12;
+    const perPixel = this.target?.texture.type === FloatType ? 24 : 16;
     return this.target ? this.target.width * this.target.height * perPixel : 0;
   }
 
@@ -93,11 +95,20 @@ export class MultipassLightsPass implements Pass {
       type: samples === 0 && gl.getExtension('EXT_float_blend') ? FloatType : HalfFloatType,
       minFilter: NearestFilter,
       magFilter: NearestFilter,
-      depthTexture: new DepthTexture(1, 1, FloatType),
+      stencilBuffer: true,
+      depthTexture: depthAndStencil(),
     });
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     frame.bind(this.target);
     frame.clear(1, true);
+    this.unmark(frame);
+  }
+
+  /** Forgets which light was added to which pixel. */
+  private unmark(frame: Frame): void {
+    lightMark.value = 1;
+    frame.webgl.state.buffers.stencil.setMask(255);
+    frame.gl.clearBufferiv(frame.gl.STENCIL, 0, NO_MARK);
   }
 
   /** Draws new objects with the additive twin over no pixels, so that the first light to reach one compiles nothing. */
@@ -120,6 +131,8 @@ export class MultipassLightsPass implements Pass {
   private drawLight(frame: Frame, record: number, bounded: number): void {
     const { lights } = frame;
     this.lightIndex.value = record;
+    if (lightMark.value === 255) this.unmark(frame);
+    else lightMark.value++;
     const kind = additiveTwin(frame.view, this.slot);
     this.slot = this.slot === 0 ? 1 : 0;
     const { spheres, items } = this;
@@ -211,4 +224,10 @@ export class MultipassLightsPass implements Pass {
 function boundingSphereOf(object: Object3D, geometry: BufferGeometry): Sphere | null {
   const own = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere;
   return own ?? geometry.boundingSphere;
+}
+
+function depthAndStencil(): DepthTexture {
+  const texture = new DepthTexture(1, 1, FloatType);
+  texture.format = DepthStencilFormat;
+  return texture;
 }

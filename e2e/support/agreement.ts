@@ -1,0 +1,53 @@
+import type { Difference } from './images';
+import { expect, test } from './test';
+
+/** How far a technique's picture may be from stock three's; what is left out is not asked. */
+export interface Limits {
+  /** Largest linear difference of a channel, at most. */
+  readonly largest?: number;
+  /** Signal to noise, at least (dB). */
+  readonly psnr?: number;
+  /** Share of pixels off by more than 2/255, at most. */
+  readonly share?: number;
+}
+
+/**
+ * Every technique draws every lit material of three, on every kind of mesh, as stock three does, in linear float.
+ *
+ * Forward techniques run three's own shader: what is left is rounding. Techniques that keep the surface in a G-buffer
+ * round albedo, roughness and metalness to 8 bits, normals to half floats, and add light in half floats; positions are
+ * rebuilt, so that the pixels at a hard edge of light may fall on its other side. Inferred lighting computes light at a
+ * quarter of the pixels: what changes from pixel to pixel (normal maps of noise, small highlights, edges of light) is
+ * smoothed; measured 35.8 to 41.8 dB and 5 to 10% of pixels, 31 dB and 12% with hard edges.
+ */
+const FORWARD: Limits = { largest: 1e-4 };
+const DEFERRED: Limits = { psnr: 60, share: 0.001 };
+const limits: Record<string, Limits | undefined> = {
+  forward: FORWARD,
+  'forward-single-pass': FORWARD,
+  'tiled-forward': FORWARD,
+  'forward-plus': FORWARD,
+  'clustered-forward': FORWARD,
+  inferred: { psnr: 35, share: 0.12 },
+};
+/** The same for lights with a hard edge: a pixel there may lie on its other side where positions are rebuilt. */
+const hardEdges: Record<string, Limits | undefined> = {
+  inferred: { psnr: 30, share: 0.14 },
+};
+
+/** The limits of a technique for lights with a hard edge. */
+export function hardEdgeLimits(technique: string): Limits {
+  return hardEdges[technique] ?? (limits[technique] === FORWARD ? FORWARD : { psnr: 0, share: 0.001 });
+}
+
+/** Fails unless a technique's picture is as near to stock three's as its family is to be. */
+export function checkAgreement(technique: string, difference: Difference, name: string, exception: Limits = {}): void {
+  const { largest, psnr, share } = difference;
+  const seen = `${name}, ${technique}: largest ${largest.toExponential(2)}, ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(3)}% off by more than 2/255`;
+  test.info().annotations.push({ type: 'agreement', description: seen });
+  const limit = limits[technique] ?? DEFERRED;
+  const asked = { ...limit, ...exception };
+  expect(largest, seen).toBeLessThanOrEqual(asked.largest ?? Infinity);
+  expect(psnr, seen).toBeGreaterThanOrEqual(asked.psnr ?? 0);
+  expect(share, seen).toBeLessThanOrEqual(asked.share ?? 1);
+}
