@@ -11,6 +11,9 @@ export class CommandStack {
   private readonly undone: Command[] = [];
   private gesture: Gesture | null = null;
   private savedAt: Command | null = null;
+  /** Steps below this number stay: see `hold`. */
+  private held = 0;
+  private isHeld = false;
 
   /**
    * @param onApplied - called after a command was done or undone
@@ -28,7 +31,7 @@ export class CommandStack {
 
   /** Label of the step that `undo` takes back; null when there is none. */
   get undoLabel(): string | null {
-    return this.done.at(-1)?.label ?? null;
+    return this.done.length > this.held ? this.done.at(-1)!.label : null;
   }
 
   /** Label of the step that `redo` does again; null when there is none. */
@@ -84,7 +87,7 @@ export class CommandStack {
   /** Takes the last step back; of an open gesture, what it has done so far. @returns whether there was one */
   undo(): boolean {
     this.gesture?.commit();
-    const command = this.done.at(-1);
+    const command = this.done.length > this.held ? this.done.at(-1) : undefined;
     if (!command) return false;
     command.undo();
     this.done.pop();
@@ -107,6 +110,34 @@ export class CommandStack {
     return true;
   }
 
+  /** From here on steps can be taken back at once, by `release`; those before cannot be undone until then. */
+  hold(): void {
+    this.gesture?.commit();
+    this.held = this.done.length;
+    this.isHeld = true;
+    this.changed.emit();
+  }
+
+  /**
+   * Takes all steps since `hold` back and out of the history.
+   * @returns them, oldest first, undone: whoever calls this must do them again or `forget` them
+   */
+  release(): Command[] {
+    if (!this.isHeld) return [];
+    this.gesture?.commit();
+    const taken = this.done.splice(this.held).toReversed();
+    for (const command of taken) {
+      command.undo();
+      this.onApplied(command, false);
+    }
+    // what was undone meanwhile came after them
+    if (taken.length > 0) for (const command of this.undone.splice(0)) command.forget?.(false);
+    this.held = 0;
+    this.isHeld = false;
+    this.changed.emit();
+    return taken.toReversed();
+  }
+
   /** The document is saved as it was after a step: the last one, unless another is named. */
   markSaved(step?: Command | null): void {
     this.gesture?.commit();
@@ -120,12 +151,14 @@ export class CommandStack {
     for (const command of this.done.splice(0)) command.forget?.(true);
     for (const command of this.undone.splice(0)) command.forget?.(false);
     this.savedAt = null;
+    this.held = 0;
+    this.isHeld = false;
     this.changed.emit();
   }
 
   private keep(command: Command): void {
     for (const each of this.undone.splice(0)) each.forget?.(false);
     this.done.push(command);
-    if (this.done.length > this.limit) this.done.shift()?.forget?.(true);
+    if (this.done.length > this.limit && !this.isHeld) this.done.shift()?.forget?.(true);
   }
 }

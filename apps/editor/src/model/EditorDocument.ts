@@ -9,6 +9,7 @@ import {
 } from '@farol/engine';
 import type { Command } from './Command';
 import { CommandStack } from './CommandStack';
+import { PlayEdits } from './PlayEdits';
 import { Selection } from './Selection';
 import { Signal } from './Signal';
 import { Simulation } from './Simulation';
@@ -20,7 +21,9 @@ import { Simulation } from './Simulation';
 export class EditorDocument {
   readonly commands = new CommandStack((command, isDone) => this.applied(command, isDone));
   readonly selection = new Selection();
-  readonly simulation = new Simulation(() => this.scene);
+  /** What was edited while the scene played. */
+  readonly playEdits = new PlayEdits(this);
+  readonly simulation = new Simulation(() => this.scene, this.playEdits);
   /** Emits after every edit, whatever it was, previews included. */
   readonly edited = new Signal();
   /** Emits when objects or components come, go, move, or change their names or whether they are active. */
@@ -106,6 +109,7 @@ export class EditorDocument {
   }
 
   private sceneChanged(change: SceneChange): void {
+    this.playEdits.note(change);
     if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
     else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
     else if (change.kind === 'microshader') this.microShaders.emit();

@@ -9,15 +9,21 @@ const LONGEST_STEP = 0.1;
 /** What `step` advances by (s). */
 const STEP = 1 / 60;
 
-/** Plays, pauses and stops a scene. What it moves is no edit: stopping puts everything back to where it was authored. */
+/** Plays, pauses and stops a scene: stopping puts everything back to what it was when it began to play. */
 export class Simulation {
   /** Emits when the state changes, and after each `step`. */
   readonly changed = new Signal();
 
   private current: SimulationState = 'stopped';
 
-  /** @param getScene - the scene of the document */
-  constructor(private readonly getScene: () => Scene) {}
+  /**
+   * @param getScene - the scene of the document
+   * @param edits - told when it begins to play, and to put the scene back to time 0 when it stops
+   */
+  constructor(
+    private readonly getScene: () => Scene,
+    private readonly edits: { begin(): void; end(reset: () => void): void; abort(): void },
+  ) {}
 
   get state(): SimulationState {
     return this.current;
@@ -28,6 +34,7 @@ export class Simulation {
   }
 
   play(): void {
+    if (this.current === 'stopped') this.edits.begin();
     this.enter('playing');
   }
 
@@ -39,20 +46,22 @@ export class Simulation {
   /** Advances a scene that does not play by one sixtieth of a second. */
   step(): void {
     if (this.isPlaying) return this.pause();
+    if (this.current === 'stopped') this.edits.begin();
     this.getScene().update(STEP);
     this.current = 'paused';
     this.changed.emit();
   }
 
-  /** Time 0, and every object where it was authored; edits made meanwhile stay. */
+  /** Time 0, and the scene exactly as it was when it began to play. What was edited meanwhile: see `PlayEdits`. */
   stop(): void {
     if (this.current === 'stopped') return;
-    this.getScene().reset();
+    this.edits.end(() => this.getScene().reset());
     this.enter('stopped');
   }
 
   /** Another scene came: nothing plays. */
   restart(): void {
+    this.edits.abort();
     this.enter('stopped');
   }
 

@@ -1,10 +1,13 @@
-import { type ReactNode, useLayoutEffect } from 'react';
+import { lazy, type ReactNode, Suspense, useLayoutEffect } from 'react';
+import { useEditor, useSignal } from '../ui/EditorContext';
 import { usePreferences } from '../ui/preferences';
 import { DialogHost } from './dialogs/DialogHost';
 import { NoticeList } from './dialogs/NoticeList';
 import { Dock } from './dock/Dock';
 import { StatusBar } from './status/StatusBar';
 import { Toolbar } from './toolbar/Toolbar';
+
+const PlayChanges = lazy(async () => ({ default: (await import('./play/PlayChanges')).PlayChanges }));
 
 /** The editor's window: bar, panels, status. */
 export function Layout(): ReactNode {
@@ -16,10 +19,19 @@ export function Layout(): ReactNode {
     <div className="layout">
       <Toolbar />
       <Dock>
+        <PlayEditsPlace />
         <NoticeList />
       </Dock>
       <StatusBar />
       <DialogHost />
     </div>
   );
+}
+
+/** Loads the list of edits made while playing once there are any. */
+function PlayEditsPlace(): ReactNode {
+  const { playEdits } = useEditor().document;
+  const revision = useSignal(playEdits.changed);
+  const isThere = revision > 0 && (playEdits.changes.length > 0 || playEdits.others.length > 0);
+  return <Suspense fallback={null}>{isThere && <PlayChanges />}</Suspense>;
 }

@@ -29,7 +29,7 @@ export class SetFields implements Command {
   /** @param edits - each field of each owner at most once */
   constructor(
     readonly label: string,
-    private readonly edits: readonly FieldEdit[],
+    readonly edits: readonly FieldEdit[],
   ) {}
 
   get isEmpty(): boolean {

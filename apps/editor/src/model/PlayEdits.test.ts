@@ -1,0 +1,143 @@
+import {
+  builtinComponents,
+  Component,
+  component,
+  ComponentRegistry,
+  createRandom,
+  GameObject,
+  Light,
+  number,
+  Scene,
+  serialize,
+} from '@farol/engine';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { SetFields } from './commands/SetFields';
+import { addObject, deleteObjects, moveObjects } from './edits';
+import { EditorDocument } from './EditorDocument';
+
+/** Writes a field of its own and one of another component while it is simulated. */
+class Flicker extends component({ beats: number(0, { help: 'Counts.' }) }) {
+  static override readonly typeName: string = 'Flicker';
+  override update(_delta: number, time: number): void {
+    this.beats += 1;
+    const light = this.gameObject.getComponent(Light);
+    if (light) light.intensity = 1 + Math.sin(time);
+  }
+}
+
+const registry = new ComponentRegistry([...builtinComponents.types.values(), Flicker]);
+let document: EditorDocument;
+let lamp: GameObject;
+let light: Light;
+
+beforeEach(() => {
+  document = new EditorDocument();
+  const scene = new Scene({ name: 'Play', assets: document.assets, registry });
+  lamp = new GameObject('Lamp');
+  light = lamp.addComponent(Light, { type: 'point', intensity: 7 });
+  scene.add(lamp).add(new GameObject('Other'));
+  document.open(scene);
+});
+
+const state = (): string => JSON.stringify(serialize(document.scene));
+const set = (owner: Component, name: string, value: number): void =>
+  document.commands.run(new SetFields(`Set ${name}`, [{ owner, name, value }]));
+
+describe('edits while playing', () => {
+  it('are taken back by stopping, with what components wrote, and kept one by one', () => {
+    lamp.addComponent(Flicker);
+    set(light, 'range', 3);
+    const { commands, simulation, playEdits } = document;
+    const before = state();
+    const steps = commands.history;
+    simulation.play();
+    simulation.advance(0.05);
+    expect(light.intensity).not.toBe(7);
+    set(light, 'range', 9);
+    set(light, 'decay', 1);
+    set(light, 'range', 5);
+    expect(commands.history.length).toBe(4);
+    simulation.advance(0.05);
+    simulation.stop();
+    expect(state()).toBe(before);
+    expect(commands.history).toEqual(steps);
+    expect(playEdits.changes.map(({ name, from, to }) => [name, from, to])).toEqual([
+      ['decay', 2, 1],
+      ['range', 3, 5],
+    ]);
+    playEdits.keep(playEdits.changes[1]);
+    expect(light.range).toBe(5);
+    expect(commands.history).toEqual([...steps, 'Keep range of Lamp']);
+    expect(playEdits.changes.map(({ name }) => name)).toEqual(['decay']);
+    commands.undo();
+    expect(state()).toBe(before);
+    playEdits.dismiss();
+    expect(playEdits.changes).toEqual([]);
+  });
+
+  it('can be undone while it plays, those from before cannot', () => {
+    const { commands, simulation } = document;
+    set(light, 'range', 3);
+    simulation.step();
+    expect(commands.undoLabel).toBeNull();
+    expect(commands.undo()).toBe(false);
+    set(light, 'range', 4);
+    expect(commands.undo()).toBe(true);
+    expect(commands.undo()).toBe(false);
+    simulation.stop();
+    expect(commands.undo()).toBe(true);
+  });
+
+  it('that are no values are kept with all others, as one step', () => {
+    const { commands, simulation, playEdits, scene } = document;
+    const before = state();
+    simulation.play();
+    const added = new GameObject('Added');
+    const addedLight = added.addComponent(Light);
+    commands.run(addObject(scene, added, scene, []));
+    set(addedLight, 'intensity', 3);
+    commands.run(deleteObjects(scene, [scene.find('Other')!]));
+    commands.run(moveObjects(scene, [lamp], added));
+    set(light, 'range', 4);
+    const played = state();
+    simulation.stop();
+    expect(state()).toBe(before);
+    expect(playEdits.others).toEqual(['Add Added', 'Delete Other', 'Move Lamp']);
+    expect(() => playEdits.keep(playEdits.changes[0])).toThrow(/was added while playing/);
+    playEdits.keepAll();
+    expect(state()).toBe(played);
+    expect(commands.history).toEqual(['Keep edits of playing']);
+    commands.undo();
+    expect(state()).toBe(before);
+    commands.redo();
+    expect(state()).toBe(played);
+  });
+
+  it.each([1, 2, 3])('leave the scene exactly as it was, whatever is done (seed %i)', (seed) => {
+    const random = createRandom(seed);
+    const { commands, simulation, playEdits, scene } = document;
+    for (let round = 0; round < 40; round++) {
+      const before = state();
+      simulation.play();
+      for (let i = 0; i < 8; i++) {
+        simulation.advance(0.03);
+        const act = random();
+        if (act < 0.3) set(light, 'range', Math.round(random() * 9));
+        else if (act < 0.5) commands.run(addObject(scene, new GameObject('New'), random() < 0.5 ? scene : lamp, []));
+        else if (act < 0.7 && scene.roots.length > 1) commands.run(deleteObjects(scene, [scene.roots.at(-1)!]));
+        else if (act < 0.85) commands.undo();
+        else commands.redo();
+      }
+      const played = state();
+      simulation.stop();
+      expect(state()).toBe(before);
+      if (random() < 0.5 && playEdits.canKeepAll) {
+        playEdits.keepAll();
+        expect(state()).toBe(played);
+        commands.undo();
+        expect(state()).toBe(before);
+        if (random() < 0.5) commands.redo();
+      }
+    }
+  });
+});

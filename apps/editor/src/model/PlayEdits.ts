@@ -1,0 +1,161 @@
+import {
+  type FieldOwner,
+  type FieldValue,
+  sameValue,
+  type SceneChange,
+  type SceneSettings,
+  type Component,
+} from '@farol/engine';
+import type { Command } from './Command';
+import { CommandList } from './commands/CommandList';
+import { SetFields } from './commands/SetFields';
+import type { EditorDocument } from './EditorDocument';
+import { Signal } from './Signal';
+
+/** A value that was edited while the scene played. */
+export interface PlayChange {
+  readonly owner: Component | SceneSettings;
+  /** Name of the field. */
+  readonly name: string;
+  /** What it is, as before playing. */
+  readonly from: FieldValue;
+  /** What it was when the scene was stopped. */
+  readonly to: FieldValue;
+}
+
+const sameField = (a: { owner: FieldOwner; name: string }, b: { owner: FieldOwner; name: string }): boolean =>
+  a.owner === b.owner && a.name === b.name;
+
+/**
+ * What becomes of edits that are made while the scene plays: stopping takes all of them back, and whatever components
+ * wrote into fields too. Those of values can then be kept, one by one.
+ */
+export class PlayEdits {
+  /** Emits when there is something to keep, or no longer. */
+  readonly changed = new Signal();
+
+  private isRecording = false;
+  /** Fields that changed while playing, with what they were before: components may write them as well. */
+  private readonly before = new Map<FieldOwner, Map<string, FieldValue>>();
+  private values: readonly PlayChange[] = [];
+  /** All edits as they were done, while none of them was kept. */
+  private all: readonly Command[] = [];
+  private last: Command | null = null;
+
+  constructor(private readonly document: EditorDocument) {}
+
+  /** Values that can be kept. */
+  get changes(): readonly PlayChange[] {
+    return this.values;
+  }
+
+  /** Labels of edits that are no values, such as an object that was added; they can be kept only with all others. */
+  get others(): readonly string[] {
+    return this.all.filter((command) => !(command instanceof SetFields)).map(({ label }) => label);
+  }
+
+  /** Whether everything can be kept as it was done: while nothing else was edited. */
+  get canKeepAll(): boolean {
+    return this.all.length > 0 && this.document.commands.last === this.last;
+  }
+
+  /** The scene begins to play. */
+  begin(): void {
+    this.dismiss();
+    this.isRecording = true;
+    this.document.commands.hold();
+  }
+
+  /** The scene stops: it is as it was when it began to play. @param reset - puts simulation back to time 0 */
+  end(reset: () => void): void {
+    const { commands } = this.document;
+    const taken = commands.release();
+    // components may write their fields then too
+    reset();
+    this.isRecording = false;
+    for (const [owner, fields] of this.before) for (const [name, value] of fields) owner.set(name, value);
+    this.before.clear();
+    this.all = taken;
+    this.last = commands.last;
+    this.values = changesOf(taken);
+    this.changed.emit();
+  }
+
+  /** Another scene came. */
+  abort(): void {
+    this.isRecording = false;
+    this.before.clear();
+    this.dismiss();
+  }
+
+  /** Something of the scene changed, by an edit or by a component. */
+  note(change: SceneChange): void {
+    if (!this.isRecording || (change.kind !== 'field' && change.kind !== 'settings')) return;
+    const owner = change.kind === 'field' ? change.component : this.document.scene.settings;
+    let fields = this.before.get(owner);
+    if (!fields) this.before.set(owner, (fields = new Map()));
+    if (!fields.has(change.field)) fields.set(change.field, change.before);
+  }
+
+  /** Keeps a value, as one step of history. @throws Error when its object is not in the scene: it was added while playing */
+  keep(change: PlayChange): void {
+    const { owner, name, to } = change;
+    this.check(change);
+    this.document.commands.run(new SetFields(`Keep ${nameOf(change)}`, [{ owner, name, value: to }]));
+    this.values = this.values.filter((each) => !sameField(each, change));
+    this.dropAll();
+    this.changed.emit();
+  }
+
+  /** Keeps what is left, as one step of history. @throws Error as `keep` does; nothing is kept then */
+  keepAll(): void {
+    if (this.canKeepAll) {
+      this.document.commands.run(new CommandList('Keep edits of playing', this.all));
+      this.all = [];
+    } else {
+      for (const change of this.values) this.check(change);
+      const edits = this.values.map(({ owner, name, to }) => ({ owner, name, value: to }));
+      this.document.commands.run(new SetFields('Keep edits of playing', edits));
+    }
+    this.dismiss();
+  }
+
+  /** Lets go of what was not kept. */
+  dismiss(): void {
+    this.dropAll();
+    this.values = [];
+    this.changed.emit();
+  }
+
+  private check(change: PlayChange): void {
+    if ('isAttached' in change.owner && change.owner.scene !== this.document.scene) {
+      throw new Error(`${nameOf(change)} cannot be kept: its object was added while playing. Keep all edits instead.`);
+    }
+  }
+
+  private dropAll(): void {
+    for (const command of this.all) command.forget?.(false);
+    this.all = [];
+  }
+}
+
+/** What a change is of, such as 'intensity of Lamp'. */
+export function nameOf({ owner, name }: PlayChange): string {
+  const field = (owner.fields[name].label ?? name).toLowerCase();
+  return `${field} of ${'isAttached' in owner && owner.isAttached ? owner.gameObject.name : owner.ownerName}`;
+}
+
+/** The values that commands, which are undone, have set. */
+function changesOf(commands: readonly Command[]): PlayChange[] {
+  const changes: PlayChange[] = [];
+  for (const command of commands) {
+    if (!(command instanceof SetFields)) continue;
+    for (const { owner, name, value } of command.edits) {
+      const at = changes.findIndex((each) => sameField(each, { owner, name }));
+      if (at >= 0) changes.splice(at, 1);
+      const change = { owner: owner as PlayChange['owner'], name, from: owner.getAuthored(name), to: value };
+      if (!sameValue(change.from, value)) changes.push(change);
+    }
+  }
+  return changes;
+}

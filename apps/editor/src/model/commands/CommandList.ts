@@ -1,0 +1,32 @@
+import type { Command } from '../Command';
+
+/** Several commands as one step. They are done in their order, and undone in the other. */
+export class CommandList implements Command {
+  constructor(
+    readonly label: string,
+    private readonly commands: readonly Command[],
+  ) {}
+
+  get isEmpty(): boolean {
+    return this.commands.length === 0;
+  }
+
+  /** @throws what one of them throws; those before it are undone then */
+  do(): void {
+    let count = 0;
+    try {
+      for (; count < this.commands.length; count++) this.commands[count].do();
+    } catch (error) {
+      while (count-- > 0) this.commands[count].undo();
+      throw error;
+    }
+  }
+
+  undo(): void {
+    for (const command of this.commands.toReversed()) command.undo();
+  }
+
+  forget(isDone: boolean): void {
+    for (const command of this.commands) command.forget?.(isDone);
+  }
+}

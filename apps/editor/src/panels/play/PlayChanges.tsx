@@ -1,0 +1,93 @@
+import { type FieldValue, sameValue } from '@farol/engine';
+import type { ReactNode } from 'react';
+import { MathUtils } from 'three';
+import { nameOf, type PlayChange } from '../../model/PlayEdits';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import './play.css';
+
+/** A value as the inspector has it. */
+function valueText(value: FieldValue, kind: string): string {
+  if (value === null) return 'none';
+  const isAngle = kind === 'angle' || kind === 'euler';
+  const text = (each: number): string => String(Number((isAngle ? each * MathUtils.RAD2DEG : each).toPrecision(4)));
+  if (typeof value === 'number') return text(value) + (isAngle ? '°' : '');
+  if (Array.isArray(value)) return value.map((each: number) => text(each)).join('  ');
+  return typeof value === 'boolean' ? (value ? 'on' : 'off') : String(value);
+}
+
+/** What was edited while the scene played, after it was stopped: each value can be kept. */
+export function PlayChanges(): ReactNode {
+  const editor = useEditor();
+  const { playEdits, edited } = editor.document;
+  useSignal(playEdits.changed);
+  useSignal(edited);
+  const { changes, others } = playEdits;
+  if (changes.length === 0 && others.length === 0) return null;
+  return (
+    <section className="play-changes" aria-label="Edited while playing">
+      <header>
+        <h2>Edited while playing</h2>
+        <button
+          type="button"
+          className="button small"
+          aria-label="Let go of the edits"
+          title="Let go of the edits"
+          onClick={() => playEdits.dismiss()}
+        >
+          <Icon name="close" size={12} />
+        </button>
+      </header>
+      <ul>
+        {changes.map((change) => (
+          <ChangeLine key={`${keyOf(change)}`} change={change} />
+        ))}
+      </ul>
+      {others.length > 0 && (
+        <p>
+          Only with all others: {others.slice(0, 4).join(', ')}
+          {others.length > 4 && ` and ${others.length - 4} more`}
+        </p>
+      )}
+      <footer>
+        <button type="button" className="button framed" onClick={() => playEdits.dismiss()}>
+          Keep none
+        </button>
+        <button
+          type="button"
+          className="button primary"
+          disabled={changes.length === 0 && !playEdits.canKeepAll}
+          onClick={() => editor.attempt(() => playEdits.keepAll())}
+        >
+          Keep all
+        </button>
+      </footer>
+    </section>
+  );
+}
+
+const keyOf = ({ owner, name }: PlayChange): string => `${'id' in owner ? owner.id : 'scene'}.${name}`;
+
+function ChangeLine({ change }: { change: PlayChange }): ReactNode {
+  const editor = useEditor();
+  const { owner, name, to } = change;
+  const { kind } = owner.fields[name];
+  const now = owner.getAuthored(name);
+  return (
+    <li>
+      <span className="play-name">{nameOf(change)}</span>
+      <span className="play-values">
+        {valueText(now, kind)} → <strong>{valueText(to, kind)}</strong>
+      </span>
+      <button
+        type="button"
+        className="button small framed"
+        aria-label={`Keep ${nameOf(change)}`}
+        disabled={sameValue(now, to)}
+        onClick={() => editor.attempt(() => editor.document.playEdits.keep(change))}
+      >
+        Keep
+      </button>
+    </li>
+  );
+}
