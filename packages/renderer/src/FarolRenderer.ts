@@ -220,7 +220,7 @@ export class FarolRenderer {
     }
     // lets the GPU begin while the host goes on
     frame.gl.flush();
-    this.recorder.end(this.active, this.reason, this.lights, frame.uploadedBytes, this.targetBytes());
+    this.recorder.end(this.active, this.reason, this.lights, shadows, frame.uploadedBytes, this.targetBytes());
   }
 
   /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */

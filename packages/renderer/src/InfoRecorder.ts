@@ -2,6 +2,7 @@ import type { WebGLRenderer } from 'three';
 import type { FarolInfo, PassInfo } from './FarolInfo';
 import { GpuTimer } from './GpuTimer';
 import type { LightTable } from './lights/LightTable';
+import type { ShadowMaps } from './shadows/ShadowMaps';
 
 /** Fills `FarolInfo`: counts from the WebGLRenderer, CPU time from the clock, GPU time from queries read later. */
 export class InfoRecorder {
@@ -14,6 +15,7 @@ export class InfoRecorder {
     cpuMs: 0,
     gpuMs: null,
     lights: { total: 0, visible: 0 },
+    shadows: { drawn: 0, kept: 0, bytes: 0 },
     programs: 0,
     targetBytes: 0,
     uploadBytes: 0,
@@ -65,7 +67,14 @@ export class InfoRecorder {
     this.pass = null;
   }
 
-  end(technique: string, reason: string, lights: LightTable, uploadedBytes: number, targetBytes: number): void {
+  end(
+    technique: string,
+    reason: string,
+    lights: LightTable,
+    shadows: ShadowMaps,
+    uploadedBytes: number,
+    targetBytes: number,
+  ): void {
     const { info } = this;
     info.technique = technique;
     info.reason = reason;
@@ -83,6 +92,9 @@ export class InfoRecorder {
     info.gpuMs = timed ? gpu : null;
     info.lights.total = lights.total;
     info.lights.visible = lights.visible;
+    info.shadows.drawn = shadows.drawn;
+    info.shadows.kept = shadows.kept;
+    info.shadows.bytes = shadows.bytes;
     info.programs = this.webgl.info.programs?.length ?? 0;
     info.targetBytes = targetBytes;
     info.uploadBytes = lights.uploadedBytes + uploadedBytes;

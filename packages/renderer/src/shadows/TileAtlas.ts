@@ -29,7 +29,7 @@ export interface AtlasTenant {
 /** Texels a side of the smallest atlas. */
 const SMALLEST = 512;
 /** Texels a side below which a map is not halved. */
-const SMALLEST_MAP = 32;
+const SMALLEST_MAP = 16;
 /** Part of the atlas that tiles of mixed sizes are counted on to fill. */
 const FILLED = 0.9;
 

@@ -1,0 +1,266 @@
+import { expect, test } from '../support/test';
+
+test.beforeEach(async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+});
+
+test('maps are kept until something that casts shadows changes in their reach, and the picture is never an old one', async ({
+  page,
+}) => {
+  const steps = await page.evaluate(() => {
+    const { Bench, compareImages, three } = window.testPage;
+    const bench = new Bench(96, 64);
+    bench.webgl.shadowMap.enabled = true;
+    const scene = new three.Scene();
+    const camera = new three.PerspectiveCamera(60, 1.5, 0.1, 50);
+    camera.position.set(0, 6, 12);
+    camera.lookAt(0, 0, 0);
+    const material = new three.MeshStandardMaterial();
+    const floor = new three.Mesh(new three.PlaneGeometry(24, 12), material);
+    floor.rotation.x = -Math.PI / 2;
+    floor.receiveShadow = true;
+    const boxes = [-8, 0, 8].map((x) => {
+      const box = new three.Mesh(new three.BoxGeometry(1, 1, 1), material);
+      box.position.set(x, 1, 0);
+      box.castShadow = true;
+      return box;
+    });
+    // each light reaches its own box alone
+    const lights = [-8, 0, 8].map((x, i) => {
+      const light = i === 1 ? new three.SpotLight(0xffffff, 60, 6, 0.6) : new three.PointLight(0xffffff, 30, 6);
+      light.position.set(x + 0.5, 4, 0);
+      light.castShadow = true;
+      light.shadow.mapSize.set(128, 128);
+      light.shadow.bias = -0.005;
+      if (light instanceof three.SpotLight) {
+        light.target.position.set(x, 0, 0);
+        scene.add(light.target);
+      }
+      return light;
+    });
+    scene.add(floor, ...boxes, ...lights);
+    const step = (name: string, change: () => void) => {
+      change();
+      const image = bench.byTechnique('forward-single-pass', scene, camera);
+      const { drawn, kept } = bench.farol.info.shadows;
+      const { psnr, share } = compareImages(bench.stock(scene, camera), image);
+      const hard = bench.webgl.shadowMap.type === three.BasicShadowMap;
+      return { name, drawn, kept, hard, psnr, share };
+    };
+    const results = [
+      step('first', () => {}),
+      step('nothing changes', () => {}),
+      step('the camera moves', () => camera.position.setX(0.5)),
+      step('one box moves', () => boxes[0].position.setY(1.4)),
+      step('its geometry', () => (boxes[0].geometry = new three.BoxGeometry(0.6, 0.6, 2))),
+      step('it turns, in a light of its own', () => boxes[2].rotation.set(0, 1, 0.5)),
+      step('it is hidden', () => (boxes[1].visible = false)),
+      step('it comes back', () => (boxes[1].visible = true)),
+      step('it casts none', () => (boxes[1].castShadow = false)),
+      step('a light moves', () => (lights[1].position.x = 1)),
+      step('bias alone', () => (lights[1].shadow.bias = -0.02)),
+      step('a larger map', () => lights[0].shadow.mapSize.set(256, 256)),
+      step('another kind of map', () => (bench.webgl.shadowMap.type = three.BasicShadowMap)),
+      step('stock three marked all materials for that', () => {}),
+      step('at rest', () => {}),
+    ];
+    lights[0].shadow.autoUpdate = false;
+    boxes[0].position.y = 2;
+    bench.byTechnique('forward-single-pass', scene, camera);
+    const frozen = bench.farol.info.shadows.drawn;
+    lights[0].shadow.needsUpdate = true;
+    bench.byTechnique('forward-single-pass', scene, camera);
+    return { results, frozen, asked: bench.farol.info.shadows.drawn, consumed: !lights[0].shadow.needsUpdate };
+  });
+  expect(steps.results.map(({ name, drawn, kept }) => `${name}: ${drawn} drawn, ${kept} kept`)).toEqual([
+    'first: 3 drawn, 0 kept',
+    'nothing changes: 0 drawn, 3 kept',
+    'the camera moves: 0 drawn, 3 kept',
+    'one box moves: 1 drawn, 2 kept',
+    'its geometry: 1 drawn, 2 kept',
+    'it turns, in a light of its own: 1 drawn, 2 kept',
+    'it is hidden: 1 drawn, 2 kept',
+    'it comes back: 1 drawn, 2 kept',
+    'it casts none: 1 drawn, 2 kept',
+    'a light moves: 1 drawn, 2 kept',
+    'bias alone: 0 drawn, 3 kept',
+    'a larger map: 1 drawn, 2 kept',
+    'another kind of map: 3 drawn, 0 kept',
+    'stock three marked all materials for that: 2 drawn, 1 kept',
+    'at rest: 0 drawn, 3 kept',
+  ]);
+  // at a hard edge one texel of a point light's map is several pixels of this small picture
+  for (const { name, hard, psnr, share } of steps.results) {
+    if (hard) expect(share, name).toBeLessThanOrEqual(0.005);
+    else expect(psnr, name).toBeGreaterThanOrEqual(45);
+  }
+  expect(steps.frozen, 'autoUpdate false').toBe(0);
+  expect(steps.asked, 'needsUpdate').toBe(1);
+  expect(steps.consumed, 'needsUpdate is taken back').toBe(true);
+});
+
+test('64 shadowed point and spot lights at once, also in an atlas too small for them; adding and removing compiles nothing', async ({
+  page,
+}) => {
+  const seen = await page.evaluate(() => {
+    const { Bench, farol, three } = window.testPage;
+    const bench = new Bench(128, 128);
+    bench.webgl.shadowMap.enabled = true;
+    const small = new farol.FarolRenderer(bench.webgl, { technique: 'tiled-deferred', shadowAtlasSize: 512 });
+    const camera = new three.OrthographicCamera(-8, 8, 8, -8, 0.1, 20);
+    camera.position.z = 10;
+    const scene = new three.Scene();
+    const material = new three.MeshLambertMaterial();
+    const wall = new three.Mesh(new three.PlaneGeometry(16, 16), material);
+    wall.receiveShadow = true;
+    scene.add(wall);
+    const lights: InstanceType<typeof three.PointLight | typeof three.SpotLight>[] = [];
+    const boxes: InstanceType<typeof three.Mesh>[] = [];
+    const geometry = new three.BoxGeometry(0.7, 0.7, 0.2);
+    // a cell of 2 × 2 for each light, with a box before the middle of the wall
+    for (let i = 0; i < 64; i++) {
+      const [x, y] = [(i % 8) * 2 - 7, Math.floor(i / 8) * 2 - 7];
+      const light = i % 2 ? new three.PointLight(0xffffff, 6, 3) : new three.SpotLight(0xffffff, 6, 3, 0.7);
+      light.position.set(x, y, 1.6);
+      light.castShadow = true;
+      light.shadow.mapSize.set(64, 64);
+      light.shadow.camera.near = 0.1;
+      if (light instanceof three.SpotLight) {
+        light.target.position.set(x, y, 0);
+        scene.add(light.target);
+      }
+      const box = new three.Mesh(geometry, material);
+      box.position.set(x, y, 0.6);
+      box.castShadow = true;
+      lights.push(light);
+      boxes.push(box);
+    }
+    scene.add(...lights, ...boxes);
+    // of the wall beside each box: one pixel in its shadow, one in the light
+    const cells = (render: () => Float32Array) => {
+      const data = render();
+      return lights.map((_, i) => {
+        const at = (dx: number) => data[4 * ((Math.floor(i / 8) * 16 + 8) * 128 + (i % 8) * 16 + 8 + dx)];
+        return [at(4), at(7)];
+      });
+    };
+    const draw = (renderer: InstanceType<typeof farol.FarolRenderer>) => () => {
+      bench.webgl.setRenderTarget(bench.target);
+      renderer.render(scene, camera);
+      const data = new Float32Array(128 * 128 * 4);
+      bench.webgl.readRenderTargetPixels(bench.target, 0, 0, 128, 128, data);
+      bench.webgl.setRenderTarget(null);
+      return data;
+    };
+    bench.farol.technique = 'tiled-deferred';
+    const large = cells(draw(bench.farol));
+    const drawnAtOnce = bench.farol.info.shadows.drawn;
+    const reduced = cells(draw(small));
+    const before = bench.programs;
+    for (let i = 0; i < 64; i += 3) lights[i].castShadow = false;
+    draw(bench.farol)();
+    for (let i = 0; i < 64; i += 3) lights[i].castShadow = true;
+    scene.remove(...lights.slice(0, 40), ...boxes.slice(10, 30));
+    draw(bench.farol)();
+    scene.add(...lights.slice(0, 40), ...boxes.slice(10, 30));
+    const again = cells(draw(bench.farol));
+    return { large, reduced, again, drawnAtOnce, compiled: bench.programs - before, bytes: small.info.shadows.bytes };
+  });
+  expect(seen.drawnAtOnce).toBe(64);
+  for (const name of ['large', 'reduced', 'again'] as const) {
+    seen[name].forEach(([shadowed, lit], i) => {
+      expect(lit, `${name}: beside the shadow of light ${i}`).toBeGreaterThan(0.1);
+      expect(shadowed, `${name}: in the shadow of light ${i}`).toBeLessThan((name === 'reduced' ? 0.6 : 0.3) * lit);
+    });
+  }
+  expect(seen.bytes, 'bytes of the small atlas').toBe(512 * 512 * 5);
+  expect(seen.compiled, 'programs compiled').toBe(0);
+});
+
+test('casters, lights and techniques that change back and forth compile nothing after the first time', async ({
+  page,
+}) => {
+  const compiled = await page.evaluate(() => {
+    const { Bench, shadowScene, three } = window.testPage;
+    const bench = new Bench(48, 32);
+    bench.webgl.shadowMap.enabled = true;
+    const { scene, camera, lights } = shadowScene(48, 32, { caster: 'mixed' });
+    const box = new three.Mesh(new three.BoxGeometry(), new three.MeshStandardMaterial());
+    box.castShadow = true;
+    const techniques = ['forward', 'forward-single-pass', 'deferred', 'tiled-deferred', 'clustered-forward'] as const;
+    const added = new three.SpotLight(0xffffff, 20, 10, 0.5);
+    added.castShadow = true;
+    added.position.set(0, 4, 3);
+    const round = () => {
+      for (const technique of techniques) bench.byTechnique(technique, scene, camera);
+    };
+    scene.add(box);
+    round();
+    const before = bench.programs;
+    scene.remove(box);
+    round();
+    for (const light of lights) light.castShadow = !light.castShadow;
+    round();
+    scene.add(box, added);
+    round();
+    for (const light of lights) light.castShadow = true;
+    scene.remove(added);
+    round();
+    return bench.programs - before;
+  });
+  expect(compiled).toBe(0);
+});
+
+test("the host's lights, materials and renderer are as they were after shadows are drawn", async ({ page }) => {
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, shadowScene, three } = window.testPage;
+    const bench = new Bench(64, 48);
+    const { webgl } = bench;
+    webgl.shadowMap.enabled = true;
+    const { scene, camera, lights } = shadowScene(64, 48, { caster: 'mixed' });
+    const own = webgl.shadowMap.render;
+    const snapshot = (all: boolean) => {
+      const seen: unknown[] = [webgl.shadowMap.render === own, webgl.shadowMap.needsUpdate, webgl.shadowMap.type];
+      // what three itself adds to objects when it first meets them is there after a frame of stock three
+      if (all)
+        scene.traverse((object) => {
+          const { material } = object as InstanceType<typeof three.Mesh>;
+          const one = material as InstanceType<typeof three.Material> | undefined;
+          seen.push([
+            object.uuid,
+            object.layers.mask,
+            object.visible,
+            object.frustumCulled,
+            Object.keys(object).join(),
+          ]);
+          if (one) seen.push([one.side, one.version, one.visible, Object.keys(one).join()]);
+        });
+      for (const light of lights) {
+        const { shadow } = light as InstanceType<typeof three.SpotLight>;
+        seen.push([shadow.map?.texture.uuid, shadow.mapPass, shadow.needsUpdate, shadow.matrix.elements.join()]);
+        seen.push([
+          shadow.mapSize.x,
+          shadow.camera.far,
+          shadow.camera.matrixWorld.elements.join(),
+          Object.keys(shadow),
+        ]);
+      }
+      return JSON.stringify(seen);
+    };
+    const fresh = snapshot(false);
+    bench.byTechnique('deferred', scene, camera);
+    const afterFarol = snapshot(false);
+    const first = bench.stock(scene, camera);
+    const stocked = snapshot(true);
+    bench.byTechnique('deferred', scene, camera);
+    return {
+      same: fresh === afterFarol,
+      again: snapshot(true) === stocked,
+      largest: compareImages(first, bench.stock(scene, camera)).largest,
+    };
+  });
+  expect(results.same, 'before stock three made maps of its own').toBe(true);
+  expect(results.again, 'after').toBe(true);
+  expect(results.largest, 'stock three draws the same').toBe(0);
+});
