@@ -1,4 +1,5 @@
 import { type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
+import { clearValue } from './clearValue';
 import { checkDevice, hasFloatTargets } from './checkDevice';
 import { collectLights, type FoundLights } from './collectLights';
 import { compileByDrawing } from './compileByDrawing';
@@ -319,7 +320,7 @@ export class FarolRenderer {
     const { frame } = this;
     const background = this.uniforms.farol_background.value;
     frame.fills = this.sceneView.uncleared;
-    if (frame.fills !== null) background.fromArray(frame.gl.getParameter(frame.gl.COLOR_CLEAR_VALUE) as Float32Array);
+    if (frame.fills !== null) clearValue(this.webgl, frame.scene, frame.premultiplied, background);
     else background.w = -1;
   }
 

@@ -79,6 +79,8 @@ export class Frame {
   /** Set by an effect: takes the place of the G-buffer's accumulation. */
   accumulation: Texture | null = null;
   private readonly canvasStencil: boolean;
+  /** Whether the canvas's colours are multiplied by alpha. */
+  readonly premultiplied: boolean;
   private readonly canvasSamples: number;
   private readonly draw: Draw;
 
@@ -90,9 +92,11 @@ export class Frame {
     readonly microshaders: MicroShaderRegistry,
   ) {
     this.gl = webgl.getContext() as WebGL2RenderingContext;
-    this.canvasStencil = this.gl.getContextAttributes()?.stencil !== false;
+    const attributes = this.gl.getContextAttributes();
+    this.canvasStencil = attributes?.stencil !== false;
+    this.premultiplied = attributes?.premultipliedAlpha !== false;
     this.draw = webgl.renderBufferDirect as unknown as Draw;
-    this.canvasSamples = this.gl.getContextAttributes()?.antialias ? 4 : 0;
+    this.canvasSamples = attributes?.antialias ? 4 : 0;
   }
 
   /** Samples a pixel of the target: above 0 it is multisampled. */

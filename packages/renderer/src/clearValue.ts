@@ -1,0 +1,22 @@
+import { Color, ColorManagement, type Object3D, type Scene, type Vector4, type WebGLRenderer } from 'three';
+
+const colour = new Color();
+const encoded = { r: 0, g: 0, b: 0 };
+
+/**
+ * The value that three clears the current target's colour to for a scene, without asking the device, which would wait.
+ * @param premultiplied whether the context's colours are multiplied by alpha
+ * @param value gets red, green, blue and alpha, in the encoding of the target
+ * @see three.js r187, WebGLBackground and getUnlitUniformColorSpace
+ */
+export function clearValue(webgl: WebGLRenderer, source: Object3D, premultiplied: boolean, value: Vector4): void {
+  const { background = null } = source as Partial<Scene>;
+  const isColor = background !== null && 'isColor' in background;
+  if (isColor) colour.copy(background as Color);
+  else webgl.getClearColor(colour);
+  const alpha = isColor ? 1 : webgl.getClearAlpha();
+  const space = webgl.getRenderTarget() === null ? webgl.outputColorSpace : ColorManagement.workingColorSpace;
+  const { r, g, b } = colour.getRGB(encoded, space);
+  const scale = premultiplied ? alpha : 1;
+  value.set(r * scale, g * scale, b * scale, alpha);
+}
