@@ -262,6 +262,7 @@ export class FarolRenderer {
       bounded,
       coverage,
       everywhere: directional + unbounded,
+      transparents: this.frame.queue.hasLitTransparents,
       floatTargets: this.floatTargets,
     });
     this.active = choice.technique;

@@ -38,6 +38,8 @@ export class RenderQueue {
   private readonly pool: RenderItem[] = [];
   /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
   covers = true;
+  /** True if something lit transmits or is transparent. */
+  hasLitTransparents = false;
   private used = 0;
   private opaques = 0;
   private transmissives = 0;
@@ -46,6 +48,7 @@ export class RenderQueue {
   clear(): void {
     this.used = 0;
     this.covers = true;
+    this.hasLitTransparents = false;
     this.opaques = this.transmissives = this.transparents = 0;
   }
 
@@ -82,6 +85,7 @@ export class RenderQueue {
     item.shadowMask = !item.lit && showsShadowMask(material);
     item.plain = list === this.opaque && isPlainOpaque(material);
     item.drawn = false;
+    if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!item.plain || hasOwnShader(material))) this.covers = false;
     // the lists are cut to their length when all is in, and so keep their storage
     if (list === this.opaque) list[this.opaques++] = item;

@@ -5,6 +5,7 @@ const scene = (figures: Partial<SceneFigures>): SceneFigures => ({
   bounded: 100,
   everywhere: 1,
   coverage: 1,
+  transparents: false,
   floatTargets: true,
   ...figures,
 });
@@ -13,7 +14,13 @@ describe('TechniqueChooser', () => {
   it('takes lists from three lights on, and a G-buffer where many lie over a pixel', () => {
     expect(new TechniqueChooser().choose(scene({ bounded: 1, everywhere: 1 })).technique).toBe('forward-single-pass');
     expect(new TechniqueChooser().choose(scene({ bounded: 2 })).technique).toBe('clustered-forward');
-    expect(new TechniqueChooser().choose(scene({ coverage: 20 })).technique).toBe('tiled-deferred');
+    expect(new TechniqueChooser().choose(scene({ coverage: 20 })).technique).toBe('clustered-deferred');
+    expect(new TechniqueChooser().choose(scene({ bounded: 1000, coverage: 20 })).technique).toBe('tiled-deferred');
+  });
+
+  it('takes lists that hold for what is transparent too, where such things are', () => {
+    const figures = scene({ bounded: 1000, coverage: 20, transparents: true });
+    expect(new TechniqueChooser().choose(figures).technique).toBe('clustered-deferred');
   });
 
   it('never takes a G-buffer without float targets, and leaves it at once when they go', () => {
@@ -34,8 +41,8 @@ describe('TechniqueChooser', () => {
     const frames: string[] = [];
     for (let i = 0; i < 20; i++) frames.push(chooser.choose(scene({ coverage: 50 })).technique);
     expect(frames[0]).toBe(first);
-    expect(frames.indexOf('tiled-deferred')).toBe(7);
-    expect(frames.at(-1)).toBe('tiled-deferred');
+    expect(frames.indexOf('clustered-deferred')).toBe(7);
+    expect(frames.at(-1)).toBe('clustered-deferred');
   });
 
   it('says why', () => {

@@ -6,12 +6,14 @@ export interface SceneFigures {
   readonly everywhere: number;
   /** Lights with a range over a pixel, whatever its depth, on average. */
   readonly coverage: number;
+  /** Whether lit things that transmit or are transparent were drawn: tile lists made on the GPU do not know them. */
+  readonly transparents: boolean;
   /** Whether float colour targets can be drawn to. */
   readonly floatTargets: boolean;
 }
 
 /** What the chooser picks from. */
-export type ChosenTechnique = 'forward-single-pass' | 'clustered-forward' | 'tiled-deferred';
+export type ChosenTechnique = 'forward-single-pass' | 'clustered-forward' | 'clustered-deferred' | 'tiled-deferred';
 
 export interface Choice {
   readonly technique: ChosenTechnique;
@@ -22,6 +24,8 @@ export interface Choice {
 const FEW_LIGHTS = 2;
 /** Lights over a pixel from which a G-buffer pays; measured, see PERFORMANCE.md. */
 const MANY_OVER_A_PIXEL = 4;
+/** Lights with a range from which lists made on the GPU cost less than lists made on the CPU; measured, see PERFORMANCE.md. */
+const MANY_LIGHTS = 400;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;
 const PATIENCE = 8;
@@ -35,9 +39,13 @@ const choices: Record<ChosenTechnique, Choice> = {
     technique: 'clustered-forward',
     reason: 'few lights over a pixel: a G-buffer would cost more than it saves',
   },
+  'clustered-deferred': {
+    technique: 'clustered-deferred',
+    reason: 'many lights over a pixel: each surface is lit once, by the list of its cluster',
+  },
   'tiled-deferred': {
     technique: 'tiled-deferred',
-    reason: 'many lights over a pixel: each surface is lit once, by the list of its tile',
+    reason: 'very many lights, many over a pixel: each surface is lit once, by the list of its tile, made on the GPU',
   },
 };
 
@@ -59,7 +67,7 @@ export class TechniqueChooser {
       this.best(figures, SLACK) === current.technique ||
       this.best(figures, 1 / SLACK) === current.technique;
     this.waited = holds ? 0 : this.waited + 1;
-    const impossible = current.technique === 'tiled-deferred' && !figures.floatTargets;
+    const impossible = current.technique.endsWith('deferred') && !figures.floatTargets;
     if (impossible || this.waited >= PATIENCE) {
       this.current = best;
       this.waited = 0;
@@ -67,8 +75,12 @@ export class TechniqueChooser {
     return this.current!;
   }
 
-  private best({ bounded, everywhere, coverage, floatTargets }: SceneFigures, scale: number): ChosenTechnique {
+  private best(
+    { bounded, everywhere, coverage, transparents, floatTargets }: SceneFigures,
+    scale: number,
+  ): ChosenTechnique {
     if (bounded + everywhere <= FEW_LIGHTS) return 'forward-single-pass';
-    return floatTargets && (coverage + everywhere) * scale > MANY_OVER_A_PIXEL ? 'tiled-deferred' : 'clustered-forward';
+    if (!floatTargets || (coverage + everywhere) * scale <= MANY_OVER_A_PIXEL) return 'clustered-forward';
+    return !transparents && bounded * scale > MANY_LIGHTS ? 'tiled-deferred' : 'clustered-deferred';
   }
 }
