@@ -165,7 +165,11 @@ window.compareInComposer = (host, technique, options) => {
   const { background } = scene;
   if (options.bare) scene.background = null;
   farol.technique = effectsFarol.technique = technique;
-  const draw = { three: byThree, pmndrs: byPmndrs, effects: byEffects }[host];
+  const drawBy = { three: byThree, pmndrs: byPmndrs, effects: byEffects }[host];
+  const draw: typeof drawBy = (byFarol, options) => {
+    webgl.setClearColor(0x223344, 0.5); // `clear` takes what was set last, if only for a background of the frame before
+    return drawBy(byFarol, options);
+  };
   try {
     const stock = draw(false, options);
     webgl.setRenderTarget(null);
