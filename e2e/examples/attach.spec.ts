@@ -54,7 +54,11 @@ test('on a page that knows nothing of Farol: select, edit, undo, draw by Farol',
   await page.getByLabel('Visible').first().uncheck();
   expect(await page.evaluate(() => window.example.scene!.getObjectByName('chest')!.visible)).toBe(false);
 
+  await page.getByRole('searchbox', { name: 'Search objects' }).fill('rn 1');
+  await expect(page.getByRole('treeitem')).toHaveCount(11); // lantern 1, and 10 to 19
   await row(page, 'lantern 1').click();
+  await page.getByRole('searchbox', { name: 'Search objects' }).fill('');
+  await expect(row(page, 'lantern 1')).toHaveAttribute('aria-selected', 'true');
   await page.getByRole('spinbutton', { name: 'Intensity' }).fill('-3'); // not allowed: marked, not taken
   await expect(page.getByRole('spinbutton', { name: 'Intensity' })).toHaveAttribute('aria-invalid', 'true');
   await page.getByRole('spinbutton', { name: 'Intensity' }).fill('9');

@@ -69,3 +69,21 @@ test('r3f: what draws is switched while it runs, and what Farol held is freed', 
   await expect.poll(() => page.evaluate(() => window.example.webgl.info.render.frame)).toBeGreaterThan(frame);
   watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
 });
+
+test('r3f: an effect is put on and taken off, and outlives a Farol that was', async ({ page, watch }) => {
+  await openExample(page, 'r3f', 'deferred');
+  const plain = await drawExample(page, 'deferred');
+  const box = page.getByRole('checkbox', { name: 'SMAA' });
+  await box.check();
+  await expect.poll(() => page.evaluate(() => window.example.farol.effects.length)).toBe(1);
+  const smooth = await drawExample(page, 'deferred');
+  expect(compareImages(smooth, plain).largest).toBeGreaterThan(0.02); // edges
+  await drawExample(page, 'three');
+  const again = await drawExample(page, 'deferred');
+  expect(await page.evaluate(() => window.example.farol.effects.length)).toBe(1);
+  expect(compareImages(again, smooth).largest).toBe(0);
+  await box.uncheck();
+  await expect.poll(() => page.evaluate(() => window.example.farol.effects.length)).toBe(0);
+  expect(compareImages(await drawExample(page, 'deferred'), plain).largest).toBe(0);
+  watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+});

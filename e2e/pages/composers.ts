@@ -7,7 +7,7 @@ import { EffectComposer } from 'three/addons/postprocessing/EffectComposer.js';
 import type { RenderPass as ThreeRenderPass } from 'three/addons/postprocessing/RenderPass.js';
 import { RenderPass } from 'three/addons/postprocessing/RenderPass.js';
 import { ShaderPass } from 'three/addons/postprocessing/ShaderPass.js';
-import { compareImages, type Difference, isFlat } from '../support/images';
+import { compareImages, type Difference, type FloatImage, isFlat } from '../support/images';
 
 const WIDTH = 96;
 const HEIGHT = 72;
@@ -166,15 +166,15 @@ window.compareInComposer = (host, technique, options) => {
   if (options.bare) scene.background = null;
   farol.technique = effectsFarol.technique = technique;
   const drawBy = { three: byThree, pmndrs: byPmndrs, effects: byEffects }[host];
-  const draw: typeof drawBy = (byFarol, options) => {
+  const draw = (byFarol: boolean): FloatImage => {
     webgl.setClearColor(0x223344, 0.5); // `clear` takes what was set last, if only for a background of the frame before
     return drawBy(byFarol, options);
   };
   try {
-    const stock = draw(false, options);
+    const stock = draw(false);
     webgl.setRenderTarget(null);
     const before = state();
-    const image = draw(true, options);
+    const image = draw(true);
     webgl.setRenderTarget(null);
     return { ...compareImages(image, stock), flat: isFlat(stock), kept: state() === before };
   } finally {

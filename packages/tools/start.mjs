@@ -16,7 +16,9 @@ if (!Number.isInteger(port) || port < 1 || port > 65534) {
 ensureInstalled();
 try {
   const { urls } = await serveApps({ ports: { editor: port, viewer: port + 1 } });
-  console.log(`\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n\n  Ctrl+C stops both.\n`);
+  console.log(
+    `\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n  Examples      ${urls.viewer}examples/\n\n  Ctrl+C stops both.\n`,
+  );
   if (urls.editor) openBrowser(urls.editor);
 } catch (error) {
   const message = error instanceof Error ? error.message : String(error);

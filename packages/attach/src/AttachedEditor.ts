@@ -38,6 +38,11 @@ export class AttachedEditor {
     private readonly webgl: WebGLRenderer,
     private readonly options: AttachOptions,
   ) {
+    if (!(webgl as { isWebGLRenderer?: boolean }).isWebGLRenderer) {
+      throw new Error(
+        'attachEditor: the renderer is no WebGLRenderer; pages drawn by WebGPURenderer are not supported.',
+      );
+    }
     if (attached.has(webgl))
       throw new Error('attachEditor: this renderer has an editor already; dispose that one first.');
     attached.add(webgl);
@@ -54,7 +59,7 @@ export class AttachedEditor {
     const tree = new Tree(session);
     const inspector = new Inspector(session);
     const frame = new FramePanel(session, hook, drawing);
-    const panels = element('div', { className: 'panels' }, tree.element, inspector.element, frame.element);
+    const panels = element('div', { className: 'panels' }, tree.search, tree.element, inspector.element, frame.element);
     const bar = new Bar(session, gizmo, () => (panels.hidden = !panels.hidden));
     this.element = this.makeHost(bar.element, panels);
     this.session = session;

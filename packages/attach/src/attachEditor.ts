@@ -26,7 +26,7 @@ export interface AttachOptions {
  * @example
  * const editor = attachEditor(scene, camera, renderer);
  * editor.dispose();
- * @throws Error when an editor is attached to this renderer already
+ * @throws Error when an editor is attached to this renderer already, or it is no WebGLRenderer
  */
 export function attachEditor(
   scene: Object3D,

@@ -1,8 +1,9 @@
 /** React Three Fiber, drawn by Farol. */
 import { type FarolRenderer, type TechniqueName, techniques } from '@farol/renderer';
+import { SMAA } from '@farol/renderer/antialiasing';
 import { Farol } from '@farol/renderer/r3f';
 import { advance, Canvas, useFrame } from '@react-three/fiber';
-import { StrictMode, useRef, useState } from 'react';
+import { StrictMode, useMemo, useRef, useState } from 'react';
 import { createRoot } from 'react-dom/client';
 import type { Group, Mesh, WebGLRenderer } from 'three';
 import { type Drawer, readCanvas } from '../shared/examplePage';
@@ -50,6 +51,8 @@ function Knot() {
 
 function App() {
   const [by, setBy] = useState<Drawer>((address.get('technique') as Drawer | null) ?? 'auto');
+  const [smooth, setSmooth] = useState(false);
+  const effects = useMemo(() => (smooth ? [new SMAA()] : []), [smooth]);
   page.choose = setBy;
   return (
     <>
@@ -63,6 +66,9 @@ function App() {
             </option>
           ))}
         </select>
+        <label>
+          <input type="checkbox" checked={smooth} onChange={({ target }) => setSmooth(target.checked)} /> SMAA
+        </label>
       </nav>
       <Canvas
         dpr={1}
@@ -76,6 +82,7 @@ function App() {
       >
         <Farol
           enabled={by !== 'three'}
+          effects={effects}
           technique={by === 'three' ? 'auto' : (by satisfies TechniqueName)}
           ref={(farol) => {
             page.farol = farol;

@@ -31,12 +31,16 @@ export class HelpPanel {
     close.type = 'button';
     close.textContent = 'Close';
     close.addEventListener('click', () => this.dialog.close());
+    const examples = document.createElement('a');
+    examples.href = './examples/index.html';
+    examples.textContent = 'Examples: Farol in other libraries';
     this.dialog.append(
       heading('Keys'),
       table(keys),
       heading('Address'),
       table(addressHelp(known).map(([name, text]) => [`?${name}=`, text])),
       close,
+      examples,
     );
     parent.append(button, this.dialog);
   }

@@ -21,6 +21,8 @@ interface Row {
  */
 export class Tree {
   readonly element = element('div', { className: 'tree', role: 'tree', 'aria-label': 'Hierarchy', tabIndex: 0 });
+  /** Text that names or types of objects must hold to be listed. */
+  readonly search = element('input', { type: 'search', placeholder: 'Search', 'aria-label': 'Search objects' });
   private readonly spacer = element('div', { className: 'spacer', role: 'presentation' });
   private readonly open = new Set<Object3D>();
   private rows: Row[] = [];
@@ -31,6 +33,7 @@ export class Tree {
   constructor(private readonly session: Session) {
     this.open.add(session.scene);
     this.element.append(this.spacer);
+    this.search.addEventListener('input', () => this.refresh());
     this.element.addEventListener('scroll', () => this.draw());
     this.element.addEventListener('click', (event) => this.click(event));
     this.element.addEventListener('keydown', (event) => {
@@ -44,6 +47,13 @@ export class Tree {
 
   /** Reads the scene again. */
   refresh(): void {
+    this.rows = this.search.value === '' ? this.openRows() : this.foundRows(this.search.value.toLowerCase());
+    this.spacer.style.height = `${this.rows.length * ROW}px`;
+    this.draw();
+  }
+
+  /** The scene and what is below objects that are open. */
+  private openRows(): Row[] {
     const rows: Row[] = [];
     const add = (object: Object3D, depth: number, place: number, siblings: number) => {
       rows.push({ object, depth, place, siblings });
@@ -52,9 +62,16 @@ export class Tree {
       for (let i = 0; i < children.length; i++) add(children[i], depth + 1, i + 1, children.length);
     };
     add(this.session.scene, 0, 1, 1);
-    this.rows = rows;
-    this.spacer.style.height = `${rows.length * ROW}px`;
-    this.draw();
+    return rows;
+  }
+
+  /** All objects whose name or type holds a text, as one list. */
+  private foundRows(text: string): Row[] {
+    const found: Object3D[] = [];
+    this.session.scene.traverse((object) => {
+      if (object.name.toLowerCase().includes(text) || object.type.toLowerCase().includes(text)) found.push(object);
+    });
+    return found.map((object, i) => ({ object, depth: 0, place: i + 1, siblings: found.length }));
   }
 
   dispose(): void {

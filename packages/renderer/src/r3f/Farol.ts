@@ -1,7 +1,11 @@
 import { useFrame, useThree } from '@react-three/fiber';
 import { type Ref, useImperativeHandle, useLayoutEffect, useState } from 'react';
+import type { FarolEffect } from '../FarolEffect';
 import { type FarolOptions, FarolRenderer } from '../FarolRenderer';
 
+const NO_EFFECTS: readonly FarolEffect[] = [];
+
+/** `effects` is a list that stays the same from render to render (`useMemo`); its effects are freed with the component. */
 export interface FarolProps extends FarolOptions {
   /**
    * Place of the draw among the `useFrame` callbacks: above 0, and above that of callbacks that move things. R3F does not
@@ -15,8 +19,8 @@ export interface FarolProps extends FarolOptions {
 }
 
 /**
- * Draws the scene of a React Three Fiber canvas (or portal) by Farol, in place of R3F's own draw. `technique`, `view` and
- * `timing` may change at any time. With `frameloop="demand"` a change of them asks for a frame.
+ * Draws the scene of a React Three Fiber canvas (or portal) by Farol, in place of R3F's own draw. `technique`, `view`,
+ * `timing` and `effects` may change at any time. With `frameloop="demand"` a change of them asks for a frame.
  *
  * @example
  * <Canvas>
@@ -29,7 +33,8 @@ export interface FarolProps extends FarolOptions {
  * @see https://r3f.docs.pmnd.rs/api/hooks#useframe
  */
 export function Farol(props: FarolProps): null {
-  const { technique = 'auto', view = 'final', timing = false, priority = 1, enabled = true, ref } = props;
+  const { technique = 'auto', view = 'final', timing = false, effects = NO_EFFECTS, shadowAtlasSize } = props;
+  const { priority = 1, enabled = true, ref } = props;
   if (!(priority > 0)) throw new RangeError(`<Farol priority={${priority}}>: give a number above 0; R3F draws else.`);
   const webgl = useThree((state) => state.gl);
   const invalidate = useThree((state) => state.invalidate);
@@ -38,7 +43,7 @@ export function Farol(props: FarolProps): null {
   // Layout effects, and what they set, are done before the next frame: it never sees a Farol that was disposed.
   useLayoutEffect(() => {
     if (!enabled) return;
-    const made = new FarolRenderer(webgl);
+    const made = new FarolRenderer(webgl, { shadowAtlasSize });
     // oxlint-disable-next-line react/set-state-in-effect -- it holds GPU resources, which a render that React drops would leak
     setFarol(made);
     return () => {
@@ -46,15 +51,16 @@ export function Farol(props: FarolProps): null {
       made.dispose();
       invalidate();
     };
-  }, [webgl, enabled, invalidate]);
+  }, [webgl, enabled, shadowAtlasSize, invalidate]);
 
   useLayoutEffect(() => {
     if (!farol) return;
     farol.technique = technique;
     farol.view = view;
     farol.timing = timing;
+    farol.effects = effects;
     invalidate();
-  }, [farol, technique, view, timing, invalidate]);
+  }, [farol, technique, view, timing, effects, invalidate]);
 
   useImperativeHandle<FarolRenderer | null, FarolRenderer | null>(ref, () => farol, [farol]);
 
