@@ -64,6 +64,7 @@ export class Viewport {
     canvas.setAttribute('role', 'img');
     canvas.setAttribute('aria-label', 'Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
     this.webgl = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
     const dragged = (isDragging: boolean): void => {
       this.editorCamera.enabled = !isDragging && this.through === null;

@@ -65,6 +65,7 @@ export class App {
     const { canvas } = options;
     this.webgl = options.webgl ?? new WebGLRenderer({ ...options.renderer, ...(canvas ? { canvas } : {}) });
     this.canvas = this.webgl.domElement;
+    if (!options.webgl) this.webgl.shadowMap.enabled = true;
     this.renderer = new FarolRenderer(this.webgl, options.technique ? { technique: options.technique } : {});
     this.currentScene = options.scene ?? new Scene();
     this.maxDelta = options.maxDelta ?? 0.1;

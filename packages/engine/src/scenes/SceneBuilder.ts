@@ -29,6 +29,8 @@ interface MovingLight {
   range: number;
   extent: Vector3Tuple;
   speed: number;
+  /** Throws shadows, in maps of 512 texels a side. */
+  castShadow?: boolean;
 }
 
 const OWN = 2654435761;
@@ -89,12 +91,12 @@ export class SceneBuilder {
     for (let i = 0; i < count; i++) {
       const random = createRandom(Math.imul(this.seed, OWN) + 7919 * (i + 1));
       const diffuse = hueColour(random());
-      const { position, intensity, range, extent, speed } = describe(i, random);
+      const { position, intensity, range, extent, speed, castShadow = false } = describe(i, random);
       const seed = Math.floor(random() * 2 ** 31);
       this.object(
         'Light',
         { position, parent },
-        [Light, { diffuse, intensity, range }],
+        [Light, { diffuse, intensity, range, ...(castShadow && { castShadow, shadowMapSize: 512 }) }],
         [ObjectRenderer, { mesh: 'bulb', kind: 'basic', colour: diffuse, instanced: true }],
         [RandomMovement, { seed, extent, speed }],
       );

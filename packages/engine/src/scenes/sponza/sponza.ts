@@ -1,7 +1,7 @@
 import { Box3, type Object3D, Vector3 } from 'three';
 import { importModel } from '../../assets/importModel';
 import type { Scene } from '../../core/Scene';
-import { choice, number } from '../../fields/fields';
+import { boolean, choice, number } from '../../fields/fields';
 import { lightBudget } from '../lightBudget';
 import { SceneBuilder } from '../SceneBuilder';
 import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
@@ -14,6 +14,10 @@ export interface SponzaOptions extends SceneBuildOptions {
   model?: Object3D;
   /** Width of the generated textures in texels: 128, 256 or 512; 256 when absent. */
   textureSize?: 128 | 256 | 512;
+  /** How many of the moving lights throw shadows; none when absent. */
+  shadows?: number;
+  /** The lights stand still; they move when absent. */
+  still?: boolean;
 }
 
 function addModel(build: SceneBuilder, model: Object3D): void {
@@ -54,12 +58,13 @@ export async function sponza(lights: number, options: SponzaOptions = {}): Promi
   if (options.model) addModel(build, options.model);
   else addAtrium(build, options.textureSize ?? 256);
   const { range, intensity } = lightBudget(lights, { volume: 7000, range: 6, light: 11 });
-  build.movingLights(lights, build.group('Lights'), (_, random) => ({
+  build.movingLights(lights, build.group('Lights'), (i, random) => ({
     position: [(length - 5) * (random() - 0.5), 0.8 + 9.5 * random() ** 1.3, (2 * outer - 3) * (random() - 0.5)],
     extent: [1 + 2.5 * random(), 0.3 + 0.6 * random(), 0.8 + 1.5 * random()],
-    speed: 0.6 + 1.2 * random(),
+    speed: (options.still ? 0 : 1) * (0.6 + 1.2 * random()),
     range,
     intensity,
+    castShadow: i < (options.shadows ?? 0),
   }));
   return build.scene;
 }
@@ -74,11 +79,23 @@ export const sponzaScene = defineScene({
       help: 'Width of the generated textures in texels.',
       label: 'Texture size',
     }),
+    shadows: number(0, {
+      integer: true,
+      min: 0,
+      max: 20000,
+      help: 'How many of the lights throw shadows (six faces of 512 texels each).',
+    }),
+    still: boolean(false, {
+      help: 'The lights stand still, so that their shadow maps are kept.',
+      label: 'Lights at rest',
+    }),
     seed: seedField,
   },
   make: (get, assets) =>
     sponza(get('lights') as number, {
       textureSize: Number(get('textureSize')) as 128 | 256 | 512,
+      shadows: get('shadows') as number,
+      still: get('still') as boolean,
       seed: get('seed') as number,
       assets,
     }),
