@@ -273,6 +273,7 @@ export class FarolRenderer {
     const { lights, uniforms } = this;
     lights.upload(this.webgl);
     uniforms.farol_lightTable.value = lights.table.texture;
+    uniforms.farol_offset.value.set(this.frame.viewport.x, this.frame.viewport.y);
     const counts = uniforms.farol_lightCounts.value;
     counts[0] = lights.directional;
     counts[1] = lights.unbounded;

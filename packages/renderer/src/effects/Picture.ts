@@ -66,10 +66,11 @@ export class Picture {
   }
 
   get bytes(): number {
-    return this.targets.reduce(
-      (sum, { width, height, texture }) => sum + width * height * (texture.type === FloatType ? 20 : 12),
-      0,
-    );
+    let bytes = 0;
+    for (const { width, height, texture } of this.targets) {
+      bytes += width * height * (texture.type === FloatType ? 20 : 12);
+    }
+    return bytes;
   }
 
   /** Makes the frame be drawn here. Each effect that calls it calls `end` too. */
@@ -135,10 +136,11 @@ export class Picture {
     const type = host?.texture.type === FloatType ? FloatType : HalfFloatType;
     const colorSpace = host === null ? (webgl.outputColorSpace as ColorSpace) : NoColorSpace;
     const stencil = host === null ? frame.gl.getContextAttributes()!.stencil! : host.stencilBuffer;
-    let target = this.targets.find(
-      ({ texture, stencilBuffer }) =>
-        texture.type === type && texture.colorSpace === colorSpace && stencilBuffer === stencil,
-    );
+    let target: WebGLRenderTarget | undefined;
+    for (const one of this.targets) {
+      const { texture, stencilBuffer } = one;
+      if (texture.type === type && texture.colorSpace === colorSpace && stencilBuffer === stencil) target = one;
+    }
     if (target === undefined) {
       target = new WebGLRenderTarget(1, 1, {
         type,

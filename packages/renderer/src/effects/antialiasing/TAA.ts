@@ -141,10 +141,11 @@ export class TAA implements FarolEffect {
   private historyOf(frame: Frame): TemporalHistory {
     const { camera, scene, width, height } = frame;
     const { histories } = this;
-    let history = histories.find((one) => one.camera === camera && one.scene === scene);
-    if (history === undefined) {
+    let history: TemporalHistory | null = null;
+    for (const one of histories) if (one.camera === camera && one.scene === scene) history = one;
+    if (history === null) {
       if (histories.length >= HISTORIES) {
-        histories.sort((a, b) => b.usedAt - a.usedAt);
+        histories.sort((one, other) => other.usedAt - one.usedAt);
         histories.pop()!.dispose();
       }
       histories.push((history = new TemporalHistory(camera, scene as Object3D)));

@@ -98,8 +98,9 @@ export class Decals implements FarolEffect {
   }
 
   end(frame: Frame): void {
-    if (this.reached || this.warned || !frame.queue.opaque.some(({ object }) => (object as Decal).isDecal)) return;
-    this.warned = true;
+    if (this.reached || this.warned) return;
+    for (const { object } of frame.queue.opaque) this.warned ||= (object as Decal).isDecal === true;
+    if (!this.warned) return;
     console.warn(
       "Farol: decals are not drawn, since the technique in use has no G-buffer; use 'deferred', 'tiled-deferred' or 'clustered-deferred', or put decal.toMesh(mesh) into the scene.",
     );

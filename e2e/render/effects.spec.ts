@@ -1,0 +1,123 @@
+import { expect, test } from '../support/test';
+
+test.beforeEach(async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+});
+
+test('an effect that takes the picture over gives it back as it would have been: tone mapping, fog, viewport, pixel ratio, clearing', async ({
+  page,
+}) => {
+  const cases = await page.evaluate(() => {
+    const { edgeScene, effects, farol, three } = window.testPage;
+    const { scene, camera } = edgeScene(120, 80);
+    scene.fog = new three.Fog(0x445566, 4, 14);
+    const over = new three.Scene();
+    over.add(new three.Mesh(new three.SphereGeometry(1), new three.MeshStandardMaterial({ color: 0x44ff44 })));
+    over.add(new three.AmbientLight(0xffffff, 1));
+    const webgl = new three.WebGLRenderer({ antialias: false, alpha: true });
+    webgl.setPixelRatio(1.5);
+    webgl.setSize(120, 80, false);
+    webgl.toneMapping = three.ACESFilmicToneMapping;
+    webgl.toneMappingExposure = 1.2;
+    const gl = webgl.getContext();
+    const renderer = new farol.FarolRenderer(webgl);
+    const oit = new effects.WeightedBlendedOIT(); // with nothing transparent it changes nothing
+    const read = () => {
+      const data = new Uint8Array(180 * 120 * 4);
+      gl.readPixels(0, 0, 180, 120, gl.RGBA, gl.UNSIGNED_BYTE, data);
+      return data;
+    };
+    const apart = (draw: () => void) => {
+      const [without, withEffect] = [[], [oit]].map((list) => {
+        renderer.effects = list;
+        webgl.setClearColor(0x000000, 0);
+        webgl.clear();
+        draw();
+        return read();
+      });
+      let most = 0;
+      let colours = 0;
+      for (let i = 0; i < without.length; i++) {
+        most = Math.max(most, Math.abs(without[i] - withEffect[i]));
+        colours += without[i] > 0 ? 1 : 0;
+      }
+      return { most, drawn: colours / without.length };
+    };
+    const both = (technique: 'deferred' | 'clustered-forward') => {
+      renderer.technique = technique;
+      return {
+        whole: apart(() => renderer.render(scene, camera)),
+        viewport: apart(() => {
+          webgl.setScissorTest(true);
+          webgl.setScissor(20, 10, 60, 40);
+          webgl.setViewport(20, 10, 60, 40);
+          renderer.render(scene, camera);
+          webgl.setScissorTest(false);
+          webgl.setViewport(0, 0, 120, 80);
+        }),
+        overDrawn: apart(() => {
+          webgl.render(scene, camera);
+          webgl.autoClear = false;
+          renderer.render(over, camera);
+          webgl.autoClear = true;
+        }),
+        transparent: apart(() => renderer.render(over, camera)),
+        depthLeft: apart(() => {
+          renderer.render(scene, camera);
+          webgl.autoClear = false;
+          webgl.render(over, camera);
+          webgl.autoClear = true;
+        }),
+      };
+    };
+    return { deferred: both('deferred'), 'clustered-forward': both('clustered-forward') };
+  });
+  for (const [technique, results] of Object.entries(cases)) {
+    for (const [name, { most, drawn }] of Object.entries(results)) {
+      expect(drawn, `${technique}, ${name}: something is drawn`).toBeGreaterThan(0.02);
+      // half floats of encoded colour
+      expect(most, `${technique}, ${name}`).toBeLessThanOrEqual(2);
+    }
+  }
+});
+
+test('effects compile nothing once they have run, whatever is switched on and off, and free what they hold', async ({
+  page,
+}) => {
+  const result = await page.evaluate(() => {
+    const { Bench, edgeScene, effects } = window.testPage;
+    const bench = new Bench(64, 48);
+    const { scene, camera, setTime } = edgeScene(64, 48);
+    const lists = [
+      [],
+      [new effects.TAA()],
+      [new effects.AmbientOcclusion(), new effects.SMAA()],
+      [new effects.WeightedBlendedOIT(), new effects.Decals()],
+    ];
+    const round = (start: number) => {
+      lists.forEach((list, i) => {
+        bench.farol.effects = list;
+        for (let k = 0; k < 3; k++) {
+          setTime(start + i + 0.1 * k);
+          bench.byTechnique('deferred', scene, camera);
+        }
+      });
+      return bench.programs;
+    };
+    round(0);
+    const first = round(1);
+    const second = round(2);
+    const { textures } = bench.webgl.info.memory;
+    for (const list of lists) for (const effect of list) effect.dispose();
+    const freed = textures - bench.webgl.info.memory.textures;
+    const held = bench.farol.effects.reduce((sum, { bytes }) => sum + bytes, 0);
+    const again = round(3);
+    bench.farol.dispose();
+    return { first, second, again, freed, held };
+  });
+  expect(result.second).toBe(result.first);
+  expect(result.again).toBe(result.first);
+  expect(result.held).toBe(0);
+  expect(result.freed).toBeGreaterThan(8);
+});
