@@ -125,7 +125,14 @@ export class MultipassLightsPass implements Pass {
       }
       frame.drawTwin(item, additiveTwin(frame.view, this.slot));
     }
-    if (scissored) state.setScissorTest(false);
+    if (!scissored) return;
+    state.setScissorTest(false);
+    this.turn();
+  }
+
+  /** Takes the other twin: three sets uniforms, the light among them, only when another material is drawn than before. */
+  private turn(): void {
+    this.slot = this.slot === 0 ? 1 : 0;
   }
 
   private drawLight(frame: Frame, record: number, bounded: number): void {
@@ -134,7 +141,7 @@ export class MultipassLightsPass implements Pass {
     if (lightMark.value === 255) this.unmark(frame);
     else lightMark.value++;
     const kind = additiveTwin(frame.view, this.slot);
-    this.slot = this.slot === 0 ? 1 : 0;
+    this.turn();
     const { spheres, items } = this;
     const b = bounded * 4;
     for (let i = 0; i < items.length; i++) {
