@@ -38,6 +38,13 @@ export const panels = new PanelRegistry([
     load: () => import('./assets/AssetsPanel').then(({ AssetsPanel }) => AssetsPanel),
   },
   {
+    id: 'frame',
+    title: 'Frame',
+    icon: 'gauge',
+    place: 'right',
+    load: () => import('./frame/FramePanel').then(({ FramePanel }) => FramePanel),
+  },
+  {
     id: 'console',
     title: 'Console',
     icon: 'console',

@@ -13,6 +13,7 @@ import { Helpers } from './Helpers';
 import { MaterialBall } from './MaterialBall';
 import { hitPoint, pick } from './pick';
 import { pickBox } from './pickBox';
+import type { Painter } from './Painter';
 import { PointerPicker } from './PointerPicker';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
@@ -31,6 +32,8 @@ export class Viewport {
   readonly changed = new Signal();
   /** Emits after each frame that was drawn. */
   readonly drawn = new Signal();
+  /** Emits when the picture has another size. */
+  readonly resized = new Signal();
   readonly statistics = new FrameStatistics();
   readonly webgl: WebGLRenderer;
   readonly farol: FarolRenderer;
@@ -48,6 +51,7 @@ export class Viewport {
   private readonly endings: (() => void)[] = [];
   private readonly resizer = new ResizeObserver(() => this.resize());
   private through: CameraComponent | null = null;
+  private ownPainter: Painter | null = null;
   private always = false;
   private pending = 1;
   private request = 0;
@@ -112,6 +116,24 @@ export class Viewport {
 
   set view(view: View) {
     this.farol.view = view;
+    this.changed.emit();
+  }
+
+  /** Lights, or draws, a pixel that the views of counts show hottest. */
+  setHeatMapMaximum(maximum: number): void {
+    this.farol.heatMapMaximum = maximum;
+    this.changed.emit();
+  }
+
+  /** What draws the picture in place of `farol` alone; null for nothing. It is disposed when another one comes. */
+  get painter(): Painter | null {
+    return this.ownPainter;
+  }
+
+  set painter(painter: Painter | null) {
+    if (painter === this.ownPainter) return;
+    this.ownPainter?.dispose();
+    this.ownPainter = painter;
     this.changed.emit();
   }
 
@@ -220,9 +242,10 @@ export class Viewport {
   /** Draws now. */
   renderNow(): void {
     this.through?.setViewport(this.width, this.height);
-    this.farol.render(this.document.scene.three, this.camera);
+    (this.painter ?? this.farol).render(this.document.scene.three, this.camera);
     this.gizmo.update(this.camera);
-    if (this.view !== 'grid') this.helpers.render(this.webgl, this.camera, this.through, this.gizmo.isDragging);
+    if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
+      this.helpers.render(this.webgl, this.camera, this.through, this.gizmo.isDragging);
     const { previewed } = this;
     if (previewed) {
       this.preview ??= new CameraPreview(this.webgl);
@@ -288,6 +311,7 @@ export class Viewport {
     this.gizmo.dispose();
     this.helpers.dispose();
     this.editorCamera.dispose();
+    this.ownPainter?.dispose();
     this.farol.dispose();
     this.webgl.dispose();
   }
@@ -314,6 +338,7 @@ export class Viewport {
     this.webgl.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.webgl.setSize(this.width, this.height);
     this.editorCamera.resize(this.width, this.height);
+    this.resized.emit();
     // a canvas that was resized is empty until it is drawn
     this.renderNow();
   }

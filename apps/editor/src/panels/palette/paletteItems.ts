@@ -9,6 +9,7 @@ import type { Editor } from '../../Editor';
 import { creations } from '../../model/creations';
 import type { IconName } from '../../ui/iconPaths';
 import { techniqueOptions } from '../../ui/techniqueOptions';
+import { viewLabel } from '../../ui/viewOptions';
 import type { Findable } from './matchItems';
 
 /** A line of the command palette. */
@@ -67,7 +68,7 @@ export function paletteItems(editor: Editor): PaletteItem[] {
   }));
   const shown = views.map((view): PaletteItem => ({
     id: `shown.${view}`,
-    label: capital(view),
+    label: viewLabel(view),
     group: 'Show',
     icon: 'eye',
     isCurrent: viewport.view === view,

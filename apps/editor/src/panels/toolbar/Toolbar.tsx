@@ -1,4 +1,3 @@
-import { techniques, type TechniqueName, views } from '@farol/renderer';
 import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
 import { duplicate } from '../../actions/duplicate';
@@ -17,19 +16,10 @@ import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
 import { actionEntry } from '../../ui/MenuEntry';
 import { SelectBox } from '../../ui/SelectBox';
+import { techniqueOptions } from '../../ui/techniqueOptions';
+import { viewOptions } from '../../ui/viewOptions';
 import { ThemeButton } from './ThemeButton';
 import './toolbar.css';
-
-const techniqueOptions = (Object.keys(techniques) as TechniqueName[]).map((value) => ({
-  value,
-  label: techniques[value].label,
-  help: techniques[value].help,
-}));
-
-const viewOptions = views.map((value) => ({
-  value,
-  label: value.charAt(0).toUpperCase() + value.slice(1).replaceAll('-', ' '),
-}));
 
 /** The bar at the top: file, history, what can be added, play, technique and view. */
 export function Toolbar(): ReactNode {
@@ -77,7 +67,7 @@ export function Toolbar(): ReactNode {
           <span aria-hidden="true">Technique</span>
           <SelectBox
             value={viewport.technique}
-            options={techniqueOptions}
+            options={techniqueOptions()}
             label="Technique"
             onChange={(technique) =>
               editor.attempt(() => {

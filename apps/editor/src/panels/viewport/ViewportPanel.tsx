@@ -1,10 +1,16 @@
-import { type ReactNode, useLayoutEffect, useRef } from 'react';
+import { lazy, type ReactNode, Suspense, useLayoutEffect, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
 import { PreviewFrame } from './PreviewFrame';
 import { StatisticsOverlay } from './StatisticsOverlay';
 import { ViewCube } from './ViewCube';
 import { ViewportToolbar } from './ViewportToolbar';
+
+const PainterOverlay = lazy(async () => ({ default: (await import('../frame/PainterOverlay')).PainterOverlay }));
+const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
+
+/** Views whose colours stand for numbers. */
+const counts: ReadonlySet<string> = new Set(['light-count', 'overdraw']);
 
 /** The picture. The canvas is the Viewport's own: React only gives it a place. */
 export function ViewportPanel(): ReactNode {
@@ -15,13 +21,18 @@ export function ViewportPanel(): ReactNode {
     viewport.attach(place.current!);
     return () => viewport.detach();
   }, [viewport]);
+  const isGrid = viewport.painter?.isGrid ?? false;
   return (
     <section className="panel viewport" aria-label="Viewport">
       <div ref={place} className="viewport-place" />
-      <ViewportToolbar />
-      {viewport.lookThrough === null && <ViewCube />}
+      {!isGrid && <ViewportToolbar />}
+      {!isGrid && viewport.lookThrough === null && <ViewCube />}
       {viewport.showStatistics && <StatisticsOverlay />}
-      <PreviewFrame />
+      {!isGrid && <PreviewFrame />}
+      <Suspense fallback={null}>
+        {viewport.painter && <PainterOverlay />}
+        {counts.has(viewport.view) && !viewport.painter && <HeatScale />}
+      </Suspense>
     </section>
   );
 }

@@ -1,0 +1,117 @@
+import { techniques, type TechniqueName } from '@farol/renderer';
+import { type ReactNode, useCallback } from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { NumberInput } from '../../ui/NumberInput';
+import { SelectBox } from '../../ui/SelectBox';
+import { techniqueOptions } from '../../ui/techniqueOptions';
+import { Toggle } from '../../ui/Toggle';
+import { usePoll } from '../../ui/usePoll';
+import { WipePainter } from '../../viewport/painters/WipePainter';
+import { Section } from '../inspector/Section';
+
+/** The technique in use beside another one, their difference, and how far they are apart. */
+export function CompareSection(): ReactNode {
+  const editor = useEditor();
+  const { viewport, microShaders } = editor;
+  useSignal(viewport.changed);
+  const { painter } = viewport;
+  const wipe = painter instanceof WipePainter ? painter : null;
+  const other: TechniqueName = viewport.technique === 'forward-single-pass' ? 'tiled-deferred' : 'forward-single-pass';
+  return (
+    <Section id="Frame compare" title="Compare" help="Two techniques, side by side." icon="contrast">
+      <div className="field">
+        <span className="field-label">Side by side</span>
+        <Toggle
+          value={wipe !== null}
+          label="Compare two techniques"
+          description="The technique in use at the left of the picture, another one at its right."
+          onChange={(on) =>
+            editor.attempt(() => (viewport.painter = on ? new WipePainter(viewport, microShaders, other) : null))
+          }
+        />
+      </div>
+      {wipe && <WipeSettings wipe={wipe} />}
+    </Section>
+  );
+}
+
+function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
+  const editor = useEditor();
+  const { viewport } = editor;
+  useSignal(wipe.changed);
+  const { figures } = wipe;
+  const times = usePoll(
+    useCallback(() => {
+      const time = ({ cpuMs, gpuMs }: { cpuMs: number; gpuMs: number | null }): string =>
+        gpuMs === null ? `${cpuMs.toFixed(2)} ms CPU` : `${gpuMs.toFixed(2)} ms GPU`;
+      return `${time(viewport.farol.info)}\n${time(wipe.other.info)}`;
+    }, [viewport, wipe]),
+    4,
+  ).split('\n');
+  return (
+    <>
+      <div className="field">
+        <span className="field-label">With</span>
+        <SelectBox
+          value={wipe.technique}
+          options={techniqueOptions()}
+          label="Technique to compare with"
+          onChange={(technique) => editor.attempt(() => void (wipe.technique = technique))}
+        />
+      </div>
+      <div className="field">
+        <span className="field-label">Difference</span>
+        <Toggle
+          value={wipe.showsDifference}
+          label="Show the difference"
+          description="The difference of the two, channel by channel as it is seen, made larger."
+          onChange={(shows) => (wipe.showsDifference = shows)}
+        />
+      </div>
+      {wipe.showsDifference && (
+        <div className="field">
+          <span className="field-label">Made larger by</span>
+          <NumberInput
+            value={wipe.gain}
+            min={1}
+            max={1000}
+            step={1}
+            label="Difference made larger by"
+            handle={<span className="grip" />}
+            onPreview={(gain) => (wipe.gain = gain)}
+            onCommit={() => {}}
+            onDiscard={() => {}}
+          />
+        </div>
+      )}
+      <dl className="frame-figures" aria-label="Difference of the two">
+        <div>
+          <dt>PSNR</dt>
+          <dd>
+            {figures === null
+              ? 'measuring'
+              : Number.isFinite(figures.psnr)
+                ? `${figures.psnr.toFixed(1)} dB`
+                : 'the same'}
+          </dd>
+        </div>
+        <div>
+          <dt>Largest</dt>
+          <dd>{figures === null ? '–' : `${figures.largest.toFixed(1)} of 255`}</dd>
+        </div>
+        <div>
+          <dt>Off by more than 2</dt>
+          <dd>{figures === null ? '–' : `${(figures.differing * 100).toFixed(2)}% of the pixels`}</dd>
+        </div>
+        <div>
+          <dt>{techniques[viewport.technique].label}</dt>
+          <dd>{times[0]}</dd>
+        </div>
+        <div>
+          <dt>{techniques[wipe.technique].label}</dt>
+          <dd>{times[1]}</dd>
+        </div>
+      </dl>
+    </>
+  );
+}

@@ -1,0 +1,96 @@
+import { techniques, type TechniqueName } from '@farol/renderer';
+import { type ReactNode, useCallback } from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { SelectBox } from '../../ui/SelectBox';
+import { techniqueOptions } from '../../ui/techniqueOptions';
+import { usePoll } from '../../ui/usePoll';
+import { viewOptions } from '../../ui/viewOptions';
+import '../inspector/inspector.css';
+import { Section } from '../inspector/Section';
+import { CompareSection } from './CompareSection';
+import './frame.css';
+import { PassesSection } from './PassesSection';
+import { ViewsSection } from './ViewsSection';
+
+const whole = new Intl.NumberFormat('en');
+const megabytes = (bytes: number): string => `${(bytes / 2 ** 20).toFixed(1)} MB`;
+
+/** How the picture is made: technique and view, times of the passes, all views at once, two techniques beside each other. */
+export function FramePanel(): ReactNode {
+  const editor = useEditor();
+  const { viewport } = editor;
+  useSignal(viewport.changed);
+  return (
+    <section className="panel" aria-label="Frame">
+      <div className="inspector-body">
+        <Section id="Frame" title="Technique" help="What the picture is drawn by, and what of it is shown." icon="lamp">
+          <div className="field">
+            <span className="field-label">Technique</span>
+            <SelectBox
+              value={viewport.technique}
+              options={techniqueOptions()}
+              label="Technique of the frame"
+              onChange={(technique) => editor.attempt(() => void (viewport.technique = technique))}
+            />
+          </div>
+          <div className="field">
+            <span className="field-label">View</span>
+            <SelectBox
+              value={viewport.view}
+              options={viewOptions}
+              label="View of the frame"
+              onChange={(view) => editor.attempt(() => void (viewport.view = view))}
+            />
+          </div>
+          <Figures />
+        </Section>
+        <PassesSection />
+        <ViewsSection />
+        <CompareSection />
+      </div>
+    </section>
+  );
+}
+
+/** What was drawn, by what, and why by that. */
+function Figures(): ReactNode {
+  const { viewport } = useEditor();
+  const text = usePoll(
+    useCallback(() => {
+      const { info } = viewport.farol;
+      if (info.technique === '') return '';
+      const { label } = techniques[info.technique as TechniqueName];
+      return [
+        viewport.technique === 'auto' ? `${label}: ${info.reason}.` : '',
+        `Lights\t${info.lights.visible} of ${info.lights.total} in view`,
+        `Draws\t${whole.format(info.drawCalls)}`,
+        `Triangles\t${whole.format(info.triangles)}`,
+        `Programs\t${info.programs}`,
+        `Targets\t${megabytes(info.targetBytes)}`,
+        `Sent\t${(info.uploadBytes / 1024).toFixed(1)} kB a frame`,
+      ].join('\n');
+    }, [viewport]),
+    4,
+  );
+  const [reason, ...figures] = text.split('\n');
+  return (
+    <>
+      {reason && (
+        <p className="frame-reason" aria-label="Why this technique">
+          {reason}
+        </p>
+      )}
+      <dl className="frame-figures">
+        {figures.map((line) => {
+          const [name, value] = line.split('\t');
+          return (
+            <div key={name}>
+              <dt>{name}</dt>
+              <dd>{value}</dd>
+            </div>
+          );
+        })}
+      </dl>
+    </>
+  );
+}

@@ -1,0 +1,22 @@
+import type { ReactNode } from 'react';
+import { useEditor } from '../../ui/EditorContext';
+import './overlay.css';
+
+/** What the colours of light count and overdraw stand for. */
+export function HeatScale(): ReactNode {
+  const { viewport } = useEditor();
+  const { heatMapMaximum } = viewport.farol;
+  const marks = [0, 0.25, 0.5, 0.75, 1].map((part) => Math.round(part * heatMapMaximum));
+  return (
+    <figure className="heat-scale" aria-label={`Scale: from 0, black, to ${heatMapMaximum} and more, red`}>
+      <figcaption>{viewport.view === 'overdraw' ? 'Draws a pixel' : 'Lights a pixel'}</figcaption>
+      <div className="heat-colours" />
+      <div className="heat-marks">
+        {marks.map((mark, i) => (
+          // oxlint-disable-next-line react/no-array-index-key -- marks of the scale
+          <span key={i}>{i === 4 ? `${mark}+` : mark}</span>
+        ))}
+      </div>
+    </figure>
+  );
+}

@@ -1,0 +1,109 @@
+import { type ReactNode, useCallback, useEffect, useMemo, useRef, useState } from 'react';
+import { continuous } from '../../actions/viewportToggles';
+import { ActionButton } from '../../ui/ActionButton';
+import { useEditor } from '../../ui/EditorContext';
+import { usePoll } from '../../ui/usePoll';
+import { FrameRecorder } from '../../viewport/FrameRecorder';
+import { Section } from '../inspector/Section';
+import { drawPassGraph, passColour } from './drawPassGraph';
+
+type Kind = 'cpu' | 'gpu';
+
+const ms = (value: number | null): string => (value === null ? '–' : value.toFixed(value < 10 ? 2 : 1));
+
+/** Times of the passes over the last frames: stacked, and their means. */
+export function PassesSection(): ReactNode {
+  const { viewport } = useEditor();
+  const recorder = useMemo(() => new FrameRecorder(), []);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const [chosen, setChosen] = useState<Kind | null>(null);
+  const hasGpu = viewport.farol.info.gpuMs !== null;
+  const kind = chosen ?? (hasGpu ? 'gpu' : 'cpu');
+
+  useEffect(() => {
+    const draw = (): void => (canvas.current === null ? undefined : drawPassGraph(canvas.current, recorder, kind));
+    draw();
+    return viewport.drawn.subscribe(() => {
+      recorder.add(viewport.farol.info);
+      draw();
+    });
+  }, [viewport, recorder, kind]);
+
+  // a picture at rest is drawn a few times, so that there is something to see
+  useEffect(() => viewport.invalidate(), [viewport]);
+
+  const rows = usePoll(
+    useCallback(() => {
+      const now = new Map(viewport.farol.info.passes.map((pass) => [pass.name, pass]));
+      return recorder.passes
+        .map((times) => {
+          const pass = now.get(times.name);
+          const [cpu, gpu] = (['cpu', 'gpu'] as const).map((each) => ms(recorder.mean(times, each)));
+          return [times.name, pass?.drawCalls ?? 0, cpu, gpu].join('\t');
+        })
+        .join('\n');
+    }, [viewport, recorder]),
+    4,
+  );
+
+  return (
+    <Section
+      id="Frame passes"
+      title="Passes"
+      help="Time of each pass over the last 120 frames."
+      icon="motion"
+      controls={
+        <div className="button-group" role="group" aria-label="Times of">
+          {(['cpu', 'gpu'] as const).map((each) => (
+            <button
+              key={each}
+              type="button"
+              className="button small"
+              aria-pressed={kind === each}
+              disabled={each === 'gpu' && !hasGpu}
+              onClick={() => setChosen(each)}
+            >
+              {each.toUpperCase()}
+            </button>
+          ))}
+          <ActionButton action={continuous} />
+        </div>
+      }
+    >
+      <canvas
+        ref={canvas}
+        className="pass-graph"
+        role="img"
+        aria-label={`${kind.toUpperCase()} time of each pass over the last frames; the means are in the table below`}
+      />
+      <table className="pass-table">
+        <thead>
+          <tr>
+            <th scope="col">Pass</th>
+            <th scope="col">Draws</th>
+            <th scope="col">CPU ms</th>
+            <th scope="col">GPU ms</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows !== '' &&
+            rows.split('\n').map((row) => {
+              const [name, ...figures] = row.split('\t');
+              return (
+                <tr key={name}>
+                  <th scope="row">
+                    <span className="pass-mark" style={{ background: passColour(name) }} />
+                    {name}
+                  </th>
+                  {figures.map((figure, i) => (
+                    // oxlint-disable-next-line react/no-array-index-key -- a column
+                    <td key={i}>{figure}</td>
+                  ))}
+                </tr>
+              );
+            })}
+        </tbody>
+      </table>
+    </Section>
+  );
+}

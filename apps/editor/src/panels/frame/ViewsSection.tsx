@@ -1,0 +1,42 @@
+import type { ReactNode } from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { NumberInput } from '../../ui/NumberInput';
+import { Toggle } from '../../ui/Toggle';
+import { ViewsPainter } from '../../viewport/painters/ViewsPainter';
+import { Section } from '../inspector/Section';
+
+/** All views at once, and the scale of those that count. */
+export function ViewsSection(): ReactNode {
+  const { viewport } = useEditor();
+  useSignal(viewport.changed);
+  const isOn = viewport.painter instanceof ViewsPainter;
+  const setMaximum = (value: number): void => viewport.setHeatMapMaximum(value);
+  return (
+    <Section id="Frame views" title="Views" help="Everything that the frame is made of." icon="grid">
+      <div className="field">
+        <span className="field-label">All views at once</span>
+        <Toggle
+          value={isOn}
+          label="All views at once"
+          description="Every view beside the others, in the viewport; a click on one shows it alone."
+          onChange={(on) => (viewport.painter = on ? new ViewsPainter(viewport) : null)}
+        />
+      </div>
+      <div className="field">
+        <span className="field-label">Hottest count</span>
+        <NumberInput
+          value={viewport.farol.heatMapMaximum}
+          min={1}
+          max={1024}
+          step={1}
+          label="Hottest count"
+          description="Lights, or draws, a pixel at which light count and overdraw are red."
+          handle={<span className="grip" />}
+          onPreview={setMaximum}
+          onCommit={() => {}}
+          onDiscard={() => {}}
+        />
+      </div>
+    </Section>
+  );
+}

@@ -1,0 +1,61 @@
+import type { FarolInfo } from '@farol/renderer';
+
+/** Times of one pass over the last frames (ms), as rings; -1 where it did not run, or is not told. */
+export interface PassTimes {
+  readonly name: string;
+  readonly cpu: Float32Array;
+  readonly gpu: Float32Array;
+}
+
+/** Times of every pass over the last frames. Nothing is made anew while the passes stay the same. */
+export class FrameRecorder {
+  /** Frames recorded in all; the last one is at `(frames - 1) % length` of the rings. */
+  frames = 0;
+
+  private readonly byName = new Map<string, PassTimes>();
+
+  /** @param length - frames that are kept */
+  constructor(readonly length = 120) {}
+
+  /** Passes that ran in one of the last frames, in the order in which they first did. */
+  get passes(): PassTimes[] {
+    return [...this.byName.values()].filter(({ cpu }) => cpu.some((ms) => ms >= 0));
+  }
+
+  /** A frame was drawn. */
+  add({ passes }: Pick<FarolInfo, 'passes'>): void {
+    const at = this.frames++ % this.length;
+    for (const times of this.byName.values()) times.cpu[at] = times.gpu[at] = -1;
+    for (const { name, cpuMs, gpuMs } of passes) {
+      let times = this.byName.get(name);
+      if (!times) {
+        times = { name, cpu: new Float32Array(this.length).fill(-1), gpu: new Float32Array(this.length).fill(-1) };
+        this.byName.set(name, times);
+      }
+      times.cpu[at] = Math.max(0, times.cpu[at]) + cpuMs;
+      if (gpuMs !== null) times.gpu[at] = gpuMs;
+    }
+  }
+
+  /** Longest of the frames (ms): the sum of their passes. */
+  longest(kind: 'cpu' | 'gpu'): number {
+    let longest = 0;
+    for (let i = 0; i < this.length; i++) {
+      let sum = 0;
+      for (const times of this.byName.values()) sum += Math.max(0, times[kind][i]);
+      longest = Math.max(longest, sum);
+    }
+    return longest;
+  }
+
+  /** Mean over the frames that have a time (ms); null when none has. */
+  mean(times: PassTimes, kind: 'cpu' | 'gpu'): number | null {
+    let [sum, count] = [0, 0];
+    for (const ms of times[kind]) {
+      if (ms < 0) continue;
+      sum += ms;
+      count++;
+    }
+    return count > 0 ? sum / count : null;
+  }
+}

@@ -1,0 +1,112 @@
+import {
+  FloatType,
+  GLSL3,
+  Mesh,
+  NearestFilter,
+  OrthographicCamera,
+  PlaneGeometry,
+  RawShaderMaterial,
+  Scene,
+  type Texture,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import differenceShader from './difference.frag.glsl?raw';
+import sumShader from './differenceSum.frag.glsl?raw';
+import vertexShader from './whole.vert.glsl?raw';
+
+/** How far two pictures are apart, as they are seen: encoded as sRGB, from 0 to 1. */
+export interface DifferenceFigures {
+  /** Peak signal-to-noise ratio (dB); infinite for pictures that are the same. */
+  readonly psnr: number;
+  /** Largest difference of a channel, in 255ths. */
+  readonly largest: number;
+  /** Part of the pixels with a channel off by more than 2/255. */
+  readonly differing: number;
+}
+
+/** Pixels along a side of the blocks that are summed on the device; the shader has the same. */
+const BLOCK = 16;
+
+/** Shows and measures the difference of two pictures in linear light. */
+export class PictureDifference {
+  private readonly scene = new Scene();
+  private readonly camera = new OrthographicCamera();
+  private readonly quad: Mesh<PlaneGeometry, RawShaderMaterial>;
+  private readonly sums = new WebGLRenderTarget(1, 1, {
+    type: FloatType,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    depthBuffer: false,
+  });
+  private readonly uniforms = {
+    a: { value: null as Texture | null },
+    b: { value: null as Texture | null },
+    gain: { value: 8 },
+  };
+  private readonly shown = this.material('Editor difference', differenceShader);
+  private readonly summed = this.material('Editor difference sums', sumShader);
+
+  constructor(private readonly webgl: WebGLRenderer) {
+    this.quad = new Mesh(new PlaneGeometry(2, 2), this.shown);
+    this.quad.frustumCulled = false;
+    this.scene.add(this.quad);
+  }
+
+  /** Draws the difference to the bound target. @param gain - what it is multiplied by */
+  show(a: Texture, b: Texture, gain: number): void {
+    this.uniforms.gain.value = gain;
+    this.draw(this.shown, a, b);
+  }
+
+  /** Measures it, without holding up the page. @param width - of both pictures (pixels) */
+  async measure(a: Texture, b: Texture, width: number, height: number): Promise<DifferenceFigures> {
+    const { webgl, sums } = this;
+    const [across, down] = [Math.ceil(width / BLOCK), Math.ceil(height / BLOCK)];
+    sums.setSize(across, down);
+    const before = webgl.getRenderTarget();
+    webgl.setRenderTarget(sums);
+    this.draw(this.summed, a, b);
+    webgl.setRenderTarget(before);
+    const blocks = new Float32Array(across * down * 4);
+    await webgl.readRenderTargetPixelsAsync(sums, 0, 0, across, down, blocks);
+    let [squares, largest, differing] = [0, 0, 0];
+    for (let i = 0; i < blocks.length; i += 4) {
+      squares += blocks[i];
+      largest = Math.max(largest, blocks[i + 1]);
+      differing += blocks[i + 2];
+    }
+    const pixels = width * height;
+    return { psnr: -10 * Math.log10(squares / (pixels * 3)), largest: largest * 255, differing: differing / pixels };
+  }
+
+  dispose(): void {
+    this.sums.dispose();
+    this.shown.dispose();
+    this.summed.dispose();
+    this.quad.geometry.dispose();
+  }
+
+  private draw(material: RawShaderMaterial, a: Texture, b: Texture): void {
+    const { webgl, uniforms } = this;
+    uniforms.a.value = a;
+    uniforms.b.value = b;
+    this.quad.material = material;
+    const { autoClear } = webgl;
+    webgl.autoClear = true;
+    webgl.render(this.scene, this.camera);
+    webgl.autoClear = autoClear;
+  }
+
+  private material(name: string, fragmentShader: string): RawShaderMaterial {
+    return new RawShaderMaterial({
+      name,
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: this.uniforms,
+      depthTest: false,
+      depthWrite: false,
+    });
+  }
+}

@@ -1,0 +1,51 @@
+import { type FarolRenderer, type View, views } from '@farol/renderer';
+import { type Camera, Color, type Scene, Vector4 } from 'three';
+import type { Painter } from '../Painter';
+import type { Viewport } from '../Viewport';
+import { gridCells } from './gridCells';
+
+/** The views of the grid; the finished picture is drawn last, so that the figures of the frame are its own. */
+export const gridViews: readonly View[] = views.filter((view) => view !== 'grid');
+
+const whole = new Vector4();
+const clear = new Color();
+
+/** Every view of the frame at once. */
+export class ViewsPainter implements Painter {
+  readonly drawsHelpers = false;
+  readonly isGrid = true;
+  private readonly farol: FarolRenderer;
+
+  constructor(private readonly viewport: Viewport) {
+    this.farol = viewport.farol;
+  }
+
+  render(scene: Scene, camera: Camera): void {
+    const { farol } = this;
+    const { webgl } = farol;
+    const { width, height } = this.viewport.size;
+    const { view } = farol;
+    webgl.getViewport(whole);
+    webgl.getClearColor(clear);
+    const alpha = webgl.getClearAlpha();
+    webgl.setClearColor(0x0b0d11, 1);
+    webgl.clear();
+    webgl.setClearColor(clear, alpha);
+    const cells = gridCells(gridViews.length, width, height);
+    webgl.setScissorTest(true);
+    for (let i = cells.length - 1; i >= 0; i--) {
+      const cell = cells[i];
+      // counted from below
+      const bottom = height - cell.y - cell.height;
+      webgl.setViewport(cell.x, bottom, cell.width, cell.height);
+      webgl.setScissor(cell.x, bottom, cell.width, cell.height);
+      farol.view = gridViews[i];
+      farol.render(scene, camera);
+    }
+    farol.view = view;
+    webgl.setScissorTest(false);
+    webgl.setViewport(whole);
+  }
+
+  dispose(): void {}
+}
