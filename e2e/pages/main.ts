@@ -1,4 +1,5 @@
 import * as farol from '@farol/renderer';
+import * as authoring from '@farol/renderer/authoring';
 import * as ambientOcclusion from '@farol/renderer/ambient-occlusion';
 import * as antialiasing from '@farol/renderer/antialiasing';
 import * as three from 'three';
@@ -15,6 +16,7 @@ import { shadowScene } from './shadowScene';
 export interface TestPage {
   three: typeof three;
   farol: typeof farol;
+  authoring: typeof authoring;
   /** The effects, from their own entries. */
   effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency & typeof decals;
   materialScene: typeof materialScene;
@@ -35,6 +37,7 @@ declare global {
 window.testPage = {
   three,
   farol,
+  authoring,
   effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals },
   materialScene,
   edgeScene,

@@ -12,12 +12,12 @@ const texts = readdirSync(folder)
 
 /** Runs in the page. @returns what each claim came to */
 function evaluateClaims([name, text]: readonly [string, string]): { claim: string; holds: boolean }[] {
-  const { farol } = window.testPage;
+  const { authoring, farol } = window.testPage;
   const registry = new farol.MicroShaderRegistry();
   registry.add(farol.builtinMicroShaders);
   if (registry.has(name)) registry.replace(name, text);
   else registry.loadGLSL(name, text);
-  const claims = farol.findClaims(text);
+  const claims = authoring.findClaims(text);
   if (claims.length === 0) return [];
 
   const near = ['float', 'vec2', 'vec3', 'vec4']

@@ -77,10 +77,10 @@ test('a broken live edit is refused with chunk and line, and the last good progr
 
 test("the XML reader agrees with the browser's own, in what it reads and in what it refuses", async ({ page }) => {
   const disagreements = await page.evaluate((file) => {
-    const { farol } = window.testPage;
+    const { authoring } = window.testPage;
     const mine = (text: string) => {
       try {
-        const parts = farol.parseMicroShaderXML(text, 'f').map(({ name, header, main }) => [name, header, main]);
+        const parts = authoring.parseMicroShaderXML(text, 'f').map(({ name, header, main }) => [name, header, main]);
         return JSON.stringify(parts);
       } catch {
         return 'refused';

@@ -1,6 +1,9 @@
 import { expect, test } from '../support/test';
 
-test('forward: an object that comes to others of one material is right in its first frame', async ({ page, pagesURL }) => {
+test('forward: an object that comes to others of one material is right in its first frame', async ({
+  page,
+  pagesURL,
+}) => {
   await page.goto(pagesURL);
   await page.waitForFunction(() => 'testPage' in window);
   const largest = await page.evaluate(() => {

@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { minifyGlsl } from '../tools/minifyGlsl.mjs';
 
@@ -8,6 +9,11 @@ interface Manifest {
 }
 const manifest = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as Manifest;
 const peers = Object.keys(manifest.peerDependencies);
+
+const source = fileURLToPath(new URL('src/', import.meta.url));
+const apart =
+  /^(?:effects|authoring|three-pass|postprocessing|r3f)\/|\/(?:parseXML|parseMicroShaderXML|findClaims)\.ts$|^index\.ts$|commented/;
+const isCore = (id: string): boolean => id.startsWith(source) && !apart.test(id.slice(source.length));
 
 /**
  * The published bundle: an ES module for each of the package's exports, what they share in chunks, the peers left to the
@@ -30,7 +36,13 @@ export default defineConfig({
     emptyOutDir: false,
     rolldownOptions: {
       external: (id) => peers.some((peer) => id === peer || id.startsWith(`${peer}/`)),
-      output: { minify: true, entryFileNames: '[name].js', chunkFileNames: 'chunks/[name].js' },
+      output: {
+        minify: true,
+        entryFileNames: '[name].js',
+        chunkFileNames: 'chunks/[name].js',
+        // what the main entry needs at start is one file, whichever other entries share it: it is smaller whole
+        codeSplitting: { groups: [{ name: 'core', test: isCore }] },
+      },
     },
   },
 });

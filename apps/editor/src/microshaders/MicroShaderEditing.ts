@@ -5,8 +5,8 @@ import {
   MicroShaderCompileError,
   type MicroShaderCompileEntry,
   type MicroShaderRegistry,
-  parseMicroShaderXML,
 } from '@farol/renderer';
+import { parseMicroShaderXML } from '@farol/renderer/authoring';
 import { type MicroShaderEdit, SetMicroShaders } from '../model/commands/SetMicroShaders';
 import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { builtinMicroShaders, type MicroShader, parseMicroShader, parseMicroShaderXML } from '../microshaders';
-import { formatMicroShaderXML, microShaderSources } from '.';
+import { builtinMicroShaders, type MicroShader, parseMicroShader } from '../microshaders';
+import { formatMicroShaderXML, microShaderSources, parseMicroShaderXML } from '.';
 
 const content = ({ headerLine: _h, mainLine: _m, ...chunk }: MicroShader): Partial<MicroShader> => chunk;
 

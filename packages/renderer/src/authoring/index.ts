@@ -1,2 +1,4 @@
+export { findClaims, type Claim } from '../microshaders/findClaims';
+export { parseMicroShaderXML } from '../microshaders/parseMicroShaderXML';
 export { formatMicroShaderXML } from './formatMicroShaderXML';
 export { microShaderSources } from './microShaderSources';

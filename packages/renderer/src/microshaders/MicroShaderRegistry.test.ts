@@ -100,14 +100,14 @@ describe('composing', () => {
 });
 
 describe('adding', () => {
-  it('refuses a known name, the parent’s too, and then adds nothing of the list', () => {
+  it('refuses a known name, the parent’s too, and then adds nothing of the list', async () => {
     const parent = registryOf({ a: 'float a;' }).registry;
     const registry = new MicroShaderRegistry(parent);
     expect(() => registry.add([chunk('b'), chunk('a')])).toThrow(/"a" exists already; use replace\(\)/);
     expect(() => registry.add([chunk('b'), chunk('b')])).toThrow(/"b" exists already/);
-    expect(() =>
+    await expect(
       registry.loadXML('<microshaders><microshader name="b"/><microshader name="a"/></microshaders>', 'f.xml'),
-    ).toThrow(/f\.xml: microshader "a"/);
+    ).rejects.toThrow(/f\.xml: microshader "a"/);
     expect(registry.names()).toEqual(['a']);
   });
 

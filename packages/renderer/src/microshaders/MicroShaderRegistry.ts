@@ -2,7 +2,6 @@ import { composeHeaders, composeStage } from './composeSource';
 import { dependencyOrder, type MicroShaderSource } from './dependencyOrder';
 import type { MicroShader } from './MicroShader';
 import { completeMicroShader, parseMicroShader } from './parseMicroShader';
-import { parseMicroShaderXML } from './parseMicroShaderXML';
 import type { MicroShaderCompiler, Shader } from './Shader';
 import { ShaderCache } from './ShaderCache';
 
@@ -69,12 +68,14 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Adds the chunks of the thesis's XML; its form is that of `parseMicroShaderXML`.
+   * Adds the chunks of the thesis's XML, whose reader is fetched when first asked for; its form is that of
+   * `parseMicroShaderXML` of `@farol/renderer/authoring`.
    * @param file named in errors
    * @returns their names
    * @throws Error with file, and line where it has one; then none is added
    */
-  loadXML(text: string, file = 'microshaders'): readonly string[] {
+  async loadXML(text: string, file = 'microshaders'): Promise<readonly string[]> {
+    const { parseMicroShaderXML } = await import('./parseMicroShaderXML');
     const chunks = parseMicroShaderXML(text, file);
     const known = chunks.find(({ name }) => this.has(name));
     if (known) throw new Error(`${file}: microshader "${known.name}" exists already; give it another name.`);

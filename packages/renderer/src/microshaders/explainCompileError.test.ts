@@ -9,7 +9,7 @@ registry.loadGLSL(
   'light',
   '// A light.\n// Farol\n#include "colour"\n#include <common>\nfloat wrong = 1;\n//# main\nfloat a = 1.0;\nfloat b = c;\n',
 );
-registry.loadXML(
+await registry.loadXML(
   '<microshaders>\n<microshader name="out">\n<main>\n  gl_FragColor = d;\n</main></microshader></microshaders>',
 );
 

@@ -1,10 +1,8 @@
 export { builtinMicroShaders, type BuiltinMicroShader } from './builtin';
 export { explainCompileError, type MicroShaderCompileEntry } from './explainCompileError';
-export { findClaims, type Claim } from './findClaims';
 export type { MicroShader, MicroShaderStage } from './MicroShader';
 export { MicroShaderCompileError } from './MicroShaderCompileError';
 export { MicroShaderRegistry, type MicroShaderListener, type MicroShaderRegistryOptions } from './MicroShaderRegistry';
 export { formatMicroShader, parseMicroShader } from './parseMicroShader';
-export { parseMicroShaderXML } from './parseMicroShaderXML';
 export type { MicroShaderCompiler, Shader, ShaderSource } from './Shader';
 export { WebGLShaderCompiler } from './WebGLShaderCompiler';
