@@ -121,3 +121,42 @@ test('effects compile nothing once they have run, whatever is switched on and of
   expect(result.held).toBe(0);
   expect(result.freed).toBeGreaterThan(8);
 });
+
+test('every effect draws again after a lost context, as before it', async ({ page, watch }) => {
+  const apart = await page.evaluate(async () => {
+    const { Bench, compareImages, edgeScene, effects, three } = window.testPage;
+    const bench = new Bench(96, 64);
+    const { scene, camera } = edgeScene(96, 64);
+    const decal = new effects.Decal(new three.MeshStandardMaterial({ color: 0x00ff00 }));
+    decal.position.set(0, -1.6, 3);
+    decal.rotation.x = -Math.PI / 2;
+    const glass = new three.Mesh(
+      new three.PlaneGeometry(1, 1),
+      new three.MeshStandardMaterial({ transparent: true, opacity: 0.5 }),
+    );
+    glass.position.z = 3;
+    scene.add(decal, glass);
+    const { AmbientOcclusion, Decals, TAA, WeightedBlendedOIT } = effects;
+    bench.farol.effects = [new Decals(), new AmbientOcclusion(), new WeightedBlendedOIT(), new TAA()];
+    const draw = () => {
+      let image!: ReturnType<typeof bench.byTechnique>;
+      for (let i = 0; i < 4; i++) image = bench.byTechnique('deferred', scene, camera);
+      return image;
+    };
+    const before = draw();
+    const gl = bench.webgl.getContext();
+    const extension = gl.getExtension('WEBGL_lose_context')!;
+    const canvas = bench.webgl.domElement;
+    const event = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+    const lost = event('webglcontextlost');
+    extension.loseContext();
+    await lost;
+    const restored = event('webglcontextrestored');
+    // the browser takes back only what it has told of
+    setTimeout(() => extension.restoreContext());
+    await restored;
+    return compareImages(before, draw()).psnr;
+  });
+  expect(apart).toBeGreaterThan(50);
+  expect(watch.forgive(/a WebGL context was lost|Context Lost|Context Restored/i)).toBeGreaterThan(0);
+});

@@ -34,8 +34,8 @@ const CUT = 0.7;
  */
 export class TAA implements FarolEffect {
   readonly name = 'TAA';
-  /** Share of the new frame in a pixel that moves, half of that in one that does not: above 0, at most 1. Default 0.2. */
-  share = 0.2;
+  /** Share of the new frame in a pixel that moves, half of that in one that does not: above 0, at most 1. Default 0.25. */
+  share = 0.25;
   /** Standard deviations of its neighbours to which a pixel's past is clipped unless nothing changes. Default 1.25, above 0. */
   gamma = 1.25;
   private readonly histories: TemporalHistory[] = [];
@@ -57,6 +57,7 @@ export class TAA implements FarolEffect {
   private material: PassMaterial | null = null;
   private shared: Picture | null = null;
   private frames = 0;
+  private contextLists: unknown = null;
 
   get bytes(): number {
     let bytes = this.motion.bytes + (this.shared?.bytes ?? 0);
@@ -71,6 +72,9 @@ export class TAA implements FarolEffect {
 
   begin(frame: Frame): void {
     this.frames++;
+    // three makes them anew when a lost context is back: what the targets held is gone
+    if (this.contextLists !== frame.webgl.renderLists) this.reset();
+    this.contextLists = frame.webgl.renderLists;
     this.shared = Picture.of(frame);
     this.shared.begin(frame);
     const { camera, width, height } = frame;

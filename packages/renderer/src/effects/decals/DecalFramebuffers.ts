@@ -42,7 +42,10 @@ export class DecalFramebuffers {
   }
 
   dispose(): void {
-    for (const framebuffer of this.framebuffers) this.gl?.deleteFramebuffer(framebuffer);
+    for (const framebuffer of this.framebuffers) {
+      // those of a context that was lost are gone
+      if (this.gl?.isFramebuffer(framebuffer)) this.gl.deleteFramebuffer(framebuffer);
+    }
     this.framebuffers = [];
     this.attached = [];
   }

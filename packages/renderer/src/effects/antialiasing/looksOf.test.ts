@@ -1,0 +1,38 @@
+import { Mesh, MeshStandardMaterial, type Object3D, ShaderMaterial } from 'three';
+import { expect, it } from 'vitest';
+import { RenderQueue } from '../../RenderQueue';
+import { looksOf } from './looksOf';
+
+function queueOf(...meshes: Mesh[]): RenderQueue {
+  const queue = new RenderQueue();
+  queue.clear();
+  for (const mesh of meshes) {
+    queue.push(mesh as Object3D, mesh.geometry, mesh.material as MeshStandardMaterial, 0, 0, null, null);
+  }
+  queue.finish();
+  return queue;
+}
+
+it('stays while nothing changes, and tells a change of any look', () => {
+  const material = new MeshStandardMaterial({ color: 0x336699, transparent: true, opacity: 0.5 });
+  const looks = () => looksOf(queueOf(new Mesh(undefined, material)));
+  let before = looks();
+  expect(looks()).toBe(before);
+  const changes = [
+    () => material.color.setRGB(0.1, 0.2, 0.3),
+    () => (material.opacity = 0.6),
+    () => (material.roughness = 0.2),
+    () => (material.emissiveIntensity = 2),
+    () => (material.needsUpdate = true),
+  ];
+  for (const change of changes) {
+    change();
+    expect(looks()).not.toBe(before);
+    before = looks();
+  }
+});
+
+it('takes a shader of the host for one that may change at any time', () => {
+  const looks = looksOf(queueOf(new Mesh(undefined, new ShaderMaterial())));
+  expect(looks === looks).toBe(false);
+});
