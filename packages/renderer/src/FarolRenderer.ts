@@ -11,6 +11,7 @@ import { Frame } from './Frame';
 import { InfoRecorder } from './InfoRecorder';
 import { LightTable } from './lights/LightTable';
 import { forwardTwins } from './materials/forwardTwin';
+import { resetLayers } from './materials/layersAttribute';
 import { TwinCache } from './materials/TwinCache';
 import type { MicroShaderRegistry } from './microshaders';
 import { createRegistry } from './microshaders/createRegistry';
@@ -22,7 +23,7 @@ import { SurfaceViewPass } from './passes/SurfaceViewPass';
 import { validatePasses } from './passes/validatePasses';
 import { refuseArrays } from './refuseArrays';
 import { SceneView } from './SceneView';
-import { RECORDS_PER_MASK } from './shadows/maskRecord';
+import { maskUniforms, setMaskUniforms } from './shadows/maskUniforms';
 import { ShadowMaps } from './shadows/ShadowMaps';
 import { type TechniqueName, techniques } from './techniques';
 import { TechniqueChooser } from './techniques/TechniqueChooser';
@@ -42,6 +43,8 @@ export interface FarolOptions {
    * 8192, at most what the device has; at least 512.
    */
   shadowAtlasSize?: number;
+  /** As the property of that name. Default false. */
+  lightLayers?: boolean;
 }
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
@@ -75,13 +78,11 @@ export class FarolRenderer {
   private readonly uniforms = {
     farol_lightTable: { value: null as unknown },
     farol_lightCounts: { value: [0, 0, 0, 0] },
-    farol_masks: { value: [0, 0] },
     farol_ambient: { value: this.lights.ambient },
     farol_lightIndex: { value: 0 },
     farol_heatScale: { value: 1 / 32 },
     farol_background: { value: new Vector4(0, 0, 0, -1) },
-    farol_shadowAtlas: { value: null as unknown },
-    farol_lightAtlas: { value: null as unknown },
+    ...maskUniforms(),
     ...tileUniforms(),
     ...gridUniforms(),
   };
@@ -127,9 +128,15 @@ export class FarolRenderer {
     });
     this.frame = new Frame(webgl, this.lights, this.twins, this.uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
-    this.shadows = new ShadowMaps(webgl, this.microshaders, Math.max(512, options.shadowAtlasSize ?? 8192));
+    this.shadows = new ShadowMaps(
+      webgl,
+      this.microshaders,
+      this.lights.layers,
+      Math.max(512, options.shadowAtlasSize ?? 8192),
+    );
     this.shadowDraws.stands = this.shadows.stands;
     this.timing = options.timing ?? false;
+    this.lightLayers = options.lightLayers ?? false;
     this.technique = options.technique ?? 'auto';
     this.view = options.view ?? 'final';
     this.effects = options.effects ?? [];
@@ -173,6 +180,20 @@ export class FarolRenderer {
     this.lightingScale.value = scale;
   }
 
+  /**
+   * Whether a directional, point or spot light reaches only objects that share a layer with it (`light.layers`,
+   * `object.layers`); a light is lit at all if the camera shares a layer with it, as in three. What has other layers than
+   * most objects is then drawn forward, by every technique. Takes effect on the next frame. Default false, as in three: all
+   * lights reach all objects.
+   */
+  get lightLayers(): boolean {
+    return this.lights.layers.enabled;
+  }
+
+  set lightLayers(enabled: boolean) {
+    this.lights.layers.enabled = enabled;
+  }
+
   /** Figures of the last frame. */
   get info(): FarolInfo {
     return this.recorder.info;
@@ -200,9 +221,12 @@ export class FarolRenderer {
     try {
       for (const effect of this.activeEffects) effect.begin?.(frame);
       this.lights.shadows = webgl.shadowMap.enabled;
+      this.lights.layers.begin(scene);
       this.lights.collect(this.found.all, frame.camera);
+      this.lights.layers.end();
       this.pick();
-      this.updateShadows(scene, frame.camera);
+      shadows.update(scene, frame.camera, this.lights.masked);
+      frame.queue.layers = this.lights.layers.reference;
       this.lights.write(frame.camera, (techniques[this.active] as Technique).lightOrder, frame, shadows);
       this.setUniforms();
       this.sceneView = this.viewOf(scene);
@@ -216,6 +240,7 @@ export class FarolRenderer {
         shadows.hasWork ? this.shadowDraws : null,
       );
       shadows.end();
+      if (frame.queue.layers !== 0) resetLayers(frame.gl);
     } finally {
       if (webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
     }
@@ -279,19 +304,8 @@ export class FarolRenderer {
     counts[1] = lights.unbounded;
     counts[2] = lights.bounded;
     counts[3] = lights.others;
-    const masks = uniforms.farol_masks.value;
-    masks[0] = lights.firstMask;
-    masks[1] = this.shadows.records / RECORDS_PER_MASK;
+    setMaskUniforms(uniforms, lights, this.shadows);
     uniforms.farol_heatScale.value = 1 / this.heatMapMaximum;
-    uniforms.farol_shadowAtlas.value = this.shadows.depthTexture;
-    uniforms.farol_lightAtlas.value = this.shadows.colourTexture;
-  }
-
-  /** From the first light with a shadow on, shaders look for masks. */
-  private updateShadows(scene: Object3D, camera: Camera): void {
-    const { shadows, lights } = this;
-    shadows.update(scene, camera, lights.masked);
-    if (shadows.records > 0) this.microshaders.swap('lightMask', 'lightMaskOn');
   }
 
   /** Called inside three's render, for the host's target, and before that for three's transmission target if needed. */

@@ -18,6 +18,7 @@ import type { View } from './debug/views';
 import type { Fills } from './techniques/Technique';
 import type { LightTable } from './lights/LightTable';
 import type { ForwardTwins } from './materials/forwardTwin';
+import { setLayers } from './materials/layersAttribute';
 import { plainBack, plainFront, plainWhole } from './materials/plainTwins';
 import { shadowMaskTwin } from './materials/shadowMaskTwin';
 import type { TwinCache } from './materials/TwinCache';
@@ -253,6 +254,7 @@ export class Frame {
     const { object, geometry, group } = item;
     const { webgl, scene, camera } = this;
     (object.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, material as never, group);
+    if (this.queue.layers !== 0) setLayers(this.gl, object.layers.mask);
     object.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, object.matrixWorld);
     object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
     (material.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);

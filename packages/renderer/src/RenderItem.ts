@@ -23,6 +23,8 @@ export interface RenderItem {
   lit: boolean;
   /** Shows shadows by three's getShadowMask(). */
   shadowMask: boolean;
+  /** Other lights may reach it than most things, so that it is drawn forward. */
+  layered: boolean;
   /** Drawn as opaque things are by default, so that any pass may draw it in its own order. */
   plain: boolean;
   /** A technique's pass has drawn it this frame; the forward pass leaves it out. */

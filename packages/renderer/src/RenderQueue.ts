@@ -36,6 +36,8 @@ export class RenderQueue {
   readonly transmissive: RenderItem[] = [];
   readonly transparent: RenderItem[] = [];
   private readonly pool: RenderItem[] = [];
+  /** Layers of what is not `layered`, 0 when they do not matter. */
+  layers = 0;
   /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
   covers = true;
   /** True if something lit transmits or is transparent. */
@@ -84,6 +86,7 @@ export class RenderQueue {
     item.lit = isLit(material);
     item.shadowMask = !item.lit && showsShadowMask(material);
     item.plain = list === this.opaque && isPlainOpaque(material);
+    item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
     if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!item.plain || hasOwnShader(material))) this.covers = false;

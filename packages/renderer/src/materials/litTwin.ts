@@ -1,5 +1,6 @@
 import { Material } from 'three';
 import { beforeLastBrace } from './beforeLastBrace';
+import { withLayers } from './layersAttribute';
 import { lightsFragmentBegin } from './lightsFragmentBegin';
 import type { TwinKind, TwinShader } from './TwinKind';
 
@@ -22,6 +23,8 @@ export interface LitTwinOptions {
 
 const LIGHTS = '#include <lights_fragment_begin>';
 const PARS = '#include <lights_pars_begin>';
+/** In lightMaskLayers.glsl. */
+const LAYERS = '#define FAROL_LAYERS';
 const NORMAL = '#include <normal_pars_fragment>';
 
 /** A kind of twin of lit materials: three's shader with Farol's light loop in it. */
@@ -45,7 +48,10 @@ export function litTwin(options: LitTwinOptions): TwinKind {
     ...(options.variant && { variant: options.variant }),
     patch(shader: TwinShader, source: Material, header: string) {
       const normal = shader.fragmentShader.includes(NORMAL) ? '#define FAROL_VERTEX_NORMAL\n' : '';
-      let text = shader.fragmentShader.replace(PARS, () => `${PARS}\n${normal}${header}`).replace(LIGHTS, begin);
+      const layers = header.includes(LAYERS);
+      const defines = `${normal}${layers ? '#define FAROL_LAYERS_OF_OBJECT\n' : ''}`;
+      if (layers) shader.vertexShader = withLayers(shader.vertexShader);
+      let text = shader.fragmentShader.replace(PARS, () => `${PARS}\n${defines}${header}`).replace(LIGHTS, begin);
       if (options.rewrite) text = options.rewrite(text, source);
       if (options.atEnd) text = beforeLastBrace(text, options.atEnd);
       shader.fragmentShader = text;

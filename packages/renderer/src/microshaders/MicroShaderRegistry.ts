@@ -23,6 +23,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   private readonly shaders: ShaderCache<Program>;
   private readonly listeners = new Set<MicroShaderListener>();
   private readonly checks = new Set<MicroShaderListener>();
+  private readonly swapped = new Set<string>();
   private replacements = 0;
   /** Chunk to the number of its last replacement, its own and with its dependencies. */
   private readonly replacedAt = new Map<string, number>();
@@ -173,12 +174,13 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Puts the content of another known chunk, known to be good, in the place of one that nobody has replaced; what is drawn
+   * Puts the content of another known chunk, known to be good, in the place of one that nobody has replaced (or that was swapped); what is drawn
    * with it compiles anew when it is next drawn. No check runs.
    */
   swap(name: string, other: string): void {
     const content = this.get(other);
-    if (content === undefined || this.own.has(name)) return;
+    if (content === undefined || (this.own.has(name) && !this.swapped.has(name))) return;
+    this.swapped.add(name);
     this.own.set(name, { ...content, name });
     const affected = this.names().filter((used) => this.withDependencies([used]).has(name));
     this.replacedAt.set(name, ++this.replacements);

@@ -31,7 +31,7 @@ export class GBufferPass implements Pass {
     // where nothing is drawn, depth 1 says so: what the other attachments hold there is never shown, and a clear costs as much as a draw
     frame.clear(0, true);
     for (const item of frame.queue.opaque) {
-      if (!item.plain) continue;
+      if (!item.plain || (item.layered && !this.forView)) continue;
       if (this.forView) {
         if (item.lit && !(item.material as Material & { isShaderMaterial?: boolean }).isShaderMaterial)
           frame.drawTwin(item, gbufferViewTwin);

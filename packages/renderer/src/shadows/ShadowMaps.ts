@@ -17,11 +17,12 @@ import {
 } from 'three';
 import type { DataTable } from '../lights/DataTable';
 import { cookieOf } from '../lights/lightCookie';
+import type { LightLayers } from '../lights/LightLayers';
 import type { LightMasks } from '../lights/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
 import { CookieDraws } from './CookieDraws';
 import { CookieSlot } from './CookieSlot';
-import { RECORDS_PER_MASK, shadowKinds, writeMask } from './maskRecord';
+import { RECORDS_PER_MASK, shadowKinds, writeLayerMask, writeMask } from './maskRecord';
 import { MomentDraws } from './MomentDraws';
 import { ShadowCasters } from './ShadowCasters';
 import { ShadowMapDraws } from './ShadowMapDraws';
@@ -48,6 +49,8 @@ export class ShadowMaps implements LightMasks {
   kept = 0;
   private readonly slots = new Map<Light, ShadowSlot>();
   private readonly cookies = new Map<Texture, CookieSlot>();
+  /** Lights that have no slot, but do not reach all layers, and their records. */
+  private readonly layered = new Map<Light, number>();
   private readonly lit: ShadowSlot[] = [];
   private readonly stale: ShadowSlot[] = [];
   private readonly unlit: AtlasTenant[] = [];
@@ -63,11 +66,14 @@ export class ShadowMaps implements LightMasks {
   private type = -1;
   private frame = 0;
   private tenants = 0;
+  /** 0: shaders know no masks; 1: shadows and cookies; 2: layers too. */
+  private known = 0;
 
   /** @param limit of the atlas of depths, texels a side */
   constructor(
     private readonly webgl: WebGLRenderer,
-    microshaders: MicroShaderRegistry,
+    private readonly microshaders: MicroShaderRegistry,
+    private readonly layers: LightLayers,
     limit: number,
   ) {
     const { maxTextureSize } = webgl.capabilities;
@@ -112,6 +118,7 @@ export class ShadowMaps implements LightMasks {
     this.frame++;
     this.lit.length = this.stale.length = this.staleCookies.length = 0;
     this.records = this.drawn = this.kept = 0;
+    if (this.layered.size > 0) this.layered.clear();
     if (lights.length === 0 && this.slots.size === 0) return;
     const { shadowMap } = this.webgl;
     this.followType();
@@ -122,18 +129,23 @@ export class ShadowMaps implements LightMasks {
     this.follow(updates);
     this.arrange();
     this.findStale(updates);
+    this.adaptShaders();
   }
 
   recordOf(light: Light): number {
     const slot = this.slots.get(light);
-    return slot === undefined || slot.used !== this.frame ? -1 : slot.record;
+    if (slot === undefined || slot.used !== this.frame) return this.layered.get(light) ?? -1;
+    return slot.record;
   }
 
   write(table: DataTable, first: number, camera: Camera): void {
     const reversed = this.webgl.state.buffers.depth.getReversed();
     for (const slot of this.lit) {
-      if (slot.record >= 0) writeMask(table, first + slot.record, slot, this.kindOf(slot), camera, reversed);
+      if (slot.record < 0) continue;
+      const reached = this.layers.separates(slot.light) ? slot.light.layers.mask : 0;
+      writeMask(table, first + slot.record, slot, this.kindOf(slot), camera, reversed, reached);
     }
+    for (const [light, record] of this.layered) writeLayerMask(table, first + record, light.layers.mask);
   }
 
   /** Draws what is to be drawn. Call inside three's `render`, where it draws its own shadow maps. */
@@ -190,7 +202,10 @@ export class ShadowMaps implements LightMasks {
     const light = anyLight as ShadowLight;
     const casts = light.castShadow && enabled && !(this.type === VSMShadowMap && light.isPointLight === true);
     const image = cookieOf(light);
-    if (!casts && image === null) return;
+    if (!casts && image === null) {
+      if (this.layers.separates(light)) this.layered.set(light, -1);
+      return;
+    }
     let slot = this.slots.get(light);
     if (slot !== undefined && slot.shadow !== light.shadow) {
       this.releaseMap(slot);
@@ -290,12 +305,25 @@ export class ShadowMaps implements LightMasks {
         this.drawn++;
         for (const face of slot.faces) this.draws.prepare(slot, face);
       } else if (slot.shows) this.kept++;
-      slot.record = slot.shows || slot.cookie !== null ? this.records : -1;
+      const masked = slot.shows || slot.cookie !== null || this.layers.separates(slot.light);
+      slot.record = masked ? this.records : -1;
       if (slot.record >= 0) this.records += RECORDS_PER_MASK;
+    }
+    for (const light of this.layered.keys()) {
+      this.layered.set(light, this.records);
+      this.records += RECORDS_PER_MASK;
     }
     for (const cookie of this.cookies.values()) {
       if (cookie.used === this.frame && cookie.tile !== null && !cookie.drawn) this.staleCookies.push(cookie);
     }
+  }
+
+  /** What shaders know of masks grows with what is met, and never shrinks, so that nothing compiles twice. */
+  private adaptShaders(): void {
+    const needed = this.layers.reference !== 0 ? 2 : this.records > 0 ? 1 : 0;
+    if (needed <= this.known) return;
+    this.known = needed;
+    this.microshaders.swap('lightMask', needed === 2 ? 'lightMaskLayers' : 'lightMaskOn');
   }
 
   private kindOf(slot: ShadowSlot): number {

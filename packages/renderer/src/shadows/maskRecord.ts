@@ -15,7 +15,7 @@ import { CUBE_BORDER } from './TileAtlas';
  * | 6 | kind of shadow (`shadowKinds`), size of the map as the light asks for it (texels), kind of cookie (0 none, 1 map, 2 cube) |
  * | 7 | of a cube: a and b of depth = a + b / distance along an axis, nearest and farthest (m) |
  * | 8 | tile of the cookie, as texel 4 |
- * | 9 | layers of the light, 16 bits and 16 bits; –, – |
+ * | 9 | layers that the light reaches, 16 bits and 16 bits, 0 for all; –, – |
  */
 export const RECORDS_PER_MASK = 3;
 
@@ -28,6 +28,7 @@ const matrix = new Matrix4();
  * Writes the mask of a light, for positions in view space.
  * @param kind of its shadow, one of `shadowKinds`
  * @param reversed the depth buffer is
+ * @param layers that the light reaches, as a mask; 0 for all
  */
 export function writeMask(
   table: DataTable,
@@ -36,6 +37,7 @@ export function writeMask(
   kind: number,
   camera: Camera,
   reversed: boolean,
+  layers: number,
 ): void {
   const { tile, cookie, isCube, near, far, faceWidth, faceHeight } = slot;
   const { shadow } = slot.light;
@@ -51,10 +53,22 @@ export function writeMask(
   const depthRange = far - near;
   if (reversed) table.set4(at + 28, -near / depthRange + bias, (near * far) / depthRange, near, far);
   else table.set4(at + 28, far / depthRange + bias, (-near * far) / depthRange, near, far);
+  writeLayers(table, record, layers);
   if (cookieKind === 0) table.set4(at + 32, 0, 0, 1, 1);
   else {
     const { x, y } = cookie!.tile!;
     const size = cookie!.faceWidth;
     table.set4(at + 32, x, y, size, cookieKind === 2 ? size + 2 * CUBE_BORDER : cookie!.faceHeight);
   }
+}
+
+/** Writes the mask of a light that has neither shadow nor cookie, but does not reach all layers. */
+export function writeLayerMask(table: DataTable, record: number, layers: number): void {
+  table.set4(record * FLOATS_PER_RECORD + 20, 0, 0, 0, 0);
+  table.set4(record * FLOATS_PER_RECORD + 24, shadowKinds.none, 1, 1, 0);
+  writeLayers(table, record, layers);
+}
+
+function writeLayers(table: DataTable, record: number, layers: number): void {
+  table.set4(record * FLOATS_PER_RECORD + 36, layers & 0xffff, layers >>> 16, 0, 0);
 }

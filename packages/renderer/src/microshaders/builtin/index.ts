@@ -21,6 +21,7 @@ import lightBufferFilter from './lightBufferFilter.glsl?raw';
 import lightList from './lightList.glsl?raw';
 import lightListClustered from './lightListClustered.glsl?raw';
 import lightMask from './lightMask.glsl?raw';
+import lightMaskLayers from './lightMaskLayers.glsl?raw';
 import lightMaskOn from './lightMaskOn.glsl?raw';
 import lightShadow from './lightShadow.glsl?raw';
 import lightLoopAll from './lightLoopAll.glsl?raw';
@@ -83,6 +84,7 @@ const sources = {
   lightListClustered,
   lightLoopAll,
   lightMask,
+  lightMaskLayers,
   lightMaskOn,
   lightShadow,
   lightLoopBuffer,

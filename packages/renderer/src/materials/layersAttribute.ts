@@ -1,0 +1,21 @@
+import { beforeLastBrace } from './beforeLastBrace';
+
+/** WebGL 2 has at least 16 vertex attributes; three's own materials need fewer, and objectAttribute.ts has the last. */
+const LOCATION = 14;
+
+const DECLARATION = `layout(location = ${LOCATION}) in highp vec2 farol_layersAttribute;\nflat out highp vec2 farol_objectLayers;\n`;
+
+/** The vertex shader with `farol_objectLayers`, the same over a whole draw: `setLayers` gives it. */
+export function withLayers(vertexShader: string): string {
+  return `${DECLARATION}${beforeLastBrace(vertexShader, 'farol_objectLayers = farol_layersAttribute;')}`;
+}
+
+/** Sets the layers of the draws to come, 16 bits a number. */
+export function setLayers(gl: WebGL2RenderingContext, mask: number): void {
+  gl.vertexAttrib2f(LOCATION, mask & 0xffff, mask >>> 16);
+}
+
+/** Puts the attribute back to what a fresh context has. */
+export function resetLayers(gl: WebGL2RenderingContext): void {
+  gl.vertexAttrib4f(LOCATION, 0, 0, 0, 1);
+}

@@ -1,0 +1,17 @@
+// As lightMaskOn, and lights reach only what shares a layer with them; takes its place once that is asked for.
+// Farol
+#define FAROL_LAYERS
+#ifdef FAROL_LAYERS_OF_OBJECT
+flat in highp vec2 farol_objectLayers; // of the object, 16 bits each
+#define FAROL_OBJECT_LAYERS farol_objectLayers
+#else
+uniform highp vec2 farol_layers; // of all that the G-buffer holds
+#define FAROL_OBJECT_LAYERS farol_layers
+#endif
+#include "lightShadow"
+#define FAROL_HAS_MASKS
+bool farol_sharesLayer(const in int mask) {
+  uvec2 layers = uvec2(farol_lightTexel(mask + 2, 1).xy + 0.5);
+  return layers == uvec2(0u) || (layers & uvec2(FAROL_OBJECT_LAYERS + 0.5)) != uvec2(0u);
+}
+#define FAROL_MASKED(color, mask, positionVS, shadowNormalVS, receives) ((mask) > 0 ? farol_sharesLayer(mask) ? (color) * farol_lightMask(mask, positionVS, shadowNormalVS, receives) : vec3(0.0) : (color))
