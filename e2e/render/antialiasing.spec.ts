@@ -195,3 +195,37 @@ test('TAA forgets the past when the size changes and when the camera cuts, and l
   expect(result.same).toBe(true);
   expect(result.target).toBe(true);
 });
+
+for (const kind of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) {
+  test(`TAA follows the camera with ${kind}`, async ({ page }) => {
+    const { taa, without, has } = await page.evaluate(
+      ([width, height, kind]) => {
+        const { compareImages, edgeScene, effects, farol, supersampled, three } = window.testPage;
+        const { scene, camera } = edgeScene(width, height);
+        const wanted = supersampled(width, height, scene, camera);
+        const webgl = new three.WebGLRenderer({ [kind]: true });
+        webgl.setSize(width, height, false);
+        const target = new three.WebGLRenderTarget(width, height, { type: three.FloatType });
+        const renderer = new farol.FarolRenderer(webgl, { technique: 'forward-single-pass' });
+        const draw = () => {
+          webgl.setRenderTarget(target);
+          renderer.render(scene, camera);
+          const data = new Float32Array(width * height * 4);
+          webgl.readRenderTargetPixels(target, 0, 0, width, height, data);
+          return compareImages(wanted, { width, height, data }).psnr;
+        };
+        const without = draw();
+        renderer.effects = [new effects.TAA()];
+        let taa = 0;
+        for (let left = 11; left >= 0; left--) {
+          camera.position.x = 0.05 * left;
+          taa = draw();
+        }
+        return { taa, without, has: webgl.capabilities[kind] };
+      },
+      [WIDTH, HEIGHT, kind] as const,
+    );
+    test.info().annotations.push({ type: 'depth', description: `${has}: ${without} to ${taa} dB` });
+    expect(taa).toBeGreaterThan(without + 2);
+  });
+}

@@ -1,4 +1,13 @@
-import { type Camera, type IUniform, Matrix4, type Object3D, type Texture, Vector2 } from 'three';
+import {
+  type Camera,
+  type IUniform,
+  Matrix4,
+  type Object3D,
+  type PerspectiveCamera,
+  type Texture,
+  Vector2,
+  Vector4,
+} from 'three';
 import type { Frame } from '../../Frame';
 import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import { PassMaterial } from '../../passes/PassMaterial';
@@ -49,6 +58,8 @@ export class TAA implements FarolEffect {
   private readonly past: IUniform<Texture | null> = { value: null };
   private readonly motionMap: IUniform<Texture | null> = { value: null };
   private readonly reproject = { value: new Matrix4() };
+  private readonly depthKind = { value: new Vector2() };
+  private readonly projectZ = { value: new Vector4() };
   private readonly encoded = { value: false };
   private readonly hasMotion = { value: false };
   private readonly shareOfNew = { value: 1 };
@@ -98,6 +109,7 @@ export class TAA implements FarolEffect {
     this.motionMap.value = motion.target?.texture ?? null;
     this.hasMotion.value = motion.drawn;
     this.encoded.value = picture.encoded;
+    this.setDepthKind(frame);
     this.reproject.value.copy(viewProjection).invert().premultiply(history.viewProjection);
     const least = still ? 1 / SAMPLES : this.share;
     this.shareOfNew.value = Math.max(1 / ((still ? history.still : history.count) + 1), least);
@@ -133,6 +145,15 @@ export class TAA implements FarolEffect {
     history.looks = looks;
     history.still = still ? history.still + 1 : history.isEmpty ? 0 : 3;
     return still;
+  }
+
+  private setDepthKind(frame: Frame): void {
+    const { capabilities } = frame.webgl;
+    const { far, projectionMatrix } = frame.camera as PerspectiveCamera;
+    const { elements } = projectionMatrix;
+    const logarithmic = capabilities.logarithmicDepthBuffer && elements[11] !== 0;
+    this.depthKind.value.set(capabilities.reversedDepthBuffer ? 1 : 0, logarithmic ? Math.log2(far + 1) : 0);
+    this.projectZ.value.set(elements[10], elements[14], elements[11], elements[15]);
   }
 
   private isCut(history: TemporalHistory, camera: Camera): boolean {
@@ -188,6 +209,8 @@ export class TAA implements FarolEffect {
         farol_motionMap: this.motionMap,
         farol_reproject: this.reproject,
         farol_jitter: this.jitter,
+        farol_depthKind: this.depthKind,
+        farol_projectZ: this.projectZ,
         farol_encoded: this.encoded,
         farol_hasMotion: this.hasMotion,
         farol_share: this.shareOfNew,

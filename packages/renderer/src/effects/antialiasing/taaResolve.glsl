@@ -7,6 +7,8 @@ uniform highp sampler2D farol_history;
 uniform highp sampler2D farol_motionMap;
 uniform highp mat4 farol_reproject; // this frame's normalised device coordinates to last frame's
 uniform highp vec2 farol_jitter; // normalised device coordinates
+uniform highp vec2 farol_depthKind; // 1 if depth is reversed; log2(far + 1) if it is logarithmic, else 0
+uniform highp vec4 farol_projectZ; // of a view z: factor and sum of clip z, factor and sum of clip w
 uniform bool farol_encoded;
 uniform bool farol_hasMotion; // the motion map holds something
 uniform float farol_share; // of the new frame where something moves, 0 to 1; 1: there is no history
@@ -50,21 +52,30 @@ vec4 farol_sharpHistory(const in vec2 uv, const in vec2 size) {
   return max(sum / total, 0.0);
 }
 
+// normalised device z from a stored depth: three's reversed depth is that itself, its logarithmic one comes from clip w
+float farol_deviceZ(const in float depth) {
+  if (farol_depthKind.y > 0.0) {
+    float z = 1.0 - exp2(depth * farol_depthKind.y);
+    return (farol_projectZ.x * z + farol_projectZ.y) / max(farol_projectZ.z * z + farol_projectZ.w, 1e-6);
+  }
+  return farol_depthKind.x > 0.5 ? depth : depth * 2.0 - 1.0;
+}
+
 // how far what the pixel shows has moved since the last frame, in pictures
 vec2 farol_velocity(const in ivec2 pixel, const in vec2 size) {
   ivec2 nearest = pixel;
-  float depth = 1.0;
+  float depth = farol_depthKind.x > 0.5 ? 0.0 : 1.0;
   for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
     ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), ivec2(size) - 1);
     float there = texelFetch(farol_pictureDepth, at, 0).r;
-    if (there < depth) { depth = there; nearest = at; }
+    if (farol_depthKind.x > 0.5 ? there > depth : there < depth) { depth = there; nearest = at; }
   }
   if (farol_hasMotion) {
     vec4 motion = texelFetch(farol_motionMap, nearest, 0);
     if (motion.a > 0.5) return motion.xy;
   }
   vec2 now = (vec2(nearest) + 0.5) / size * 2.0 - 1.0 - farol_jitter;
-  vec4 before = farol_reproject * vec4(now, depth * 2.0 - 1.0, 1.0);
+  vec4 before = farol_reproject * vec4(now, farol_deviceZ(depth), 1.0);
   return 0.5 * (now - before.xy / before.w);
 }
 //# main
