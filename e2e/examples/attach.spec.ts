@@ -14,11 +14,11 @@ async function problems(page: Page): Promise<string[]> {
 
 async function open(page: Page, name: string): Promise<void> {
   await openExample(page, name);
-  await page.setViewportSize({ width: 720, height: 640 });
+  await page.setViewportSize({ width: 640, height: 400 });
 }
 
 /** The picture, beside the panels. */
-const picture = (page: Page) => page.screenshot({ clip: { x: 0, y: 60, width: 400, height: 560 } });
+const picture = (page: Page) => page.screenshot({ clip: { x: 0, y: 60, width: 320, height: 330 } });
 const row = (page: Page, name: string) => page.getByRole('treeitem', { name }).first();
 const clockOfR3F = /THREE\.Clock: This module has been deprecated/;
 
@@ -82,7 +82,7 @@ test('on a page that knows nothing of Farol: select, edit, undo, draw by Farol',
 });
 
 test('the gizmo takes the pointer from the controls of the page, which have it beside the gizmo', async ({ page }) => {
-  await page.setViewportSize({ width: 720, height: 640 });
+  await page.setViewportSize({ width: 640, height: 400 });
   await page.goto('./examples/attach/index.html?still');
   await page.waitForFunction(() => 'example' in window);
   const state = () =>
@@ -90,12 +90,14 @@ test('the gizmo takes the pointer from the controls of the page, which have it b
       const { scene, camera } = window.example;
       return { knot: scene!.getObjectByName('knot')!.position.toArray(), camera: camera!.position.toArray() };
     });
-  const [x, y] = await page.evaluate(() => {
-    const { scene, camera } = window.example;
-    const { x, y } = scene!.getObjectByName('chest')!.position.clone().project(camera!);
-    return [((x + 1) / 2) * innerWidth, ((1 - y) / 2) * innerHeight];
-  });
-  await page.mouse.click(x, y);
+  const placeOf = (name: string) =>
+    page.evaluate((name) => {
+      const { scene, camera } = window.example;
+      const { x, y } = scene!.getObjectByName(name)!.position.clone().project(camera!);
+      return { x: ((x + 1) / 2) * innerWidth, y: ((1 - y) / 2) * innerHeight };
+    }, name);
+  const chest = await placeOf('chest');
+  await page.mouse.click(chest.x, chest.y);
   await expect(row(page, 'chest')).toHaveAttribute('aria-selected', 'true');
   await row(page, 'knot').click();
   await page.evaluate(() => window.example.drawFrame!(1)); // the gizmo is on the picture now
@@ -107,14 +109,15 @@ test('the gizmo takes the pointer from the controls of the page, which have it b
     await page.mouse.up();
   };
   const before = await state();
-  await drag(290, 297); // the red arrow to the left
+  const knot = await placeOf('knot');
+  await drag(knot.x - 44, knot.y); // the red arrow to the left
   const dragged = await state();
   expect(dragged.knot[0]).toBeGreaterThan(0.2);
   expect(dragged.knot[1]).toBe(before.knot[1]);
   expect(dragged.camera).toEqual(before.camera);
   await page.evaluate(() => window.example.editor!.history.undo());
   expect((await state()).knot).toEqual(before.knot);
-  await drag(60, 560);
+  await drag(60, 350);
   const turned = await state();
   expect(turned.knot).toEqual(before.knot);
   expect(turned.camera).not.toEqual(before.camera);

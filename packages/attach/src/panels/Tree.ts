@@ -33,7 +33,7 @@ export class Tree {
   constructor(private readonly session: Session) {
     this.open.add(session.scene);
     this.element.append(this.spacer);
-    this.search.addEventListener('input', () => this.refresh());
+    this.search.addEventListener('input', () => this.reveal());
     this.element.addEventListener('scroll', () => this.draw());
     this.element.addEventListener('click', (event) => this.click(event));
     this.element.addEventListener('keydown', (event) => {
@@ -79,7 +79,7 @@ export class Tree {
     this.sizes.disconnect();
   }
 
-  /** Opens what is above the selected object, and scrolls to it. */
+  /** Reads the scene again, with what is above the selected object open, and scrolls to it. */
   private reveal(): void {
     const { selected } = this.session;
     for (let each = selected?.parent ?? null; each; each = each.parent) this.open.add(each);
