@@ -13,7 +13,11 @@ export interface EditorHandle {
   };
   readonly microShaders: { textOf(name: string): string };
   openMicroShader(name: string, line?: number): void;
-  readonly commands: { readonly history: readonly string[]; readonly isDirty: boolean };
+  readonly commands: {
+    readonly history: readonly string[];
+    readonly isDirty: boolean;
+    readonly changed: { subscribe(listener: () => void): () => void };
+  };
   readonly viewport: {
     readonly canvas: HTMLCanvasElement;
     readonly camera: GameObject['object3D'];
@@ -26,6 +30,7 @@ export interface EditorHandle {
     renderNow(): void;
   };
   serialize(): string;
+  openText(text: string, file: { name: string; handle: null }): Promise<boolean>;
 }
 
 declare global {

@@ -95,6 +95,8 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     hotkeys: {
       // F2 is an action of the editor's, wherever the focus is
       renameItem: { hotkey: 'F2', isEnabled: () => false, handler: () => {} },
+      // Ctrl+A is one too: everything, folded or not
+      selectAll: { hotkey: 'Control+KeyA', isEnabled: () => false, handler: () => {} },
       focusNextItem: {
         ...arrow('ArrowDown'),
         handler: (_, self) => {

@@ -1,5 +1,5 @@
 import type { Field, FieldOwner, FieldValue } from '@farol/engine';
-import { type ComponentType, memo, type ReactNode, useMemo } from 'react';
+import { type ComponentType, memo, type ReactNode, useCallback, useMemo } from 'react';
 import { fieldEditors } from '../../fields';
 import { describeField } from '../../fields/describeField';
 import type { FieldEditorProps } from '../../fields/FieldEditorProps';
@@ -22,19 +22,26 @@ interface FieldRowProps {
   readonly parts: string;
   /** Whether all have the default. */
   readonly isDefault: boolean;
-  /** Where simulation has taken it; null where it is as authored. */
-  readonly live: string | null;
+  /** Takes the element that says where simulation has taken the value. */
+  readonly places: Map<string, HTMLElement>;
 }
 
 /** A field with its label: dragged, typed or chosen, it is edited in one step of history. */
 export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode {
-  const { owners, name, field, value, mixed, parts, isDefault, live } = props;
+  const { owners, name, field, value, mixed, parts, isDefault, places } = props;
   const editor = useEditor();
   const gesture = useMemo(() => new FieldGesture(editor.commands, owners, name), [editor, owners, name]);
   // one editor for each kind: the table's type says so, which a union of its members cannot
   const Editor = fieldEditors[field.kind] as ComponentType<FieldEditorProps<Field>>;
   const label = labelOfField(name, field);
   const description = describeField(field);
+  const place = useCallback(
+    (element: HTMLElement | null) => {
+      if (element) places.set(name, element);
+      else places.delete(name);
+    },
+    [places, name],
+  );
   return (
     <div className={`field field-${field.kind}`} data-field={name} data-help={description}>
       <span className="field-label" title={description}>
@@ -68,7 +75,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
           onCommit={(update) => editor.attempt(() => gesture.commit(update as FieldUpdate))}
           onDiscard={() => gesture.discard()}
         />
-        {live !== null && <span className="live">now {live}</span>}
+        <span ref={place} className="live" hidden />
       </div>
     </div>
   );

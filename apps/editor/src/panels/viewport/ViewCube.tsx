@@ -35,21 +35,23 @@ export function ViewCube(): ReactNode {
     return viewport.drawn.subscribe(follow);
   }, [viewport]);
   return (
-    <div className="view-cube" role="group" aria-label="View cube">
-      <div ref={cube} className="view-cube-body">
-        {sides.map(([side], i) => (
-          <button
-            key={side}
-            type="button"
-            className={`view-cube-face ${side}`}
-            style={{ transform: `${turns[side]} translateZ(24px)` }}
-            aria-label={`Look from the ${side}`}
-            title={`Look from the ${side}`}
-            onClick={() => editor.attempt(() => lookFrom[i].run(editor))}
-          >
-            {side}
-          </button>
-        ))}
+    <div className="view-cube-row">
+      <div className="view-cube" role="group" aria-label="View cube">
+        <div ref={cube} className="view-cube-body">
+          {sides.map(([side], i) => (
+            <button
+              key={side}
+              type="button"
+              className={`view-cube-face ${side}`}
+              style={{ transform: `${turns[side]} translateZ(24px)` }}
+              aria-label={`Look from the ${side}`}
+              title={`Look from the ${side}`}
+              onClick={() => editor.attempt(() => lookFrom[i].run(editor))}
+            >
+              {side}
+            </button>
+          ))}
+        </div>
       </div>
     </div>
   );

@@ -3,7 +3,6 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
 import { PreviewFrame } from './PreviewFrame';
 import { StatisticsOverlay } from './StatisticsOverlay';
-import { ViewCube } from './ViewCube';
 import { ViewportToolbar } from './ViewportToolbar';
 
 const PainterOverlay = lazy(async () => ({ default: (await import('../frame/PainterOverlay')).PainterOverlay }));
@@ -26,7 +25,6 @@ export function ViewportPanel(): ReactNode {
     <section className="panel viewport" aria-label="Viewport">
       <div ref={place} className="viewport-place" />
       {!isGrid && <ViewportToolbar />}
-      {!isGrid && viewport.lookThrough === null && <ViewCube />}
       {viewport.showStatistics && <StatisticsOverlay />}
       {!isGrid && <PreviewFrame />}
       <Suspense fallback={null}>

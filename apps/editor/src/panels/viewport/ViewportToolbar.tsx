@@ -6,6 +6,7 @@ import { showStatistics } from '../../actions/statistics';
 import { continuous, showGrid, showIcons } from '../../actions/viewportToggles';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { ViewCube } from './ViewCube';
 import type { Viewport } from '../../viewport/Viewport';
 import { SelectBox } from '../../ui/SelectBox';
 
@@ -49,6 +50,7 @@ export function ViewportToolbar(): ReactNode {
           onChange={(id) => lookThrough(viewport, id)}
         />
       </div>
+      {viewport.lookThrough === null && <ViewCube />}
     </div>
   );
 }

@@ -1,0 +1,49 @@
+import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine';
+import { useEffect, useState } from 'react';
+import { MathUtils } from 'three';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+
+/** Milliseconds between two readings of values that move. */
+const INTERVAL = 100;
+
+function liveText(value: FieldValue, isAngle: boolean): string {
+  if (!Array.isArray(value)) return String(value);
+  return value.map((each: number) => (isAngle ? each * MathUtils.RAD2DEG : each).toFixed(2)).join('  ');
+}
+
+/**
+ * Says beside each field where simulation has taken its value, some times a second while the scene plays. The text is
+ * written to the page itself: it costs no rendering.
+ * @param owner - null for none
+ * @returns the elements to write to, by field; each field puts its own in
+ */
+export function useLiveTexts(owner: FieldOwner | null): Map<string, HTMLElement> {
+  const { simulation } = useEditor().document;
+  const revision = useSignal(simulation.changed);
+  const [places] = useState(() => new Map<string, HTMLElement>());
+  const { isPlaying, state } = simulation;
+  useEffect(() => {
+    if (!owner) return;
+    const write = (): void => {
+      for (const [name, place] of places) {
+        const value = state === 'stopped' ? null : owner.get(name);
+        const text =
+          state === 'stopped' || sameValue(value, owner.getAuthored(name))
+            ? ''
+            : `now ${liveText(value, owner.fields[name].kind === 'euler')}`;
+        // a change of the text node alone: no element comes or goes, so no style is looked for anew
+        const node = place.firstChild as Text | null;
+        if ((node?.data ?? '') === text) continue;
+        if (node) node.data = text;
+        else place.textContent = text;
+        if (place.hidden !== (text === '')) place.hidden = text === '';
+      }
+    };
+    write();
+    if (!isPlaying) return;
+    const timer = setInterval(write, INTERVAL);
+    return () => clearInterval(timer);
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- a step while it stands still moves values too
+  }, [owner, places, state, isPlaying, revision]);
+  return places;
+}
