@@ -2,8 +2,9 @@
  * `npm run build`: types and bundles of the packages, then the apps on top of them; the size of the renderer is held.
  * With `--tests`, the browser tests' own pages too.
  */
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { bundleSize, rendererLimit } from './bundleSize.mjs';
+import { bundleSize, editorLimit, rendererLimit } from './bundleSize.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { root } from './root.mjs';
 import { runTool } from './runTool.mjs';
@@ -23,5 +24,18 @@ const bytes = bundleSize(join(root, 'packages/renderer/dist'));
 console.log(`@farol/renderer: ${(bytes / 1000).toFixed(1)} kB of ${rendererLimit / 1000} kB, minified and gzipped`);
 if (bytes > rendererLimit) {
   console.error('@farol/renderer is too large: see what grew, or leave something out. The limit is in bundleSize.mjs.');
+  process.exit(1);
+}
+
+const editor = join(root, 'apps/editor/dist');
+const [, entry] =
+  /<script type="module"[^>]* src="\.\/([^"]+)"/.exec(readFileSync(join(editor, 'index.html'), 'utf8')) ?? [];
+if (!entry) throw new Error('apps/editor/dist/index.html names no script: see what Vite made of it.');
+const script = bundleSize(editor, entry);
+console.log(
+  `editor: ${(script / 1000).toFixed(1)} kB of ${editorLimit / 1000} kB before the first frame, minified and gzipped`,
+);
+if (script > editorLimit) {
+  console.error('The editor loads too much at once: import() what the first frame does not need.');
   process.exit(1);
 }

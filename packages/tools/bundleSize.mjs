@@ -9,6 +9,9 @@ import { parseSync } from 'vite';
  */
 export const rendererLimit = 62_000;
 
+/** Bytes that the editor's script may take before its first frame; panels, dialogs and loaders come on demand. */
+export const editorLimit = 450_000;
+
 /**
  * Bytes of an entry of a built package after gzip: the file and all that it imports of the package at start, each file by
  * itself as a server would send it. What only other entries import, or what is imported late, is not counted.

@@ -11,14 +11,15 @@ export interface PlacedPanel {
   readonly isOpen?: boolean;
 }
 
-/** Widths of the sides and height of the bottom at first (CSS pixels). */
-const sizes = { left: 250, right: 340, bottom: 190 };
-
 /** The group that a place is at first. */
 export const groupOfPlace = (place: PanelPlace): string => place;
 
-/** A layout of the panels that are open at first, each at its place. Panels of one place share a group. */
-export function defaultLayout(panels: readonly PlacedPanel[]): LayoutNode {
+/**
+ * A layout of the panels that are open at first, each at its place. Panels of one place share a group.
+ * @param height - of the window (CSS pixels): in a low one the bottom takes less
+ */
+export function defaultLayout(panels: readonly PlacedPanel[], height = 900): LayoutNode {
+  const sizes = { left: 250, right: 340, bottom: Math.min(190, Math.round(height * 0.22)) };
   const group = (place: PanelPlace): PanelGroup[] => {
     const ids = panels.filter((panel) => panel.place === place && panel.isOpen !== false).map(({ id }) => id);
     return ids.length === 0 ? [] : [{ kind: 'group', id: groupOfPlace(place), panels: ids, active: ids[0] }];

@@ -153,6 +153,12 @@ export class EditorCamera {
     if (controls.smoothTime === 0) controls.update(0);
   }
 
+  /** From now on hears of the pointer after all that listens to the canvas now. */
+  listenLast(): void {
+    this.controls.disconnect();
+    this.controls.connect(this.canvas);
+  }
+
   dispose(): void {
     this.canvas.removeEventListener('pointerdown', this.chooseAction, true);
     this.canvas.removeEventListener('keydown', this.keyDown);

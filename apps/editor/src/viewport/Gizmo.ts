@@ -1,6 +1,6 @@
 import type { FieldValue, GameObject } from '@farol/engine';
 import { type Camera, Euler, MathUtils, Matrix4, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
-import { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
+import type { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
 import { topmost } from '../model/commands/Placement';
 import { type FieldEdit, SetFields } from '../model/commands/SetFields';
 import type { EditorDocument } from '../model/EditorDocument';
@@ -59,7 +59,10 @@ export class Gizmo {
   /** To be drawn over the picture. */
   readonly three = new Object3D();
 
-  private readonly controls: TransformControls;
+  /** Null until something is first selected: they are fetched then. */
+  private controls: TransformControls | null = null;
+  private loading: Promise<void> | null = null;
+  private ownSpace: GizmoSpace = 'world';
   private readonly proxy = new Object3D();
   private readonly startInverse = new Matrix4();
   private readonly startRotation = new Quaternion();
@@ -70,26 +73,21 @@ export class Gizmo {
   private currentMode: GizmoMode = 'translate';
   private ctrl = false;
   private isSnapping = false;
+  private isDisposed = false;
 
   /**
    * @param onDrag - called when a drag begins (true) and ends (false)
    * @param onChange - called when the picture must be drawn anew
+   * @param onLoad - called when the handles have begun to listen to the canvas
    */
   constructor(
     private readonly document: EditorDocument,
-    canvas: HTMLCanvasElement,
-    onDrag: (isDragging: boolean) => void,
-    onChange: () => void,
+    private readonly canvas: HTMLCanvasElement,
+    private readonly onDrag: (isDragging: boolean) => void,
+    private readonly onChange: () => void,
+    private readonly onLoad: () => void,
   ) {
-    this.controls = new TransformControls(new PerspectiveCamera(), canvas);
-    this.controls.size = 0.85;
-    this.controls.setColors('#f0525c', '#5fb83e', '#3f86f2', '#ffc857');
-    this.three.add(this.proxy, this.controls.getHelper());
-    this.controls.addEventListener('mouseDown', () => this.begin());
-    this.controls.addEventListener('objectChange', () => this.drag());
-    this.controls.addEventListener('mouseUp', () => this.end());
-    this.controls.addEventListener('dragging-changed', ({ value }) => onDrag(value as boolean));
-    this.controls.addEventListener('change', onChange);
+    this.three.add(this.proxy);
     window.addEventListener('keydown', this.keyChanged, true);
     window.addEventListener('keyup', this.keyChanged, true);
   }
@@ -101,15 +99,16 @@ export class Gizmo {
   set mode(mode: GizmoMode) {
     this.cancel();
     this.currentMode = mode;
-    if (mode !== 'select') this.controls.mode = mode;
+    if (mode !== 'select' && this.controls) this.controls.mode = mode;
   }
 
   get space(): GizmoSpace {
-    return this.controls.space as GizmoSpace;
+    return this.ownSpace;
   }
 
   set space(space: GizmoSpace) {
-    this.controls.space = space;
+    this.ownSpace = space;
+    if (this.controls) this.controls.space = space;
   }
 
   /** Whether drags go by steps; Ctrl turns it round while it is held. */
@@ -129,20 +128,23 @@ export class Gizmo {
 
   /** Whether a handle is under the pointer, or dragged. */
   get isHot(): boolean {
-    return this.controls.dragging || (this.controls.axis !== null && this.controls.object !== undefined);
+    const { controls } = this;
+    return controls !== null && (controls.dragging || (controls.axis !== null && controls.object !== undefined));
   }
 
   /** Called before each picture: follows the selection. */
   update(camera: Camera): void {
-    this.controls.camera = camera;
-    if (this.controls.dragging) return;
+    const { controls } = this;
+    if (controls) controls.camera = camera;
+    if (controls?.dragging) return;
     const objects = this.targets();
     if (objects.length === 0 || this.currentMode === 'select') {
-      if (this.controls.object) this.controls.detach();
+      if (controls?.object) controls.detach();
       return;
     }
     this.placeProxy(objects);
-    if (!this.controls.object) this.controls.attach(this.proxy);
+    if (!controls) this.loading ??= this.load();
+    else if (!controls.object) controls.attach(this.proxy);
   }
 
   /** Ends a drag and puts everything back. @returns whether there was one */
@@ -150,15 +152,38 @@ export class Gizmo {
     if (!this.gesture) return false;
     this.gesture.discard();
     this.gesture = null;
-    this.controls.dragging = false;
-    this.controls.axis = null;
+    if (this.controls) {
+      this.controls.dragging = false;
+      this.controls.axis = null;
+    }
     return true;
   }
 
   dispose(): void {
     window.removeEventListener('keydown', this.keyChanged, true);
     window.removeEventListener('keyup', this.keyChanged, true);
-    this.controls.dispose();
+    this.isDisposed = true;
+    this.controls?.dispose();
+  }
+
+  private async load(): Promise<void> {
+    const { TransformControls } = await import('three/examples/jsm/controls/TransformControls.js');
+    if (this.isDisposed) return;
+    const controls = new TransformControls(new PerspectiveCamera(), this.canvas);
+    controls.size = 0.85;
+    controls.setColors('#f0525c', '#5fb83e', '#3f86f2', '#ffc857');
+    controls.space = this.ownSpace;
+    if (this.currentMode !== 'select') controls.mode = this.currentMode;
+    this.three.add(controls.getHelper());
+    controls.addEventListener('mouseDown', () => this.begin());
+    controls.addEventListener('objectChange', () => this.drag());
+    controls.addEventListener('mouseUp', () => this.end());
+    controls.addEventListener('dragging-changed', ({ value }) => this.onDrag(value as boolean));
+    controls.addEventListener('change', this.onChange);
+    this.controls = controls;
+    this.applySnapping();
+    this.onLoad();
+    this.onChange();
   }
 
   /** The selected objects that are not locked, and not below another one of them; asked each frame, so found once for each change. */
@@ -227,6 +252,7 @@ export class Gizmo {
 
   private applySnapping(): void {
     const snaps = this.isSnapping !== this.ctrl;
+    if (!this.controls) return;
     this.controls.translationSnap = snaps ? snapSteps.translate : null;
     this.controls.rotationSnap = snaps ? snapSteps.rotate : null;
     this.controls.scaleSnap = snaps ? snapSteps.scale : null;

@@ -73,8 +73,9 @@ export class Viewport {
     const dragged = (isDragging: boolean): void => {
       this.editorCamera.enabled = !isDragging && this.through === null;
     };
-    // hears of the pointer before the camera does, so that a handle is taken and the camera stays
-    this.gizmo = new Gizmo(document, canvas, dragged, () => this.invalidate());
+    // the handles hear of the pointer before the camera does, so that a handle is taken and the camera stays
+    const loaded = (): void => this.editorCamera.listenLast();
+    this.gizmo = new Gizmo(document, canvas, dragged, () => this.invalidate(), loaded);
     this.editorCamera = new EditorCamera(canvas);
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);

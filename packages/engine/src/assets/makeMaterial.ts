@@ -9,6 +9,7 @@ import {
   MeshStandardMaterial,
   type Texture,
 } from 'three';
+import { hasAmbientReflection, setAmbientReflection } from './ambientReflection';
 import { isFieldVisible } from '../fields/isFieldVisible';
 import type { MaterialValues } from './MaterialCache';
 import { materialFields } from './materialFields';
@@ -63,6 +64,7 @@ function writeLit(material: LitMaterial, values: MaterialValues, find: (name: st
   material.emissive.setRGB(...values.emissive);
   material.emissiveIntensity = values.emissiveIntensity;
   if (material instanceof MeshPhongMaterial) {
+    setAmbientReflection(material, values.ambient);
     material.specular.setRGB(...values.specular);
     material.shininess = Math.max(values.shininess, 1e-4);
   }
@@ -92,6 +94,7 @@ function programState(material: LitMaterial | MeshBasicMaterial): string {
     alphaTest > 0,
     vertexColors,
     wireframe,
+    hasAmbientReflection(material),
     (physical?.clearcoat ?? 0) > 0,
     (physical?.transmission ?? 0) > 0,
   ].join();

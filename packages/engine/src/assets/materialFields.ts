@@ -28,6 +28,7 @@ export const materialFields = {
   }),
   roughness: number(0.6, { min: 0, max: 1, step: 0.01, help: '0 is a mirror, 1 is chalk.', ...pbr }),
   metalness: number(0, { min: 0, max: 1, step: 0.01, help: '0 for insulators, 1 for metals.', ...pbr }),
+  ambient: colour([1, 1, 1], { help: 'Factor of the colour under ambient light; white is as in three.', ...phong }),
   specular: colour([0.07, 0.07, 0.07], { help: 'Colour of the highlight.', ...phong }),
   shininess: number(40, { min: 0, max: 10000, help: 'Exponent of the highlight: larger is smaller.', ...phong }),
   clearcoat: number(0, { min: 0, max: 1, step: 0.01, help: 'Layer of varnish.', ...physical }),

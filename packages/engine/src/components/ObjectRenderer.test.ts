@@ -1,4 +1,12 @@
-import { type InstancedMesh, Matrix4, type MeshStandardMaterial, MeshPhongMaterial, Raycaster, Vector3 } from 'three';
+import {
+  Color,
+  Matrix4,
+  MeshPhongMaterial,
+  Raycaster,
+  Vector3,
+  type InstancedMesh,
+  type MeshStandardMaterial,
+} from 'three';
 import { beforeEach, describe, expect, test } from 'vitest';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { GameObject } from '../core/GameObject';
@@ -53,6 +61,25 @@ describe('materials', () => {
     expect(material.color.toArray()).toEqual([0.1, 0.2, 0.3]);
     expect(material.specular.toArray()).toEqual([1, 0, 0]);
     expect(material.shininess).toBe(12);
+  });
+
+  test('answer ambient light in a colour of its own, and as three does when it is white', () => {
+    const renderer = thing({ kind: 'phong', ambient: [1, 0.5, 0] });
+    const material = materialOf(renderer);
+    const compile = (): { uniforms: Record<string, { value: unknown }>; fragmentShader: string } => {
+      const shader = { uniforms: {}, fragmentShader: '#include <aomap_fragment>' };
+      material.onBeforeCompile(shader as never, null as never);
+      return shader;
+    };
+    const { uniforms, fragmentShader } = compile();
+    expect(fragmentShader).toContain('indirectDiffuse *= ambientReflection');
+    const { version } = material;
+    renderer.ambient = [0, 1, 0];
+    expect(uniforms.ambientReflection.value).toEqual(new Color(0, 1, 0));
+    expect(material.version).toBe(version);
+    renderer.ambient = [1, 1, 1];
+    expect(material.version).toBeGreaterThan(version);
+    expect(compile().fragmentShader).toBe('#include <aomap_fragment>');
   });
 
   test('ask for another program only when one is needed', () => {

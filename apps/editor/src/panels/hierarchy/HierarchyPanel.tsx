@@ -21,7 +21,8 @@ import './hierarchy.css';
 import { HierarchyRow, rowState } from './HierarchyRow';
 import { useObjectTree } from './useObjectTree';
 
-const ROW_HEIGHT = 24;
+/** CSS pixels; more for fingers. */
+const ROW_HEIGHT = matchMedia('(pointer: coarse)').matches ? 34 : 24;
 
 /** The tree of GameObjects: only rows in sight are in the page. */
 export function HierarchyPanel(): ReactNode {

@@ -1,0 +1,32 @@
+import { Color, type Material, type WebGLProgramParametersWithUniforms } from 'three';
+
+/** After what ambient light, environment and light maps give, before it is added up. */
+const AFTER = '#include <aomap_fragment>';
+
+const reflections = new WeakMap<Material, Color>();
+
+function reflect(this: Material, shader: WebGLProgramParametersWithUniforms): void {
+  shader.uniforms.ambientReflection = { value: reflections.get(this) };
+  shader.fragmentShader = `uniform vec3 ambientReflection;\n${shader.fragmentShader.replace(
+    AFTER,
+    `${AFTER}\n\treflectedLight.indirectDiffuse *= ambientReflection;`,
+  )}`;
+}
+
+/** Whether the material answers ambient light in another colour than other light. */
+export const hasAmbientReflection = (material: Material): boolean => material.onBeforeCompile === reflect;
+
+/**
+ * Gives a material a colour of its own under ambient light (the ambient reflection of the thesis): a factor of what
+ * three's has there, linear. White is as in three, and costs nothing.
+ */
+export function setAmbientReflection(material: Material, [r, g, b]: readonly [number, number, number]): void {
+  if (r === 1 && g === 1 && b === 1) {
+    if (hasAmbientReflection(material)) Reflect.deleteProperty(material, 'onBeforeCompile');
+    return;
+  }
+  const colour = reflections.get(material) ?? new Color();
+  colour.setRGB(r, g, b);
+  reflections.set(material, colour);
+  material.onBeforeCompile = reflect;
+}
