@@ -1,11 +1,12 @@
 import react from '@vitejs/plugin-react';
 import { defineConfig } from 'vite';
+import { playerPlugin } from './player.config.ts';
 
 export default defineConfig({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [react()],
+  plugins: [react(), playerPlugin()],
   server: { port: 5173, strictPort: true },
   // What is imported late must be known early, or the development server reloads the page when a file asks for it.
   optimizeDeps: {

@@ -29,8 +29,16 @@ export interface EditorHandle {
     readonly webgl: WebGLRenderer;
     renderNow(): void;
   };
+  readonly autosave: {
+    readonly isUpToDate: boolean;
+    readonly statistics: {
+      readonly slices: readonly number[];
+      readonly parts: number;
+      readonly commits: number;
+    };
+  } | null;
   serialize(): string;
-  openText(text: string, file: { name: string; handle: null }): Promise<boolean>;
+  openFileBytes(bytes: string, file: { name: string | null; handle: null }): Promise<boolean>;
 }
 
 declare global {

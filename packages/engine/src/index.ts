@@ -80,7 +80,7 @@ export { deserialize, type DeserializeOptions, makeObjects } from './file/deseri
 export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type FileObject } from './file/FarolFile';
 export { FileError, type FileProblem } from './file/FileError';
 export { parseFile, type ParseOptions } from './file/parseFile';
-export { serialize, serializeObject, type SerializeOptions } from './file/serialize';
+export { serialize, serializeHead, serializeObject, type SerializeOptions } from './file/serialize';
 
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 export { App, type AppOptions, type FrameInfo } from './app/App';

@@ -15,6 +15,7 @@ import { makePrefab, unpackPrefab } from './prefabs';
 import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
+import { exportScene } from './exportScene';
 import { save, saveAs } from './save';
 import { selectAll } from './selectAll';
 import { showKeys } from './showKeys';
@@ -33,6 +34,7 @@ export const actions = new ActionRegistry([
   open,
   save,
   saveAs,
+  exportScene,
   undo,
   redo,
   cut,

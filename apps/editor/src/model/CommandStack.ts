@@ -10,7 +10,8 @@ export class CommandStack {
   private readonly done: Command[] = [];
   private readonly undone: Command[] = [];
   private gesture: Gesture | null = null;
-  private savedAt: Command | null = null;
+  /** Undefined when no step leads to what is saved. */
+  private savedAt: Command | null | undefined = null;
   /** Steps below this number stay: see `hold`. */
   private held = 0;
   private isHeld = false;
@@ -142,6 +143,12 @@ export class CommandStack {
   markSaved(step?: Command | null): void {
     this.gesture?.commit();
     this.savedAt = step === undefined ? this.last : step;
+    this.changed.emit();
+  }
+
+  /** The document is in no file as it is now, whatever is undone. */
+  markUnsaved(): void {
+    this.savedAt = undefined;
     this.changed.emit();
   }
 

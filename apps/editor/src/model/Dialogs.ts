@@ -1,4 +1,6 @@
 import type { FileProblem } from '@farol/engine';
+import type { Autosave } from '../files/autosave/Autosave';
+import type { SessionInfo } from '../files/autosave/store';
 import { Signal } from './Signal';
 
 /** A question with two answers. */
@@ -30,7 +32,19 @@ export interface PaletteDialog {
   readonly kind: 'palette';
 }
 
-export type DialogRequest = ConfirmDialog | ProblemsDialog | KeysDialog | PaletteDialog;
+/** Scenes that were not saved when their tab was closed. */
+export interface RecoverDialog {
+  readonly kind: 'recover';
+  readonly sessions: readonly SessionInfo[];
+  readonly autosave: Autosave;
+}
+
+/** The ways to give a scene away. */
+export interface ExportDialog {
+  readonly kind: 'export';
+}
+
+export type DialogRequest = ConfirmDialog | ProblemsDialog | KeysDialog | PaletteDialog | RecoverDialog | ExportDialog;
 
 /** The dialog that is asked for, one at a time. */
 export class Dialogs {

@@ -5,7 +5,7 @@ import type { FieldOwner } from '../fields/FieldOwner';
 import { sameValue } from '../fields/FieldOwner';
 import type { FieldValue } from '../fields/Field';
 import { assetUses } from './assetUses';
-import { type FarolFile, FILE_VERSION, type FileObject } from './FarolFile';
+import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from './FarolFile';
 
 export interface SerializeOptions {
   /** Where the addresses of assets come from; the scene's own library when absent. */
@@ -47,33 +47,45 @@ export function serializeObject(gameObject: GameObject): FileObject {
   };
 }
 
-/**
- * The scene as plain JSON data: what was authored, not where simulation has taken it. Assets are named; those that were
- * registered with an address that lasts are listed with it, those that were added as files with their path in a
- * container: see `writeContainer`.
- */
-export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFile {
-  const assets = options.assets ?? scene.assets;
-  const objects: FileObject[] = [];
-  scene.traverse((gameObject) => objects.push(serializeObject(gameObject)));
-  const file: FarolFile = {
+/** Assets of a library that last: those added as files, with their path in a container, and those of an address. */
+function lastingAssets(assets: AssetLibrary): FileAsset[] {
+  // by name: an asset that left and came back is at the same place
+  const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
+  const listed = files.map(({ name, type }): FileAsset => {
+    return { name, type, file: `assets/${encodeURIComponent(name)}` };
+  });
+  for (const name of assets.list()) {
+    const url = assets.urlOf(name);
+    const type = assets.typeOf(name);
+    if (url && type && name !== 'dragon' && !url.startsWith('blob:')) listed.push({ name, type, url });
+  }
+  return listed;
+}
+
+/** A scene without its objects, and with every asset that lasts: see `serialize`. */
+export function serializeHead(scene: Scene, options: SerializeOptions = {}): FarolFile {
+  return {
     format: 'farol-scene',
     version: FILE_VERSION,
     name: scene.name,
     settings: changedValues(scene.settings, null),
     activeCamera: scene.activeCamera?.gameObject.id ?? null,
-    assets: [],
+    assets: lastingAssets(options.assets ?? scene.assets),
     ...(scene.microShaders.texts.size > 0 ? { microShaders: sorted(scene.microShaders.texts) } : {}),
     ...(scene.prefabs.list.length > 0 ? { prefabs: [...scene.prefabs.list] } : {}),
-    objects,
+    objects: [],
   };
-  // by name: an asset that left and came back is at the same place
-  const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
-  for (const { name, type } of files) file.assets.push({ name, type, file: `assets/${encodeURIComponent(name)}` });
-  for (const name of new Set(assetUses(file, scene.registry).map((use) => use.name))) {
-    const url = assets.urlOf(name);
-    const type = assets.typeOf(name);
-    if (url && type && name !== 'dragon' && !url.startsWith('blob:')) file.assets.push({ name, type, url });
-  }
+}
+
+/**
+ * The scene as plain JSON data: what was authored, not where simulation has taken it. Assets are named; those that were
+ * registered with an address that lasts are listed with it where they are used, those that were added as files with their
+ * path in a container: see `writeContainer`.
+ */
+export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFile {
+  const file = serializeHead(scene, options);
+  scene.traverse((gameObject) => file.objects.push(serializeObject(gameObject)));
+  const used = new Set(assetUses(file, scene.registry).map((use) => use.name));
+  file.assets = file.assets.filter(({ name, file: path }) => path !== undefined || used.has(name));
   return file;
 }

@@ -6,6 +6,8 @@ import './dialogs.css';
 
 const CommandPalette = lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette }));
 const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
+const RecoverDialog = lazy(async () => ({ default: (await import('./RecoverDialog')).RecoverDialog }));
+const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog }));
 
 const shapes: Partial<Record<DialogRequest['kind'], string>> = { palette: 'palette', keys: 'keys-page' };
 
@@ -38,6 +40,8 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
       </>
     );
   }
+  if (request.kind === 'recover') return <RecoverDialog request={request} onClose={() => onClose(false)} />;
+  if (request.kind === 'export') return <ExportDialog onClose={() => onClose(false)} />;
   if (request.kind === 'palette') return <CommandPalette onClose={() => onClose(false)} />;
   return (
     <>

@@ -1,5 +1,6 @@
 import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
+import { exportScene } from '../../actions/exportScene';
 import { duplicate } from '../../actions/duplicate';
 import { newScene, openExamples } from '../../actions/newScene';
 import { open } from '../../actions/open';
@@ -41,7 +42,7 @@ export function Toolbar(): ReactNode {
           label="File"
           entries={() => [
             { label: 'New', icon: 'scene', entries: newEntries },
-            ...[open, save, saveAs].map((action) => actionEntry(action, editor)),
+            ...[open, save, saveAs, exportScene].map((action) => actionEntry(action, editor)),
           ]}
         />
         <div className="button-group" role="toolbar" aria-label="File and history">

@@ -1,0 +1,11 @@
+import type { Action } from './Action';
+
+/** Shows the ways to give the scene away. */
+export const exportScene: Action = {
+  id: 'file.export',
+  label: 'Export and share…',
+  keys: ['Ctrl+Shift+E'],
+  inFields: true,
+  icon: 'assets',
+  run: ({ dialogs }) => void dialogs.show({ kind: 'export' }),
+};

@@ -1,0 +1,124 @@
+import { type GameObject, type Scene, type SceneChange, serializeHead, serializeObject } from '@farol/engine';
+import { childrenKey, HEAD, objectKey, type PartChange, PREFAB_ORDER, prefabKey } from './parts';
+
+/**
+ * Which parts of a scene have changed since they were last read. It notes changes as they are made, and reads the parts
+ * later, some at a time, so that no frame waits for it.
+ */
+export class SceneDelta {
+  private readonly objects = new Set<string>();
+  private readonly containers = new Set<string>();
+  private readonly prefabs = new Set<string>();
+  private headChanged = false;
+  /** What each object was in when it was last noted: ids, '' for the top. A change that takes it out does not say. */
+  private readonly containerOf = new Map<string, string>();
+
+  constructor(private readonly scene: Scene) {}
+
+  /** Whether nothing waits to be read. */
+  get isEmpty(): boolean {
+    return !this.headChanged && this.objects.size + this.containers.size + this.prefabs.size === 0;
+  }
+
+  /** Notes the whole scene. */
+  noteAll(): void {
+    this.headChanged = true;
+    this.containers.add('');
+    for (const root of this.scene.roots) this.noteTree(root);
+    this.prefabs.add('');
+    for (const { id } of this.scene.prefabs.list) this.prefabs.add(id);
+  }
+
+  /** Notes a change of the assets. */
+  noteAssets(): void {
+    this.headChanged = true;
+  }
+
+  note(change: SceneChange): void {
+    switch (change.kind) {
+      case 'add':
+        this.noteTree(change.gameObject);
+        this.containers.add(idOfParent(change.gameObject));
+        break;
+      case 'remove':
+        this.containers.add(this.containerOf.get(change.gameObject.id) ?? '');
+        change.gameObject.traverse(({ id }) => {
+          this.objects.add(id);
+          this.containers.add(id);
+          this.containerOf.delete(id);
+        });
+        break;
+      case 'move': {
+        const { id } = change.gameObject;
+        const parent = idOfParent(change.gameObject);
+        this.containers.add(this.containerOf.get(id) ?? '').add(parent);
+        this.containerOf.set(id, parent);
+        this.objects.add(id);
+        break;
+      }
+      case 'object':
+      case 'component-add':
+      case 'component-remove':
+      case 'component-move':
+        this.objects.add(change.gameObject.id);
+        break;
+      case 'field':
+      case 'enabled':
+        this.objects.add(change.component.gameObject.id);
+        break;
+      case 'prefab':
+        this.prefabs.add(change.id).add('');
+        break;
+      default:
+        this.headChanged = true;
+    }
+    // the camera that is looked through may come and go with its object
+    if (change.kind === 'remove' || change.kind === 'add' || change.kind.startsWith('component'))
+      this.headChanged = true;
+  }
+
+  /** Reads parts until none is left or the time is over; at least one. @param isOver - asked after each part */
+  read(isOver: () => boolean): PartChange[] {
+    const changes: PartChange[] = [];
+    do {
+      const next = this.readNext();
+      if (!next) break;
+      changes.push(next);
+    } while (!isOver());
+    return changes;
+  }
+
+  private readNext(): PartChange | null {
+    for (const id of this.objects) {
+      this.objects.delete(id);
+      const object = this.scene.findById(id);
+      return [objectKey(id), object && JSON.stringify(serializeObject(object))];
+    }
+    for (const id of this.containers) {
+      this.containers.delete(id);
+      const list = id === '' ? this.scene.roots : this.scene.findById(id)?.children;
+      const isGone = !list || (list.length === 0 && id !== '');
+      return [childrenKey(id), isGone ? null : JSON.stringify(list.map((child) => child.id))];
+    }
+    for (const id of this.prefabs) {
+      this.prefabs.delete(id);
+      if (id === '') return [PREFAB_ORDER, JSON.stringify(this.scene.prefabs.list.map((prefab) => prefab.id))];
+      const prefab = this.scene.prefabs.get(id);
+      return [prefabKey(id), prefab && JSON.stringify(prefab)];
+    }
+    if (!this.headChanged) return null;
+    this.headChanged = false;
+    const { prefabs: _prefabs, objects: _objects, ...head } = serializeHead(this.scene);
+    return [HEAD, JSON.stringify(head)];
+  }
+
+  private noteTree(object: GameObject): void {
+    object.traverse((each) => {
+      this.objects.add(each.id);
+      this.containerOf.set(each.id, idOfParent(each));
+      if (each.children.length > 0) this.containers.add(each.id);
+    });
+  }
+}
+
+const idOfParent = (object: GameObject): string => object.parent?.id ?? '';

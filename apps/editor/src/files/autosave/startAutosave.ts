@@ -1,0 +1,29 @@
+import type { Editor } from '../../Editor';
+import { Autosave } from './Autosave';
+import { AutosaveStore } from './AutosaveStore';
+import type { SessionInfo } from './store';
+
+/** Puts a scene that was stored back, as one that is not saved. @returns whether it could be opened */
+export async function recover(editor: Editor, autosave: Autosave, session: SessionInfo): Promise<boolean> {
+  const { text, files } = await autosave.store.read(session.id);
+  const file = { name: session.fileName, handle: session.handle };
+  if (!(await editor.openFileBytes(text, file, (path) => files.get(path) ?? null))) return false;
+  editor.commands.markUnsaved();
+  autosave.replace(session.id);
+  editor.notices.show('info', `${session.name} is as it was. Save it to keep it.`);
+  return true;
+}
+
+/**
+ * Begins to store changes, and offers what a tab that was killed has left. Without IndexedDB or locks, as in some private
+ * windows, it says so once and does nothing.
+ */
+export async function startAutosave(editor: Editor): Promise<Autosave | null> {
+  if (!('indexedDB' in window) || !navigator.locks) return null;
+  const autosave = new Autosave(editor, new AutosaveStore());
+  const lost = await autosave.store.lost();
+  for (const { id, isDirty } of lost) if (!isDirty) await autosave.store.delete(id);
+  const sessions = lost.filter(({ isDirty }) => isDirty);
+  if (sessions.length > 0) void editor.dialogs.show({ kind: 'recover', sessions, autosave });
+  return autosave;
+}

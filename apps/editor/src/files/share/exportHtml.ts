@@ -1,0 +1,66 @@
+import { assetUses, containerContent, readGltfJson, type Scene, writeContainer } from '@farol/engine';
+
+/** Bytes as base64. */
+function base64Of(bytes: Uint8Array): string {
+  let letters = '';
+  for (let i = 0; i < bytes.length; i += 0x8000) letters += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+  return btoa(letters);
+}
+
+const escaped = (text: string): string =>
+  text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
+
+/** Whether a model among the assets needs a decoder. */
+async function needsDecoders(files: Iterable<Blob>, scene: Scene): Promise<boolean> {
+  const models = new Set(scene.assets.files.filter(({ type }) => type === 'model').map(({ blob }) => blob));
+  for (const blob of files) {
+    if (!models.has(blob)) continue;
+    const { extensionsUsed = [] } = readGltfJson(await blob.arrayBuffer());
+    if (extensionsUsed.some((name) => /draco|basisu/.test(name))) return true;
+  }
+  return false;
+}
+
+/** The script that shows a scene, as one text. @throws Error when it is not there */
+async function playerScript(decoders: boolean): Promise<string> {
+  const address = new URL(decoders ? 'farol-player-decoders.js' : 'farol-player.js', document.baseURI);
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`The player could not be read: ${address.href} answered ${response.status}.`);
+  return response.text();
+}
+
+async function dragonOf(scene: Scene, uses: boolean): Promise<string> {
+  const url = uses ? scene.assets.urlOf('dragon') : null;
+  if (!url) return '';
+  const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer());
+  return ` data-dragon="data:application/octet-stream;base64,${base64Of(bytes)}#.ply.gz"`;
+}
+
+/**
+ * A web page that shows the scene by itself: script, scene and assets are in the one file, which runs from a disk too.
+ * @throws Error when the player cannot be read
+ */
+export async function exportHtml(scene: Scene): Promise<Blob> {
+  const content = containerContent(scene);
+  const usesDragon = assetUses(content.file, scene.registry).some(({ name }) => name === 'dragon');
+  const [script, bytes, dragon] = await Promise.all([
+    needsDecoders(content.files.values(), scene).then(playerScript),
+    writeContainer(content),
+    dragonOf(scene, usesDragon),
+  ]);
+  const page = `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>${escaped(scene.name)}</title>
+<style>html,body{height:100%;margin:0;overflow:hidden;background:#000}p{margin:1em;color:#eee;font:16px sans-serif;white-space:pre-line}</style>
+</head>
+<body>
+<script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>
+<script>${script.replaceAll('</script', '<\\/script')}</script>
+</body>
+</html>
+`;
+  return new Blob([page], { type: 'text/html' });
+}

@@ -1,0 +1,31 @@
+const PREFIX = '#scene=';
+
+async function through(
+  bytes: Uint8Array<ArrayBuffer>,
+  stream: GenericTransformStream,
+): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+}
+
+/** Whether the part of an address after '#' holds a scene. */
+export const isLink = (hash: string): boolean => hash.startsWith(PREFIX);
+
+/** A text, deflated and as base64 for addresses, after '#scene='. @see RFC 4648, section 5 */
+export async function encodeLink(text: string): Promise<string> {
+  const packed = await through(new TextEncoder().encode(text), new CompressionStream('deflate-raw'));
+  let letters = '';
+  for (let i = 0; i < packed.length; i += 0x8000) letters += String.fromCharCode(...packed.subarray(i, i + 0x8000));
+  return PREFIX + btoa(letters).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+/** The text of a link. @throws Error when there is none, or it was cut short on its way */
+export async function decodeLink(hash: string): Promise<string> {
+  if (!isLink(hash)) throw new Error('The address holds no scene: it must go on with #scene=…');
+  try {
+    const base64 = hash.slice(PREFIX.length).replaceAll('-', '+').replaceAll('_', '/');
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    return new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')));
+  } catch (cause) {
+    throw new Error('The link is damaged or cut short: copy all of it, to its last letter.', { cause });
+  }
+}

@@ -1,0 +1,29 @@
+import { containerContent, inlineAssets, type Scene } from '@farol/engine';
+import { encodeLink } from './linkText';
+
+/** Longest link (letters): what browsers, messengers and servers of mail still hand on whole. */
+export const LINK_LIMIT = 64_000;
+
+const kilobytes = (count: number): string => `${Math.ceil(count / 1000).toLocaleString('en')} kB`;
+
+/**
+ * The scene as the part of an address after '#'.
+ * @throws Error naming the size and what makes it large, when it is over the limit
+ */
+export async function linkHash(scene: Scene): Promise<string> {
+  const content = containerContent(scene);
+  const largest = [...content.files].toSorted((a, b) => b[1].size - a[1].size).slice(0, 3);
+  const bytes = largest.reduce((sum, [, { size }]) => sum + size, 0);
+  const names = largest.map(
+    ([path, { size }]) => `${decodeURIComponent(path.slice('assets/'.length))} (${kilobytes(size)})`,
+  );
+  const why = names.length > 0 ? ` The largest assets are ${names.join(', ')}.` : '';
+  const refuse = (size: number): never => {
+    const limit = kilobytes(LINK_LIMIT);
+    throw new Error(`The link would have ${kilobytes(size)}, and may have ${limit}.${why} Export a web page instead.`);
+  };
+  // pictures and models do not become smaller: no need to try
+  if (bytes > LINK_LIMIT * 4) refuse((bytes * 4) / 3);
+  const hash = await encodeLink(JSON.stringify(await inlineAssets(content)));
+  return hash.length > LINK_LIMIT ? refuse(hash.length) : hash;
+}

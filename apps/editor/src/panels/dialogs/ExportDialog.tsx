@@ -1,0 +1,122 @@
+import { Dialog } from '@base-ui/react/dialog';
+import { fileSave } from 'browser-fs-access';
+import { type ReactNode, useEffect, useState } from 'react';
+import { fileNameOf } from '../../actions/save';
+import { embedCode } from '../../files/share/embedCode';
+import { exportGltf } from '../../files/share/exportGltf';
+import { exportHtml } from '../../files/share/exportHtml';
+import { linkHash } from '../../files/share/shareLink';
+import type { Editor } from '../../Editor';
+import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+
+async function download(blob: Blob, fileName: string, description: string): Promise<void> {
+  const extensions = [fileName.slice(fileName.lastIndexOf('.'))];
+  await fileSave(blob, { fileName, description, extensions, mimeTypes: [blob.type], id: 'farol-export' });
+}
+
+async function saveHtml({ document, notices }: Editor): Promise<void> {
+  const fileName = `${fileNameOf(document.scene.name)}.html`;
+  await download(await exportHtml(document.scene), fileName, 'Web page');
+  notices.show('info', `Exported ${fileName}`);
+}
+
+async function saveGltf({ document, notices }: Editor): Promise<void> {
+  const fileName = `${fileNameOf(document.scene.name)}.glb`;
+  const { blob, leftOut } = await exportGltf(document.scene);
+  await download(blob, fileName, 'glTF binary');
+  notices.show('info', [`Exported ${fileName}.`, ...leftOut].join(' '));
+}
+
+/** The scene's link, or why it has none. */
+function useLink(editor: Editor): { hash: string | null; problem: string | null } {
+  const [link, setLink] = useState<{ hash: string | null; problem: string | null }>({ hash: null, problem: null });
+  useEffect(() => {
+    let isWanted = true;
+    linkHash(editor.document.scene).then(
+      (hash) => isWanted && setLink({ hash, problem: null }),
+      (error: Error) => isWanted && setLink({ hash: null, problem: error.message }),
+    );
+    return () => {
+      isWanted = false;
+    };
+  }, [editor]);
+  return link;
+}
+
+interface CopyProps {
+  readonly text: string;
+  readonly label: string;
+}
+
+function Copy({ text, label }: CopyProps): ReactNode {
+  const editor = useEditor();
+  const copy = async (): Promise<void> => {
+    await navigator.clipboard.writeText(text);
+    editor.notices.show('info', `${label} copied`);
+  };
+  return (
+    <button type="button" className="button framed" onClick={() => editor.attempt(copy)}>
+      Copy
+    </button>
+  );
+}
+
+/** The ways to give a scene away: a page, a model, a link, a frame for another page. */
+export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
+  const editor = useEditor();
+  const { hash, problem } = useLink(editor);
+  const { name } = editor.document.scene;
+  const here = new URL(location.pathname, location.href);
+  const link = hash && here.href + hash;
+  const frame = embedCode(hash ? new URL('player.html', here).href + hash : `${fileNameOf(name)}.html`, name);
+  return (
+    <>
+      <Dialog.Title>Export {name}</Dialog.Title>
+      <section className="export-part" aria-label="Web page">
+        <div className="export-row">
+          <button type="button" className="button primary" onClick={() => editor.attempt(() => saveHtml(editor))}>
+            Web page…
+          </button>
+          <span className="export-note">One file with script, scene and assets; runs from a disk too.</span>
+        </div>
+      </section>
+      <section className="export-part" aria-label="glTF">
+        <div className="export-row">
+          <button type="button" className="button primary" onClick={() => editor.attempt(() => saveGltf(editor))}>
+            glTF (GLB)…
+          </button>
+          <span className="export-note">Objects, meshes, materials, cameras and lights for other programs.</span>
+        </div>
+      </section>
+      <section className="export-part" aria-label="Link">
+        <h3>Link</h3>
+        {link && (
+          <div className="export-row">
+            <input className="input" type="text" readOnly value={link} aria-label="Link to the scene" />
+            <Copy text={link} label="Link" />
+          </div>
+        )}
+        {problem && (
+          <p className="export-row" role="alert">
+            <Icon name="warning" />
+            <span>{problem}</span>
+          </p>
+        )}
+      </section>
+      <section className="export-part" aria-label="Embed code">
+        <h3>Embed code</h3>
+        {!hash && <span className="export-note">Put the exported web page beside your own, and this into it:</span>}
+        <textarea readOnly value={frame} aria-label="Embed code" />
+        <div className="export-row">
+          <Copy text={frame} label="Embed code" />
+        </div>
+      </section>
+      <div className="dialog-buttons">
+        <button type="button" className="button framed" onClick={onClose}>
+          Close
+        </button>
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,105 @@
+import {
+  App,
+  AssetLibrary,
+  deserialize,
+  FileError,
+  KeyController,
+  MouseController,
+  readSceneFile,
+  type Scene,
+} from '@farol/engine';
+import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { decodeLink } from '../files/share/linkText';
+
+/**
+ * Shows a scene on a page of its own: what standalone pages and embedded frames hold. The scene is in the element
+ * `farol-scene` (base64 of a `.farol` file), or in the address (`#scene=…`).
+ */
+
+const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+
+async function readScene(renderer: WebGLRenderer): Promise<Scene> {
+  const element = document.getElementById('farol-scene');
+  const dragon = element?.dataset.dragon;
+  const assets = new AssetLibrary({ renderer, ...(dragon ? { urls: { dragon } } : {}) });
+  if (element) {
+    const { text, fileOf } = await readSceneFile(bytesOf(element.textContent.trim()));
+    return deserialize(text, { assets, fileOf });
+  }
+  return deserialize(await decodeLink(location.hash), { assets });
+}
+
+/** A camera of the viewer's own, where the scene's cannot be moved by the user. */
+function orbit(app: App, scene: Scene): (width: number, height: number) => void {
+  const camera = new PerspectiveCamera(50, 1, 0.05, 2000);
+  const controls = new OrbitControls(camera, app.canvas);
+  scene.three.updateMatrixWorld();
+  const box = new Box3().setFromObject(scene.three);
+  const middle = box.isEmpty() ? new Vector3() : box.getCenter(new Vector3());
+  const active = scene.activeCamera?.three;
+  if (active) {
+    active.updateWorldMatrix(true, false);
+    active.matrixWorld.decompose(camera.position, camera.quaternion, new Vector3());
+    if (active instanceof PerspectiveCamera) camera.fov = active.fov;
+    // what it looks at is as far ahead as the middle of the scene
+    const ahead = new Vector3(0, 0, -1).applyQuaternion(camera.quaternion);
+    const distance = Math.max(1, middle.clone().sub(camera.position).dot(ahead));
+    controls.target.copy(camera.position).addScaledVector(ahead, distance);
+  } else {
+    const size = box.isEmpty() ? 4 : box.getSize(new Vector3()).length();
+    camera.position.copy(middle).add(new Vector3(0.5, 0.4, 0.8).multiplyScalar(size));
+    controls.target.copy(middle);
+  }
+  controls.enableDamping = true;
+  let last = 0;
+  const frame = (now: number): void => {
+    scene.update(last === 0 ? 0 : Math.min((now - last) / 1000, 0.1));
+    last = now;
+    controls.update();
+    app.renderer.render(scene.three, camera);
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+  return (width, height) => {
+    camera.aspect = width / height;
+    camera.updateProjectionMatrix();
+  };
+}
+
+function listens(scene: Scene): boolean {
+  let found = false;
+  scene.traverse((object) => {
+    found ||= object.getComponent(KeyController) !== null || object.getComponent(MouseController) !== null;
+  });
+  return found;
+}
+
+async function start(): Promise<void> {
+  const app = new App({ parent: document.body, renderer: { antialias: true } });
+  const scene = await readScene(app.webgl);
+  app.scene = scene;
+  document.title = scene.name;
+  app.canvas.setAttribute('role', 'img');
+  app.canvas.setAttribute('aria-label', scene.name);
+  app.webgl.setPixelRatio(Math.min(devicePixelRatio, 2));
+  let resized: (width: number, height: number) => void = () => {};
+  if (listens(scene) && scene.activeCamera) app.start();
+  else resized = orbit(app, scene);
+  const resize = (): void => {
+    const { innerWidth: width, innerHeight: height } = window;
+    app.resize(Math.max(1, width), Math.max(1, height));
+    resized(Math.max(1, width), Math.max(1, height));
+  };
+  addEventListener('resize', resize);
+  resize();
+}
+
+start().catch((error: unknown) => {
+  const text = error instanceof FileError || error instanceof Error ? error.message : String(error);
+  const place = document.createElement('p');
+  place.setAttribute('role', 'alert');
+  place.textContent = text;
+  document.body.append(place);
+  throw error;
+});
