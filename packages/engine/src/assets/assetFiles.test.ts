@@ -1,4 +1,4 @@
-import { HalfFloatType, Mesh } from 'three';
+import { DataTexture, DataUtils, FloatType, HalfFloatType, LinearSRGBColorSpace, Mesh, RGBAFormat } from 'three';
 import { describe, expect, test } from 'vitest';
 import { ModelRenderer } from '../components/ModelRenderer';
 import { ObjectRenderer } from '../components/ObjectRenderer';
@@ -196,7 +196,7 @@ describe('a container', () => {
     const { text, fileOf } = await readSceneFile(bytes);
     const assets = new AssetLibrary();
     await expect(deserialize(text, { assets })).rejects.toThrow(
-      /assets\[0\]\.file names 'assets\/tri\.glb', which did not come with the scene: open the \.farol file/,
+      /assets\[1\].file names 'assets\/tri\.glb', which did not come with the scene: open the \.farol file/,
     );
     const cut = { fileOf: (path: string) => fileOf(path)!.slice(0, 30) };
     await expect(deserialize(text, { assets, ...cut })).rejects.toThrow(
@@ -234,4 +234,19 @@ describe('a broken asset', () => {
       /'film\.mp4' cannot be read: only \.glb/,
     );
   });
+});
+
+test('an EXR becomes a texture of linear light, the right way up', async () => {
+  const { EXRExporter } = await import('three/addons/exporters/EXRExporter.js');
+  const pixels = new Float32Array([4, 2, 1, 1, 0.5, 0.25, 0.125, 1]);
+  const source = new DataTexture(pixels, 2, 1, RGBAFormat, FloatType);
+  const bytes = await new EXRExporter().parse(source);
+  const assets = new AssetLibrary();
+  assets.registerFile('sky.exr', new Blob([bytes as Uint8Array<ArrayBuffer>]));
+  await assets.load('sky.exr');
+  const { image, type, colorSpace } = assets.texture('sky.exr');
+  expect(image).toMatchObject({ width: 2, height: 1 });
+  expect([type, colorSpace]).toEqual([HalfFloatType, LinearSRGBColorSpace]);
+  const { data } = image as { data: Uint16Array };
+  expect([0, 1, 2, 4].map((i) => DataUtils.fromHalfFloat(data[i]))).toEqual([4, 2, 1, 0.5]);
 });
