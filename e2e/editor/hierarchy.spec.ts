@@ -1,11 +1,10 @@
 import { expect, test } from '../support/test';
-import { addObject, history, openEditor, openEmptyScene, serialized } from './editor';
+import { addObject, history, openEditor, serialized } from './editor';
 
 test.use({ viewport: { width: 900, height: 480 }, reducedMotion: 'reduce' });
 
 test('searches, groups, cuts, pastes and locks, and takes all of it back', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   await addObject(page, 'Mesh', 'Cone');
   const before = await serialized(page);
@@ -53,8 +52,7 @@ test('searches, groups, cuts, pastes and locks, and takes all of it back', async
 
   // what was copied is there in another tab of the browser
   const other = await page.context().newPage();
-  await openEditor(other);
-  await openEmptyScene(other);
+  await openEditor(other, 'empty');
   await other.getByRole('treeitem', { name: 'Sun' }).click();
   await other.keyboard.press('Control+v');
   await expect(other.getByRole('treeitem', { name: 'Cone' })).toHaveCount(1);

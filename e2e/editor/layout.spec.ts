@@ -1,6 +1,6 @@
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test';
-import { openEditor, openEmptyScene } from './editor';
+import { openEditor } from './editor';
 
 test.use({ viewport: { width: 1100, height: 600 }, reducedMotion: 'reduce' });
 
@@ -13,8 +13,7 @@ async function boxOf(locator: Locator): Promise<{ x: number; y: number; width: n
 }
 
 test('panels are dragged, moved by keys, closed, opened, resized, and remembered', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   const inspector = await boxOf(panel(page, 'Inspector'));
   const canvas = await page.evaluateHandle(() => window.editor.viewport.canvas);
 
@@ -78,8 +77,7 @@ test('panels are dragged, moved by keys, closed, opened, resized, and remembered
 });
 
 test('the history goes to any step', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await page.getByRole('treeitem', { name: 'Sun' }).click();
   for (let i = 0; i < 3; i++) await page.keyboard.press('Control+d');
   await tab(page, 'History').click();

@@ -1,6 +1,6 @@
 import type { CDPSession, Page } from '@playwright/test';
 import { expect, test } from '../support/test';
-import { openEditor, openEmptyScene } from './editor';
+import { openEditor } from './editor';
 
 /**
  * Figures of the editor with 10,000 GameObjects, 200 of them moving: 9,800 instanced boxes in 100 groups, and 200 lamps
@@ -67,8 +67,7 @@ async function measuring(page: Page): Promise<CDPSession> {
 
 /** @returns seconds of work until the scene is open */
 async function openLarge(page: Page, client: CDPSession): Promise<number> {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await page.evaluate(() => {
     window.editor.viewport.renderNow = () => {};
   });

@@ -1,11 +1,10 @@
 import { expect, test } from '../support/test';
-import { addObject, openEditor, openEmptyScene, pointOf } from './editor';
+import { addObject, openEditor, pointOf } from './editor';
 
 test.use({ viewport: { width: 900, height: 640 }, reducedMotion: 'reduce' });
 
 test('selects by a box, from a side, without what is locked; shows what a camera sees', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   await page.getByLabel('Position x').fill('-1');
   await addObject(page, 'Mesh', 'Cone');
