@@ -1,4 +1,12 @@
-import { Color, ColorManagement, type Object3D, type Scene, type Vector4, type WebGLRenderer } from 'three';
+import {
+  Color,
+  ColorManagement,
+  type Object3D,
+  type Scene,
+  type Vector4,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
 
 const colour = new Color();
 const encoded = { r: 0, g: 0, b: 0 };
@@ -15,7 +23,14 @@ export function clearValue(webgl: WebGLRenderer, source: Object3D, premultiplied
   if (isColor) colour.copy(background as Color);
   else webgl.getClearColor(colour);
   const alpha = isColor ? 1 : webgl.getClearAlpha();
-  const space = webgl.getRenderTarget() === null ? webgl.outputColorSpace : ColorManagement.workingColorSpace;
+  const target = webgl.getRenderTarget() as (WebGLRenderTarget & { isXRRenderTarget?: boolean }) | null;
+  // targets of that mark are drawn to as the canvas is
+  const space =
+    target === null
+      ? webgl.outputColorSpace
+      : target.isXRRenderTarget === true
+        ? target.texture.colorSpace
+        : ColorManagement.workingColorSpace;
   const { r, g, b } = colour.getRGB(encoded, space);
   const scale = premultiplied ? alpha : 1;
   value.set(r * scale, g * scale, b * scale, alpha);
