@@ -178,3 +178,48 @@ test('10,000 GameObjects: opened and saved within 2 s each; autosave takes no fr
   expect(at(0.5)).toBeLessThan(4);
   expect(await fieldOf(page, 'Changed again', 'ObjectRenderer', 'instanced')).toBe(true);
 });
+
+test('a second save goes to the same file, through its handle; a failed one leaves the scene unsaved', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const writes: string[] = [];
+    const handle = {
+      name: 'kept.json',
+      getFile: async () => new File([], 'kept.json'),
+      createWritable: async () => {
+        if (Reflect.get(window, 'diskIsFull')) throw new Error('The disk is full.');
+        let text = '';
+        return new WritableStream<Uint8Array>({
+          write: (chunk) => void (text += new TextDecoder().decode(chunk)),
+          close: () => void writes.push(text),
+        });
+      },
+    };
+    Object.assign(window, { writes, asked: 0 });
+    Object.assign(window, {
+      showOpenFilePicker: async () => [handle],
+      showSaveFilePicker: async () => {
+        Reflect.set(window, 'asked', (Reflect.get(window, 'asked') as number) + 1);
+        return handle;
+      },
+    });
+  });
+  await page.goto('./?scene=empty');
+  await waitUntilReady(page);
+  const writes = (): Promise<string[]> => page.evaluate(() => Reflect.get(window, 'writes') as string[]);
+  for (const [count, mesh] of ['Torus', 'Cone'].entries()) {
+    await addObject(page, 'Mesh', mesh);
+    await page.keyboard.press('Control+s');
+    await expect.poll(async () => (await writes()).length).toBeGreaterThan(count);
+    await expect.poll(() => page.evaluate(() => window.editor.commands.isDirty)).toBe(false);
+    expect((await writes()).at(-1)).toBe(await serialized(page));
+  }
+  expect(await page.evaluate(() => Reflect.get(window, 'asked') as number)).toBe(1);
+
+  await addObject(page, 'Mesh', 'Box');
+  await page.evaluate(() => Reflect.set(window, 'diskIsFull', true));
+  await page.keyboard.press('Control+s');
+  await expect(page.locator('.notices')).toContainText('The disk is full.');
+  expect(await page.evaluate(() => window.editor.commands.isDirty)).toBe(true);
+});

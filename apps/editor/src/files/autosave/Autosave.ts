@@ -9,7 +9,10 @@ import type { SessionInfo } from './store';
 const QUIET = 800;
 
 /** Time of the page that is used at a stretch (ms); a part that is begun is read to its end. */
-const BUDGET = 1.5;
+const BUDGET = 1;
+
+/** Parts of the first slice: code that has not run before is slow. Each slice may have twice as many as the one before. */
+const FIRST = 8;
 
 /**
  * Stores what changes in the document, so that a tab that is killed loses nothing. Only changed parts are read, in idle
@@ -25,6 +28,8 @@ export class Autosave {
   private delta: SceneDelta;
   private readonly files = new Map<string, Blob>();
   private timer = 0;
+  /** Parts that the next slice may read. */
+  private most = FIRST;
   private isRunning = false;
   /** Whether something happened while it was running. */
   private again = false;
@@ -110,7 +115,8 @@ export class Autosave {
       return;
     }
     const start = performance.now();
-    const parts = this.delta.read(() => performance.now() - start > BUDGET);
+    const parts = this.delta.read(() => performance.now() - start > BUDGET, this.most);
+    this.most *= 2;
     if (parts.length > 0) this.post(this.store.send({ kind: 'parts', parts }));
     const isDone = this.delta.isEmpty;
     if (isDone) this.commit();

@@ -1,4 +1,5 @@
 import { type GameObject, type Scene, type SceneChange, serializeHead, serializeObject } from '@farol/engine';
+import { NoteList } from './NoteList';
 import { childrenKey, HEAD, objectKey, type PartChange, PREFAB_ORDER, prefabKey } from './parts';
 
 /**
@@ -6,9 +7,11 @@ import { childrenKey, HEAD, objectKey, type PartChange, PREFAB_ORDER, prefabKey 
  * later, some at a time, so that no frame waits for it.
  */
 export class SceneDelta {
-  private readonly objects = new Set<string>();
-  private readonly containers = new Set<string>();
-  private readonly prefabs = new Set<string>();
+  private readonly objects = new NoteList();
+  private readonly containers = new NoteList();
+  private readonly prefabs = new NoteList();
+  /** Objects that are still to be noted, with all below them. */
+  private readonly trees: GameObject[] = [];
   private headChanged = false;
   /** What each object was in when it was last noted: ids, '' for the top. A change that takes it out does not say. */
   private readonly containerOf = new Map<string, string>();
@@ -17,7 +20,7 @@ export class SceneDelta {
 
   /** Whether nothing waits to be read. */
   get isEmpty(): boolean {
-    return !this.headChanged && this.objects.size + this.containers.size + this.prefabs.size === 0;
+    return !this.headChanged && this.trees.length + this.objects.size + this.containers.size + this.prefabs.size === 0;
   }
 
   /** Notes the whole scene. */
@@ -77,34 +80,42 @@ export class SceneDelta {
       this.headChanged = true;
   }
 
-  /** Reads parts until none is left or the time is over; at least one. @param isOver - asked after each part */
-  read(isOver: () => boolean): PartChange[] {
+  /**
+   * Reads parts until none is left or the time is over.
+   * @param isOver - asked after each part
+   * @param most - parts to be read
+   */
+  read(isOver: () => boolean, most = Infinity): PartChange[] {
     const changes: PartChange[] = [];
     do {
-      const next = this.readNext();
-      if (!next) break;
-      changes.push(next);
-    } while (!isOver());
+      const tree = this.trees.pop();
+      if (tree) this.noteNext(tree);
+      else {
+        const next = this.readNext();
+        if (!next) break;
+        changes.push(next);
+      }
+    } while (changes.length < most && !isOver());
     return changes;
   }
 
   private readNext(): PartChange | null {
-    for (const id of this.objects) {
-      this.objects.delete(id);
-      const object = this.scene.findById(id);
-      return [objectKey(id), object && JSON.stringify(serializeObject(object))];
+    const objectId = this.objects.take();
+    if (objectId !== undefined) {
+      const object = this.scene.findById(objectId);
+      return [objectKey(objectId), object && JSON.stringify(serializeObject(object))];
     }
-    for (const id of this.containers) {
-      this.containers.delete(id);
-      const list = id === '' ? this.scene.roots : this.scene.findById(id)?.children;
-      const isGone = !list || (list.length === 0 && id !== '');
-      return [childrenKey(id), isGone ? null : JSON.stringify(list.map((child) => child.id))];
+    const container = this.containers.take();
+    if (container !== undefined) {
+      const list = container === '' ? this.scene.roots : this.scene.findById(container)?.children;
+      const isGone = !list || (list.length === 0 && container !== '');
+      return [childrenKey(container), isGone ? null : JSON.stringify(list.map((child) => child.id))];
     }
-    for (const id of this.prefabs) {
-      this.prefabs.delete(id);
-      if (id === '') return [PREFAB_ORDER, JSON.stringify(this.scene.prefabs.list.map((prefab) => prefab.id))];
-      const prefab = this.scene.prefabs.get(id);
-      return [prefabKey(id), prefab && JSON.stringify(prefab)];
+    const prefabId = this.prefabs.take();
+    if (prefabId === '') return [PREFAB_ORDER, JSON.stringify(this.scene.prefabs.list.map((prefab) => prefab.id))];
+    if (prefabId !== undefined) {
+      const prefab = this.scene.prefabs.get(prefabId);
+      return [prefabKey(prefabId), prefab && JSON.stringify(prefab)];
     }
     if (!this.headChanged) return null;
     this.headChanged = false;
@@ -112,12 +123,18 @@ export class SceneDelta {
     return [HEAD, JSON.stringify(head)];
   }
 
+  /** Has an object noted, with all below it, bit by bit. */
   private noteTree(object: GameObject): void {
-    object.traverse((each) => {
-      this.objects.add(each.id);
-      this.containerOf.set(each.id, idOfParent(each));
-      if (each.children.length > 0) this.containers.add(each.id);
-    });
+    this.containerOf.set(object.id, idOfParent(object));
+    this.trees.push(object);
+  }
+
+  private noteNext(object: GameObject): void {
+    // it was taken out meanwhile
+    if (object.scene !== this.scene) return;
+    this.objects.add(object.id);
+    if (object.children.length > 0) this.containers.add(object.id);
+    for (const child of object.children) this.noteTree(child);
   }
 }
 
