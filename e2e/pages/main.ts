@@ -34,6 +34,9 @@ declare global {
   }
 }
 
+// what is drawn in the first frame of a test has its code, unless the test is of that
+if (!location.search.includes('late')) await farol.FarolRenderer.loadShadows();
+
 window.testPage = {
   three,
   farol,

@@ -4,10 +4,10 @@ import { gzipSync } from 'node:zlib';
 import { parseSync } from 'vite';
 
 /**
- * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. 49 kB, and 13 kB for shadow maps,
- * variance shadow maps, cookies and light layers, which any scene may ask for from one frame to the next.
+ * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. Shadow maps, cookies and light
+ * layers are fetched when a scene first asks for them, and are not counted.
  */
-export const rendererLimit = 62_000;
+export const rendererLimit = 45_000;
 
 /** Bytes that the editor's script may take before its first frame; panels, dialogs and loaders come on demand. */
 export const editorLimit = 450_000;

@@ -25,7 +25,7 @@ export function minifyGlsl() {
 
 /**
  * @param {string} text GLSL ES 3.00
- * @returns {string} the same lines without comments, indentation and the blanks round operators
+ * @returns {string} the same lines without comments, indentation, the blanks round operators and `const in`
  */
 export function minifiedGlsl(text) {
   return text
@@ -39,10 +39,16 @@ export function minifiedGlsl(text) {
 
 /** @param {string} line outside of the preprocessor; the last character stays as it is for a `\` at the end of a line */
 function tightened(line) {
-  return line
-    .trim()
-    .replace(/\s+/g, ' ')
-    .replace(/ ?([=+\-*/<>,;(){}?:&|!]) ?/g, (match, sign, at, whole) => (keepsBlank(whole, at, match) ? match : sign));
+  return (
+    line
+      .trim()
+      .replace(/\s+/g, ' ')
+      // what may not be written to is passed in all the same
+      .replace(/\bconst in /g, '')
+      .replace(/ ?([=+\-*/<>,;(){}?:&|!]) ?/g, (match, sign, at, whole) =>
+        keepsBlank(whole, at, match) ? match : sign,
+      )
+  );
 }
 
 /**

@@ -10,7 +10,7 @@ it('drops comments and blanks, and keeps every line in its place', () => {
   for (int i = 0; i < 4; i++)
 /* two
    lines */
-float farol_twice( float x ) { // doubles
+float farol_twice( const in float x ) { // doubles
   return 2.0 * x;
 }
 `;

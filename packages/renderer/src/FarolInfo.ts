@@ -5,7 +5,7 @@ export interface PassInfo {
   triangles: number;
   /** Time in the pass's JavaScript (ms). */
   cpuMs: number;
-  /** GPU time (ms) a few frames ago; null without EXT_disjoint_timer_query_webgl2 or with `timing` off. */
+  /** GPU time (ms) a few frames ago; null in the first frames, without EXT_disjoint_timer_query_webgl2 or with `timing` off. */
   gpuMs: number | null;
 }
 

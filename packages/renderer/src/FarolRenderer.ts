@@ -2,7 +2,6 @@ import { type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
 import { clearValue } from './clearValue';
 import { checkDevice, hasFloatTargets } from './checkDevice';
 import { collectLights, type FoundLights } from './collectLights';
-import { compileByDrawing } from './compileByDrawing';
 import { type View, isSurfaceView, views } from './debug/views';
 import { unknownName } from './errors';
 import type { FarolEffect } from './FarolEffect';
@@ -23,8 +22,8 @@ import { SurfaceViewPass } from './passes/SurfaceViewPass';
 import { validatePasses } from './passes/validatePasses';
 import { refuseArrays } from './refuseArrays';
 import { SceneView } from './SceneView';
-import { maskUniforms, setMaskUniforms } from './shadows/maskUniforms';
-import { ShadowMaps } from './shadows/ShadowMaps';
+import { maskUniforms } from './shadows/maskUniforms';
+import type { ShadowMaps } from './shadows/ShadowMaps';
 import { type TechniqueName, techniques } from './techniques';
 import { TechniqueChooser } from './techniques/TechniqueChooser';
 import type { Technique } from './techniques/Technique';
@@ -49,6 +48,15 @@ export interface FarolOptions {
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
 
+/** Shared by all renderers of a page. */
+let shadowCode: typeof import('./shadows') | null = null;
+
+function reportMissingShadows(error: unknown): void {
+  console.error(
+    `Farol: no code of shadow maps (${String(error)}); three draws them. Serve the files of @farol/renderer together.`,
+  );
+}
+
 /**
  * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
  * lights, render target and picture.
@@ -72,7 +80,10 @@ export class FarolRenderer {
   effects: readonly FarolEffect[];
   private readonly frame: Frame;
   private readonly lights = new LightTable();
-  private readonly shadows: ShadowMaps;
+  /** Null until a scene has asked for what masks lights, and its code is there. */
+  private shadows: ShadowMaps | null = null;
+  private shadowsAsked = false;
+  private readonly left = { shadows: false, cookies: true };
   private readonly twins: TwinCache;
   private readonly recorder: InfoRecorder;
   private readonly uniforms = {
@@ -92,7 +103,7 @@ export class FarolRenderer {
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
   private readonly overdraw = new OverdrawPass();
   private readonly surfaceView = new SurfaceViewPass();
-  private readonly found: FoundLights = { all: [], count: 0, nested: [] };
+  private readonly found: FoundLights = { all: [], count: 0, nested: [], seeksMasks: true, hasMasks: false };
   private techniqueName: TechniqueName = 'auto';
   /** What draws this frame: the technique, or what 'auto' picked, and why. */
   private active: TechniqueName = 'deferred';
@@ -103,11 +114,13 @@ export class FarolRenderer {
   private viewName: View = 'final';
   private sceneView!: SceneView;
   private disposed = false;
+  private separatesLayers = false;
+  private readonly shadowAtlasSize: number;
   private activeEffects = NO_EFFECTS;
   private readonly draw = () => this.drawFrame();
   private readonly shadowDraws = {
     stands: [] as readonly Object3D[],
-    render: () => this.run('shadow maps', () => this.shadows.render()),
+    render: () => this.run('shadow maps', () => this.shadows!.render()),
   };
 
   /**
@@ -128,13 +141,7 @@ export class FarolRenderer {
     });
     this.frame = new Frame(webgl, this.lights, this.twins, this.uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
-    this.shadows = new ShadowMaps(
-      webgl,
-      this.microshaders,
-      this.lights.layers,
-      Math.max(512, options.shadowAtlasSize ?? 8192),
-    );
-    this.shadowDraws.stands = this.shadows.stands;
+    this.shadowAtlasSize = Math.max(512, options.shadowAtlasSize ?? 8192);
     this.timing = options.timing ?? false;
     this.lightLayers = options.lightLayers ?? false;
     this.technique = options.technique ?? 'auto';
@@ -187,11 +194,11 @@ export class FarolRenderer {
    * lights reach all objects.
    */
   get lightLayers(): boolean {
-    return this.lights.layers.enabled;
+    return this.separatesLayers;
   }
 
   set lightLayers(enabled: boolean) {
-    this.lights.layers.enabled = enabled;
+    this.separatesLayers = enabled;
   }
 
   /** Figures of the last frame. */
@@ -212,7 +219,7 @@ export class FarolRenderer {
     this.recorder.begin(this.timing);
     if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
-    collectLights(scene, camera, this.found);
+    this.findLights(scene, camera);
     const { frame, shadows, webgl } = this;
     frame.begin(scene, camera, this.viewName);
     if (this.viewName === 'grid') frame.quarter();
@@ -221,12 +228,12 @@ export class FarolRenderer {
     try {
       for (const effect of this.activeEffects) effect.begin?.(frame);
       this.lights.shadows = webgl.shadowMap.enabled;
-      this.lights.layers.begin(scene);
+      this.lights.layers?.begin(scene, this.separatesLayers);
       this.lights.collect(this.found.all, frame.camera);
-      this.lights.layers.end();
+      this.lights.layers?.end();
       this.pick();
-      shadows.update(scene, frame.camera, this.lights.masked);
-      frame.queue.layers = this.lights.layers.reference;
+      shadows?.update(scene, frame.camera, this.lights.masked);
+      frame.queue.layers = this.lights.layers?.reference ?? 0;
       this.lights.write(frame.camera, (techniques[this.active] as Technique).lightOrder, frame, shadows);
       this.setUniforms();
       this.sceneView = this.viewOf(scene);
@@ -237,9 +244,9 @@ export class FarolRenderer {
         frame.queue,
         this.draw,
         frame.ownsTarget() ? fills : null,
-        shadows.hasWork ? this.shadowDraws : null,
+        shadows?.hasWork ? this.shadowDraws : null,
       );
-      shadows.end();
+      shadows?.end();
       if (frame.queue.layers !== 0) resetLayers(frame.gl);
     } finally {
       if (webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
@@ -255,10 +262,22 @@ export class FarolRenderer {
   }
 
   /**
+   * Fetches the code of shadow maps, cookies and light layers now. `render` asks for it by itself when a scene first needs
+   * it; until it is there, three draws the shadows and maps of such lights itself, and layers are not looked at.
+   * @throws Error when the code cannot be fetched
+   */
+  static async loadShadows(): Promise<void> {
+    shadowCode = await import('./shadows');
+  }
+
+  /**
    * Compiles what the next frame of this scene needs, so that it does not hitch: draws a frame of one pixel, and waits
    * until the device has linked its programs.
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
+    this.findLights(scene, camera);
+    if (this.shadowsAsked && this.shadows === null) await FarolRenderer.loadShadows();
+    const { compileByDrawing } = await import('./compileByDrawing');
     await compileByDrawing(this, scene, camera);
   }
 
@@ -273,8 +292,31 @@ export class FarolRenderer {
     this.surfaceView.dispose();
     this.twins.dispose();
     this.lights.dispose();
-    this.shadows.dispose();
+    this.shadows?.dispose();
     this.recorder.dispose();
+  }
+
+  private findLights(scene: Object3D, camera: Camera): void {
+    this.left.shadows = this.shadows === null && this.webgl.shadowMap.enabled;
+    collectLights(scene, camera, this.left, this.found);
+    const needs = this.found.hasMasks || this.lightLayers;
+    if (needs && this.makeShadows()) collectLights(scene, camera, this.left, this.found);
+  }
+
+  /** Makes what masks lights, once its code is there. @returns whether it did */
+  private makeShadows(): boolean {
+    if (this.shadows !== null) return false;
+    if (shadowCode === null) {
+      if (!this.shadowsAsked) FarolRenderer.loadShadows().catch(reportMissingShadows);
+      this.shadowsAsked = true;
+      return false;
+    }
+    this.shadows = shadowCode.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
+    this.lights.layers = this.shadows.layers;
+    this.shadowDraws.stands = this.shadows.stands;
+    this.frame.queue.shadowMasks = shadowCode.shadowMasks;
+    this.left.shadows = this.left.cookies = this.found.seeksMasks = false;
+    return true;
   }
 
   private pick(): void {
@@ -304,7 +346,7 @@ export class FarolRenderer {
     counts[1] = lights.unbounded;
     counts[2] = lights.bounded;
     counts[3] = lights.others;
-    setMaskUniforms(uniforms, lights, this.shadows);
+    this.shadows?.setUniforms(uniforms, lights);
     uniforms.farol_heatScale.value = 1 / this.heatMapMaximum;
   }
 
@@ -393,12 +435,12 @@ export class FarolRenderer {
 
   private viewOf(scene: Object3D): SceneView {
     let view = this.sceneViews.get(scene);
-    if (view === undefined) this.sceneViews.set(scene, (view = new SceneView(this.webgl, scene)));
+    if (view === undefined) this.sceneViews.set(scene, (view = new SceneView(this.webgl, scene, this.left)));
     return view;
   }
 
   private targetBytes(): number {
-    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.bytes + this.shadows.bytes;
+    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.bytes + (this.shadows?.bytes ?? 0);
     for (const passes of this.passLists.values()) for (const pass of passes) bytes += pass.bytes;
     for (const effect of this.effects) bytes += effect.bytes;
     return bytes;

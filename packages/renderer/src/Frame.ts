@@ -20,7 +20,6 @@ import type { LightTable } from './lights/LightTable';
 import type { ForwardTwins } from './materials/forwardTwin';
 import { setLayers } from './materials/layersAttribute';
 import { plainBack, plainFront, plainWhole } from './materials/plainTwins';
-import { shadowMaskTwin } from './materials/shadowMaskTwin';
 import type { TwinCache } from './materials/TwinCache';
 import type { TwinKind } from './materials/TwinKind';
 import type { MicroShaderRegistry } from './microshaders';
@@ -221,7 +220,7 @@ export class Frame {
   drawForward(item: RenderItem, twins: ForwardTwins): void {
     const { material } = item;
     const twoPasses = material.transparent && material.side === DoubleSide && !material.forceSinglePass;
-    if (item.shadowMask) this.drawTwin(item, shadowMaskTwin);
+    if (item.shadowMask) this.drawTwin(item, this.queue.shadowMasks!.twin);
     else if (!item.lit) {
       const whole = this.adapt === null ? plainWhole : this.adapt(plainWhole, item);
       if (!twoPasses) this.drawItem(item, whole === plainWhole ? material : this.twins.get(material, whole));

@@ -1,6 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import type { FarolInfo, PassInfo } from './FarolInfo';
-import { GpuTimer } from './GpuTimer';
+import type { GpuTimer } from './GpuTimer';
 import type { LightTable } from './lights/LightTable';
 import type { ShadowMaps } from './shadows/ShadowMaps';
 
@@ -20,7 +20,10 @@ export class InfoRecorder {
     targetBytes: 0,
     uploadBytes: 0,
   };
-  private readonly timer: GpuTimer;
+  /** Fetched when timing is first asked for. */
+  private timer: GpuTimer | null = null;
+  private timerAsked = false;
+  private disposed = false;
   private readonly known = new Map<string, PassInfo>();
   private timing = false;
   private started = 0;
@@ -29,15 +32,14 @@ export class InfoRecorder {
   private triangles = 0;
   private pass: PassInfo | null = null;
 
-  constructor(private readonly webgl: WebGLRenderer) {
-    this.timer = new GpuTimer(webgl.getContext() as WebGL2RenderingContext);
-  }
+  constructor(private readonly webgl: WebGLRenderer) {}
 
   begin(timing: boolean): void {
-    this.timing = timing && this.timer.available;
+    if (timing && !this.timerAsked) this.fetchTimer();
+    this.timing = timing && this.timer?.available === true;
     this.started = performance.now();
     this.info.passes.length = 0;
-    if (this.timing) this.timer.poll();
+    if (this.timing) this.timer!.poll();
   }
 
   beginPass(name: string): void {
@@ -51,7 +53,7 @@ export class InfoRecorder {
     const { render } = this.webgl.info;
     this.calls = render.calls;
     this.triangles = render.triangles;
-    if (this.timing) this.timer.begin(name);
+    if (this.timing) this.timer!.begin(name);
     this.passStarted = performance.now();
   }
 
@@ -59,11 +61,11 @@ export class InfoRecorder {
     const { pass } = this;
     if (pass === null) return;
     pass.cpuMs = performance.now() - this.passStarted;
-    if (this.timing) this.timer.end();
+    if (this.timing) this.timer!.end();
     const { render } = this.webgl.info;
     pass.drawCalls = render.calls - this.calls;
     pass.triangles = render.triangles - this.triangles;
-    pass.gpuMs = this.timing ? (this.timer.times.get(pass.name) ?? null) : null;
+    pass.gpuMs = this.timing ? (this.timer!.times.get(pass.name) ?? null) : null;
     this.pass = null;
   }
 
@@ -71,7 +73,7 @@ export class InfoRecorder {
     technique: string,
     reason: string,
     lights: LightTable,
-    shadows: ShadowMaps,
+    shadows: ShadowMaps | null,
     uploadedBytes: number,
     targetBytes: number,
   ): void {
@@ -92,9 +94,9 @@ export class InfoRecorder {
     info.gpuMs = timed ? gpu : null;
     info.lights.total = lights.total;
     info.lights.visible = lights.visible;
-    info.shadows.drawn = shadows.drawn;
-    info.shadows.kept = shadows.kept;
-    info.shadows.bytes = shadows.bytes;
+    info.shadows.drawn = shadows?.drawn ?? 0;
+    info.shadows.kept = shadows?.kept ?? 0;
+    info.shadows.bytes = shadows?.bytes ?? 0;
     info.programs = this.webgl.info.programs?.length ?? 0;
     info.targetBytes = targetBytes;
     info.uploadBytes = lights.uploadedBytes + uploadedBytes;
@@ -102,6 +104,18 @@ export class InfoRecorder {
   }
 
   dispose(): void {
-    this.timer.dispose();
+    this.disposed = true;
+    this.timer?.dispose();
+    this.timer = null;
+  }
+
+  private fetchTimer(): void {
+    this.timerAsked = true;
+    import('./GpuTimer').then(
+      ({ GpuTimer }) => {
+        if (!this.disposed) this.timer = new GpuTimer(this.webgl.getContext() as WebGL2RenderingContext);
+      },
+      (error: unknown) => console.error(`Farol: the code of GPU times could not be fetched (${String(error)}).`),
+    );
   }
 }

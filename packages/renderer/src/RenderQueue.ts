@@ -1,7 +1,7 @@
 import { type BufferGeometry, Material, type Object3D } from 'three';
 import { isPlainOpaque } from './gbuffer/shadingModel';
 import { isLit } from './materials/isLit';
-import { showsShadowMask } from './materials/shadowMaskTwin';
+import type { TwinKind } from './materials/TwinKind';
 import type { GeometryGroup, RenderItem } from './RenderItem';
 
 export type RenderItemSort = (a: RenderItem, b: RenderItem) => number;
@@ -30,6 +30,12 @@ function hasOwnShader(material: Material): boolean {
   );
 }
 
+/** Materials that show shadows by three's `getShadowMask()`, and the kind of twins that shows Farol's. */
+export interface ShadowMaskMaterials {
+  shows(material: Material): boolean;
+  readonly twin: TwinKind;
+}
+
 /** What a frame draws, in the three lists of three.js. Items are pooled. */
 export class RenderQueue {
   readonly opaque: RenderItem[] = [];
@@ -38,6 +44,8 @@ export class RenderQueue {
   private readonly pool: RenderItem[] = [];
   /** Layers of what is not `layered`, 0 when they do not matter. */
   layers = 0;
+  /** How materials that show nothing but shadows are drawn; null while three does it. */
+  shadowMasks: ShadowMaskMaterials | null = null;
   /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
   covers = true;
   /** True if something lit transmits or is transparent. */
@@ -84,7 +92,7 @@ export class RenderQueue {
     item.renderOrder = object.renderOrder;
     item.z = z;
     item.lit = isLit(material);
-    item.shadowMask = !item.lit && showsShadowMask(material);
+    item.shadowMask = !item.lit && this.shadowMasks?.shows(material) === true;
     item.plain = list === this.opaque && isPlainOpaque(material);
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;

@@ -9,8 +9,7 @@ import {
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
-import { isManagedLight } from './lights/isManagedLight';
-import { isCasterStand } from './shadows/casterStand';
+import { isManagedLight, type LeftToThree } from './lights/isManagedLight';
 import type { GeometryGroup } from './RenderItem';
 import type { RenderItemSort, RenderQueue } from './RenderQueue';
 import type { Fills } from './techniques/Technique';
@@ -68,6 +67,7 @@ export class SceneView {
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly source: Object3D,
+    private readonly left: LeftToThree,
   ) {
     const scene = source as Scene;
     if (scene.isScene === true) {
@@ -147,7 +147,7 @@ export class SceneView {
     }
     for (const child of source.children) {
       const light = child as Light;
-      if (light.isLight === true && child.children.length === 0 && isManagedLight(light)) continue;
+      if (light.isLight === true && child.children.length === 0 && isManagedLight(light, this.left)) continue;
       children.push(child);
     }
   }
@@ -221,7 +221,7 @@ export class SceneView {
       const { push, finish } = list;
       const { driver } = this;
       list.push = (object, geometry, material, groupOrder, z, group, camera) => {
-        if (isCasterStand(object)) return;
+        if ((object as Object3D & { isFarolStand?: boolean }).isFarolStand === true) return;
         const override = this.view.overrideMaterial ?? null;
         if (camera.reversedDepth === true) z = -z;
         this.queue?.push(object, geometry, material, groupOrder, z, group, override);

@@ -1,5 +1,6 @@
 import type { Camera, Light, Object3D } from 'three';
-import { isManagedLight } from './lights/isManagedLight';
+import { isManagedLight, type LeftToThree } from './lights/isManagedLight';
+import { cookieOf } from './lights/lightCookie';
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
 export interface FoundLights {
@@ -9,26 +10,35 @@ export interface FoundLights {
   count: number;
   /** Those of them that three's traversal would meet: not children of the root itself, or with children of their own. */
   readonly nested: Light[];
+  /** Whether to look for lights that cast shadows or throw images, and whether there was one. */
+  seeksMasks: boolean;
+  hasMasks: boolean;
 }
 
 /** Finds the managed lights that the camera's layers see, parents before children. */
-export function collectLights(root: Object3D, camera: Camera, found: FoundLights): void {
+export function collectLights(root: Object3D, camera: Camera, left: LeftToThree, found: FoundLights): void {
   found.count = 0;
+  found.hasMasks = false;
   found.nested.length = 0;
-  if (root.visible) visit(root, 0, camera, found);
+  if (root.visible) visit(root, 0, camera, left, found);
   // what earlier frames had more of is let go
   if (found.all.length > found.count) found.all.length = found.count;
 }
 
-function visit(object: Object3D, depth: number, camera: Camera, found: FoundLights): void {
+function visit(object: Object3D, depth: number, camera: Camera, left: LeftToThree, found: FoundLights): void {
   const { children } = object;
   const light = object as Light;
-  if (light.isLight === true && object.layers.test(camera.layers) && isManagedLight(light)) {
-    found.all[found.count++] = light;
-    if (depth !== 1 || children.length > 0) found.nested.push(light);
+  if (light.isLight === true && object.layers.test(camera.layers)) {
+    if (found.seeksMasks && (light.castShadow || cookieOf(light) !== null)) found.hasMasks = true;
+    if (isManagedLight(light, left)) add(light, depth, found);
   }
   for (let i = 0; i < children.length; i++) {
     const child = children[i];
-    if (child.visible) visit(child, depth + 1, camera, found);
+    if (child.visible) visit(child, depth + 1, camera, left, found);
   }
+}
+
+function add(light: Light, depth: number, found: FoundLights): void {
+  found.all[found.count++] = light;
+  if (depth !== 1 || light.children.length > 0) found.nested.push(light);
 }

@@ -1,12 +1,11 @@
 import { MicroShaderOverrides } from '@farol/engine';
 import {
-  formatMicroShader,
   type MicroShader,
   MicroShaderCompileError,
   type MicroShaderCompileEntry,
   type MicroShaderRegistry,
 } from '@farol/renderer';
-import { parseMicroShaderXML } from '@farol/renderer/authoring';
+import { formatMicroShader, parseMicroShaderXML } from '@farol/renderer/authoring';
 import { type MicroShaderEdit, SetMicroShaders } from '../model/commands/SetMicroShaders';
 import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';

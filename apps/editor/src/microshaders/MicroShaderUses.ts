@@ -1,10 +1,5 @@
-import {
-  formatMicroShader,
-  type MicroShaderRegistry,
-  techniques,
-  type TechniqueName,
-  type View,
-} from '@farol/renderer';
+import { type MicroShaderRegistry, techniques, type TechniqueName, type View } from '@farol/renderer';
+import { formatMicroShader } from '@farol/renderer/authoring';
 import type { WebGLRenderer } from 'three';
 import { Signal } from '../model/Signal';
 import { chunksOf, dryRun } from './dryRun';

@@ -6,8 +6,6 @@ export interface GBufferAttachment {
   readonly format: PixelFormat;
   readonly type: TextureDataType;
   readonly bytes: number;
-  /** What each channel holds, by shading model where it differs. */
-  readonly holds: string;
 }
 
 /**
@@ -15,36 +13,37 @@ export interface GBufferAttachment {
  * The encoding is microshaders/builtin/gbufferWrite.glsl and gbufferRead.glsl.
  */
 export const gbufferLayout = [
+  // rgb: emissive, ambient, environment, light maps (linear); a: Phong shininess
   {
     name: 'accumulation',
     format: RGBAFormat,
     type: HalfFloatType,
     bytes: 8,
-    holds: 'rgb: emissive, ambient, environment, light maps (linear); a: Phong shininess',
   },
-  { name: 'normal', format: RGFormat, type: HalfFloatType, bytes: 4, holds: 'view-space normal, octahedral' },
+  // view-space normal, octahedral
+  { name: 'normal', format: RGFormat, type: HalfFloatType, bytes: 4 },
+  // rgb: square root of the albedo; a: flags (shading model, fog, tone mapped, receives shadows) / 255
   {
     name: 'albedo',
     format: RGBAFormat,
     type: UnsignedByteType,
     bytes: 4,
-    holds: 'rgb: square root of the albedo; a: flags (shading model, fog, tone mapped, receives shadows) / 255',
   },
+  // standard: roughness, metalness, square root of F0, F90; Phong: rgb square root of specular colour, a specular
+  // strength
   {
     name: 'material',
     format: RGBAFormat,
     type: UnsignedByteType,
     bytes: 4,
-    holds:
-      'standard: roughness, metalness, square root of F0, F90; Phong: rgb square root of specular colour, a specular strength',
   },
 ] as const satisfies readonly GBufferAttachment[];
 
 /** An attachment more for effects that change indirect light alone (ambient occlusion). */
 export const indirectLayout: GBufferAttachment = {
+  // rgb: what the accumulation holds of ambient, environment and light maps, reflections by roughness
   name: 'indirect',
   format: RGBAFormat,
   type: HalfFloatType,
   bytes: 8,
-  holds: 'rgb: what the accumulation holds of ambient, environment and light maps, reflections by roughness',
 };

@@ -6,10 +6,10 @@ import type { GBufferAttachment } from './gbufferLayout';
  * microshaders/builtin/thinGBufferWrite.glsl, addLight.glsl and lightBufferFilter.glsl.
  */
 export const thinGBufferLayout = {
+  // xy: view-space normal, octahedral; z: specular lobe: roughness (2 more where F90 is below 1), -1 -
+  // Blinn-Phong shininess, 0 for none; w: number of the object, below 0 if it receives no shadows, 0 for nothing
   name: 'surface',
   format: RGBAFormat,
   type: HalfFloatType,
   bytes: 8,
-  holds:
-    'xy: view-space normal, octahedral; z: specular lobe: roughness (2 more where F90 is below 1), -1 - Blinn-Phong shininess, 0 for none; w: number of the object, below 0 if it receives no shadows, 0 for nothing',
 } as const satisfies GBufferAttachment;

@@ -7,19 +7,20 @@ type Drawn = Object3D & { isMesh?: boolean; isLine?: boolean; isPoints?: boolean
  * have, the most frequent of them, and whether any light tells them apart. Ambient and hemisphere lights reach all.
  */
 export class LightLayers {
-  enabled = false;
   /** Layers of most objects, as a mask; 0 when no light of the frame tells objects apart. */
   reference = 0;
+  private enabled = false;
   private readonly masks: number[] = [];
   private readonly counts: number[] = [];
   private met = false;
 
-  /** Begins a frame: looks at what the scene's objects have. */
-  begin(root: Object3D): void {
+  /** Begins a frame: looks at what the scene's objects have, if lights are to tell them apart. */
+  begin(root: Object3D, enabled: boolean): void {
+    this.enabled = enabled;
     this.masks.length = this.counts.length = 0;
     this.met = false;
     this.reference = 0;
-    if (this.enabled && root.visible) this.visit(root);
+    if (enabled && root.visible) this.visit(root);
   }
 
   /** True for a light that reaches some of the objects and not others, or none. */

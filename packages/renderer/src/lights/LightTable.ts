@@ -19,7 +19,7 @@ import { coneBoundingSphere } from './coneBoundingSphere';
 import { NO_LIGHT } from './DepthBins';
 import { DepthOrder } from './DepthOrder';
 import { LightGrid } from './LightGrid';
-import { LightLayers } from './LightLayers';
+import type { LightLayers } from './LightLayers';
 import { cookieOf } from './lightCookie';
 
 const NO_DATA: FarolLightData = {};
@@ -92,7 +92,7 @@ export class LightTable {
   /** Lights of the frame that may have a mask: they are no plain point lights. */
   readonly masked: Light[] = [];
   /** Which lights do not reach all objects. */
-  readonly layers = new LightLayers();
+  layers: LightLayers | null = null;
   /** True when lights that cast shadows have them. */
   shadows = false;
   private masks: LightMasks | null = null;
@@ -343,7 +343,7 @@ export class LightTable {
   }
 
   private mayBeMasked(light: Light): boolean {
-    return (light.castShadow && this.shadows) || cookieOf(light) !== null || this.layers.separates(light);
+    return (light.castShadow && this.shadows) || cookieOf(light) !== null || this.layers?.separates(light) === true;
   }
 
   private maskOf(light: Light): number {

@@ -1,4 +1,4 @@
-import type { Light } from 'three';
+import type { Light, SpotLight } from 'three';
 
 type AnyLight = Light & {
   isAmbientLight?: boolean;
@@ -8,11 +8,21 @@ type AnyLight = Light & {
   isSpotLight?: boolean;
 };
 
+/** What of the lights with a shadow map or an image is left to three. */
+export interface LeftToThree {
+  /** Lights that cast shadows. */
+  shadows: boolean;
+  /** Spot lights with a map. */
+  cookies: boolean;
+}
+
 /**
  * True for the lights that Farol keeps in its own table: they never change a program.
- * The others (rectangle lights, probes) stay with three.
+ * The others (rectangle lights, probes) stay with three, and until their code is there those of `left`.
  */
-export function isManagedLight(light: Light): boolean {
+export function isManagedLight(light: Light, left: LeftToThree): boolean {
   const l = light as AnyLight;
-  return Boolean(l.isAmbientLight || l.isHemisphereLight || l.isDirectionalLight || l.isPointLight || l.isSpotLight);
+  if (l.isAmbientLight || l.isHemisphereLight) return true;
+  if (!(l.isDirectionalLight || l.isPointLight || l.isSpotLight)) return false;
+  return !(left.shadows && light.castShadow) && !(left.cookies && l.isSpotLight && (light as SpotLight).map !== null);
 }

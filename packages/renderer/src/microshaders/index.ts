@@ -3,6 +3,6 @@ export { explainCompileError, type MicroShaderCompileEntry } from './explainComp
 export type { MicroShader, MicroShaderStage } from './MicroShader';
 export { MicroShaderCompileError } from './MicroShaderCompileError';
 export { MicroShaderRegistry, type MicroShaderListener, type MicroShaderRegistryOptions } from './MicroShaderRegistry';
-export { formatMicroShader, parseMicroShader } from './parseMicroShader';
+export { parseMicroShader } from './parseMicroShader';
 export type { MicroShaderCompiler, Shader, ShaderSource } from './Shader';
 export { WebGLShaderCompiler } from './WebGLShaderCompiler';

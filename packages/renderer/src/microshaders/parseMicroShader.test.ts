@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { formatMicroShader, parseMicroShader } from './parseMicroShader';
+import { formatMicroShader } from './formatMicroShader';
+import { parseMicroShader } from './parseMicroShader';
 
 const TEXT = `// Says what it is for.
 // Farol

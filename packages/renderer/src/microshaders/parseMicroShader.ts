@@ -1,7 +1,7 @@
 import type { MicroShader, MicroShaderStage } from './MicroShader';
 
 const MAIN_LINE = /^[ \t]*\/\/#[ \t]*main[ \t]*$/m;
-const STAGE_LINE = /^[ \t]*\/\/#[ \t]*stage[ \t]+(\w*)[ \t]*$/m;
+export const STAGE_LINE = /^[ \t]*\/\/#[ \t]*stage[ \t]+(\w*)[ \t]*$/m;
 /** `#include "name"`; three's own is `#include <name>`. */
 export const INCLUDE_LINE = /^[ \t]*#include[ \t]+"([^"\n]*)"[ \t]*(?:\/\/.*)?$/;
 
@@ -46,18 +46,7 @@ export function completeMicroShader(chunk: MicroShader): MicroShader {
   return { ...chunk, dependencies: [...new Set([...chunk.dependencies, ...includesOf(header)])] };
 }
 
-/** The text of a `.glsl` file that `parseMicroShader` reads as this chunk. */
-export function formatMicroShader(chunk: MicroShader): string {
-  let { header } = chunk;
-  const included = includesOf(header);
-  for (const name of chunk.dependencies.toReversed()) {
-    if (!included.includes(name)) header = `#include "${name}"\n${header}`;
-  }
-  if (chunk.stage && !STAGE_LINE.test(header)) header = `//# stage ${chunk.stage}\n${header}`;
-  if (chunk.main === '') return header;
-  return `${header}${header.endsWith('\n') || header === '' ? '' : '\n'}//# main\n${chunk.main}`;
-}
-
-function includesOf(text: string): string[] {
+/** Names that a text includes. */
+export function includesOf(text: string): string[] {
   return text.split('\n').flatMap((line) => INCLUDE_LINE.exec(line)?.[1] ?? []);
 }

@@ -17,12 +17,13 @@ import {
 } from 'three';
 import type { DataTable } from '../lights/DataTable';
 import { cookieOf } from '../lights/lightCookie';
-import type { LightLayers } from '../lights/LightLayers';
-import type { LightMasks } from '../lights/LightTable';
+import { LightLayers } from '../lights/LightLayers';
+import type { LightMasks, LightTable } from '../lights/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
 import { CookieDraws } from './CookieDraws';
 import { CookieSlot } from './CookieSlot';
 import { RECORDS_PER_MASK, shadowKinds, writeLayerMask, writeMask } from './maskRecord';
+import type { MaskUniforms } from './maskUniforms';
 import { MomentDraws } from './MomentDraws';
 import { ShadowCasters } from './ShadowCasters';
 import { ShadowMapDraws } from './ShadowMapDraws';
@@ -44,6 +45,7 @@ const position = new Vector3();
  */
 export class ShadowMaps implements LightMasks {
   records = 0;
+  readonly layers = new LightLayers();
   /** Maps that this frame draws (a point light has one of six faces), and those that it lights with as they are. */
   drawn = 0;
   kept = 0;
@@ -73,7 +75,6 @@ export class ShadowMaps implements LightMasks {
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly microshaders: MicroShaderRegistry,
-    private readonly layers: LightLayers,
     limit: number,
   ) {
     const { maxTextureSize } = webgl.capabilities;
@@ -98,6 +99,18 @@ export class ShadowMaps implements LightMasks {
 
   get bytes(): number {
     return this.depths.bytes + this.colours.bytes + this.moments.bytes;
+  }
+
+  /** Points the uniforms at what lights the frame, once the light table is written. */
+  setUniforms(uniforms: MaskUniforms, lights: LightTable): void {
+    uniforms.farol_shadowAtlas.value = this.depthTexture;
+    uniforms.farol_lightAtlas.value = this.colourTexture;
+    const masks = uniforms.farol_masks.value;
+    masks[0] = lights.firstMask;
+    masks[1] = this.records / RECORDS_PER_MASK;
+    const layers = uniforms.farol_layers.value;
+    layers[0] = this.layers.reference & 0xffff;
+    layers[1] = this.layers.reference >>> 16;
   }
 
   /** True when the frame has maps or cookies to draw. */

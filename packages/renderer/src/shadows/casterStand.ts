@@ -2,11 +2,10 @@ import { Layers, type Object3D } from 'three';
 
 const allLayers = new Layers();
 allLayers.enableAll();
-const stands = new WeakSet<Object3D>();
 
 /**
  * An object that stands in for a caster in three's traversal: three brings the caster's buffers up to date by it, though
- * the camera may not see the caster. `isCasterStand` tells it apart, so that it is not drawn.
+ * the camera may not see the caster. `isFarolStand` tells it apart, so that it is not drawn.
  */
 export function casterStand(object: Object3D): Object3D {
   const stand = Object.create(object) as Object3D;
@@ -19,10 +18,6 @@ export function casterStand(object: Object3D): Object3D {
   // three watches for the disposal of instanced meshes: on the caster itself
   own('addEventListener', object.addEventListener.bind(object));
   own('hasEventListener', object.hasEventListener.bind(object));
-  stands.add(stand);
+  own('isFarolStand', true);
   return stand;
-}
-
-export function isCasterStand(object: Object3D): boolean {
-  return stands.has(object);
 }

@@ -1,7 +1,4 @@
 import type { IUniform } from 'three';
-import type { LightTable } from '../lights/LightTable';
-import { RECORDS_PER_MASK } from './maskRecord';
-import type { ShadowMaps } from './ShadowMaps';
 
 /** Uniforms of lightShadow.glsl, shadowMask.glsl and lightMaskLayers.glsl. */
 export interface MaskUniforms extends Record<string, IUniform> {
@@ -18,16 +15,4 @@ export function maskUniforms(): MaskUniforms {
     farol_masks: { value: [0, 0] },
     farol_layers: { value: [0, 0] },
   };
-}
-
-/** Points them at what lights the frame, once the light table is written. */
-export function setMaskUniforms(uniforms: MaskUniforms, lights: LightTable, shadows: ShadowMaps): void {
-  uniforms.farol_shadowAtlas.value = shadows.depthTexture;
-  uniforms.farol_lightAtlas.value = shadows.colourTexture;
-  const masks = uniforms.farol_masks.value;
-  masks[0] = lights.firstMask;
-  masks[1] = shadows.records / RECORDS_PER_MASK;
-  const layers = uniforms.farol_layers.value;
-  layers[0] = lights.layers.reference & 0xffff;
-  layers[1] = lights.layers.reference >>> 16;
 }

@@ -3,7 +3,6 @@ import { parseMicroShader } from '../parseMicroShader';
 import accumulatedOutput from './accumulatedOutput.glsl?raw';
 import ambientLight from './ambientLight.glsl?raw';
 import background from './background.glsl?raw';
-import cookieTile from './cookieTile.glsl?raw';
 import countView from './countView.glsl?raw';
 import deferredOutput from './deferredOutput.glsl?raw';
 import depthOnly from './depthOnly.glsl?raw';
@@ -21,9 +20,6 @@ import lightBufferFilter from './lightBufferFilter.glsl?raw';
 import lightList from './lightList.glsl?raw';
 import lightListClustered from './lightListClustered.glsl?raw';
 import lightMask from './lightMask.glsl?raw';
-import lightMaskLayers from './lightMaskLayers.glsl?raw';
-import lightMaskOn from './lightMaskOn.glsl?raw';
-import lightShadow from './lightShadow.glsl?raw';
 import lightLoopAll from './lightLoopAll.glsl?raw';
 import lightLoopBuffer from './lightLoopBuffer.glsl?raw';
 import lightLoopNone from './lightLoopNone.glsl?raw';
@@ -38,14 +34,11 @@ import lightVolumeFragment from './lightVolumeFragment.glsl?raw';
 import lightVolumeSphere from './lightVolumeSphere.glsl?raw';
 import octahedralNormal from './octahedralNormal.glsl?raw';
 import output from './output.glsl?raw';
-import positionFromDepth from './positionFromDepth.glsl?raw';
 import shadeSurface from './shadeSurface.glsl?raw';
 import shadePlain from './shadePlain.glsl?raw';
 import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import sumLight from './sumLight.glsl?raw';
-import shadowMask from './shadowMask.glsl?raw';
-import shadowMoments from './shadowMoments.glsl?raw';
 import surfaceView from './surfaceView.glsl?raw';
 import thinGBufferRead from './thinGBufferRead.glsl?raw';
 import thinGBufferWrite from './thinGBufferWrite.glsl?raw';
@@ -55,7 +48,6 @@ import tiledOutput from './tiledOutput.glsl?raw';
 import tileMask from './tileMask.glsl?raw';
 import tileSummary from './tileSummary.glsl?raw';
 import unproject from './unproject.glsl?raw';
-import viewDepth from './viewDepth.glsl?raw';
 import viewport from './viewport.glsl?raw';
 import volumeLightBuffer from './volumeLightBuffer.glsl?raw';
 import volumeLighting from './volumeLighting.glsl?raw';
@@ -65,7 +57,6 @@ const sources = {
   accumulatedOutput,
   ambientLight,
   background,
-  cookieTile,
   countView,
   deferredOutput,
   depthOnly,
@@ -84,9 +75,6 @@ const sources = {
   lightListClustered,
   lightLoopAll,
   lightMask,
-  lightMaskLayers,
-  lightMaskOn,
-  lightShadow,
   lightLoopBuffer,
   lightLoopNone,
   lightLoopOne,
@@ -100,14 +88,11 @@ const sources = {
   lightVolumeSphere,
   octahedralNormal,
   output,
-  positionFromDepth,
   shadePlain,
   shadeSurface,
   shading,
   shadeThree,
   sumLight,
-  shadowMask,
-  shadowMoments,
   surfaceView,
   thinGBufferRead,
   thinGBufferWrite,
@@ -117,7 +102,6 @@ const sources = {
   tileMask,
   tileSummary,
   unproject,
-  viewDepth,
   viewport,
   volumeLightBuffer,
   volumeLighting,

@@ -1,6 +1,6 @@
 import type { Material, ShaderMaterial } from 'three';
-import { beforeLastBrace } from './beforeLastBrace';
-import type { TwinKind, TwinShader } from './TwinKind';
+import { beforeLastBrace } from '../materials/beforeLastBrace';
+import type { TwinKind, TwinShader } from '../materials/TwinKind';
 
 const PARS = '#include <shadowmask_pars_fragment>';
 const VARYINGS = 'varying highp vec3 farol_maskPositionVS;\nvarying highp vec3 farol_maskNormalVS;\n';

@@ -1,0 +1,50 @@
+import { expect, test } from '../support/test';
+
+test('before the code of shadow maps is there three draws the shadows, then Farol does: the same picture', async ({
+  page,
+  pagesURL,
+}) => {
+  await page.goto(`${pagesURL}?late`);
+  await page.waitForFunction(() => 'testPage' in window);
+  const seen = await page.evaluate(async () => {
+    const { Bench, compareImages, farol, three: THREE } = window.testPage;
+    const bench = new Bench(96, 72);
+    bench.webgl.shadowMap.enabled = true;
+    const scene = new THREE.Scene();
+    const floor = new THREE.Mesh(new THREE.PlaneGeometry(8, 8), new THREE.MeshStandardMaterial());
+    floor.rotation.x = -Math.PI / 2;
+    floor.receiveShadow = true;
+    const box = new THREE.Mesh(new THREE.BoxGeometry(1, 2, 1), new THREE.MeshStandardMaterial({ color: 0xcc5522 }));
+    box.position.y = 1;
+    box.castShadow = true;
+    const light = new THREE.SpotLight(0xffffff, 200, 20, 0.6, 0.3);
+    light.position.set(3, 5, 2);
+    light.castShadow = true;
+    scene.add(floor, box, light, new THREE.PointLight(0x4466ff, 10, 6).translateY(3).translateX(-2));
+    const camera = new THREE.PerspectiveCamera(50, 96 / 72, 0.1, 30);
+    camera.position.set(2, 4, 7);
+    camera.lookAt(0, 0.5, 0);
+    const stock = bench.stock(scene, camera);
+    light.castShadow = false;
+    const without = compareImages(stock, bench.stock(scene, camera)).psnr;
+    light.castShadow = true;
+    const result: { without: number; frames: [string, number, number][] } = { without, frames: [] };
+    for (const when of ['before', 'after']) {
+      if (when === 'after') await farol.FarolRenderer.loadShadows();
+      for (const technique of ['forward-single-pass', 'deferred'] as const) {
+        const { psnr } = compareImages(stock, bench.byTechnique(technique, scene, camera));
+        result.frames.push([
+          `${when}, ${technique}`,
+          psnr,
+          bench.farol.info.shadows.drawn + bench.farol.info.shadows.kept,
+        ]);
+      }
+    }
+    return result;
+  });
+  expect(seen.without, 'a picture without the shadow').toBeLessThan(35);
+  for (const [name, psnr, maps] of seen.frames) {
+    expect(psnr, name).toBeGreaterThan(45);
+    expect(maps, name).toBe(name.startsWith('before') ? 0 : 1);
+  }
+});

@@ -1,0 +1,25 @@
+import { addMicroShaders } from '../effects/addMicroShaders';
+import type { ShadowMaskMaterials } from '../RenderQueue';
+import type { MicroShaderRegistry } from '../microshaders';
+import cookieTile from './cookieTile.glsl?raw';
+import lightMaskLayers from './lightMaskLayers.glsl?raw';
+import lightMaskOn from './lightMaskOn.glsl?raw';
+import lightShadow from './lightShadow.glsl?raw';
+import { ShadowMaps } from './ShadowMaps';
+import shadowMask from './shadowMask.glsl?raw';
+import { shadowMaskTwin, showsShadowMask } from './shadowMaskTwin';
+import shadowMoments from './shadowMoments.glsl?raw';
+import type { WebGLRenderer } from 'three';
+
+/** Of materials that show nothing but shadows. */
+export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
+
+/**
+ * What masks lights: shadow maps, cookies, layers, and their microshaders. The renderer fetches this when a scene first
+ * asks for it.
+ * @param limit of the atlas of depths, texels a side
+ */
+export function makeShadowMaps(webgl: WebGLRenderer, microshaders: MicroShaderRegistry, limit: number): ShadowMaps {
+  addMicroShaders(microshaders, { cookieTile, lightMaskLayers, lightMaskOn, lightShadow, shadowMask, shadowMoments });
+  return new ShadowMaps(webgl, microshaders, limit);
+}
