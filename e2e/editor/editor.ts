@@ -18,6 +18,7 @@ export interface EditorHandle {
     readonly isDirty: boolean;
     readonly changed: { subscribe(listener: () => void): () => void };
   };
+  addPlugin(plugin: { name: string; actions: { id: string; label: string; run(): void }[] }): void;
   readonly viewport: {
     readonly canvas: HTMLCanvasElement;
     readonly camera: GameObject['object3D'];
@@ -27,6 +28,7 @@ export interface EditorHandle {
     readonly statistics: { readonly frames: number };
     readonly editorCamera: { readonly target: { toArray(): number[] } };
     readonly webgl: WebGLRenderer;
+    readonly farol: { readonly techniques: Readonly<Record<string, unknown>> };
     renderNow(): void;
   };
   readonly autosave: {

@@ -13,6 +13,8 @@ import { Notices } from './model/Notices';
 import { Signal } from './model/Signal';
 import { Viewport } from './viewport/Viewport';
 import { layoutActions } from './layout/useLayout';
+import { addPlugin } from './plugins/addPlugin';
+import type { EditorPlugin } from './plugins/EditorPlugin';
 import { watchErrors } from './watchErrors';
 
 /** Scene of the engine's that is there at first, and its parameters. */
@@ -33,6 +35,7 @@ export interface OpenFile {
  * - `document`: scene, selection, simulation, and `commands`, the history
  * - `viewport`: canvas, camera, gizmo, FarolRenderer (`viewport.farol`), `renderNow()`, `pick(point)`
  * - `commands`: the same as `document.commands`
+ * - `addPlugin(plugin)`: adds panels, components, kinds of fields, techniques and commands
  * - `serialize()`: the scene as the text of a file
  */
 export class Editor {
@@ -177,6 +180,11 @@ export class Editor {
     } catch (error) {
       failed(error);
     }
+  }
+
+  /** Adds a plugin's panels, components, kinds of fields, techniques and commands: see `plugins/addPlugin.ts`. */
+  addPlugin(plugin: EditorPlugin): void {
+    addPlugin(this, plugin);
   }
 
   /** Shows a microshader in its panel, at a line (from 1) if one is given. */

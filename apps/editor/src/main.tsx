@@ -6,6 +6,7 @@ import { Editor } from './Editor';
 import { decodeLink, isLink } from './files/share/linkText';
 import { watchDrops } from './files/watchDrops';
 import { Layout } from './panels/Layout';
+import { startPlugins } from './plugins/usePlugins';
 import './style/theme.css';
 import './style/base.css';
 import './style/controls.css';
@@ -36,12 +37,12 @@ try {
     const text = await decodeLink(location.hash);
     await editor.openFileBytes(text, { name: null, handle: null });
   };
-  void editor.ready
-    .catch(() => {})
-    .then(() => {
-      if (isLink(location.hash)) editor.attempt(openLink);
-      editor.attempt(autosave);
-    });
+  const plugins = startPlugins(editor).catch((error: Error) => editor.notices.show('error', error.message, 'plugin'));
+  // a scene may hold components of plugins
+  void Promise.allSettled([editor.ready, plugins]).then(() => {
+    if (isLink(location.hash)) editor.attempt(openLink);
+    editor.attempt(autosave);
+  });
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
   for (const isCapture of [true, false]) {
     const keyDown = (event: KeyboardEvent): void => {

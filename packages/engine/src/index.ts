@@ -2,6 +2,7 @@ export * from './fields/Field';
 export * from './fields/fields';
 export { checkFieldValue, describeField } from './fields/checkFieldValue';
 export { component } from './fields/component';
+export { fieldTypeOf, registerFieldType, type FieldType } from './fields/fieldTypes';
 export { FieldError } from './fields/FieldError';
 export { FieldOwner, sameValue } from './fields/FieldOwner';
 export { isFieldVisible } from './fields/isFieldVisible';

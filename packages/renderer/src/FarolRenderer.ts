@@ -104,6 +104,7 @@ export class FarolRenderer {
   private readonly overdraw = new OverdrawPass();
   private readonly surfaceView = new SurfaceViewPass();
   private readonly found: FoundLights = { all: [], count: 0, nested: [], seeksMasks: true, hasMasks: false };
+  private readonly known: Record<string, Technique> = { ...techniques };
   private techniqueName: TechniqueName = 'auto';
   /** What draws this frame: the technique, or what 'auto' picked, and why. */
   private active: TechniqueName = 'deferred';
@@ -155,9 +156,25 @@ export class FarolRenderer {
   }
 
   set technique(name: TechniqueName) {
-    if (!Object.hasOwn(techniques, name)) throw unknownName('technique', name, Object.keys(techniques));
-    checkDevice(this.webgl, (techniques[name] as Technique).needsFloatTargets);
+    if (!Object.hasOwn(this.known, name)) throw unknownName('technique', name, Object.keys(this.known));
+    checkDevice(this.webgl, this.known[name].needsFloatTargets);
     this.techniqueName = name;
+  }
+
+  /** What `technique` can be: the built-in ones, and those that were added. */
+  get techniques(): Readonly<Record<string, Technique>> {
+    return this.known;
+  }
+
+  /**
+   * Adds a technique to this renderer.
+   * @returns its name, as `technique` takes it
+   * @throws Error when there is one of that name
+   */
+  addTechnique(name: string, technique: Technique): TechniqueName {
+    if (Object.hasOwn(this.known, name)) throw new Error(`Farol: there is a technique "${name}"; choose another name.`);
+    this.known[name] = technique;
+    return name as TechniqueName;
   }
 
   /** What is shown; takes effect on the next frame. @throws Error when unknown */
@@ -234,10 +251,10 @@ export class FarolRenderer {
       this.pick();
       shadows?.update(scene, frame.camera, this.lights.masked);
       frame.queue.layers = this.lights.layers?.reference ?? 0;
-      this.lights.write(frame.camera, (techniques[this.active] as Technique).lightOrder, frame, shadows);
+      this.lights.write(frame.camera, this.known[this.active].lightOrder, frame, shadows);
       this.setUniforms();
       this.sceneView = this.viewOf(scene);
-      const { fills = 'behind' } = techniques[this.active] as Technique;
+      const { fills = 'behind' } = this.known[this.active];
       this.sceneView.render(
         frame.camera,
         this.found.nested,
@@ -421,7 +438,7 @@ export class FarolRenderer {
   private passesOf(name: TechniqueName): Pass[] {
     let passes = this.passLists.get(name);
     if (passes === undefined) {
-      passes = techniques[name].passes({
+      passes = this.known[name].passes({
         lightIndex: this.uniforms.farol_lightIndex,
         tiles: this.uniforms,
         grid: this.uniforms,

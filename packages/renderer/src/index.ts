@@ -1,6 +1,8 @@
 export { FarolRenderer, type FarolOptions } from './FarolRenderer';
 export { techniques, type TechniqueName } from './techniques';
 export type { Technique, TechniqueContext } from './techniques/Technique';
+export type { Pass, Resource } from './passes/Pass';
+export type { Frame } from './Frame';
 export { views, type View } from './debug/views';
 export type { FarolEffect } from './FarolEffect';
 export type { FarolInfo, PassInfo } from './FarolInfo';

@@ -4,6 +4,7 @@ import { AngleEditor } from './AngleEditor';
 import { AssetEditor } from './AssetEditor';
 import { BooleanEditor } from './BooleanEditor';
 import { ChoiceEditor } from './ChoiceEditor';
+import { CustomEditor } from './CustomEditor';
 import { ColourEditor } from './ColourEditor';
 import { EulerEditor } from './EulerEditor';
 import type { FieldEditorProps } from './FieldEditorProps';
@@ -26,4 +27,5 @@ export const fieldEditors: { readonly [K in FieldKind]: ComponentType<FieldEdito
   colour: ColourEditor,
   asset: AssetEditor,
   object: ObjectEditor,
+  custom: CustomEditor,
 };

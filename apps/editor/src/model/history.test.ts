@@ -71,6 +71,8 @@ function randomValue(random: Random, field: Field, document: EditorDocument): Fi
       const names = document.assets.list(field.assetType).filter((name) => name !== 'dragon' && !name.includes('/'));
       return names.length === 0 || random() < 0.2 ? null : pick(random, names.slice(0, 6));
     }
+    case 'custom':
+      return field.default;
     case 'object':
       return random() < 0.3 ? null : pick(random, objectsOf(document.scene)).id;
   }

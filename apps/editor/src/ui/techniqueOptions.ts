@@ -1,10 +1,6 @@
-import { techniques, type TechniqueName } from '@farol/renderer';
+import type { FarolRenderer, TechniqueName } from '@farol/renderer';
 import type { SelectOption } from './SelectBox';
 
-/** The techniques, as lines of a menu. */
-export const techniqueOptions = (): SelectOption<TechniqueName>[] =>
-  (Object.keys(techniques) as TechniqueName[]).map((value) => ({
-    value,
-    label: techniques[value].label,
-    help: techniques[value].help,
-  }));
+/** The techniques of a renderer, as lines of a menu. */
+export const techniqueOptions = ({ techniques }: FarolRenderer): SelectOption<TechniqueName>[] =>
+  Object.entries(techniques).map(([value, { label, help }]) => ({ value: value as TechniqueName, label, help }));

@@ -96,5 +96,7 @@ function fieldValue(field: Field, text: string): FieldValue {
       if (values.length !== 3) throw new BadValue('three numbers with commas between are needed.');
       return [values[0], values[1], values[2]];
     }
+    case 'custom':
+      throw new BadValue('an address cannot hold it.');
   }
 }

@@ -96,6 +96,14 @@ export interface ObjectField extends FieldBase {
   readonly default: string | null;
 }
 
+/** A field of a type of its own, with its own check and its own editor: see `registerFieldType`. */
+export interface CustomField extends FieldBase {
+  readonly kind: 'custom';
+  /** Name of a registered type. */
+  readonly type: string;
+  readonly default: FieldValue;
+}
+
 export type Field =
   | NumberField
   | AngleField
@@ -106,7 +114,8 @@ export type Field =
   | EulerField
   | ColourField
   | AssetField
-  | ObjectField;
+  | ObjectField
+  | CustomField;
 
 export type FieldKind = Field['kind'];
 export type FieldTable = Readonly<Record<string, Field>>;
@@ -123,7 +132,20 @@ export type ValueOf<F extends Field> = F extends { kind: 'number' | 'angle' }
         ? string
         : F extends { kind: 'vector3' | 'euler' | 'colour' }
           ? Vector3Tuple
-          : string | null;
+          : F extends { kind: 'custom'; default: infer Default }
+            ? Widened<Default>
+            : string | null;
+
+/** The type of the values of a custom field, by its default. */
+type Widened<Default> = Default extends number
+  ? number
+  : Default extends boolean
+    ? boolean
+    : Default extends string
+      ? string
+      : Default extends Vector3Tuple
+        ? Vector3Tuple
+        : FieldValue;
 
 /** The values of a table of fields, as typed properties. */
 export type ValuesOf<F extends FieldTable> = { -readonly [K in keyof F]: ValueOf<F[K]> };

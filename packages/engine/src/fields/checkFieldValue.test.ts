@@ -2,11 +2,17 @@ import { describe, expect, test } from 'vitest';
 import { createRandom } from '../core/createRandom';
 import { checkFieldValue } from './checkFieldValue';
 import type { Field } from './Field';
-import { angle, asset, boolean, choice, colour, euler, number, object, string, vector3 } from './fields';
+import { angle, asset, boolean, choice, colour, custom, euler, number, object, string, vector3 } from './fields';
+import { registerFieldType } from './fieldTypes';
 import { isFieldVisible } from './isFieldVisible';
 import { randomFieldValue } from './randomFieldValue';
 
 const help = 'For a test.';
+registerFieldType({
+  name: 'even',
+  allows: 'an even number',
+  check: (value) => typeof value === 'number' && value % 2 === 0,
+});
 const fields: Record<Field['kind'], Field> = {
   number: number(1, { min: 0, max: 2, unit: 'm', help }),
   angle: angle(1, { min: 0, max: 3, help }),
@@ -18,6 +24,7 @@ const fields: Record<Field['kind'], Field> = {
   colour: colour([0, 0, 0], { help }),
   asset: asset('mesh', null, { help }),
   object: object(null, { help }),
+  custom: custom('even', 2, { help }),
 };
 
 const wrong: Record<Field['kind'], unknown[]> = {
@@ -31,6 +38,7 @@ const wrong: Record<Field['kind'], unknown[]> = {
   colour: [[-0.1, 0, 0], [0, 0, NaN], '#ffffff', 0xffffff],
   asset: [1, '', undefined],
   object: [1, '', undefined],
+  custom: [1, NaN, '2', undefined, { a: 2 }],
 };
 
 describe.each(Object.keys(fields) as Field['kind'][])('a field of kind %s', (kind) => {
@@ -64,4 +72,12 @@ test('a field is hidden when the field it depends on is hidden', () => {
   expect(shown({ type: 'b', fade: 'y' })).toBe(true);
   expect(shown({ type: 'b', fade: 'x' })).toBe(false);
   expect(shown({ type: 'a', fade: 'y' })).toBe(false);
+});
+
+test('a field of a type that nobody registered refuses everything, and names the type', () => {
+  expect(checkFieldValue(custom('odd', 1, { help }), 1)).toBe(
+    "must be of the type 'odd', which nobody has registered, not 1",
+  );
+  const other = { name: 'even', allows: 'anything', check: () => true };
+  expect(() => registerFieldType(other)).toThrow(/'even' already/);
 });

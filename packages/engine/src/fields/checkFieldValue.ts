@@ -1,4 +1,5 @@
-import type { Field } from './Field';
+import type { Field, FieldValue } from './Field';
+import { fieldTypeOf } from './fieldTypes';
 
 const isFiniteNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 
@@ -43,6 +44,8 @@ export function describeField(field: Field): string {
       return `the name of a ${field.assetType}, or null`;
     case 'object':
       return 'the id of a GameObject, or null';
+    case 'custom':
+      return fieldTypeOf(field.type)?.allows ?? `of the type '${field.type}', which nobody has registered`;
   }
 }
 
@@ -51,6 +54,14 @@ const inRange = (value: unknown, field: { min?: number; max?: number }): boolean
 
 const isTriple = (value: unknown, test: (coordinate: unknown) => boolean): boolean =>
   Array.isArray(value) && value.length === 3 && [0, 1, 2].every((i) => test(value[i]));
+
+/** Whether a file can hold a value. */
+const isFieldValue = (value: unknown): value is FieldValue =>
+  value === null ||
+  typeof value === 'string' ||
+  typeof value === 'boolean' ||
+  isFiniteNumber(value) ||
+  isTriple(value, isFiniteNumber);
 
 function isAllowed(field: Field, value: unknown): boolean {
   switch (field.kind) {
@@ -73,6 +84,8 @@ function isAllowed(field: Field, value: unknown): boolean {
     case 'asset':
     case 'object':
       return value === null || (typeof value === 'string' && value.length > 0);
+    case 'custom':
+      return isFieldValue(value) && (fieldTypeOf(field.type)?.check(value) ?? false);
   }
 }
 

@@ -1,4 +1,6 @@
 import type {
+  CustomField,
+  FieldValue,
   AngleField,
   AssetField,
   AssetType,
@@ -88,3 +90,10 @@ export const object = (value: string | null, options: Options<ObjectField>): Obj
   default: value,
   ...options,
 });
+
+/** A value of a registered type: see `registerFieldType`. */
+export const custom = <const Value extends FieldValue>(
+  type: string,
+  value: Value,
+  options: Options<Omit<CustomField, 'type'>>,
+): Omit<CustomField, 'default'> & { readonly default: Value } => ({ kind: 'custom', type, default: value, ...options });

@@ -26,5 +26,7 @@ export function randomFieldValue(field: Field, random: () => number, assetNames:
       return assetNames.length > 0 ? assetNames[Math.floor(random() * assetNames.length)] : null;
     case 'object':
       return null;
+    case 'custom':
+      return field.default;
   }
 }

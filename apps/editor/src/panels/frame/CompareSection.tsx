@@ -1,4 +1,4 @@
-import { techniques, type TechniqueName } from '@farol/renderer';
+import type { TechniqueName } from '@farol/renderer';
 import { type ReactNode, useCallback } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { NumberInput } from '../../ui/NumberInput';
@@ -54,7 +54,7 @@ function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
         <span className="field-label">With</span>
         <SelectBox
           value={wipe.technique}
-          options={techniqueOptions()}
+          options={techniqueOptions(viewport.farol)}
           label="Technique to compare with"
           onChange={(technique) => editor.attempt(() => void (wipe.technique = technique))}
         />
@@ -104,11 +104,11 @@ function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
           <dd>{figures === null ? '–' : `${(figures.differing * 100).toFixed(2)}% of the pixels`}</dd>
         </div>
         <div>
-          <dt>{techniques[viewport.technique].label}</dt>
+          <dt>{viewport.farol.techniques[viewport.technique].label}</dt>
           <dd>{times[0]}</dd>
         </div>
         <div>
-          <dt>{techniques[wipe.technique].label}</dt>
+          <dt>{viewport.farol.techniques[wipe.technique].label}</dt>
           <dd>{times[1]}</dd>
         </div>
       </dl>

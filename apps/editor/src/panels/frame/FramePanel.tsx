@@ -1,4 +1,3 @@
-import { techniques, type TechniqueName } from '@farol/renderer';
 import { type ReactNode, useCallback } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { SelectBox } from '../../ui/SelectBox';
@@ -28,7 +27,7 @@ export function FramePanel(): ReactNode {
             <span className="field-label">Technique</span>
             <SelectBox
               value={viewport.technique}
-              options={techniqueOptions()}
+              options={techniqueOptions(viewport.farol)}
               label="Technique of the frame"
               onChange={(technique) => editor.attempt(() => void (viewport.technique = technique))}
             />
@@ -59,7 +58,7 @@ function Figures(): ReactNode {
     useCallback(() => {
       const { info } = viewport.farol;
       if (info.technique === '') return '';
-      const { label } = techniques[info.technique as TechniqueName];
+      const { label } = viewport.farol.techniques[info.technique];
       return [
         viewport.technique === 'auto' ? `${label}: ${info.reason}.` : '',
         `Lights\t${info.lights.visible} of ${info.lights.total} in view`,

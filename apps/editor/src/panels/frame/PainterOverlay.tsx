@@ -1,4 +1,3 @@
-import { techniques } from '@farol/renderer';
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { viewLabel } from '../../ui/viewOptions';
@@ -81,8 +80,8 @@ function WipeHandle({ wipe }: { wipe: WipePainter }): ReactNode {
         onPointerDown={pointerDown}
         onKeyDown={keyDown}
       >
-        <span className="wipe-name left">{techniques[viewport.technique].label}</span>
-        <span className="wipe-name right">{techniques[wipe.technique].label}</span>
+        <span className="wipe-name left">{viewport.farol.techniques[viewport.technique].label}</span>
+        <span className="wipe-name right">{viewport.farol.techniques[wipe.technique].label}</span>
       </div>
     </div>
   );

@@ -58,7 +58,7 @@ export function paletteItems(editor: Editor): PaletteItem[] {
       isCurrent: action.checked?.(editor),
       run: () => action.run(editor),
     }));
-  const techniques = techniqueOptions().map(({ value, label }): PaletteItem => ({
+  const techniques = techniqueOptions(viewport.farol).map(({ value, label }): PaletteItem => ({
     id: `technique.${value}`,
     label,
     group: 'Technique',

@@ -68,7 +68,7 @@ export function Toolbar(): ReactNode {
           <span aria-hidden="true">Technique</span>
           <SelectBox
             value={viewport.technique}
-            options={techniqueOptions()}
+            options={techniqueOptions(viewport.farol)}
             label="Technique"
             onChange={(technique) =>
               editor.attempt(() => {

@@ -36,7 +36,11 @@ export class WipePainter implements Painter {
     microShaders: MicroShaderEditing,
     technique: TechniqueName,
   ) {
-    this.other = new FarolRenderer(viewport.webgl, { technique, timing: true });
+    this.other = new FarolRenderer(viewport.webgl, { timing: true });
+    for (const [name, each] of Object.entries(viewport.farol.techniques)) {
+      if (!Object.hasOwn(this.other.techniques, name)) this.other.addTechnique(name, each);
+    }
+    this.other.technique = technique;
     this.endMicroShaders = microShaders.addRegistry(this.other.microshaders);
     this.difference = new PictureDifference(viewport.webgl);
   }

@@ -1,0 +1,9 @@
+import type { EditorPlugin } from './EditorPlugin';
+
+/** Plugins that come with the editor, loaded when the user asks for them. A new one is a folder and a line here. */
+export const knownPlugins: Readonly<Record<string, { label: string; load(): Promise<EditorPlugin> }>> = {
+  lantern: {
+    label: 'Lantern: an example of a plugin',
+    load: () => import('./lantern').then(({ lantern }) => lantern),
+  },
+};

@@ -1,0 +1,21 @@
+import type { ReactNode } from 'react';
+import { ActionButton } from '../../ui/ActionButton';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Flicker } from './Flicker';
+import { flickerAll } from './flickerAll';
+
+/** The lamps that flicker. */
+export function LanternPanel(): ReactNode {
+  const { document } = useEditor();
+  useSignal(document.structure);
+  const names: string[] = [];
+  document.scene.traverse((object) => object.getComponent(Flicker) && names.push(object.name));
+  return (
+    <section className="panel" aria-label="Lantern">
+      <div className="panel-bar">
+        <ActionButton action={flickerAll} withLabel />
+      </div>
+      <p className="panel-empty">{names.length === 0 ? 'No lamp flickers.' : `Flickering: ${names.join(', ')}`}</p>
+    </section>
+  );
+}

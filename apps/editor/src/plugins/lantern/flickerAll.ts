@@ -1,0 +1,17 @@
+import { Light } from '@farol/engine';
+import type { Action } from '../../actions/Action';
+import { addComponent } from '../../model/edits';
+import { Flicker } from './Flicker';
+
+/** Puts a Flicker on every object with a point or a spot light. */
+export const flickerAll: Action = {
+  id: 'lantern.flicker-all',
+  label: 'Let every lamp flicker',
+  keys: ['Ctrl+Alt+L'],
+  icon: 'point',
+  run({ document: { scene }, commands }) {
+    const lamps = scene.lights.filter(({ type }) => type === 'point' || type === 'spot');
+    const objects = lamps.map(({ gameObject }) => gameObject).filter((object) => object.getComponent(Light));
+    commands.run(addComponent(scene, objects, Flicker));
+  },
+};

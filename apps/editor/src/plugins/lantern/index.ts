@@ -1,0 +1,26 @@
+import type { EditorPlugin } from '../EditorPlugin';
+import { Flicker } from './Flicker';
+import { flickerAll } from './flickerAll';
+import { share } from './share';
+import { vignette } from './vignette';
+
+/**
+ * An example of a plugin, with one of everything that can be added: a kind of field (a share, by a slider), a component
+ * that has one (Flicker), a technique (Vignette), a command and a panel.
+ */
+export const lantern: EditorPlugin = {
+  name: 'Lantern',
+  fieldTypes: [share],
+  components: [Flicker],
+  techniques: { vignette },
+  actions: [flickerAll],
+  panels: [
+    {
+      id: 'lantern',
+      title: 'Lantern',
+      icon: 'lamp',
+      place: 'right',
+      load: () => import('./LanternPanel').then(({ LanternPanel }) => LanternPanel),
+    },
+  ],
+};
