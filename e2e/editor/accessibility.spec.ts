@@ -1,6 +1,7 @@
+import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
 import { axeProblems } from './axe';
-import { addObject, openEditor, openEmptyScene } from './editor';
+import { addObject, openEditor } from './editor';
 
 test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
 
@@ -9,8 +10,7 @@ for (const theme of ['dark', 'light'] as const) {
     await page.addInitScript((value) => {
       localStorage.setItem('farol-editor', JSON.stringify({ state: { theme: value }, version: 0 }));
     }, theme);
-    await openEditor(page);
-    await openEmptyScene(page);
+    await openEditor(page, 'empty');
     expect(await axeProblems(page)).toEqual([]);
     await addObject(page, 'Light', 'Spot light');
     expect(await axeProblems(page)).toEqual([]);
@@ -21,5 +21,26 @@ for (const theme of ['dark', 'light'] as const) {
     await page.getByRole('button', { name: 'Keys' }).click();
     await expect(page.getByRole('dialog', { name: 'Keys' })).toBeVisible();
     expect(await axeProblems(page)).toEqual([]);
+    // the journeys of these panels ask axe in the dark theme
+    if (theme === 'light') await lookAtPanels(page);
   });
+}
+
+/** The palette, and the panels that are behind others at first. */
+async function lookAtPanels(page: Page): Promise<void> {
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+k');
+  await expect(page.getByRole('option').first()).toBeVisible();
+  expect(await axeProblems(page)).toEqual([]);
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+  for (const name of ['Frame', 'Microshaders']) {
+    await page.getByRole('tab', { name }).click();
+    await expect(page.getByRole('region', { name, exact: true })).toBeVisible();
+  }
+  await page.evaluate(() => window.editor.notices.show('error', 'Something is wrong.'));
+  expect(await axeProblems(page)).toEqual([]);
+  await page.getByRole('tab', { name: 'Console' }).click();
+  await expect(page.getByRole('region', { name: 'Console' })).toContainText('Something is wrong.');
+  expect(await axeProblems(page)).toEqual([]);
 }

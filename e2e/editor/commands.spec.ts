@@ -1,11 +1,10 @@
 import { expect, test } from '../support/test';
-import { history, openEditor, openEmptyScene } from './editor';
+import { history, openEditor } from './editor';
 
 test.use({ viewport: { width: 1100, height: 600 }, reducedMotion: 'reduce' });
 
 test('the palette finds what can be done, and does it', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   const search = page.getByRole('combobox', { name: 'Search commands' });
   const options = page.getByRole('option');
 
@@ -43,8 +42,7 @@ test('the palette finds what can be done, and does it', async ({ page }) => {
 });
 
 test('keys are chosen anew, clashes are told, and all of it is remembered and reset', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   const dialog = page.getByRole('dialog', { name: 'Keys' });
   const openKeys = async (): Promise<void> => {
     await page.getByRole('button', { name: 'Keys', exact: true }).click();

@@ -12,6 +12,7 @@ export interface EditorHandle {
     readonly simulation: { readonly state: string };
   };
   readonly microShaders: { textOf(name: string): string };
+  readonly notices: { show(kind: 'error', text: string): void };
   openMicroShader(name: string, line?: number): void;
   readonly commands: {
     readonly history: readonly string[];
