@@ -72,6 +72,9 @@ test('keys are chosen anew, clashes are told, and all of it is remembered and re
   await page.keyboard.press('Control+d');
   expect(await history(page)).toHaveLength(1);
 
+  // nothing to recover
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => page.evaluate(() => window.editor.autosave?.isUpToDate)).toBe(true);
   await page.reload();
   await page.waitForFunction(() => 'editor' in window);
   await page.evaluate(() => window.editor.ready);

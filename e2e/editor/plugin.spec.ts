@@ -53,10 +53,12 @@ test('a plugin brings a panel, a component with a field of its own, a technique 
   });
   expect(corner).toBeLessThan(middle * 0.6);
 
-  // it is there again after a reload, and the technique in the menu
+  // it is there again after a reload, before the scene that needs it
+  await expect.poll(() => page.evaluate(() => window.editor.autosave?.isUpToDate)).toBe(true);
   await page.reload();
-  await page.waitForFunction(() => 'editor' in window);
-  await expect(page.getByRole('tab', { name: 'Lantern' })).toBeVisible();
+  await page.getByRole('button', { name: 'Recover' }).click();
+  await page.getByRole('tab', { name: 'Lantern' }).click();
+  await expect(panel).toContainText('Flickering: Point light');
   const known = await page.evaluate(() => Object.keys(window.editor.viewport.farol.techniques));
   expect(known).toContain('vignette');
 });
