@@ -5,6 +5,7 @@ import {
   type FieldOwner,
   type FieldValue,
   GameObject,
+  instanceRootOf,
   Light,
   Scene,
   scenes,
@@ -36,6 +37,16 @@ import {
 } from './edits';
 import { EditorDocument } from './EditorDocument';
 import { groupObjects, ungroupObjects } from './groupObjects';
+import {
+  applyField,
+  canPlacePrefab,
+  createPrefab,
+  deletePrefab,
+  placePrefab,
+  renamePrefab,
+  revertInstance,
+  unpackInstance,
+} from './prefabEdits';
 
 type Random = () => number;
 const below = (random: Random, count: number): number => Math.floor(random() * count);
@@ -99,11 +110,37 @@ function randomMicroShaders(random: Random, { scene }: EditorDocument): Command 
   );
 }
 
+/** Work with prefabs; where an object is in no instance, it becomes one. */
+function randomPrefabCommand(
+  random: Random,
+  { scene }: EditorDocument,
+  object: GameObject,
+  parent: Container,
+): Command {
+  const root = instanceRootOf(object);
+  if (!root) return createPrefab(scene, object, []);
+  const prefab = pick(random, scene.prefabs.list);
+  switch (below(random, 6)) {
+    case 0:
+      return placePrefab(scene, prefab, canPlacePrefab(scene, prefab, parent) ? parent : scene, [], [random(), 0, 0]);
+    case 1:
+      return applyField(scene, object.transform, 'scale', []);
+    case 2:
+      return revertInstance(scene, root, []);
+    case 3:
+      return unpackInstance(scene, root, []);
+    case 4:
+      return deletePrefab(scene, prefab, []);
+    default:
+      return renamePrefab(scene, prefab, `Prefab ${below(random, 100)}`);
+  }
+}
+
 function randomCommand(random: Random, document: EditorDocument): Command {
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 22);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 27);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -170,6 +207,12 @@ function randomCommand(random: Random, document: EditorDocument): Command {
         'activeCamera',
         scene.cameras[below(random, scene.cameras.length)] ?? null,
       );
+    case 21:
+    case 22:
+    case 23:
+    case 24:
+    case 25:
+      return randomPrefabCommand(random, document, pick(random, all), parent());
     default:
       return randomEdit(random, document, pick(random, pick(random, all).components));
   }

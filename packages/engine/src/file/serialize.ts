@@ -27,6 +27,10 @@ function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, F
 const sorted = (texts: ReadonlyMap<string, string>): Record<string, string> =>
   Object.fromEntries([...texts].toSorted(([a], [b]) => (a < b ? -1 : 1)));
 
+/** Whether what an object links to is there: the link of one that was pasted from another scene leads nowhere. */
+const hasPrefab = ({ prefabLink, scene }: GameObject): boolean =>
+  prefabLink !== null && (!scene || scene.prefabs.get(prefabLink.prefab) !== null);
+
 /** One GameObject without its children, as a file holds it. */
 export function serializeObject(gameObject: GameObject): FileObject {
   return {
@@ -36,7 +40,7 @@ export function serializeObject(gameObject: GameObject): FileObject {
     ...(gameObject.active ? {} : { active: false }),
     ...(gameObject.locked ? { locked: true } : {}),
     ...(gameObject.tags.length > 0 ? { tags: [...gameObject.tags] } : {}),
-    ...(gameObject.prefabLink ? { prefab: gameObject.prefabLink } : {}),
+    ...(hasPrefab(gameObject) ? { prefab: gameObject.prefabLink! } : {}),
     components: gameObject.components.map((component) => ({
       type: component.typeName,
       version: component.componentClass.version,
