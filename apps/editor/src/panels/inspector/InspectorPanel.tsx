@@ -1,4 +1,4 @@
-import { type FocusEvent, type PointerEvent, type ReactNode, useState } from 'react';
+import { type FocusEvent, type PointerEvent, type ReactNode, useDeferredValue, useState } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './inspector.css';
 import { ObjectInspector } from './ObjectInspector';
@@ -10,6 +10,8 @@ export function InspectorPanel(): ReactNode {
   useSignal(document.selection.changed);
   useSignal(document.opened);
   const [help, setHelp] = useState('');
+  // who walks through the tree by a key that is held down waits for the tree alone
+  const ids = useDeferredValue(document.selection.ids);
 
   const show = (event: PointerEvent | FocusEvent): void => {
     const field = (event.target as HTMLElement).closest<HTMLElement>('[data-help]');
@@ -24,9 +26,7 @@ export function InspectorPanel(): ReactNode {
       onFocus={show}
       onPointerLeave={() => setHelp('')}
     >
-      <div className="inspector-body">
-        {document.selectedObjects.length > 0 ? <ObjectInspector /> : <SceneInspector />}
-      </div>
+      <div className="inspector-body">{ids.length > 0 ? <ObjectInspector ids={ids} /> : <SceneInspector />}</div>
       <p className="inspector-help">{help}</p>
     </section>
   );

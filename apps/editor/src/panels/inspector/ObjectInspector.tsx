@@ -1,5 +1,5 @@
 import type { Component, GameObject } from '@farol/engine';
-import { type ReactNode, useMemo } from 'react';
+import { memo, type ReactNode, useMemo } from 'react';
 import { addComponent, renameObject, setActive } from '../../model/edits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -22,16 +22,19 @@ function sharedComponents(objects: readonly GameObject[]): (readonly Component[]
   });
 }
 
-/** The selected GameObjects: name, whether they are active, and their components. */
-export function ObjectInspector(): ReactNode {
+/** The selected GameObjects: name, whether they are active, and their components. @param props.ids - at least one */
+export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: readonly string[] }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;
   const structure = useSignal(document.structure);
-  const selection = useSignal(document.selection.changed);
-  const objects = document.selectedObjects;
-  // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revisions stand for the objects and their components
-  const groups = useMemo(() => sharedComponents(document.selectedObjects), [document, structure, selection]);
+  const { objects, groups } = useMemo(() => {
+    const found = ids.flatMap((id) => document.scene.findById(id) ?? []);
+    return { objects: found, groups: found.length > 0 ? sharedComponents(found) : [] };
+    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the objects and their components
+  }, [document, structure, ids]);
   const [first] = objects;
+  // the selection is about to change
+  if (!first) return null;
   const isOne = objects.length === 1;
   const mixed = objects.some(({ active }) => active !== first.active);
 
@@ -79,4 +82,4 @@ export function ObjectInspector(): ReactNode {
       </div>
     </>
   );
-}
+});

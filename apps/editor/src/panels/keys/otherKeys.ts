@@ -4,6 +4,7 @@ export const otherKeys: readonly (readonly [string, string])[] = [
   ['Middle button, or Shift and left', 'Pan'],
   ['Wheel', 'Nearer and farther; while flying: speed'],
   ['Right button', 'Look around; with W A S D Q E: fly, Shift: faster'],
+  ['Left button in Select, or with Ctrl', 'Drag: select what is in the box; with Ctrl: more of it'],
   ['Ctrl while dragging a handle', 'Snap'],
   ['Arrow keys in the picture', 'Orbit; with Shift: pan; + and -: nearer and farther'],
   ['Ctrl+Shift+D in the tree', 'Move objects by the arrow keys; Enter: put them there'],
