@@ -117,6 +117,9 @@ test('a technique that knows no depth says so once, and draws as without', async
     const { scene, camera } = edgeScene(64, 48);
     const without = bench.byTechnique('clustered-forward', scene, camera);
     bench.farol.effects = [new effects.AmbientOcclusion()];
+    bench.byTechnique('auto', scene, camera); // has nothing to say: it picks a technique that knows depth
+    if (bench.farol.info.technique !== 'clustered-deferred')
+      throw new Error(`auto picks ${bench.farol.info.technique}`);
     bench.byTechnique('clustered-forward', scene, camera);
     return compareImages(without, bench.byTechnique('clustered-forward', scene, camera)).largest;
   });

@@ -13,6 +13,8 @@ export interface FarolEffect {
   readonly after?: readonly Resource[];
   /** `render` is called in the place of the pass of this name. */
   readonly replaces?: string;
+  /** True if it works on a G-buffer: the technique 'auto' then picks one that has it. Default false. */
+  readonly needsSurfaces?: boolean;
   /** Bytes of the targets that it holds. */
   readonly bytes: number;
   /**

@@ -17,7 +17,8 @@ import { createRegistry } from './microshaders/createRegistry';
 import { OverdrawPass } from './passes/OverdrawPass';
 import { gridUniforms } from './passes/LightGridPass';
 import { tileUniforms } from './passes/LightTilesPass';
-import type { Pass, Resource } from './passes/Pass';
+import { drawPasses } from './passes/drawPasses';
+import type { Pass } from './passes/Pass';
 import { SurfaceViewPass } from './passes/SurfaceViewPass';
 import { validatePasses } from './passes/validatePasses';
 import { refuseArrays } from './refuseArrays';
@@ -250,6 +251,7 @@ export class FarolRenderer {
       this.lights.layers?.end();
       this.pick();
       shadows?.update(scene, frame.camera, this.lights.masked);
+      frame.shadowMapsDrawn = shadows?.drawn ?? 0;
       frame.queue.layers = this.lights.layers?.reference ?? 0;
       this.lights.write(frame.camera, this.known[this.active].lightOrder, frame, shadows);
       this.setUniforms();
@@ -342,15 +344,18 @@ export class FarolRenderer {
     this.reason = 'asked for';
     if (this.techniqueName !== 'auto') return;
     const { bounded, coverage, directional, unbounded } = lights;
+    let surfaces = false;
+    for (const effect of this.activeEffects) surfaces ||= effect.needsSurfaces === true;
     const choice = this.chooser.choose({
       bounded,
       coverage,
       everywhere: directional + unbounded,
       transparents: this.frame.queue.hasLitTransparents,
       floatTargets: this.floatTargets,
+      surfaces,
     });
     this.active = choice.technique;
-    this.reason = choice.reason;
+    this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
   }
 
   private setUniforms(): void {
@@ -384,7 +389,7 @@ export class FarolRenderer {
     }
     if (frame.view === 'overdraw')
       this.run(this.overdraw.name, () => this.overdraw.render(frame, this.hasPass('depth')));
-    this.drawPasses();
+    drawPasses(frame, this.passesOf(this.active), this.activeEffects, this.recorder);
     if (frame.view === 'overdraw' && !this.hasPass('output')) this.overdraw.show(frame);
     if (frame.view === 'grid') this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
     frame.bindTarget();
@@ -397,32 +402,6 @@ export class FarolRenderer {
     frame.fills = this.sceneView.uncleared;
     if (frame.fills !== null) clearValue(this.webgl, frame.scene, frame.premultiplied, background);
     else background.w = -1;
-  }
-
-  private drawPasses(): void {
-    const { frame, recorder, activeEffects } = this;
-    for (const pass of this.passesOf(this.active)) {
-      recorder.beginPass(pass.name);
-      (this.replacementOf(pass) ?? pass).render!(frame, pass);
-      recorder.endPass();
-      for (const effect of activeEffects) {
-        if (effect.after === undefined || !sharesOne(effect.after, pass.writes)) continue;
-        recorder.beginPass(effect.name);
-        effect.render!(frame, pass);
-        recorder.endPass();
-      }
-    }
-    for (const effect of activeEffects) {
-      if (effect.end === undefined) continue;
-      recorder.beginPass(effect.name);
-      effect.end(frame);
-      recorder.endPass();
-    }
-  }
-
-  private replacementOf(pass: Pass): FarolEffect | null {
-    for (const effect of this.activeEffects) if (effect.replaces === pass.name) return effect;
-    return null;
   }
 
   private run(name: string, render: () => void): void {
@@ -462,9 +441,4 @@ export class FarolRenderer {
     for (const effect of this.effects) bytes += effect.bytes;
     return bytes;
   }
-}
-
-function sharesOne(some: readonly Resource[], others: readonly Resource[]): boolean {
-  for (const one of some) if (others.includes(one)) return true;
-  return false;
 }

@@ -72,6 +72,8 @@ export class Frame {
   /** Cube face and mipmap level of the target. */
   face = 0;
   level = 0;
+  /** Shadow maps that are drawn anew in this frame. */
+  shadowMapsDrawn = 0;
   /** Set by an effect: gives the kind of twin that an item is drawn with in place of another. */
   adapt: ((kind: TwinKind, item: RenderItem) => TwinKind) | null = null;
   /** Set by an effect: the G-buffer has indirect light by itself too. */

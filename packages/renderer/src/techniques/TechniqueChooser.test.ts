@@ -7,6 +7,7 @@ const scene = (figures: Partial<SceneFigures>): SceneFigures => ({
   coverage: 1,
   transparents: false,
   floatTargets: true,
+  surfaces: false,
   ...figures,
 });
 
@@ -21,6 +22,15 @@ describe('TechniqueChooser', () => {
   it('takes lists that hold for what is transparent too, where such things are', () => {
     const figures = scene({ bounded: 1000, coverage: 20, transparents: true });
     expect(new TechniqueChooser().choose(figures).technique).toBe('clustered-deferred');
+  });
+
+  it('takes a G-buffer at once when an effect works on it, however few the lights', () => {
+    const chooser = new TechniqueChooser();
+    expect(chooser.choose(scene({ bounded: 0 })).technique).toBe('forward-single-pass');
+    expect(chooser.choose(scene({ bounded: 0, surfaces: true })).technique).toBe('clustered-deferred');
+    expect(chooser.choose(scene({ bounded: 0, surfaces: true, floatTargets: false })).technique).toBe(
+      'forward-single-pass',
+    );
   });
 
   it('never takes a G-buffer without float targets, and leaves it at once when they go', () => {

@@ -10,6 +10,8 @@ export interface SceneFigures {
   readonly transparents: boolean;
   /** Whether float colour targets can be drawn to. */
   readonly floatTargets: boolean;
+  /** Whether an effect works on a G-buffer. */
+  readonly surfaces: boolean;
 }
 
 /** What the chooser picks from. */
@@ -67,7 +69,8 @@ export class TechniqueChooser {
       this.best(figures, SLACK) === current.technique ||
       this.best(figures, 1 / SLACK) === current.technique;
     this.waited = holds ? 0 : this.waited + 1;
-    const impossible = current.technique.endsWith('deferred') && !figures.floatTargets;
+    const deferred = current.technique.endsWith('deferred');
+    const impossible = deferred ? !figures.floatTargets : figures.surfaces && figures.floatTargets;
     if (impossible || this.waited >= PATIENCE) {
       this.current = best;
       this.waited = 0;
@@ -76,11 +79,13 @@ export class TechniqueChooser {
   }
 
   private best(
-    { bounded, everywhere, coverage, transparents, floatTargets }: SceneFigures,
+    { bounded, everywhere, coverage, transparents, floatTargets, surfaces }: SceneFigures,
     scale: number,
   ): ChosenTechnique {
-    if (bounded + everywhere <= FEW_LIGHTS) return 'forward-single-pass';
-    if (!floatTargets || (coverage + everywhere) * scale <= MANY_OVER_A_PIXEL) return 'clustered-forward';
+    if (!surfaces || !floatTargets) {
+      if (bounded + everywhere <= FEW_LIGHTS) return 'forward-single-pass';
+      if (!floatTargets || (coverage + everywhere) * scale <= MANY_OVER_A_PIXEL) return 'clustered-forward';
+    }
     return !transparents && bounded * scale > MANY_LIGHTS ? 'tiled-deferred' : 'clustered-deferred';
   }
 }

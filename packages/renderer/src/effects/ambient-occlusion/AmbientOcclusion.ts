@@ -52,6 +52,7 @@ interface Materials {
 export class AmbientOcclusion implements FarolEffect {
   readonly name = 'ambient occlusion';
   readonly after = ['gbuffer', 'scene-depth'] as const;
+  readonly needsSurfaces = true;
   /** How far off things close the sky (m), above 0. Default 0.5. */
   radius = 0.5;
   /** Power of the open share; 0 is none, 1 as it is. Default 1. */

@@ -141,6 +141,7 @@ export class TAA implements FarolEffect {
       !motion.changed &&
       looks === history.looks &&
       frame.lights.uploadedBytes === 0 &&
+      frame.shadowMapsDrawn === 0 &&
       viewProjection.equals(history.viewProjection);
     history.looks = looks;
     history.still = still ? history.still + 1 : history.isEmpty ? 0 : 3;

@@ -51,6 +51,7 @@ const colour = new Color();
 export class Decals implements FarolEffect {
   readonly name = 'decals';
   readonly after = ['gbuffer'] as const;
+  readonly needsSurfaces = true;
   private reached = false;
   private warned = false;
   private readonly framebuffers = new DecalFramebuffers();
