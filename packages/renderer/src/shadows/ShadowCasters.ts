@@ -1,5 +1,6 @@
 import { type Camera, type LOD, type Mesh, type Object3D, Sphere } from 'three';
 import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
+import { boxOutsidePlanes, casterBox } from './casterBox';
 import { casterSignature, isAnimatedCaster } from './casterSignature';
 import type { ShadowFace } from './ShadowFace';
 import type { ShadowSlot } from './ShadowSlot';
@@ -12,6 +13,9 @@ export interface Caster {
   y: number;
   z: number;
   radius: number;
+  /** Box along the world's axes, as `casterBox` gives it, where there is one. */
+  readonly box: Float64Array;
+  hasBox: boolean;
   readonly matrix: Float64Array;
   signature: number;
   frame: number;
@@ -90,6 +94,7 @@ export class ShadowCasters {
     if (moved) {
       if (caster.frame === this.frame - 1) this.addChange(caster);
       findSphere(object, caster);
+      caster.hasBox = caster.radius !== Infinity && casterBox(object, caster.box);
       caster.signature = signature;
       this.addChange(caster);
     }
@@ -119,6 +124,8 @@ function makeCaster(object: Object3D): Caster {
     y: 0,
     z: 0,
     radius: Infinity,
+    box: new Float64Array(6),
+    hasBox: false,
     matrix: new Float64Array(16).fill(NaN),
     signature: 0,
     frame: -1,
@@ -153,5 +160,7 @@ export function isSeen(caster: Caster, slot: ShadowSlot, face: ShadowFace): bool
   if ((caster.object.layers.mask & slot.layers) === 0) return false;
   const { x, y, z, radius } = caster;
   if (radius === Infinity) return true;
-  return !sphereOutsidePlanes(face.planes, x, y, z, radius) && (!slot.isCube || slot.reaches(x, y, z, radius));
+  if (sphereOutsidePlanes(face.planes, x, y, z, radius)) return false;
+  if (!caster.hasBox) return !slot.isCube || slot.reaches(x, y, z, radius);
+  return !boxOutsidePlanes(face.planes, caster.box) && slot.reachesBox(caster.box);
 }

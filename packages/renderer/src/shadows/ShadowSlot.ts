@@ -11,6 +11,7 @@ import {
   Vector3,
 } from 'three';
 import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
+import { squaredDistanceToBox } from './casterBox';
 import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { CookieSlot } from './CookieSlot';
 import { type AtlasTenant, CUBE_BORDER } from './TileAtlas';
@@ -125,6 +126,14 @@ export class ShadowSlot implements AtlasTenant {
     const dy = y + e[13];
     const dz = z + e[14];
     return dx * dx + dy * dy + dz * dz <= reach * reach;
+  }
+
+  /** False when no part of a box (as `casterBox` gives it) is within the range of the light. */
+  reachesBox(box: Float64Array): boolean {
+    const range = (this.light as PointLight).distance;
+    if (!(range > 0)) return true;
+    const e = this.faces[0].camera.matrixWorld.elements;
+    return squaredDistanceToBox(box, e[12], e[13], e[14]) <= range * range;
   }
 
   /** Takes a place in the atlas; the map is to be drawn anew. */

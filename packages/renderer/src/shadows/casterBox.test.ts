@@ -1,0 +1,72 @@
+import { BoxGeometry, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, PerspectiveCamera, Vector3 } from 'three';
+import { describe, expect, test } from 'vitest';
+import { viewFrustumPlanes } from '../lights/viewFrustumPlanes';
+import { boxOutsidePlanes, casterBox, squaredDistanceToBox } from './casterBox';
+
+function random(seed: number): () => number {
+  return () => {
+    seed = (seed * 16807) % 2147483647;
+    return (seed - 1) / 2147483646;
+  };
+}
+
+describe('casterBox', () => {
+  test('holds every vertex of a turned, scaled object, and touches some, and leaves the geometry as it was', () => {
+    const next = random(3);
+    for (let n = 0; n < 50; n++) {
+      const mesh = new Mesh(new BoxGeometry(1 + next(), 1, 1 + 3 * next()), new MeshStandardMaterial());
+      mesh.position.set(next() * 9, next() * 9, next() * 9);
+      mesh.rotation.set(next() * 6, next() * 6, next() * 6);
+      mesh.scale.set(-next(), 0.5, 2);
+      mesh.updateMatrixWorld();
+      const box = new Float64Array(6);
+      expect(casterBox(mesh, box)).toBe(true);
+      const { position } = mesh.geometry.attributes;
+      const point = new Vector3();
+      const farthest = [0, 0, 0];
+      for (let i = 0; i < position.count; i++) {
+        point.fromBufferAttribute(position, i).applyMatrix4(mesh.matrixWorld);
+        expect(squaredDistanceToBox(box, point.x, point.y, point.z)).toBeLessThan(1e-12);
+        point.toArray().forEach((value, axis) => {
+          farthest[axis] = Math.max(farthest[axis], value - box[axis]);
+        });
+      }
+      farthest.forEach((value, axis) => expect(value).toBeCloseTo(box[3 + axis], 6));
+      expect(mesh.geometry.boundingBox).toBeNull();
+    }
+  });
+
+  test('what it says is outside of a frustum has no point inside', () => {
+    const next = random(11);
+    const camera = new PerspectiveCamera(50, 1.3, 0.5, 20);
+    const planes = viewFrustumPlanes(camera.projectionMatrix.elements, new Float64Array(24));
+    let outside = 0;
+    for (let n = 0; n < 500; n++) {
+      const box = new Float64Array([
+        next() * 20 - 10,
+        next() * 20 - 10,
+        -next() * 25,
+        next() * 3,
+        next() * 3,
+        next() * 3,
+      ]);
+      if (!boxOutsidePlanes(planes, box)) continue;
+      outside++;
+      for (let i = 0; i < 40; i++) {
+        const p = [0, 1, 2].map((axis) => box[axis] + (next() * 2 - 1) * box[3 + axis]);
+        let inside = true;
+        for (let k = 0; k < 24; k += 4) {
+          if (planes[k] * p[0] + planes[k + 1] * p[1] + planes[k + 2] * p[2] + planes[k + 3] < 0) inside = false;
+        }
+        expect(inside).toBe(false);
+      }
+    }
+    expect(outside).toBeGreaterThan(50);
+  });
+
+  test('instanced meshes and such have none', () => {
+    const mesh = new InstancedMesh(new BoxGeometry(), new MeshStandardMaterial(), 2);
+    mesh.setMatrixAt(0, new Matrix4());
+    expect(casterBox(mesh, new Float64Array(6))).toBe(false);
+  });
+});
