@@ -155,12 +155,15 @@ function findSphere(object: Object3D, caster: Caster): void {
   caster.radius = sphere.radius;
 }
 
-/** True when a face of a light's map may see the caster. */
-export function isSeen(caster: Caster, slot: ShadowSlot, face: ShadowFace): boolean {
+/** True when a light's maps may show the caster at all. */
+export function isReached(caster: Caster, slot: ShadowSlot): boolean {
   if ((caster.object.layers.mask & slot.layers) === 0) return false;
-  const { x, y, z, radius } = caster;
+  const { x, y, z, radius, hasBox, box } = caster;
+  return slot.reaches(x, y, z, radius) && (!hasBox || slot.reachesBox(box));
+}
+
+/** True when a face of the maps may see a caster that is reached. */
+export function isSeen({ x, y, z, radius, hasBox, box }: Caster, { planes }: ShadowFace): boolean {
   if (radius === Infinity) return true;
-  if (sphereOutsidePlanes(face.planes, x, y, z, radius)) return false;
-  if (!caster.hasBox) return !slot.isCube || slot.reaches(x, y, z, radius);
-  return !boxOutsidePlanes(face.planes, caster.box) && slot.reachesBox(caster.box);
+  return !sphereOutsidePlanes(planes, x, y, z, radius) && !(hasBox && boxOutsidePlanes(planes, box));
 }

@@ -1,4 +1,5 @@
 import { Frustum, Matrix4, PerspectiveCamera, Vector3, WebGLCoordinateSystem, type Camera } from 'three';
+import type { Caster } from './ShadowCasters';
 
 const frustum = new Frustum();
 const matrix = new Matrix4();
@@ -10,6 +11,8 @@ const back = new Vector3();
 export class ShadowFace {
   /** The six planes of its view in world space, as `viewFrustumPlanes` has them. */
   readonly planes = new Float64Array(24);
+  /** What it draws in this frame. */
+  readonly casters: Caster[] = [];
   /** Part of the atlas that it draws to (texels). */
   x = 0;
   y = 0;

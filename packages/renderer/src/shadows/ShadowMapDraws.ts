@@ -12,7 +12,7 @@ import {
 import type { GeometryGroup } from '../RenderItem';
 import { CasterMaterials } from './CasterMaterials';
 import { casterStand } from './casterStand';
-import { type Caster, isSeen, type ShadowCasters } from './ShadowCasters';
+import { type Caster, isReached, isSeen, type ShadowCasters } from './ShadowCasters';
 import type { ShadowFace } from './ShadowFace';
 import type { ShadowSlot } from './ShadowSlot';
 import type { TileAtlas } from './TileAtlas';
@@ -69,15 +69,21 @@ export class ShadowMapDraws {
     this.stands.length = 0;
   }
 
-  /** Has three bring the buffers of what a face will draw up to date. */
-  prepare(slot: ShadowSlot, face: ShadowFace): void {
+  /** Finds what each face of a light's map will draw, and has three bring its buffers up to date. */
+  prepare(slot: ShadowSlot): void {
     const { list, count } = this.casters!;
+    for (const face of slot.faces) face.casters.length = 0;
     for (let i = 0; i < count; i++) {
       const caster = list[i];
-      if (caster.prepared === this.frame || !isSeen(caster, slot, face)) continue;
-      caster.prepared = this.frame;
-      caster.stand ??= casterStand(caster.object);
-      this.stands.push(caster.stand);
+      if (!isReached(caster, slot)) continue;
+      for (const face of slot.faces) {
+        if (!isSeen(caster, face)) continue;
+        face.casters.push(caster);
+        if (caster.prepared === this.frame) continue;
+        caster.prepared = this.frame;
+        caster.stand ??= casterStand(caster.object);
+        this.stands.push(caster.stand);
+      }
     }
   }
 
@@ -99,8 +105,7 @@ export class ShadowMapDraws {
     state.buffers.depth.setMask(true);
     depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
     this.gl.clearBufferfv(this.gl.DEPTH, 0, depth);
-    const { list, count } = this.casters!;
-    for (let i = 0; i < count; i++) if (isSeen(list[i], slot, face)) this.drawCaster(list[i], slot, face);
+    for (const caster of face.casters) this.drawCaster(caster, slot, face);
     state.setScissorTest(false);
   }
 

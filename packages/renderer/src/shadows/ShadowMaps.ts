@@ -316,7 +316,7 @@ export class ShadowMaps implements LightMasks {
       if (slot.shows && may && (slot.dirty || !slot.drawn)) {
         this.stale.push(slot);
         this.drawn++;
-        for (const face of slot.faces) this.draws.prepare(slot, face);
+        this.draws.prepare(slot);
       } else if (slot.shows) this.kept++;
       const masked = slot.shows || slot.cookie !== null || this.layers.separates(slot.light);
       slot.record = masked ? this.records : -1;
