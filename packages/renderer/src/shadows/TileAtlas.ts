@@ -43,7 +43,7 @@ export class TileAtlas {
   private readonly order: AtlasTenant[] = [];
   private reduced = false;
   /** Part of the largest atlas that maps are reduced to: less after they did not fit. */
-  private filled = FILLED;
+  private filled = 1;
 
   /**
    * @param limit texels a side at most
@@ -118,7 +118,7 @@ export class TileAtlas {
     }
     order.length = 0;
     for (const tenant of tenants) order.push(tenant);
-    this.filled = FILLED;
+    this.filled = 1;
     for (;;) {
       this.reduce(tenants);
       let area = 0;

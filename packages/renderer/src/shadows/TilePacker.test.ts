@@ -24,7 +24,7 @@ describe('TilePacker', () => {
       const tile = packer.place(1 + Math.floor(next() * 200), 1 + Math.floor(next() * 200));
       if (tile === null) continue;
       expect(tile.x >= 0 && tile.y >= 0 && tile.x + tile.width <= 1024 && tile.y + tile.height <= 1024).toBe(true);
-      for (const other of placed) expect(overlap(tile, other)).toBe(false);
+      expect(placed.some((other) => overlap(tile, other))).toBe(false);
       placed.push(tile);
     }
     expect(placed.length).toBeGreaterThan(20);

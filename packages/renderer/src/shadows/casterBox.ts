@@ -8,7 +8,7 @@ import {
 } from 'three';
 import { isAnimatedCaster } from './casterSignature';
 
-type Kind = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean };
+type Kind = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPoints?: boolean };
 
 /** Boxes of geometries in their own space, with the version of the positions that they are of. */
 const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; version: number; position: BufferAttribute }>();
@@ -33,11 +33,12 @@ function isDisplaced(object: Kind): boolean {
 
 /**
  * The box along the world's axes round an object: centre and half sizes (m), 6 numbers. Nothing of the object is changed.
- * @returns false for objects that have none: several at once, or bent by shaders
+ * @returns false for objects that have none: several at once, points with a size, or bent by shaders
  */
 export function casterBox(object: Object3D, out: Float64Array): boolean {
   const mesh = object as Kind;
-  if (mesh.isInstancedMesh || mesh.isBatchedMesh || isDisplaced(mesh) || isAnimatedCaster(object)) return false;
+  if (mesh.isInstancedMesh || mesh.isBatchedMesh || mesh.isPoints) return false;
+  if (isDisplaced(mesh) || isAnimatedCaster(object)) return false;
   const box = boxOf(mesh.geometry);
   if (box === null || box.isEmpty()) return false;
   const { min, max } = box;

@@ -1,0 +1,95 @@
+import { WebGLRenderTarget } from 'three';
+import { describe, expect, test } from 'vitest';
+import { type AtlasTenant, CUBE_BORDER, TileAtlas } from './TileAtlas';
+import type { Tile } from './TilePacker';
+
+class Tenant implements AtlasTenant {
+  tile: Tile | null = null;
+  faceWidth = 0;
+  faceHeight = 0;
+  halvings = 0;
+  halved = 0;
+  drawn = false;
+  placed = 0;
+
+  constructor(
+    readonly wantedWidth: number,
+    readonly isCube = false,
+    public coverage = 1,
+  ) {}
+
+  get wantedHeight(): number {
+    return this.wantedWidth;
+  }
+
+  place(tile: Tile, faceWidth: number, faceHeight: number): void {
+    Object.assign(this, { tile, faceWidth, faceHeight, drawn: false });
+    this.placed++;
+  }
+}
+
+const atlasOf = (limit: number) => new TileAtlas(limit, 5, (size) => new WebGLRenderTarget(size, size));
+
+function expectApart(tenants: readonly Tenant[], size: number): void {
+  const tiles = tenants.map(({ tile }) => tile!);
+  tiles.forEach((a, i) => {
+    expect(a.x >= 0 && a.y >= 0 && a.x + a.width <= size && a.y + a.height <= size).toBe(true);
+    for (const b of tiles.slice(i + 1)) {
+      const apart = a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+      expect(apart).toBe(true);
+    }
+  });
+}
+
+describe('TileAtlas', () => {
+  test('all have the size that they ask for while there is room; the atlas grows to what is needed', () => {
+    const atlas = atlasOf(4096);
+    const tenants = Array.from({ length: 20 }, (_, i) => new Tenant(128 + 64 * (i % 3), i % 4 === 0));
+    atlas.arrange(tenants, [], true);
+    for (const tenant of tenants) {
+      expect([tenant.faceWidth, tenant.faceHeight]).toEqual([tenant.wantedWidth, tenant.wantedWidth]);
+      const border = tenant.isCube ? 2 * CUBE_BORDER : 0;
+      expect(tenant.tile!.width).toBe((tenant.wantedWidth + border) * (tenant.isCube ? 3 : 1));
+    }
+    expectApart(tenants, atlas.target!.width);
+    expect(atlas.target!.width).toBeLessThanOrEqual(2048);
+  });
+
+  test('nothing moves while nothing changes, and one that comes or goes leaves the others where they are', () => {
+    const atlas = atlasOf(2048);
+    const tenants = Array.from({ length: 8 }, () => new Tenant(256));
+    atlas.arrange(tenants, [], true);
+    const before = tenants.map(({ tile, placed }) => ({ tile, placed }));
+    atlas.arrange(tenants, [], true);
+    atlas.release(tenants[3]);
+    const others = tenants.filter((_, i) => i !== 3);
+    atlas.arrange(others, [], true);
+    atlas.arrange([...others, new Tenant(256)], [], true);
+    others.forEach((tenant) => expect(before).toContainEqual({ tile: tenant.tile, placed: tenant.placed }));
+  });
+
+  test('a full atlas halves those that cover least, gives all a place, and gives sizes back when others go', () => {
+    const atlas = atlasOf(1024);
+    const tenants = Array.from({ length: 24 }, (_, i) => new Tenant(512, i % 3 === 0, 1 / (1 + i)));
+    atlas.arrange(tenants, [], true);
+    expectApart(tenants, 1024);
+    expect(tenants[1].faceWidth).toBeGreaterThan(tenants[23].faceWidth);
+    const placed = tenants.map((tenant) => tenant.placed);
+    atlas.arrange(tenants, [], true);
+    expect(tenants.map((tenant) => tenant.placed)).toEqual(placed);
+    for (const tenant of tenants.slice(2)) atlas.release(tenant);
+    atlas.arrange([tenants[1]], [], true);
+    expect(tenants[1].faceWidth).toBe(512);
+  });
+
+  test('tiles that are only kept make room', () => {
+    const atlas = atlasOf(512);
+    const kept = Array.from({ length: 4 }, () => new Tenant(256));
+    atlas.arrange(kept, [], true);
+    const fresh = [new Tenant(512)];
+    atlas.arrange(fresh, kept, true);
+    expect(fresh[0].faceWidth).toBe(512);
+    expect(fresh[0].tile).not.toBeNull();
+    expect(kept.every(({ tile, drawn }) => tile === null && !drawn)).toBe(true);
+  });
+});
