@@ -74,6 +74,11 @@ export class FarolRenderer {
   /** Lights a pixel (or draws a pixel) that the count views show hottest. Default 32, above 0. */
   heatMapMaximum = 32;
   /**
+   * Shadow maps of each directional light, 1 to 4: the last is the light's own, those before it see what is near the camera,
+   * each a quarter as far as the next, in maps of the same size. Not for VSMShadowMap. Default 1, as in three.
+   */
+  shadowCascades = 1;
+  /**
    * What takes part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the like,
    * from entries of the package of their own. Takes effect on the next frame; effects that are left out stay the host's to
    * dispose, those in the list are disposed with this renderer. Default none.
@@ -250,6 +255,7 @@ export class FarolRenderer {
       this.lights.collect(this.found.all, frame.camera);
       this.lights.layers?.end();
       this.pick();
+      if (shadows !== null) shadows.cascades = Math.min(4, Math.max(1, Math.round(this.shadowCascades)));
       shadows?.update(scene, frame.camera, this.lights.masked);
       frame.shadowMapsDrawn = shadows?.drawn ?? 0;
       frame.queue.layers = this.lights.layers?.reference ?? 0;

@@ -46,6 +46,8 @@ const position = new Vector3();
 export class ShadowMaps implements LightMasks {
   records = 0;
   readonly layers = new LightLayers();
+  /** Maps of each directional light, 1 to 4. */
+  cascades = 1;
   /** Maps that this frame draws (a point light has one of six faces), and those that it lights with as they are. */
   drawn = 0;
   kept = 0;
@@ -139,7 +141,7 @@ export class ShadowMaps implements LightMasks {
     this.dropLost();
     this.findChanges(root, camera);
     const updates = shadowMap.autoUpdate || shadowMap.needsUpdate;
-    this.follow(updates);
+    this.follow(updates, camera);
     this.arrange();
     this.findStale(updates);
     this.adaptShaders();
@@ -220,12 +222,14 @@ export class ShadowMaps implements LightMasks {
       return;
     }
     let slot = this.slots.get(light);
-    if (slot !== undefined && slot.shadow !== light.shadow) {
+    const mayCascade = (light as { isDirectionalLight?: boolean }).isDirectionalLight && this.type !== VSMShadowMap;
+    const cascades = mayCascade ? this.cascades : 1;
+    if (slot !== undefined && (slot.shadow !== light.shadow || (!slot.isCube && slot.cascades !== cascades - 1))) {
       this.releaseMap(slot);
       slot = undefined;
     }
     if (slot === undefined) {
-      slot = new ShadowSlot(light);
+      slot = new ShadowSlot(light, cascades);
       this.slots.set(light, slot);
     }
     slot.root = root;
@@ -265,13 +269,13 @@ export class ShadowMaps implements LightMasks {
     }
   }
 
-  private follow(updates: boolean): void {
+  private follow(updates: boolean, camera: Camera): void {
     const reversed = this.webgl.state.buffers.depth.getReversed();
     for (const slot of this.lit) {
       const { shadow } = slot.light;
       if (shadow.needsUpdate) slot.dirty = true;
       const follows = !slot.hadMap || slot.cookie !== null || (updates && (shadow.autoUpdate || shadow.needsUpdate));
-      if (follows) slot.follow(reversed);
+      if (follows) slot.follow(reversed, camera);
     }
   }
 

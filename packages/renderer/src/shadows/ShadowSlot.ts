@@ -1,9 +1,10 @@
 import {
+  type Camera,
   Frustum,
   type LightShadow,
   type Object3D,
   Matrix4,
-  type OrthographicCamera,
+  OrthographicCamera,
   type PerspectiveCamera,
   type PointLight,
   type DirectionalLight,
@@ -12,6 +13,7 @@ import {
 } from 'three';
 import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
 import { squaredDistanceToBox } from './casterBox';
+import { fitCascade } from './fitCascade';
 import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { CookieSlot } from './CookieSlot';
 import { type AtlasTenant, CUBE_BORDER } from './TileAtlas';
@@ -28,6 +30,13 @@ type OwnShadow = LightShadow & { updateMatrices(light: ShadowLight): void; _frus
 
 const CAMERA_NUMBERS = ['near', 'zoom', 'left', 'right', 'top', 'bottom'] as const;
 const position = new Vector3();
+const fitted = new Float64Array(4);
+
+function cascadeCamera(): OrthographicCamera {
+  const camera = new OrthographicCamera();
+  camera.matrixAutoUpdate = camera.matrixWorldAutoUpdate = false;
+  return camera;
+}
 
 /**
  * The shadow map of one light: its private cameras, where its tile lies, and whether that still holds. What three would
@@ -40,6 +49,11 @@ export class ShadowSlot implements AtlasTenant {
   /** The scene in which it was last lit. */
   root: Object3D | null = null;
   readonly faces: ShadowFace[];
+  /** Maps of what is near, before that of the whole. */
+  readonly cascades: number;
+  readonly side: number;
+  /** How coordinates of the whole map become those of each: scale, shift of x; of y. */
+  readonly fits: Float64Array;
   /** World space to the map, 0 to 1, and depth; of a point light: to what leads from the light to there. */
   readonly matrix = new Matrix4();
   /** Nearest and farthest of the map's cameras (m). */
@@ -77,16 +91,27 @@ export class ShadowSlot implements AtlasTenant {
   private readonly own: OwnShadow;
   private readonly before = new Float64Array(18);
 
-  constructor(readonly light: ShadowLight) {
+  /** @param cascades maps of a directional light, the whole one included */
+  constructor(
+    readonly light: ShadowLight,
+    cascades = 1,
+  ) {
     this.isCube = light.isPointLight === true;
     const shadow = light.shadow as unknown as OwnShadow;
     this.shadow = shadow;
     this.own = Object.create(shadow) as OwnShadow;
     const camera = shadow.camera.clone();
+    // the host need not have done so: three does it with the first map
+    (camera as unknown as ShadowCamera).updateProjectionMatrix();
     this.define('camera', camera);
     this.define('matrix', this.matrix);
     this.define('_frustum', new Frustum());
     this.faces = this.isCube ? makeCubeFaces() : [new ShadowFace(camera)];
+    this.cascades = Math.max(0, cascades - 1);
+    this.side = cascades > 1 ? 2 : 1;
+    this.fits = new Float64Array(4 * this.cascades);
+    // the whole map is the last
+    for (let i = 0; i < this.cascades; i++) this.faces.splice(i, 0, new ShadowFace(cascadeCamera()));
   }
 
   /** Texels a side that the light's map has by its own settings. */
@@ -98,11 +123,12 @@ export class ShadowSlot implements AtlasTenant {
   }
 
   /** Follows the light and its settings; the slot is dirty when its view changed. */
-  follow(reversedDepth: boolean): void {
+  follow(reversedDepth: boolean, view: Camera): void {
     if (this.isCube) this.followPoint(reversedDepth);
     else this.followMap(reversedDepth);
+    const refitted = this.cascades > 0 && this.fit(view);
     const { before, matrix } = this;
-    let same = before[16] === this.near && before[17] === this.far;
+    let same = !refitted && before[16] === this.near && before[17] === this.far;
     for (let i = 0; i < 16; i++) {
       if (before[i] === matrix.elements[i]) continue;
       before[i] = matrix.elements[i];
@@ -118,7 +144,7 @@ export class ShadowSlot implements AtlasTenant {
   /** True when a sphere (world space, m) may be in one of the maps. */
   reaches(x: number, y: number, z: number, radius: number): boolean {
     if (radius === Infinity) return true;
-    if (!this.isCube) return !sphereOutsidePlanes(this.faces[0].planes, x, y, z, radius);
+    if (!this.isCube) return this.faces.some(({ planes }) => !sphereOutsidePlanes(planes, x, y, z, radius));
     // beyond a range nothing is lit; without one, the corners of the cube of far planes count
     const e = this.matrix.elements;
     const reach = radius + this.far * ((this.light as PointLight).distance > 0 ? 1 : Math.sqrt(3));
@@ -146,8 +172,9 @@ export class ShadowSlot implements AtlasTenant {
     const width = this.isCube ? faceWidth + 2 * CUBE_BORDER : faceWidth;
     const height = this.isCube ? faceHeight + 2 * CUBE_BORDER : faceHeight;
     this.faces.forEach((face, i) => {
-      face.x = tile.x + (i % 3) * width;
-      face.y = tile.y + Math.floor(i / 3) * height;
+      const columns = this.isCube ? 3 : this.side;
+      face.x = tile.x + (i % columns) * width;
+      face.y = tile.y + Math.floor(i / columns) * height;
       face.width = width;
       face.height = height;
     });
@@ -174,7 +201,23 @@ export class ShadowSlot implements AtlasTenant {
     own.updateMatrices(light);
     this.near = camera.near;
     this.far = camera.far;
-    this.faces[0].update();
+    this.faces[this.cascades].update();
+  }
+
+  /** Fits the nearer maps round what is seen. @returns whether that changed them */
+  private fit(view: Camera): boolean {
+    const { cascades, fits, faces } = this;
+    const whole = this.own.camera as unknown as OrthographicCamera;
+    const { x, y } = this.light.shadow.mapSize;
+    let changed = false;
+    for (let i = 0; i < cascades; i++) {
+      fitCascade(faces[i], whole, view, cascades - i, x, y, fitted);
+      for (let k = 0; k < 4; k++) {
+        changed ||= fits[i * 4 + k] !== fitted[k];
+        fits[i * 4 + k] = fitted[k];
+      }
+    }
+    return changed;
   }
 
   private followPoint(reversedDepth: boolean): void {

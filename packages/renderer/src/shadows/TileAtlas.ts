@@ -7,6 +7,8 @@ export const CUBE_BORDER = 1;
 /** What has a tile in an atlas: a map, or the six faces of a cube, three by two, with borders. */
 export interface AtlasTenant {
   readonly isCube: boolean;
+  /** Maps a side of a square of several; 1 when absent. */
+  readonly side?: number;
   /** Texels a side that are asked for. */
   readonly wantedWidth: number;
   readonly wantedHeight: number;
@@ -201,16 +203,16 @@ function mapHeight(tenant: AtlasTenant, limit: number): number {
 
 /** Texels a side of a face: as the light asks, but no more than fit alone, halved as there is need. */
 function sideOf(wanted: number, tenant: AtlasTenant, limit: number): number {
-  const most = tenant.isCube ? Math.floor(limit / 3) - 2 * CUBE_BORDER : limit;
+  const most = tenant.isCube ? Math.floor(limit / 3) - 2 * CUBE_BORDER : Math.floor(limit / (tenant.side ?? 1));
   return Math.max(1, Math.min(wanted, most) >> tenant.halvings);
 }
 
 function blockWidth(tenant: AtlasTenant, face: number): number {
-  return tenant.isCube ? 3 * (face + 2 * CUBE_BORDER) : face;
+  return tenant.isCube ? 3 * (face + 2 * CUBE_BORDER) : face * (tenant.side ?? 1);
 }
 
 function blockHeight(tenant: AtlasTenant, face: number): number {
-  return tenant.isCube ? 2 * (face + 2 * CUBE_BORDER) : face;
+  return tenant.isCube ? 2 * (face + 2 * CUBE_BORDER) : face * (tenant.side ?? 1);
 }
 
 function areaOf(tenant: AtlasTenant, limit: number): number {

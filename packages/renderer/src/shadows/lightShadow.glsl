@@ -56,6 +56,22 @@ float farol_mapShadow(const in int kind, const in vec4 tile, const in vec3 coord
   return clamp((variance / (variance + beyond * beyond) - 0.3) / 0.65, 0.0, 1.0);
 }
 
+// the same in the first map that holds the place, of a directional light that has nearer maps, two a row
+float farol_cascadeShadow(const in int record, const in int kind, const in vec4 tile, const in vec3 coord, const in vec2 mapSize, const in float radius) {
+  vec3 across = coord;
+  int nearer = int(farol_lightTexel(record + 1, 3).x);
+  int map = nearer;
+  for (int i = 0; i < nearer; i++) {
+    vec4 fit = farol_lightTexel(record + 2, i == 2 ? 0 : i + 2);
+    vec2 there = coord.xy * fit.xz + fit.yw;
+    if (max(abs(there.x - 0.5), abs(there.y - 0.5)) > 0.48) continue;
+    across.xy = there;
+    map = i;
+    break;
+  }
+  return farol_mapShadow(kind, vec4(tile.xy + vec2(map & 1, map >> 1) * tile.zw, tile.zw), across, mapSize, radius);
+}
+
 // depths: a and b of a face's depth a + b / distance along its axis, then nearest and farthest (m)
 float farol_cubeShadow(const in int kind, const in vec4 tile, const in vec3 fromLight, const in vec4 depths, const in vec2 mapSize, const in float radius) {
   vec3 size = abs(fromLight);
@@ -99,7 +115,7 @@ float farol_litAt(const in int record, const in vec4 coord, const in vec4 filter
   } else {
     vec3 across = coord.xyz / coord.w + vec3(0.0, 0.0, filtering.x);
     bool inside = all(greaterThanEqual(across.xy, vec2(0.0))) && all(lessThanEqual(across, vec3(1.0)));
-    if (inside) lit = farol_mapShadow(kind, tile, across, shape.yz, filtering.z);
+    if (inside) lit = farol_cascadeShadow(record, kind, tile, across, shape.yz, filtering.z);
   }
   return mix(1.0, lit, filtering.w);
 }

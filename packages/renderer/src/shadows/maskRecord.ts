@@ -13,11 +13,16 @@ import { CUBE_BORDER } from './TileAtlas';
  * | 4 | tile of the shadow map (texels): corner, size; of a cube: corner, side of a face, distance from face to face |
  * | 5 | bias (with the sign of the depth buffer), normal bias (m), radius (texels), intensity |
  * | 6 | kind of shadow (`shadowKinds`), size of the map as the light asks for it (texels), kind of cookie (0 none, 1 map, 2 cube) |
- * | 7 | of a cube: a and b of depth = a + b / distance along an axis, nearest and farthest (m) |
- * | 8 | tile of the cookie, as texel 4 |
+ * | 7 | of a map: how many nearer maps there are; of a cube: a and b of depth = a + b / distance along an axis, nearest and farthest (m) |
+ * | 8 | tile of the cookie, as texel 4; else as 10 |
  * | 9 | layers that the light reaches, 16 bits and 16 bits, 0 for all; –, – |
+ * | 10, 11 | how coordinates of the map become those of a nearer map: scale, shift of x; of y |
  */
 export const RECORDS_PER_MASK = 3;
+
+/** Nearer maps that a directional light has at most, and where in the mask they are. */
+export const MOST_CASCADES = 3;
+const CASCADES = [40, 44, 32];
 
 /** What a mask does with its shadow map; as in lightShadow.glsl. */
 export const shadowKinds = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, vsm: 5 } as const;
@@ -51,9 +56,15 @@ export function writeMask(
   const cookieKind = cookie === null || cookie.tile === null ? 0 : cookie.isCube ? 2 : 1;
   table.set4(at + 24, kind, shadow.mapSize.x, shadow.mapSize.y, cookieKind);
   const depthRange = far - near;
-  if (reversed) table.set4(at + 28, -near / depthRange + bias, (near * far) / depthRange, near, far);
+  if (!isCube) table.set4(at + 28, slot.cascades, 0, 0, 0);
+  else if (reversed) table.set4(at + 28, -near / depthRange + bias, (near * far) / depthRange, near, far);
   else table.set4(at + 28, far / depthRange + bias, (-near * far) / depthRange, near, far);
   writeLayers(table, record, layers);
+  const { cascades, fits } = slot;
+  for (let i = 0; i < cascades; i++) {
+    table.set4(at + CASCADES[i], fits[i * 4], fits[i * 4 + 1], fits[i * 4 + 2], fits[i * 4 + 3]);
+  }
+  if (cascades === MOST_CASCADES) return;
   if (cookieKind === 0) table.set4(at + 32, 0, 0, 1, 1);
   else {
     const { x, y } = cookie!.tile!;
