@@ -37,7 +37,7 @@ export default defineConfig({
     rolldownOptions: {
       external: (id) => peers.some((peer) => id === peer || id.startsWith(`${peer}/`)),
       output: {
-        minify: true,
+        minify: { compress: true, mangle: { toplevel: true }, codegen: { removeWhitespace: true } },
         entryFileNames: '[name].js',
         chunkFileNames: 'chunks/[name].js',
         // what the main entry needs at start is one file, whichever other entries share it: it is smaller whole
