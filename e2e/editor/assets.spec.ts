@@ -1,5 +1,5 @@
 import { expect, test } from '../support/test';
-import { addObject, fieldOf, history, openEditor, openEmptyScene, serialized } from './editor';
+import { addObject, fieldOf, history, openEditor, serialized } from './editor';
 import { dropFiles, pixelAt, plainSky, redBox } from './models';
 
 test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
@@ -9,8 +9,7 @@ const picture = '.viewport-place canvas';
 test('imports a glTF by drop, lights it by an HDR, places it again from the panel, deletes it with its uses named', async ({
   page,
 }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await dropFiles(page, picture, [redBox()]);
   await expect(page.getByRole('treeitem', { name: 'box' })).toHaveAttribute('aria-selected', 'true');
   expect(await history(page)).toEqual(['Import box.glb', 'Add box']);
@@ -55,8 +54,7 @@ test('imports a glTF by drop, lights it by an HDR, places it again from the pane
 test('an asset is dragged into the picture, onto an object of the tree, and into a slot of the inspector', async ({
   page,
 }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await page.getByRole('tab', { name: 'Assets' }).click();
   await page.getByLabel('Search assets').fill('torus');
   const torus = page.locator('[data-asset="torus"]');
@@ -71,8 +69,7 @@ test('an asset is dragged into the picture, onto an object of the tree, and into
 });
 
 test('files that cannot be read are named with the mend, and nothing changes', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   const before = await serialized(page);
   const cut = redBox('cut.gltf');
   const notice = page.locator('.notices');

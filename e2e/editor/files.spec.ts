@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
+import { axeProblems } from './axe';
 import { addObject, fieldOf, history, serialized, waitUntilReady } from './editor';
 
 test.use({ viewport: { width: 1000, height: 600 }, reducedMotion: 'reduce' });
@@ -33,6 +34,7 @@ test('what a killed tab leaves is found, recovered, and stored again', async ({ 
   await openEmpty(next);
   const dialog = next.getByRole('dialog');
   await expect(dialog).toContainText('Unsaved work was found');
+  expect(await axeProblems(next)).toEqual([]);
   await dialog.getByRole('button', { name: 'Recover' }).click();
   await expect(next.getByRole('treeitem', { name: 'Precious' })).toBeVisible();
   expect(await serialized(next)).toBe(work);
@@ -80,6 +82,7 @@ test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ 
   await type('3');
   const mark = light.getByRole('button', { name: 'Intensity differs from the prefab' });
   await expect(mark).toBeVisible();
+  expect(await axeProblems(page)).toEqual([]);
   await page.getByRole('treeitem', { name: 'Point light' }).nth(1).click();
   await expect(mark).toHaveCount(0);
   await type('50');

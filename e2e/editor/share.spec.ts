@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 import type { Download, Page } from '@playwright/test';
 import { expect, test } from '../support/test';
+import { axeProblems } from './axe';
 import { addObject, serialized, waitUntilReady } from './editor';
 import { dropFiles, redBox } from './models';
 
@@ -87,6 +88,7 @@ test('a link opens the same scene; what is too large for one says so', async ({ 
   await page.keyboard.press('Control+Shift+E');
   const link = await page.getByLabel('Link to the scene').inputValue();
   expect(link.length).toBeLessThan(64_000);
+  expect(await axeProblems(page)).toEqual([]);
   await expect(page.getByLabel('Embed code', { exact: true }).first()).toContainText('player.html#scene=');
   const frame = /src="([^"]+)"/.exec(await page.locator('textarea').inputValue())![1];
   await page.getByRole('button', { name: 'Close', exact: true }).click();
