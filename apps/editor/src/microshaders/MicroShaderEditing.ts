@@ -66,7 +66,7 @@ export class MicroShaderEditing {
 
   /** Whether a chunk is the scene's own, not one that it replaces. */
   isOwn(name: string): boolean {
-    return this.registry.original(name) === undefined;
+    return this.overrides[0].originalOf(name) === undefined;
   }
 
   /** Whether the scene has a text of its own for a chunk. */
@@ -86,7 +86,7 @@ export class MicroShaderEditing {
 
   /** The text of a built-in chunk as it is without the scene's; '' for the scene's own. */
   originalOf(name: string): string {
-    const original = this.registry.original(name);
+    const original = this.overrides[0].originalOf(name);
     if (!original) return '';
     return this.sources[name] ?? formatMicroShader(original);
   }
@@ -181,8 +181,7 @@ export class MicroShaderEditing {
     try {
       const isOriginal = !this.isOwn(name) && text === this.originalOf(name);
       if (!isOriginal) {
-        this.registry.replace(name, text);
-        this.overrides[0].accept(name, text);
+        this.overrides[0].replace(name, text);
       }
       this.drafts.delete(name);
       this.problems.delete(name);

@@ -20,7 +20,7 @@ function made() {
   // the registry of a renderer has programs of WebGL
   const overrides = new MicroShaderOverrides(registry as never);
   const apply = () => overrides.apply(scene.microShaders.texts).map(({ name, error }) => `${name}: ${error.message}`);
-  return { registry, shader, scene, apply };
+  return { registry, shader, scene, apply, overrides };
 }
 
 it("brings a scene's microshaders in, whatever their order, and takes them out again", () => {
@@ -51,4 +51,19 @@ it('names what is refused, and leaves the last good text in use', () => {
   scene.microShaders.set('b', null);
   expect(apply()).toEqual([]);
   expect(shader.program).toMatch(/fine;[^]*float b;/);
+});
+
+it('puts a chunk back that is not built in, such as those of effects', () => {
+  const { registry, scene, apply, overrides } = made();
+  registry.loadGLSL('shadow', 'float shadow;');
+  scene.microShaders.set('shadow', 'float other;');
+  scene.microShaders.set('own', 'float own;');
+  expect(apply()).toEqual([]);
+  expect(registry.get('shadow')!.header).toBe('float other;');
+  expect(overrides.originalOf('shadow')!.header).toBe('float shadow;');
+  expect(overrides.originalOf('own')).toBeUndefined();
+  for (const name of ['shadow', 'own']) scene.microShaders.set(name, null);
+  expect(apply()).toEqual([]);
+  expect(registry.get('shadow')!.header).toBe('float shadow;');
+  expect(registry.has('own')).toBe(false);
 });

@@ -1,4 +1,4 @@
-import type { MicroShaderRegistry } from '@farol/renderer';
+import type { MicroShader, MicroShaderRegistry } from '@farol/renderer';
 
 /** A microshader of a scene that a renderer refused; the one before it stays in use. */
 export interface MicroShaderProblem {
@@ -13,6 +13,8 @@ const asError = (error: unknown): Error => (error instanceof Error ? error : new
 export class MicroShaderOverrides {
   /** What the registry has of a scene now. */
   private readonly applied = new Map<string, string>();
+  /** What the registry itself had, not its parent, where a scene's text took its place: chunks of effects, such as shadows. */
+  private readonly replaced = new Map<string, MicroShader>();
 
   constructor(private readonly registry: MicroShaderRegistry) {}
 
@@ -36,8 +38,8 @@ export class MicroShaderOverrides {
       for (const [name, text] of changed) {
         if (registry.has(name) === isNew || applied.get(name) === text) continue;
         attempt(name, () => {
-          if (isNew) registry.loadGLSL(name, text);
-          else registry.replace(name, text);
+          if (!isNew) return this.replace(name, text);
+          registry.loadGLSL(name, text);
           applied.set(name, text);
         });
       }
@@ -56,7 +58,10 @@ export class MicroShaderOverrides {
       for (const name of this.applied.keys()) {
         if (wanted.has(name)) continue;
         try {
-          this.registry.remove(name);
+          const before = this.replaced.get(name);
+          if (before) this.registry.replace(name, before);
+          else this.registry.remove(name);
+          this.replaced.delete(name);
           this.applied.delete(name);
           isDone = false;
         } catch (error) {
@@ -67,8 +72,20 @@ export class MicroShaderOverrides {
     return refused;
   }
 
-  /** The registry has this text of a chunk already: it was put there by hand, to see whether it compiles. */
-  accept(name: string, text: string): void {
+  /**
+   * Puts a text in the place of a chunk that the registry knows.
+   * @throws what `MicroShaderRegistry.replace` throws; nothing has changed then
+   */
+  replace(name: string, text: string): void {
+    const before = this.applied.has(name) || this.registry.original(name) ? undefined : this.registry.get(name);
+    this.registry.replace(name, text);
+    if (before) this.replaced.set(name, before);
     this.applied.set(name, text);
+  }
+
+  /** A chunk as the renderer has it without the scene's text; undefined for one of the scene's own. */
+  originalOf(name: string): MicroShader | undefined {
+    const own = this.applied.has(name) ? undefined : this.registry.get(name);
+    return this.registry.original(name) ?? this.replaced.get(name) ?? own;
   }
 }
