@@ -1,3 +1,4 @@
+import { FarolRenderer } from '@farol/renderer';
 import { AssetLibrary, deserialize, FileError, readSceneFile, type Scene, scenes } from '@farol/engine';
 import type { Autosave } from './files/autosave/Autosave';
 import type { Command } from './model/Command';
@@ -76,7 +77,10 @@ export class Editor {
     this.watchPicture();
     watchErrors(this);
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
-    this.ready = this.openFirst(first ?? null);
+    // what the first frame may need is there before it
+    this.ready = Promise.all([FarolRenderer.loadShadows(), FarolRenderer.loadViews()]).then(() =>
+      this.openFirst(first ?? null),
+    );
   }
 
   get commands(): CommandStack {

@@ -10,7 +10,7 @@ import {
 } from '@farol/engine';
 import {
   type FarolEffect,
-  type FarolRenderer,
+  FarolRenderer,
   type TechniqueName,
   techniques,
   type View,
@@ -91,7 +91,10 @@ export class Viewer {
     this.setView(state.view);
     this.resize();
     new ResizeObserver(() => this.resize()).observe(parent);
-    this.ready = this.chooseScene(state.scene);
+    // what the first frame may need is there before it
+    this.ready = Promise.all([FarolRenderer.loadShadows(), FarolRenderer.loadViews()]).then(() =>
+      this.chooseScene(state.scene),
+    );
     this.ready.catch(() => {}); // told by a message; who waits for it hears of it too
   }
 

@@ -2,7 +2,8 @@ import { type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
 import { clearValue } from './clearValue';
 import { checkDevice, hasFloatTargets } from './checkDevice';
 import { collectLights, type FoundLights } from './collectLights';
-import { type View, isSurfaceView, views } from './debug/views';
+import type { ViewPasses } from './debug';
+import { type View, isSurfaceView, isTechniqueView, views } from './debug/views';
 import { unknownName } from './errors';
 import type { FarolEffect } from './FarolEffect';
 import type { FarolInfo } from './FarolInfo';
@@ -14,12 +15,10 @@ import { resetLayers } from './materials/layersAttribute';
 import { TwinCache } from './materials/TwinCache';
 import type { MicroShaderRegistry } from './microshaders';
 import { createRegistry } from './microshaders/createRegistry';
-import { OverdrawPass } from './passes/OverdrawPass';
 import { gridUniforms } from './passes/LightGridPass';
 import { tileUniforms } from './passes/LightTilesPass';
 import { drawPasses } from './passes/drawPasses';
 import type { Pass } from './passes/Pass';
-import { SurfaceViewPass } from './passes/SurfaceViewPass';
 import { validatePasses } from './passes/validatePasses';
 import { refuseArrays } from './refuseArrays';
 import { SceneView } from './SceneView';
@@ -49,8 +48,17 @@ export interface FarolOptions {
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
 
+/** Lights with a shadow or an image that three has texture units for; more go without until Farol draws them. */
+const FEW_MASKS = 4;
+
 /** Shared by all renderers of a page. */
 let shadowCode: typeof import('./shadows') | null = null;
+
+let viewCode: typeof import('./debug') | null = null;
+
+function reportMissingViews(error: unknown): void {
+  console.error(`Farol: no code of this view (${String(error)}). Serve the files of @farol/renderer together.`);
+}
 
 function reportMissingShadows(error: unknown): void {
   console.error(
@@ -89,6 +97,7 @@ export class FarolRenderer {
   /** Null until a scene has asked for what masks lights, and its code is there. */
   private shadows: ShadowMaps | null = null;
   private shadowsAsked = false;
+  private viewsAsked = false;
   private readonly left = { shadows: false, cookies: true };
   private readonly twins: TwinCache;
   private readonly recorder: InfoRecorder;
@@ -107,9 +116,9 @@ export class FarolRenderer {
   private readonly passLists = new Map<TechniqueName, Pass[]>();
   /** What is seen through transmissive things is drawn at another size than the lists are for. */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
-  private readonly overdraw = new OverdrawPass();
-  private readonly surfaceView = new SurfaceViewPass();
-  private readonly found: FoundLights = { all: [], count: 0, nested: [], seeksMasks: true, hasMasks: false };
+  /** Null until a view has asked for them, and their code is there. */
+  private viewPasses: ViewPasses | null = null;
+  private readonly found: FoundLights = { all: [], count: 0, nested: [], seeksMasks: true, masks: 0 };
   private readonly known: Record<string, Technique> = { ...techniques };
   private techniqueName: TechniqueName = 'auto';
   /** What draws this frame: the technique, or what 'auto' picked, and why. */
@@ -244,10 +253,10 @@ export class FarolRenderer {
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
     this.findLights(scene, camera);
     const { frame, shadows, webgl } = this;
-    frame.begin(scene, camera, this.viewName);
-    if (this.viewName === 'grid') frame.quarter();
+    frame.begin(scene, camera, this.viewToDraw());
+    if (frame.view === 'grid') frame.quarter();
     const { target, face, level } = frame;
-    this.activeEffects = this.viewName === 'final' ? this.effects : NO_EFFECTS;
+    this.activeEffects = frame.view === 'final' ? this.effects : NO_EFFECTS;
     try {
       for (const effect of this.activeEffects) effect.begin?.(frame);
       this.lights.shadows = webgl.shadowMap.enabled;
@@ -288,11 +297,21 @@ export class FarolRenderer {
 
   /**
    * Fetches the code of shadow maps, cookies and light layers now. `render` asks for it by itself when a scene first needs
-   * it; until it is there, three draws the shadows and maps of such lights itself, and layers are not looked at.
+   * it; until it is there, three draws the shadows and maps of up to four such lights
+   * itself, more go without, and layers are not looked at.
    * @throws Error when the code cannot be fetched
    */
   static async loadShadows(): Promise<void> {
     shadowCode = await import('./shadows');
+  }
+
+  /**
+   * Fetches the code of the views of surfaces and overdraw now. `render` asks for it by itself when such a view is set, and
+   * shows the final picture until it is there.
+   * @throws Error when the code cannot be fetched
+   */
+  static async loadViews(): Promise<void> {
+    viewCode = await import('./debug');
   }
 
   /**
@@ -313,8 +332,8 @@ export class FarolRenderer {
     for (const passes of this.passLists.values()) for (const pass of passes) pass.dispose();
     this.passLists.clear();
     for (const effect of this.effects) effect.dispose();
-    this.overdraw.dispose();
-    this.surfaceView.dispose();
+    this.viewPasses?.overdraw.dispose();
+    this.viewPasses?.surfaceView.dispose();
     this.twins.dispose();
     this.lights.dispose();
     this.shadows?.dispose();
@@ -322,10 +341,28 @@ export class FarolRenderer {
   }
 
   private findLights(scene: Object3D, camera: Camera): void {
-    this.left.shadows = this.shadows === null && this.webgl.shadowMap.enabled;
+    this.left.cookies = this.shadows === null;
+    this.left.shadows = this.left.cookies && this.webgl.shadowMap.enabled;
     collectLights(scene, camera, this.left, this.found);
-    const needs = this.found.hasMasks || this.lightLayers;
-    if (needs && this.makeShadows()) collectLights(scene, camera, this.left, this.found);
+    if (this.shadows !== null || (this.found.masks === 0 && !this.lightLayers)) return;
+    if (!this.makeShadows()) {
+      if (this.found.masks <= FEW_MASKS) return;
+      this.left.shadows = this.left.cookies = false;
+    }
+    collectLights(scene, camera, this.left, this.found);
+  }
+
+  /** The view to be drawn: the final picture while the code of the one asked for is not there. */
+  private viewToDraw(): View {
+    const { viewName } = this;
+    if (this.viewPasses !== null || isTechniqueView(viewName)) return viewName;
+    if (viewCode === null) {
+      if (!this.viewsAsked) FarolRenderer.loadViews().catch(reportMissingViews);
+      this.viewsAsked = true;
+      return 'final';
+    }
+    this.viewPasses = viewCode.makeViewPasses(this.microshaders);
+    return viewName;
   }
 
   /** Makes what masks lights, once its code is there. @returns whether it did */
@@ -389,15 +426,15 @@ export class FarolRenderer {
     this.setBackground();
     frame.overdraw = null;
     if (isSurfaceView(frame.view)) {
-      this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
+      this.showSurface();
       frame.bindTarget();
       return;
     }
     if (frame.view === 'overdraw')
-      this.run(this.overdraw.name, () => this.overdraw.render(frame, this.hasPass('depth')));
+      this.run('overdraw', () => this.viewPasses!.overdraw.render(frame, this.hasPass('depth')));
     drawPasses(frame, this.passesOf(this.active), this.activeEffects, this.recorder);
-    if (frame.view === 'overdraw' && !this.hasPass('output')) this.overdraw.show(frame);
-    if (frame.view === 'grid') this.run(this.surfaceView.name, () => this.surfaceView.render(frame));
+    if (frame.view === 'overdraw' && !this.hasPass('output')) this.viewPasses!.overdraw.show(frame);
+    if (frame.view === 'grid') this.showSurface();
     frame.bindTarget();
   }
 
@@ -408,6 +445,10 @@ export class FarolRenderer {
     frame.fills = this.sceneView.uncleared;
     if (frame.fills !== null) clearValue(this.webgl, frame.scene, frame.premultiplied, background);
     else background.w = -1;
+  }
+
+  private showSurface(): void {
+    this.run('view', () => this.viewPasses!.surfaceView.render(this.frame));
   }
 
   private run(name: string, render: () => void): void {
@@ -442,7 +483,8 @@ export class FarolRenderer {
   }
 
   private targetBytes(): number {
-    let bytes = this.overdraw.bytes + this.surfaceView.bytes + this.lights.bytes + (this.shadows?.bytes ?? 0);
+    let bytes = this.lights.bytes + (this.shadows?.bytes ?? 0);
+    if (this.viewPasses !== null) bytes += this.viewPasses.overdraw.bytes + this.viewPasses.surfaceView.bytes;
     for (const passes of this.passLists.values()) for (const pass of passes) bytes += pass.bytes;
     for (const effect of this.effects) bytes += effect.bytes;
     return bytes;

@@ -10,15 +10,15 @@ export interface FoundLights {
   count: number;
   /** Those of them that three's traversal would meet: not children of the root itself, or with children of their own. */
   readonly nested: Light[];
-  /** Whether to look for lights that cast shadows or throw images, and whether there was one. */
+  /** Whether to look for lights that may cast a shadow or throw an image, and how many there were. */
   seeksMasks: boolean;
-  hasMasks: boolean;
+  masks: number;
 }
 
 /** Finds the managed lights that the camera's layers see, parents before children. */
 export function collectLights(root: Object3D, camera: Camera, left: LeftToThree, found: FoundLights): void {
   found.count = 0;
-  found.hasMasks = false;
+  found.masks = 0;
   found.nested.length = 0;
   if (root.visible) visit(root, 0, camera, left, found);
   // what earlier frames had more of is let go
@@ -29,7 +29,7 @@ function visit(object: Object3D, depth: number, camera: Camera, left: LeftToThre
   const { children } = object;
   const light = object as Light;
   if (light.isLight === true && object.layers.test(camera.layers)) {
-    if (found.seeksMasks && (light.castShadow || cookieOf(light) !== null)) found.hasMasks = true;
+    if (found.seeksMasks && (light.castShadow || cookieOf(light) !== null)) found.masks++;
     if (isManagedLight(light, left)) add(light, depth, found);
   }
   for (let i = 0; i < children.length; i++) {

@@ -69,8 +69,6 @@ export class Viewport {
     canvas.setAttribute('aria-label', 'Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
     this.webgl = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
-    // fetched beside the scene's files; a scene that needs it asks again
-    FarolRenderer.loadShadows().catch(() => undefined);
     this.farol = new FarolRenderer(this.webgl, { timing: true });
     const dragged = (isDragging: boolean): void => {
       this.editorCamera.enabled = !isDragging && this.through === null;

@@ -66,8 +66,6 @@ export class App {
     this.webgl = options.webgl ?? new WebGLRenderer({ ...options.renderer, ...(canvas ? { canvas } : {}) });
     this.canvas = this.webgl.domElement;
     if (!options.webgl) this.webgl.shadowMap.enabled = true;
-    // fetched beside the scene's files; a scene that needs it asks again
-    FarolRenderer.loadShadows().catch(() => undefined);
     this.renderer = new FarolRenderer(this.webgl, options.technique ? { technique: options.technique } : {});
     this.currentScene = options.scene ?? new Scene();
     this.maxDelta = options.maxDelta ?? 0.1;

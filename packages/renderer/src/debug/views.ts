@@ -16,6 +16,11 @@ export const views = [
 
 export type View = (typeof views)[number];
 
+/** Views that the technique draws by itself. */
+export function isTechniqueView(view: View): boolean {
+  return view === 'final' || view === 'lighting' || view === 'light-count';
+}
+
 /** Views in which the technique counts its work in place of shading. */
 export function isCountView(view: View): boolean {
   return view === 'light-count' || view === 'overdraw';

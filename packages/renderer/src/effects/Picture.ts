@@ -25,7 +25,7 @@ import {
 import type { Frame } from '../Frame';
 import { FullscreenMesh } from '../passes/FullscreenMesh';
 import { PassMaterial } from '../passes/PassMaterial';
-import { addMicroShaders } from './addMicroShaders';
+import { addMicroShaders } from '../microshaders/addMicroShaders';
 import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from './displayTransfer.glsl?raw';
 

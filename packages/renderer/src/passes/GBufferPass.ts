@@ -2,8 +2,15 @@ import type { Material } from 'three';
 import type { Frame } from '../Frame';
 import { GBuffer } from '../gbuffer/GBuffer';
 import { shadingModelOf } from '../gbuffer/shadingModel';
-import { gbufferTwin, gbufferUnlitTwin, gbufferViewTwin } from '../materials/gbufferTwins';
+import { gbufferTwin } from '../materials/gbufferTwins';
+import type { TwinKind } from '../materials/TwinKind';
 import type { Pass } from './Pass';
+
+/** How lit and unlit meshes are drawn for the views of the G-buffer. */
+export interface GBufferViewTwins {
+  readonly lit: TwinKind;
+  readonly unlit: TwinKind;
+}
 
 /**
  * Draws the opaque items that the G-buffer can hold into it, all attachments in one pass.
@@ -15,15 +22,15 @@ export class GBufferPass implements Pass {
   readonly writes = ['gbuffer'] as const;
   gbuffer: GBuffer | null = null;
 
-  /** @param forView true writes every mesh, and emissive alone in the first attachment; marks nothing as drawn */
-  constructor(private readonly forView = false) {}
+  /** @param forView kinds that write every mesh, with emissive alone in the first attachment; then none is marked as drawn */
+  constructor(private readonly forView: GBufferViewTwins | null = null) {}
 
   get bytes(): number {
     return this.gbuffer?.bytes ?? 0;
   }
 
   render(frame: Frame): void {
-    const withIndirect = frame.withIndirect && !this.forView;
+    const withIndirect = frame.withIndirect && this.forView === null;
     if (this.gbuffer !== null && (this.gbuffer.indirect !== null) !== withIndirect) this.dispose();
     this.gbuffer ??= new GBuffer(frame.webgl, withIndirect);
     this.gbuffer.setSize(frame.width, frame.height);
@@ -34,9 +41,9 @@ export class GBufferPass implements Pass {
       if (!item.plain || (item.layered && !this.forView)) continue;
       if (this.forView) {
         if (item.lit && !(item.material as Material & { isShaderMaterial?: boolean }).isShaderMaterial)
-          frame.drawTwin(item, gbufferViewTwin);
+          frame.drawTwin(item, this.forView.lit);
         else if ((item.material as Material & { isMeshBasicMaterial?: boolean }).isMeshBasicMaterial)
-          frame.drawTwin(item, gbufferUnlitTwin);
+          frame.drawTwin(item, this.forView.unlit);
       } else if (item.lit && shadingModelOf(item.material) !== null) {
         frame.drawTwin(item, gbufferTwin);
         item.drawn = true;

@@ -1,4 +1,4 @@
-import { addMicroShaders } from '../effects/addMicroShaders';
+import { addMicroShaders } from '../microshaders/addMicroShaders';
 import type { ShadowMaskMaterials } from '../RenderQueue';
 import type { MicroShaderRegistry } from '../microshaders';
 import cookieTile from './cookieTile.glsl?raw';

@@ -21,7 +21,7 @@ import { PassMaterial } from '../../passes/PassMaterial';
 import { ThinGBufferPass } from '../../passes/ThinGBufferPass';
 import { setUnprojectUniforms, unprojectUniforms } from '../../passes/unprojectUniforms';
 import type { RenderItem } from '../../RenderItem';
-import { addMicroShaders } from '../addMicroShaders';
+import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import { EffectTarget } from '../EffectTarget';
 import ambientOcclusion from './ambientOcclusion.glsl?raw';
 import occlusionFilter from './occlusionFilter.glsl?raw';

@@ -2,7 +2,7 @@ import { HalfFloatType, RGFormat, type IUniform, type Texture } from 'three';
 import type { Frame } from '../../Frame';
 import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import { PassMaterial } from '../../passes/PassMaterial';
-import { addMicroShaders } from '../addMicroShaders';
+import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import displayTransfer from '../displayTransfer.glsl?raw';
 import { EffectTarget } from '../EffectTarget';
 import type { FarolEffect } from '../../FarolEffect';

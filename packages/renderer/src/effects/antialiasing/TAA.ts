@@ -11,7 +11,7 @@ import {
 import type { Frame } from '../../Frame';
 import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import { PassMaterial } from '../../passes/PassMaterial';
-import { addMicroShaders } from '../addMicroShaders';
+import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import displayTransfer from '../displayTransfer.glsl?raw';
 import type { FarolEffect } from '../../FarolEffect';
 import { Picture } from '../Picture';

@@ -25,7 +25,7 @@ import { GBufferPass } from '../../passes/GBufferPass';
 import type { Pass } from '../../passes/Pass';
 import { PassMaterial } from '../../passes/PassMaterial';
 import { setUnprojectUniforms, unprojectUniforms } from '../../passes/unprojectUniforms';
-import { addMicroShaders } from '../addMicroShaders';
+import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import { EffectTarget } from '../EffectTarget';
 import type { Decal } from './Decal';
 import decalAccumulation from './decalAccumulation.glsl?raw';

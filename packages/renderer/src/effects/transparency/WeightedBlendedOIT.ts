@@ -17,7 +17,7 @@ import { ForwardPass } from '../../passes/ForwardPass';
 import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import type { Pass } from '../../passes/Pass';
 import { PassMaterial } from '../../passes/PassMaterial';
-import { addMicroShaders } from '../addMicroShaders';
+import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import { Picture } from '../Picture';
 import { isWeighted, weightedTwin } from './weightedTwin';
 import weightedResolve from './weightedResolve.glsl?raw';

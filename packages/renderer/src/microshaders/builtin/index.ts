@@ -3,7 +3,6 @@ import { parseMicroShader } from '../parseMicroShader';
 import accumulatedOutput from './accumulatedOutput.glsl?raw';
 import ambientLight from './ambientLight.glsl?raw';
 import background from './background.glsl?raw';
-import countView from './countView.glsl?raw';
 import deferredOutput from './deferredOutput.glsl?raw';
 import depthOnly from './depthOnly.glsl?raw';
 import farthest from './farthest.glsl?raw';
@@ -39,7 +38,6 @@ import shadePlain from './shadePlain.glsl?raw';
 import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import sumLight from './sumLight.glsl?raw';
-import surfaceView from './surfaceView.glsl?raw';
 import thinGBufferRead from './thinGBufferRead.glsl?raw';
 import thinGBufferWrite from './thinGBufferWrite.glsl?raw';
 import tileDepth from './tileDepth.glsl?raw';
@@ -57,7 +55,6 @@ const sources = {
   accumulatedOutput,
   ambientLight,
   background,
-  countView,
   deferredOutput,
   depthOnly,
   farthest,
@@ -93,7 +90,6 @@ const sources = {
   shading,
   shadeThree,
   sumLight,
-  surfaceView,
   thinGBufferRead,
   thinGBufferWrite,
   tileDepth,

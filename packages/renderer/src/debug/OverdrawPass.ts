@@ -3,8 +3,8 @@ import type { Frame } from '../Frame';
 import { depthTwin, hasDepthTwin } from '../materials/depthTwin';
 import { canCountOverdraw, overdrawTwin } from '../materials/overdrawTwin';
 import type { RenderItem } from '../RenderItem';
-import { FullscreenMesh } from './FullscreenMesh';
-import { OutputMaterial } from './PassMaterial';
+import { FullscreenMesh } from '../passes/FullscreenMesh';
+import { OutputMaterial } from '../passes/PassMaterial';
 
 /** Counts how often a material is shaded at each pixel, in the order in which the technique draws. For the view 'overdraw'. */
 export class OverdrawPass {

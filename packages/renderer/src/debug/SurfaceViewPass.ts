@@ -1,10 +1,11 @@
 import { Matrix4, Vector3, Vector4, type OrthographicCamera, type PerspectiveCamera } from 'three';
-import type { View } from '../debug/views';
+import type { View } from './views';
 import type { Frame } from '../Frame';
-import { FullscreenMesh } from './FullscreenMesh';
-import { GBufferPass } from './GBufferPass';
-import { gbufferUniforms, setGBufferUniforms } from './gbufferUniforms';
-import { OutputMaterial } from './PassMaterial';
+import { FullscreenMesh } from '../passes/FullscreenMesh';
+import { GBufferPass } from '../passes/GBufferPass';
+import { gbufferUniforms, setGBufferUniforms } from '../passes/gbufferUniforms';
+import { litViewTwin, unlitViewTwin } from './gbufferViewTwins';
+import { OutputMaterial } from '../passes/PassMaterial';
 
 /** `farol_view` of surfaceView.glsl. */
 const CODES: Partial<Record<View, number>> = {
@@ -29,7 +30,7 @@ const panel = new Vector4();
 /** Fills a G-buffer with every mesh, whatever the technique, and shows one of its things, or three of them round the picture. */
 export class SurfaceViewPass {
   readonly name = 'view';
-  private readonly gbuffer = new GBufferPass(true);
+  private readonly gbuffer = new GBufferPass({ lit: litViewTwin, unlit: unlitViewTwin });
   private readonly uniforms = gbufferUniforms();
   private readonly view = { value: 0 };
   private readonly depthRange = { value: new Vector3() };
