@@ -226,3 +226,15 @@ test('a second save goes to the same file, through its handle; a failed one leav
   await expect(page.locator('.notices')).toContainText('The disk is full.');
   expect(await page.evaluate(() => window.editor.commands.isDirty)).toBe(true);
 });
+
+test('a page that is left with nothing unsaved offers nothing to recover', async ({ page }) => {
+  await openEmpty(page);
+  await addObject(page, 'Mesh', 'Torus');
+  await stored(page);
+  // stored with a change, and left before the next time that it is stored
+  await page.keyboard.press('Control+z');
+  await page.reload();
+  await waitUntilReady(page);
+  await page.waitForFunction(() => window.editor.autosave !== null);
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+});

@@ -2,6 +2,7 @@ import { createId } from '@farol/engine';
 import type { Editor } from '../../Editor';
 import { Signal } from '../../model/Signal';
 import { AutosaveStore, lockOf } from './AutosaveStore';
+import { noteClean } from './cleanSessions';
 import { SceneDelta } from './SceneDelta';
 import type { SessionInfo } from './store';
 
@@ -56,6 +57,9 @@ export class Autosave {
       this.wake();
     };
     commands.changed.subscribe(() => this.wake());
+    window.addEventListener('pagehide', () => {
+      if (this.hasBegun && !commands.isDirty) noteClean(this.session);
+    });
   }
 
   /** Whether everything is stored as it is now. */

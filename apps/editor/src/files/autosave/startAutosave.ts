@@ -1,6 +1,7 @@
 import type { Editor } from '../../Editor';
 import { Autosave } from './Autosave';
 import { AutosaveStore } from './AutosaveStore';
+import { takeClean } from './cleanSessions';
 import type { SessionInfo } from './store';
 
 /** Puts a scene that was stored back, as one that is not saved. @returns whether it could be opened */
@@ -22,8 +23,9 @@ export async function startAutosave(editor: Editor): Promise<Autosave | null> {
   if (!('indexedDB' in window) || !navigator.locks) return null;
   const autosave = new Autosave(editor, new AutosaveStore());
   const lost = await autosave.store.lost();
-  for (const { id, isDirty } of lost) if (!isDirty) await autosave.store.delete(id);
-  const sessions = lost.filter(({ isDirty }) => isDirty);
+  const clean = takeClean();
+  const sessions = lost.filter(({ id, isDirty }) => isDirty && !clean.has(id));
+  for (const session of lost) if (!sessions.includes(session)) await autosave.store.delete(session.id);
   if (sessions.length > 0) void editor.dialogs.show({ kind: 'recover', sessions, autosave });
   return autosave;
 }

@@ -1,0 +1,21 @@
+const KEY = 'farol-autosave-clean';
+
+const read = (): string[] => {
+  try {
+    return JSON.parse(localStorage.getItem(KEY) ?? '[]') as string[];
+  } catch {
+    return [];
+  }
+};
+
+/** Notes that a session was left with nothing unsaved. It is written at once: a page on its way out waits for no worker. */
+export function noteClean(session: string): void {
+  localStorage.setItem(KEY, JSON.stringify([...read().slice(-20), session]));
+}
+
+/** The sessions that were left so; they are forgotten here. */
+export function takeClean(): ReadonlySet<string> {
+  const sessions = new Set(read());
+  localStorage.removeItem(KEY);
+  return sessions;
+}
