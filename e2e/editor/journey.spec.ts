@@ -24,13 +24,13 @@ test('opens the temple with its lights', async ({ page }) => {
   await expect(page.getByRole('treeitem')).toHaveCount(counts.roots);
   expect(counts.frames).toBeGreaterThan(0);
   await expect(page.getByRole('contentinfo', { name: 'Status' })).toContainText('58 lights');
+
+  await openEmptyScene(page);
+  await expect(page.getByRole('treeitem')).toHaveText(['Camera', 'Sun', 'Sky']);
 });
 
 test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page }, info) => {
-  // the temple is loaded twice
-  test.setTimeout(120_000);
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   const empty = await serialized(page);
 
   await addObject(page, 'Mesh', 'Box');
@@ -88,6 +88,8 @@ test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page 
   for (let i = 0; i < 7; i++) await page.keyboard.press('Control+Shift+z');
   expect(await serialized(page)).toBe(saved);
 
+  // what is saved needs no recovery
+  await expect.poll(() => page.evaluate(() => window.editor.autosave?.isUpToDate)).toBe(true);
   await page.reload();
   await waitUntilReady(page);
   expect(await serialized(page)).not.toBe(saved);
@@ -100,8 +102,7 @@ test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page 
 });
 
 test('picks in the picture, moves by the gizmo in one step, deletes and brings back', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Sphere');
   await page.keyboard.press('f');
   await page.keyboard.press('Escape');
@@ -148,8 +149,7 @@ test('picks in the picture, moves by the gizmo in one step, deletes and brings b
 });
 
 test('picks a light by its icon', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await addObject(page, 'Light', 'Point light');
   await page.keyboard.press('Escape');
   const icon = await pointOf(page, 'Point light');
@@ -159,8 +159,7 @@ test('picks a light by its icon', async ({ page }) => {
 });
 
 test('re-parents by keyboard, duplicates, renames and hides', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await addObject(page, 'Empty object');
   await page.keyboard.press('F2');
   await page.getByLabel('Name of Object').fill('Parent');
@@ -196,8 +195,7 @@ test('re-parents by keyboard, duplicates, renames and hides', async ({ page }) =
 });
 
 test('re-parents by drag, where it stays in the world', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await addObject(page, 'Empty object');
   await page.getByLabel('Position x').fill('3');
   await page.getByLabel('Rotation y').fill('90');
@@ -214,8 +212,7 @@ test('re-parents by drag, where it stays in the world', async ({ page }) => {
 });
 
 test('plays, pauses, steps and stops without a trace in the history', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   await page.getByRole('combobox', { name: 'Add component' }).click();
   await page.getByRole('option', { name: /^Random Movement/ }).click();
@@ -242,8 +239,7 @@ test('plays, pauses, steps and stops without a trace in the history', async ({ p
 });
 
 test('lists all that is wrong with a broken file, and keeps the scene', async ({ page }, info) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   const before = await serialized(page);
   const file = JSON.parse(before) as {
@@ -270,8 +266,7 @@ test('lists all that is wrong with a broken file, and keeps the scene', async ({
 });
 
 test('switches technique and view', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await page.getByRole('combobox', { name: 'Technique' }).click();
   await page.getByRole('option', { name: /^Forward, multipass/ }).click();
   await page.getByRole('combobox', { name: 'View' }).click();
@@ -284,8 +279,7 @@ test('switches technique and view', async ({ page }) => {
 });
 
 test('flies while the right button is held, and only then', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   const eye = (): Promise<number[]> =>
     page.evaluate(() => window.editor.viewport.camera.position.toArray().map((value) => Number(value.toFixed(4))));
   const before = await eye();
@@ -307,8 +301,7 @@ test('flies while the right button is held, and only then', async ({ page }) => 
 });
 
 test('edits several objects at once, and goes back with Escape', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await addObject(page, 'Light', 'Point light');
   await addObject(page, 'Light', 'Spot light');
   await page.getByRole('treeitem', { name: 'Point light' }).click({ modifiers: ['Control'] });
@@ -348,8 +341,7 @@ test('edits several objects at once, and goes back with Escape', async ({ page }
 });
 
 test('enables, resets and removes components', async ({ page }) => {
-  await openEditor(page);
-  await openEmptyScene(page);
+  await openEditor(page, 'empty');
   await page.getByRole('treeitem', { name: 'Sun' }).click();
   const before = await serialized(page);
   const light = page.getByRole('region', { name: 'Light', exact: true });
