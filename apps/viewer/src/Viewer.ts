@@ -8,14 +8,7 @@ import {
   type Scene,
   scenes,
 } from '@farol/engine';
-import {
-  type FarolEffect,
-  FarolRenderer,
-  type TechniqueName,
-  techniques,
-  type View,
-  views,
-} from '@farol/renderer';
+import { type FarolEffect, FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
 import { type EffectName, effects } from '@farol/renderer/effects';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
