@@ -8,24 +8,31 @@ export interface PageImage {
   data: Float32Array;
 }
 
+export interface BenchOptions {
+  /** Of the target: above 0 it is multisampled, in half floats. */
+  readonly samples?: number;
+  readonly renderer?: THREE.WebGLRendererParameters;
+  readonly target?: THREE.RenderTargetOptions;
+}
+
 /** One WebGLRenderer, a float target, and Farol on it: draws a scene by stock three and by a technique. */
 export class Bench {
   readonly webgl: THREE.WebGLRenderer;
   readonly farol: FarolRenderer;
   readonly target: THREE.WebGLRenderTarget;
 
-  /** @param samples of the target: above 0 it is multisampled, in half floats */
   constructor(
     readonly width: number,
     readonly height: number,
-    samples = 0,
+    { samples = 0, renderer = {}, target = {} }: BenchOptions = {},
   ) {
-    this.webgl = new THREE.WebGLRenderer({ antialias: false });
+    this.webgl = new THREE.WebGLRenderer({ antialias: false, ...renderer });
     this.webgl.setSize(width, height, false);
     this.farol = new FarolRenderer(this.webgl);
     this.target = new THREE.WebGLRenderTarget(width, height, {
       type: samples > 0 ? THREE.HalfFloatType : THREE.FloatType,
       samples,
+      ...target,
     });
   }
 

@@ -8,9 +8,12 @@ import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
 import { Bench } from './Bench';
 import { edgeScene } from './edgeScene';
+import { hostSnapshot } from './hostSnapshot';
 import { materialScene } from './materialScene';
 import { supersampled } from './supersampled';
 import { shadowScene } from './shadowScene';
+import { runSettings } from './matrix/runSettings';
+import { runSheet } from './matrix/runSheet';
 
 /** What an empty page offers to a browser test that builds its own scene: three and the renderer, whole. */
 export interface TestPage {
@@ -23,6 +26,9 @@ export interface TestPage {
   edgeScene: typeof edgeScene;
   supersampled: typeof supersampled;
   shadowScene: typeof shadowScene;
+  hostSnapshot: typeof hostSnapshot;
+  runSheet: typeof runSheet;
+  runSettings: typeof runSettings;
   Bench: typeof Bench;
   compareImages: typeof compareImages;
   isFlat: typeof isFlat;
@@ -47,6 +53,9 @@ window.testPage = {
   edgeScene,
   supersampled,
   shadowScene,
+  hostSnapshot,
+  runSheet,
+  runSettings,
   Bench,
   compareImages,
   isFlat,

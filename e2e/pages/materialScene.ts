@@ -8,14 +8,14 @@ export interface TestScene {
 }
 
 /** Park and Miller's generator: the same numbers for the same seed. */
-function random(seed: number): () => number {
+export function random(seed: number): () => number {
   return () => {
     seed = (seed * 16807) % 2147483647;
     return (seed - 1) / 2147483646;
   };
 }
 
-function noiseTexture(seed: number, kind: 'colour' | 'normal'): THREE.DataTexture {
+export function noiseTexture(seed: number, kind: 'colour' | 'normal'): THREE.DataTexture {
   const next = random(seed);
   const size = 32;
   const data = new Uint8Array(size * size * 4);
@@ -31,7 +31,7 @@ function noiseTexture(seed: number, kind: 'colour' | 'normal'): THREE.DataTextur
   return texture;
 }
 
-function skinned(material: THREE.Material): THREE.SkinnedMesh {
+export function skinned(material: THREE.Material): THREE.SkinnedMesh {
   const geometry = new THREE.CylinderGeometry(0.4, 0.4, 1.6, 16, 8);
   const { position } = geometry.attributes;
   const indices = new Uint16Array(position.count * 4);
@@ -56,7 +56,7 @@ function skinned(material: THREE.Material): THREE.SkinnedMesh {
   return mesh;
 }
 
-function instanced(material: THREE.Material): THREE.InstancedMesh {
+export function instanced(material: THREE.Material): THREE.InstancedMesh {
   const mesh = new THREE.InstancedMesh(new THREE.IcosahedronGeometry(0.3, 1), material, 6);
   const matrix = new THREE.Matrix4();
   for (let i = 0; i < 6; i++) {
@@ -66,7 +66,7 @@ function instanced(material: THREE.Material): THREE.InstancedMesh {
   return mesh;
 }
 
-function morphed(material: THREE.Material): THREE.Mesh {
+export function morphed(material: THREE.Material): THREE.Mesh {
   const geometry = new THREE.BoxGeometry(1, 1, 1, 6, 6, 6);
   const { position } = geometry.attributes;
   const target = new Float32Array(position.count * 3);
@@ -86,7 +86,7 @@ function morphed(material: THREE.Material): THREE.Mesh {
   return mesh;
 }
 
-function batched(material: THREE.Material): THREE.BatchedMesh {
+export function batched(material: THREE.Material): THREE.BatchedMesh {
   const mesh = new THREE.BatchedMesh(4, 2000, 6000, material);
   const sphere = mesh.addGeometry(new THREE.SphereGeometry(0.3, 12, 8));
   const box = mesh.addGeometry(new THREE.BoxGeometry(0.4, 0.4, 0.4));

@@ -23,7 +23,7 @@ test('forward techniques in a multisampled target are as stock three there', asy
       const { Bench, compareImages, edgeScene, supersampled } = window.testPage;
       const { scene, camera } = edgeScene(width, height);
       const wanted = supersampled(width, height, scene, camera);
-      const multi = new Bench(width, height, 4);
+      const multi = new Bench(width, height, { samples: 4 });
       const stock = multi.stock(scene, camera);
       const figures: Record<string, number> = {
         none: compareImages(wanted, new Bench(width, height).stock(scene, camera)).psnr,
@@ -94,7 +94,7 @@ test('SMAA and TAA bring deferred shading nearer to 16 samples; still, TAA is ne
       const deferred = () => bench.byTechnique('deferred', scene, camera);
       const psnr = (image: ReturnType<typeof deferred>) => compareImages(wanted, image).psnr;
       const figures: Record<string, number> = {
-        'MSAA 4x': psnr(new Bench(width, height, 4).stock(scene, camera)),
+        'MSAA 4x': psnr(new Bench(width, height, { samples: 4 }).stock(scene, camera)),
         none: psnr(deferred()),
       };
       bench.farol.effects = [new effects.SMAA()];

@@ -1,4 +1,5 @@
-import { type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
+import { type ArrayCamera, type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
+import { adoptDepth } from './adoptDepth';
 import { clearValue } from './clearValue';
 import { checkDevice, hasFloatTargets } from './checkDevice';
 import { collectLights, type FoundLights } from './collectLights';
@@ -17,10 +18,12 @@ import type { MicroShaderRegistry } from './microshaders';
 import { createRegistry } from './microshaders/createRegistry';
 import { gridUniforms } from './passes/LightGridPass';
 import { tileUniforms } from './passes/LightTilesPass';
+import { drawEarly } from './passes/drawEarly';
 import { drawPasses } from './passes/drawPasses';
 import type { Pass } from './passes/Pass';
 import { validatePasses } from './passes/validatePasses';
-import { refuseArrays } from './refuseArrays';
+import { refuseXR } from './refuseXR';
+import { renderArray } from './renderArray';
 import { SceneView } from './SceneView';
 import { maskUniforms } from './shadows/maskUniforms';
 import type { ShadowMaps } from './shadows/ShadowMaps';
@@ -134,6 +137,7 @@ export class FarolRenderer {
   private readonly shadowAtlasSize: number;
   private activeEffects = NO_EFFECTS;
   private readonly draw = () => this.drawFrame();
+  private readonly begun = () => this.frame.takeOutputBuffer();
   private readonly shadowDraws = {
     stands: [] as readonly Object3D[],
     render: () => this.run('shadow maps', () => this.shadows!.render()),
@@ -241,16 +245,21 @@ export class FarolRenderer {
   /**
    * Draws to the current render target, viewport and scissor of the WebGLRenderer, as its own `render` would.
    * @param scene a Scene, or any object
-   * @param camera perspective or orthographic; its world matrix is updated if it has no parent
-   * @throws Error for an array camera or while an XR session presents
+   * @param camera perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no parent
+   * @throws Error while an XR session presents
    */
   render(scene: Object3D, camera: Camera): void {
     if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
     if (this.webgl.getContext().isContextLost()) return;
-    refuseArrays(this.webgl, camera);
+    refuseXR(this.webgl);
+    if ((camera as ArrayCamera).isArrayCamera === true) {
+      renderArray(this.webgl, camera as ArrayCamera, (one) => this.render(scene, one));
+      return;
+    }
     this.recorder.begin(this.timing);
     if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
+    adoptDepth(this.webgl, camera);
     this.findLights(scene, camera);
     const { frame, shadows, webgl } = this;
     frame.begin(scene, camera, this.viewToDraw());
@@ -432,6 +441,7 @@ export class FarolRenderer {
     }
     if (frame.view === 'overdraw')
       this.run('overdraw', () => this.viewPasses!.overdraw.render(frame, this.hasPass('depth')));
+    drawEarly(frame, this.transmittedTwins('final'));
     drawPasses(frame, this.passesOf(this.active), this.activeEffects, this.recorder);
     if (frame.view === 'overdraw' && !this.hasPass('output')) this.viewPasses!.overdraw.show(frame);
     if (frame.view === 'grid') this.showSurface();
@@ -478,7 +488,10 @@ export class FarolRenderer {
 
   private viewOf(scene: Object3D): SceneView {
     let view = this.sceneViews.get(scene);
-    if (view === undefined) this.sceneViews.set(scene, (view = new SceneView(this.webgl, scene, this.left)));
+    if (view === undefined) {
+      view = new SceneView(this.webgl, scene, this.left, this.begun);
+      this.sceneViews.set(scene, view);
+    }
     return view;
   }
 

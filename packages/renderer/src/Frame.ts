@@ -122,6 +122,16 @@ export class Frame {
     this.resize();
   }
 
+  /** In place of the canvas, three draws to a buffer of its own where it was made with an `outputBufferType`. */
+  takeOutputBuffer(): void {
+    const { webgl } = this;
+    if (this.target !== null) return;
+    this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
+    if (this.target === null) return;
+    webgl.getCurrentViewport(this.viewport);
+    this.resize();
+  }
+
   /** Takes the size from the viewport. */
   resize(): void {
     const { viewport } = this;
@@ -136,7 +146,7 @@ export class Frame {
   /** True if a pass that writes every pixel of the viewport leaves nothing of the target out. */
   ownsTarget(): boolean {
     const { webgl, target, viewport, view } = this;
-    if (view !== 'final' || this.level !== 0 || this.samples > 0 || webgl.capabilities.reversedDepthBuffer)
+    if (view !== 'final' || this.level !== 0 || this.samples > 0 || webgl.state.buffers.depth.getReversed())
       return false;
     if (target === null) {
       webgl.getDrawingBufferSize(size);
@@ -159,7 +169,7 @@ export class Frame {
     this.webgl.setRenderTarget(target);
   }
 
-  /** Clears attachments of the bound target to a value and its depth to 1, without touching the host's clear colour. */
+  /** Clears attachments of the bound target to a value and its depth to the farthest, without touching the host's clear colour. */
   clear(attachments: number, depth: boolean, value: Vector4 = TRANSPARENT): void {
     const { gl, webgl } = this;
     webgl.state.buffers.color.setMask(true);
@@ -172,6 +182,7 @@ export class Frame {
     if (depth) {
       webgl.state.buffers.depth.setTest(true);
       webgl.state.buffers.depth.setMask(true);
+      farDepth[0] = webgl.state.buffers.depth.getReversed() ? 0 : 1;
       gl.clearBufferfv(gl.DEPTH, 0, farDepth);
     }
   }
@@ -254,13 +265,15 @@ export class Frame {
   private drawItem(item: RenderItem, material: Material): void {
     const { object, geometry, group } = item;
     const { webgl, scene, camera } = this;
-    (object.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, material as never, group);
+    const source = item.material as ShaderMaterial;
+    (object.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, source as never, group);
     if (this.queue.layers !== 0) setLayers(this.gl, object.layers.mask);
     object.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, object.matrixWorld);
     object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
     (material.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);
     this.draw(camera, scene, geometry, material, object, group);
-    (object.onAfterRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, material as never, group);
+    if (source.uniformsNeedUpdate === true) source.uniformsNeedUpdate = false;
+    (object.onAfterRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, source as never, group);
   }
 }
 

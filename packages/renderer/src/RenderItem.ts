@@ -27,6 +27,8 @@ export interface RenderItem {
   layered: boolean;
   /** Drawn as opaque things are by default, so that any pass may draw it in its own order. */
   plain: boolean;
+  /** Plain, lit, and by three's own shader as it is, so that its shading may be shared out over passes. */
+  splits: boolean;
   /** A technique's pass has drawn it this frame; the forward pass leaves it out. */
   drawn: boolean;
 }

@@ -1,8 +1,9 @@
 import { type BufferGeometry, Material, type Object3D } from 'three';
-import { isPlainOpaque } from './gbuffer/shadingModel';
+import { isOrderSensitive, isPlainOpaque } from './gbuffer/shadingModel';
 import { isLit } from './materials/isLit';
 import type { TwinKind } from './materials/TwinKind';
 import type { GeometryGroup, RenderItem } from './RenderItem';
+import { warnOfNaN } from './warnOfNaN';
 
 export type RenderItemSort = (a: RenderItem, b: RenderItem) => number;
 
@@ -48,6 +49,10 @@ export class RenderQueue {
   shadowMasks: ShadowMaskMaterials | null = null;
   /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
   covers = true;
+  /** How many opaque items, from the first on, are to be drawn into the target before anything else. */
+  early = 0;
+  /** True if an opaque item must be drawn in three's order. */
+  ordered = false;
   /** True if something lit transmits or is transparent. */
   hasLitTransparents = false;
   private used = 0;
@@ -58,6 +63,8 @@ export class RenderQueue {
   clear(): void {
     this.used = 0;
     this.covers = true;
+    this.ordered = false;
+    this.early = 0;
     this.hasLitTransparents = false;
     this.opaques = this.transmissives = this.transparents = 0;
   }
@@ -78,6 +85,7 @@ export class RenderQueue {
           ? this.transparent
           : this.opaque;
     if (override !== null && material.allowOverride) material = override;
+    if (z !== z) warnOfNaN(object);
     let item = this.pool[this.used];
     if (item === undefined) this.pool.push((item = {} as RenderItem));
     this.used++;
@@ -96,8 +104,11 @@ export class RenderQueue {
     item.plain = list === this.opaque && isPlainOpaque(material);
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
+    const ownShader = list === this.opaque && hasOwnShader(material);
+    item.splits = item.plain && item.lit && !ownShader;
     if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
-    if (list === this.opaque && (!item.plain || hasOwnShader(material))) this.covers = false;
+    if (list === this.opaque && (!item.plain || ownShader)) this.covers = false;
+    if (list === this.opaque && !item.plain && isOrderSensitive(material)) this.ordered = true;
     // the lists are cut to their length when all is in, and so keep their storage
     if (list === this.opaque) list[this.opaques++] = item;
     else if (list === this.transparent) list[this.transparents++] = item;
@@ -113,6 +124,28 @@ export class RenderQueue {
       const item = this.pool[i] as { -readonly [K in keyof RenderItem]: RenderItem[K] | null };
       item.object = item.geometry = item.material = item.group = null;
     }
+  }
+
+  /**
+   * Keeps to three's order where it shows. What comes before an item that must be drawn in order, and after nothing that
+   * passes draw in an order of their own, is drawn early; what comes after such items is left to the forward draws.
+   */
+  keepOrder(): void {
+    if (!this.ordered) return;
+    const { opaque } = this;
+    let split = false;
+    let behind = false;
+    for (let i = 0; i < opaque.length; i++) {
+      const item = opaque[i];
+      if (item.plain) {
+        if (behind) item.plain = item.splits = false;
+        else if (item.splits) split = true;
+      } else if (isOrderSensitive(item.material)) {
+        if (split) behind = true;
+        else this.early = i + 1;
+      }
+    }
+    for (let i = 0; i < this.early; i++) opaque[i].plain = opaque[i].splits = false;
   }
 
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void {

@@ -68,6 +68,8 @@ export class SceneView {
     private readonly webgl: WebGLRenderer,
     private readonly source: Object3D,
     private readonly left: LeftToThree,
+    /** Called inside `render` when the lists are there and nothing is drawn yet. */
+    private readonly begun: () => void,
   ) {
     const scene = source as Scene;
     if (scene.isScene === true) {
@@ -169,7 +171,7 @@ export class SceneView {
   /** What three would clear to is set all the same. */
   private keepFromClearing(): void {
     const { webgl, autoClear, queue } = this;
-    const fills = queue?.transmissive.length === 0 && this.clearsPlainly() ? this.fills : null;
+    const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;
     this.uncleared = fills === 'behind' && !queue!.covers ? null : fills;
     if (this.uncleared === null) return;
     autoClear[0] = webgl.autoClear;
@@ -233,6 +235,7 @@ export class SceneView {
       list.finish = () => {
         this.restore();
         this.queue?.finish();
+        this.begun();
         this.keepFromClearing();
         push(driver, driver.geometry, driver.material as Material, 0, 0, null, this.anyCamera);
         finish();

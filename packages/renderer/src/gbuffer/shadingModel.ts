@@ -1,5 +1,5 @@
 import type { Color, Material, MeshPhongMaterial, MeshPhysicalMaterial, MeshStandardMaterial } from 'three';
-import { LessEqualDepth, NormalBlending } from 'three';
+import { LessEqualDepth, NoBlending, NormalBlending } from 'three';
 
 /** Which of three's lighting models a pixel of the G-buffer is lit by; the low two bits of its flags. */
 export const shadingModels = { unlit: 0, standard: 1, phong: 2, lambert: 3 } as const;
@@ -34,6 +34,21 @@ export function isPlainOpaque(material: Material): boolean {
     material.colorWrite &&
     !material.stencilWrite &&
     !(material as AnyMaterial & { wireframe?: boolean }).wireframe
+  );
+}
+
+/**
+ * True for an opaque material whose picture depends on what opaque things were drawn before it, or that changes what may be
+ * drawn after it otherwise than by being in front of it: it must be drawn in three's order.
+ */
+export function isOrderSensitive(material: Material): boolean {
+  return (
+    !material.depthTest ||
+    !material.depthWrite ||
+    !material.colorWrite ||
+    material.depthFunc !== LessEqualDepth ||
+    material.stencilWrite ||
+    (material.blending !== NormalBlending && material.blending !== NoBlending)
   );
 }
 

@@ -1,4 +1,4 @@
-import { type Material, Material as BaseMaterial, type WebGLRenderer } from 'three';
+import { type Material, Material as BaseMaterial, type ShaderMaterial, type WebGLRenderer } from 'three';
 import type { TwinKind, TwinShader } from './TwinKind';
 
 /** What twins of one renderer share. */
@@ -25,6 +25,13 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
     // three's switch of sides on transparent materials must not reach the source; Frame draws the sides by twins
     set() {},
   });
+  // three takes the flag down after a draw: Frame does so on the source, when its twin was drawn
+  if ('uniformsNeedUpdate' in source) {
+    Object.defineProperty(twin, 'uniformsNeedUpdate', {
+      get: () => (source as ShaderMaterial).uniformsNeedUpdate,
+      set() {},
+    });
+  }
   own('_listeners', undefined);
   own(
     'customProgramCacheKey',

@@ -18,10 +18,12 @@ const NOTHING = 'gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);';
 
 /** Ambient, environment, emissive and what three itself lights: the first pass of multipass lighting. */
 const base = litTwin({ key: 'base', loop: 'lightLoopNone' });
+const baseUnfogged = litTwin({ key: 'base', loop: 'lightLoopNone', properties: { fog: false } });
 const baseDark = litTwin({ key: 'base-dark', loop: 'lightLoopNone', atEnd: NOTHING });
 
-export function baseTwin(view: View): TwinKind {
-  return view === 'final' || view === 'grid' ? base : baseDark;
+/** @param fogged false leaves fog to the output */
+export function baseTwin(view: View, fogged: boolean): TwinKind {
+  return view === 'final' || view === 'grid' ? (fogged ? base : baseUnfogged) : baseDark;
 }
 
 /** What the light being drawn leaves in the stencil, 1 to 255: of surfaces at one depth, it is added to one alone. */
@@ -66,23 +68,25 @@ function onlyThisLight(text: string): string {
     .replace('#include <dithering_fragment>', '');
 }
 
-const additive = (count: boolean) =>
+const additive = (count: boolean, fogged = true) =>
   litTwin({
     // slots share one program; the change of slot makes three send the light's index
     key: count ? 'additive-count' : 'additive',
     loop: 'lightLoopOne',
     withThreeLights: false,
-    properties: ADDITIVE,
+    properties: fogged ? ADDITIVE : Object.defineProperties({ fog: false }, Object.getOwnPropertyDescriptors(ADDITIVE)),
     rewrite: onlyThisLight,
     atEnd: count ? 'gl_FragColor = vec4(farol_lightsEvaluated, 0.0, 0.0, 0.0);' : 'gl_FragColor.a = 0.0;',
   });
 const additives = [additive(false), additive(false)];
+const additivesUnfogged = [additive(false, false), additive(false, false)];
 const counters = [additive(true), additive(true)];
 
 /**
  * One light, added to what is there. Two kinds of one program, to be used in turns light by light: three sends a
  * material's uniforms only when the material changes.
+ * @param fogged false leaves fog to the output
  */
-export function additiveTwin(view: View, slot: 0 | 1): TwinKind {
-  return (isCountView(view) ? counters : additives)[slot];
+export function additiveTwin(view: View, slot: 0 | 1, fogged: boolean): TwinKind {
+  return (isCountView(view) ? counters : fogged ? additives : additivesUnfogged)[slot];
 }

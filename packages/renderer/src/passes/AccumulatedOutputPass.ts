@@ -13,9 +13,10 @@ import { isCountView } from '../debug/views';
 import type { Frame } from '../Frame';
 import { FullscreenMesh } from './FullscreenMesh';
 import type { MultipassLightsPass } from './MultipassLightsPass';
-import { OUTPUT_COUNTS, OUTPUT_FINAL, OUTPUT_LIGHTING } from './outputUniforms';
+import { fogUniforms, OUTPUT_COUNTS, OUTPUT_FINAL, OUTPUT_LIGHTING } from './outputUniforms';
 import type { Pass } from './Pass';
 import { OutputMaterial } from './PassMaterial';
+import { setUnprojectUniforms, unprojectUniforms } from './unprojectUniforms';
 
 /** Writes the sum of multipass lighting to the host's target, with depth. */
 export class AccumulatedOutputPass implements Pass {
@@ -28,6 +29,8 @@ export class AccumulatedOutputPass implements Pass {
   private readonly depth: IUniform<Texture | null> = { value: null };
   private readonly overdraw: IUniform<Texture | null> = { value: null };
   private readonly offset = { value: new Vector2() };
+  private readonly size = { value: new Vector2() };
+  private readonly unproject = unprojectUniforms();
   private readonly triangle = new FullscreenMesh();
   private material: OutputMaterial | null = null;
 
@@ -40,6 +43,8 @@ export class AccumulatedOutputPass implements Pass {
     this.sum.value = target.texture;
     this.depth.value = target.depthTexture;
     this.overdraw.value = frame.overdraw;
+    this.size.value.set(frame.width, frame.height);
+    setUnprojectUniforms(this.unproject, frame.camera, frame.webgl);
     this.offset.value.set(frame.viewport.x, frame.viewport.y);
     this.material ??= new OutputMaterial(frame.microshaders, {
       name: 'Farol multipass output',
@@ -52,6 +57,9 @@ export class AccumulatedOutputPass implements Pass {
         farol_accumulatedDepth: this.depth,
         farol_overdrawMap: this.overdraw,
         farol_offset: this.offset,
+        farol_size: this.size,
+        ...this.unproject,
+        ...fogUniforms(),
       },
       blendSrc: OneFactor,
       blendDst: OneMinusSrcAlphaFactor,
@@ -59,6 +67,10 @@ export class AccumulatedOutputPass implements Pass {
       depthTest: true,
       depthWrite: true,
     });
+    if (this.material.fog === this.source.fogged) {
+      this.material.fog = !this.source.fogged;
+      this.material.needsUpdate = true;
+    }
     this.material.depthFunc = isCountView(view) || frame.fills === 'every-pixel' ? AlwaysDepth : LessEqualDepth;
     // at an edge, samples of what was there before show through
     this.material.blending = frame.samples > 0 ? CustomBlending : NoBlending;

@@ -4,6 +4,7 @@ import { depthTwin, hasDepthTwin } from '../materials/depthTwin';
 import { FullscreenMesh } from './FullscreenMesh';
 import type { Pass } from './Pass';
 import { OutputMaterial } from './PassMaterial';
+import { setDepthMode } from './unprojectUniforms';
 
 /**
  * Draws the depth of the opaque lit items first: into a texture for the light lists, and from there into the host's target,
@@ -16,6 +17,7 @@ export class DepthPrepass implements Pass {
   readonly writes = ['scene-depth', 'target'] as const;
   target: WebGLRenderTarget | null = null;
   private readonly depth: IUniform<Texture | null> = { value: null };
+  private readonly depthMode = { value: new Vector2() };
   private readonly offset = { value: new Vector2() };
   private readonly triangle = new FullscreenMesh();
   private material: OutputMaterial | null = null;
@@ -35,7 +37,7 @@ export class DepthPrepass implements Pass {
     frame.bind(this.target);
     frame.clear(1, true);
     for (const item of frame.queue.opaque) {
-      if (item.plain && item.lit && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
+      if (item.splits && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
     }
     // one depth a pixel would hide samples of slopes
     if (frame.samples === 0) this.show(frame);
@@ -51,12 +53,13 @@ export class DepthPrepass implements Pass {
   private show(frame: Frame): void {
     this.depth.value = this.target!.depthTexture;
     this.offset.value.set(frame.viewport.x, frame.viewport.y);
+    setDepthMode(this.depthMode, frame.camera, frame.webgl);
     if (this.material === null) {
       this.material = new OutputMaterial(frame.microshaders, {
         name: 'Farol depth',
         vertex: ['fullscreen'],
         fragment: ['depthOnly'],
-        uniforms: { farol_sceneDepth: this.depth, farol_offset: this.offset },
+        uniforms: { farol_sceneDepth: this.depth, farol_offset: this.offset, farol_depthMode: this.depthMode },
         depthTest: true,
         depthWrite: true,
       });

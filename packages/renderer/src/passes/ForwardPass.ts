@@ -10,6 +10,8 @@ export interface ForwardPassOptions {
   readonly list: 'opaque' | 'transmissive' | 'transparent';
   /** Microshader that loops over the lights. */
   readonly loop: string;
+  /** The same for opaque items that no pass before has drawn the depth of; default `loop`. */
+  readonly loopOutside?: string;
   readonly reads?: readonly Resource[];
 }
 
@@ -22,12 +24,15 @@ export class ForwardPass implements Pass {
   private readonly list: ForwardPassOptions['list'];
   private readonly background = new BackgroundDraw();
   private readonly twins: ReturnType<typeof forwardTwins>;
+  private readonly outside: ReturnType<typeof forwardTwins>;
 
   constructor(options: ForwardPassOptions) {
     this.name = options.name;
     this.list = options.list;
     this.reads = options.reads ?? [];
-    this.twins = forwardTwins(options.loop);
+    const { loop, loopOutside = loop } = options;
+    this.twins = forwardTwins(loop);
+    this.outside = loopOutside === loop ? this.twins : forwardTwins(loopOutside);
   }
 
   render(frame: Frame): void {
@@ -36,8 +41,9 @@ export class ForwardPass implements Pass {
     if ((items.length === 0 && !fills) || frame.view === 'overdraw') return;
     frame.bindTarget();
     const twins = this.twins(frame.view);
+    const outside = this.outside(frame.view);
     const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
-    for (const item of items) this.draw(frame, item, twins, onlyLit);
+    for (const item of items) this.draw(frame, item, item.splits ? twins : outside, onlyLit);
     if (fills) this.background.draw(frame);
   }
 

@@ -38,13 +38,13 @@ export class GBufferPass implements Pass {
     // where nothing is drawn, depth 1 says so: what the other attachments hold there is never shown, and a clear costs as much as a draw
     frame.clear(0, true);
     for (const item of frame.queue.opaque) {
-      if (!item.plain || (item.layered && !this.forView)) continue;
       if (this.forView) {
+        if (!item.plain) continue;
         if (item.lit && !(item.material as Material & { isShaderMaterial?: boolean }).isShaderMaterial)
           frame.drawTwin(item, this.forView.lit);
         else if ((item.material as Material & { isMeshBasicMaterial?: boolean }).isMeshBasicMaterial)
           frame.drawTwin(item, this.forView.unlit);
-      } else if (item.lit && shadingModelOf(item.material) !== null) {
+      } else if (item.splits && !item.layered && shadingModelOf(item.material) !== null) {
         frame.drawTwin(item, gbufferTwin);
         item.drawn = true;
       }

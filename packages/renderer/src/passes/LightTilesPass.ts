@@ -144,7 +144,7 @@ export class LightTilesPass implements Pass {
     tiles.farol_tileMask.value = this.fine.texture;
     tiles.farol_tileSummary.value = this.summary.texture;
     tiles.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
-    setUnprojectUniforms(own, frame.camera);
+    setUnprojectUniforms(own, frame.camera, frame.webgl);
     own.farol_size.value.set(frame.width, frame.height);
     own.farol_coarseMask.value = this.coarse.texture;
     own.farol_tileDepth.value = this.depths.texture;

@@ -66,6 +66,9 @@ export class LightVolumeDraws {
     const materials = isCountView(frame.view)
       ? (this.counting ??= this.make(frame, true))
       : (this.shading ??= this.make(frame, false));
+    // the volumes' own depth is not logarithmic: then the distance to the light alone says what they reach
+    const depthTest = !frame.webgl.capabilities.logarithmicDepthBuffer;
+    materials.sphere.depthTest = materials.cone.depthTest = depthTest;
     if (lights.directional + lights.unbounded > 0) frame.drawMesh(this.triangle, materials.global);
     if (lights.spheres > 0) {
       this.firstRecord.value = lights.firstBounded;

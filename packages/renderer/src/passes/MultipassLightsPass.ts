@@ -5,6 +5,7 @@ import {
   FloatType,
   HalfFloatType,
   NearestFilter,
+  NoToneMapping,
   Sphere,
   Vector3,
   Vector4,
@@ -36,6 +37,8 @@ export class MultipassLightsPass implements Pass {
   readonly reads = [] as const;
   readonly writes = ['lighting'] as const;
   target: WebGLRenderTarget | null = null;
+  /** Fog is in the sums; else, where three draws fog after encoding, it is left to the output. */
+  fogged = true;
   private readonly items: RenderItem[] = [];
   /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */
   private spheres = new Float64Array(256);
@@ -51,6 +54,7 @@ export class MultipassLightsPass implements Pass {
   }
 
   render(frame: Frame): void {
+    this.fogged = frame.target !== null;
     this.prepareTarget(frame);
     this.items.length = 0;
     this.drawLights(frame);
@@ -65,9 +69,9 @@ export class MultipassLightsPass implements Pass {
 
   private drawLights(frame: Frame): void {
     const { items } = this;
-    const base = baseTwin(frame.view);
+    const base = baseTwin(frame.view, this.fogged);
     for (const item of frame.queue.opaque) {
-      if (!item.plain || !item.lit) continue;
+      if (!item.splits || !this.sums(item.material, frame)) continue;
       frame.drawTwin(item, base);
       item.drawn = true;
       items.push(item);
@@ -85,6 +89,13 @@ export class MultipassLightsPass implements Pass {
       this.drawLight(frame, lights.firstBounded + k, lights.rank[k]);
     }
     state.setScissorTest(false);
+  }
+
+  /** True if what the output does to all pixels, tone mapping and fog after encoding, three does to the material. */
+  private sums(material: Material, frame: Frame): boolean {
+    if (this.fogged) return true;
+    if (!material.toneMapped && frame.webgl.toneMapping !== NoToneMapping) return false;
+    return (material as Material & { fog?: boolean }).fog !== false || !frame.scene.fog;
   }
 
   private prepareTarget(frame: Frame): void {
@@ -123,7 +134,7 @@ export class MultipassLightsPass implements Pass {
         state.setScissorTest(true);
         scissored = true;
       }
-      frame.drawTwin(item, additiveTwin(frame.view, this.slot));
+      frame.drawTwin(item, additiveTwin(frame.view, this.slot, this.fogged));
     }
     if (!scissored) return;
     state.setScissorTest(false);
@@ -140,8 +151,8 @@ export class MultipassLightsPass implements Pass {
     this.lightIndex.value = record;
     if (lightMark.value === 255) this.unmark(frame);
     else lightMark.value++;
-    const kind = additiveTwin(frame.view, this.slot);
-    this.turn();
+    const kind = additiveTwin(frame.view, this.slot, this.fogged);
+    let drawn = false;
     const { spheres, items } = this;
     const b = bounded * 4;
     for (let i = 0; i < items.length; i++) {
@@ -172,7 +183,10 @@ export class MultipassLightsPass implements Pass {
           continue;
       }
       frame.drawTwin(items[i], kind);
+      drawn = true;
     }
+    // a light that reaches nothing leaves the twin drawn last as it was
+    if (drawn) this.turn();
   }
 
   /** Puts the light's rectangle into `scissor`; false if it covers nothing. */

@@ -49,7 +49,7 @@ export class ThinGBufferPass implements Pass {
     const { items } = this;
     items.length = 0;
     for (const item of frame.queue.opaque) {
-      if (!item.plain || !item.lit || item.layered || !isLightBufferMaterial(item.material)) continue;
+      if (!item.splits || item.layered || !isLightBufferMaterial(item.material)) continue;
       setObject(frame.gl, objectNumber(items.length), 0);
       frame.drawTwin(item, this.twins.opaque);
       items.push(item);

@@ -34,7 +34,7 @@ export function setGBufferUniforms(uniforms: GBufferUniforms, gbuffer: GBuffer, 
   uniforms.farol_gAlbedo.value = gbuffer.albedo;
   uniforms.farol_gMaterial.value = gbuffer.material;
   uniforms.farol_gDepth.value = gbuffer.depth;
-  setUnprojectUniforms(uniforms, frame.camera);
+  setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
   uniforms.farol_size.value.set(frame.width, frame.height);
   uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
 }

@@ -48,7 +48,7 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
   uniforms.farol_thinSurface.value = target.texture;
   uniforms.farol_thinDepth.value = target.depthTexture;
   uniforms.farol_size.value.set(target.width, target.height);
-  setUnprojectUniforms(uniforms, frame.camera);
+  setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
   const { x, y, z, w } = source.fit.value;
   uniforms.farol_fit.value.set(x, y, z, w);
   const unproject = uniforms.farol_unprojectXY.value;

@@ -1,10 +1,11 @@
-import { Vector4, type Camera, type IUniform } from 'three';
+import { Vector2, Vector4, type Camera, type IUniform, type PerspectiveCamera, type WebGLRenderer } from 'three';
 
 /** Uniforms of unproject.glsl. */
 export interface UnprojectUniforms extends Record<string, IUniform> {
   farol_unprojectZ: IUniform<Vector4>;
   farol_unprojectXY: IUniform<Vector4>;
   farol_perspective: IUniform<number>;
+  farol_depthMode: IUniform<Vector2>;
 }
 
 export function unprojectUniforms(): UnprojectUniforms {
@@ -12,23 +13,37 @@ export function unprojectUniforms(): UnprojectUniforms {
     farol_unprojectZ: { value: new Vector4() },
     farol_unprojectXY: { value: new Vector4() },
     farol_perspective: { value: 1 },
+    farol_depthMode: { value: new Vector2() },
   };
 }
 
-/** Takes the camera's projection, rounded as the GPU sees it. */
-export function setUnprojectUniforms(uniforms: UnprojectUniforms, camera: Camera): void {
+/** Sets the uniform of depthMode.glsl. */
+export function setDepthMode({ value }: IUniform<Vector2>, camera: Camera, webgl: WebGLRenderer): void {
+  const { isPerspectiveCamera, far } = camera as PerspectiveCamera;
+  // three writes logarithmic depth for perspective projections alone
+  const logarithmic = webgl.capabilities.logarithmicDepthBuffer && isPerspectiveCamera;
+  value.set(webgl.state.buffers.depth.getReversed() ? 1 : 0, logarithmic ? Math.log2(far + 1) : 0);
+}
+
+/** Takes the camera's projection, rounded as the GPU sees it, and how the renderer stores depth. */
+export function setUnprojectUniforms(uniforms: UnprojectUniforms, camera: Camera, webgl: WebGLRenderer): void {
+  setDepthMode(uniforms.farol_depthMode, camera, webgl);
   const p = camera.projectionMatrix.elements;
   const z = Math.fround(p[10]);
   const t = Math.fround(p[14]);
   const perspective = p[11] !== 0;
-  if (perspective) {
+  if (uniforms.farol_depthMode.value.x > 0) {
+    // (z zv + t) / -zv = e, or z zv + t = e
+    if (perspective) uniforms.farol_unprojectZ.value.set(-t, 0, z, 1);
+    else uniforms.farol_unprojectZ.value.set(-t, 1, z, 0);
+  } else if (perspective) {
     // (z zv + t) / -zv = 1 - 2e
     uniforms.farol_unprojectZ.value.set(-t, 0, 1 + z, -2);
-    uniforms.farol_unprojectXY.value.set(1 / p[0], 1 / p[5], p[8], p[9]);
   } else {
     // z zv + t = 1 - 2e
     uniforms.farol_unprojectZ.value.set(1 - t, -2, z, 0);
-    uniforms.farol_unprojectXY.value.set(1 / p[0], 1 / p[5], -p[12], -p[13]);
   }
+  if (perspective) uniforms.farol_unprojectXY.value.set(1 / p[0], 1 / p[5], p[8], p[9]);
+  else uniforms.farol_unprojectXY.value.set(1 / p[0], 1 / p[5], -p[12], -p[13]);
   uniforms.farol_perspective.value = perspective ? 1 : 0;
 }

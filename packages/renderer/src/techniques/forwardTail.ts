@@ -9,7 +9,7 @@ import type { Pass, Resource } from '../passes/Pass';
  */
 export function forwardTail(loop: string, reads: readonly Resource[] = [], behind = loop): Pass[] {
   return [
-    new ForwardPass({ name: 'opaque', list: 'opaque', loop, reads }),
+    new ForwardPass({ name: 'opaque', list: 'opaque', loop, loopOutside: behind, reads }),
     new ForwardPass({ name: 'transmissive', list: 'transmissive', loop: behind, reads }),
     new ForwardPass({ name: 'transparent', list: 'transparent', loop: behind, reads }),
   ];

@@ -161,7 +161,7 @@ export class AmbientOcclusion implements FarolEffect {
     this.depth.value = depth;
     this.normal.value = normal;
     this.openMap.value = openTarget.texture;
-    setUnprojectUniforms(this.unproject, frame.camera);
+    setUnprojectUniforms(this.unproject, frame.camera, frame.webgl);
     frame.bind(openTarget);
     frame.drawMesh(this.triangle, open);
     const result = (this.use === 'accumulation' ? this.accumulation : this.filtered).of(width, height);

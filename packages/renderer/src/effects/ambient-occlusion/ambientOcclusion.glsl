@@ -60,7 +60,7 @@ ivec2 pixel = ivec2(gl_FragCoord.xy) * int(farol_reach.z);
 pixel = min(pixel, textureSize(farol_surfaceDepth, 0) - 1);
 float depth = texelFetch(farol_surfaceDepth, pixel, 0).r;
 farol_open = vec4(1.0, 0.0, 0.0, 1.0);
-if (depth < 1.0) {
+if (!farol_isEmpty(depth)) {
   vec3 position = farol_positionAt(pixel);
   farol_open.g = position.z;
   float radius = min(farol_perspective == 0.0 ? farol_reach.y : farol_reach.y / -position.z, farol_reach.w);

@@ -14,7 +14,7 @@ layout(location = 0) out highp vec4 farol_result;
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 float depth = texelFetch(farol_surfaceDepth, pixel, 0).r;
 float open = 1.0;
-if (depth < 1.0) {
+if (!farol_isEmpty(depth)) {
   vec2 size = vec2(textureSize(farol_surfaceDepth, 0));
   float z = farol_unproject((vec2(pixel) + 0.5) / size, depth).z;
   // slope of the surface, by the neighbour that is more like it

@@ -127,7 +127,7 @@ export class Decals implements FarolEffect {
     this.materials ??= this.makeMaterials(frame);
     this.framebuffers.follow(frame, gbuffer);
     frame.bind(gbuffer.target); // its viewport
-    setUnprojectUniforms(uniforms, frame.camera);
+    setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
     uniforms.farol_surfaceDepth.value = gbuffer.depth;
     uniforms.farol_surfaceNormal.value = normals.texture;
     uniforms.farol_surfaceAlbedo.value = albedos.texture;

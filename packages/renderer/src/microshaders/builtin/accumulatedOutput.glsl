@@ -1,14 +1,17 @@
 // Writes what the passes of multipass lighting summed, where they drew anything (alpha above 0), with its depth.
 // Farol
 #include "output"
+#include "unproject"
 #include "heatMap"
 #include "heatScale"
 uniform highp sampler2D farol_accumulated;
 uniform highp sampler2D farol_accumulatedDepth;
 uniform highp sampler2D farol_overdrawMap;
+uniform vec2 farol_size;
 uniform int farol_view; // 0 final, 1 lighting, 2 counts
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
+float depth = texelFetch(farol_accumulatedDepth, pixel, 0).r;
 vec4 sum = texelFetch(farol_accumulated, pixel, 0);
 if (farol_view == 2) {
   gl_FragColor = vec4(farol_heatMap((sum.r + texelFetch(farol_overdrawMap, pixel, 0).r) * farol_heatScale), 1.0);
@@ -16,8 +19,13 @@ if (farol_view == 2) {
   if (farol_background.a < 0.0) discard;
   gl_FragColor = farol_background;
 } else {
+#ifdef USE_FOG
+  float fogDepth = -farol_unproject((vec2(pixel) + 0.5) / farol_size, depth).z;
+#else
+  float fogDepth = 0.0;
+#endif
   // alpha below 1: only some samples of the pixel were drawn to
-  gl_FragColor = farol_output(sum.rgb / sum.a, 0.0, true, false) * sum.a;
+  gl_FragColor = farol_output(sum.rgb / sum.a, fogDepth, true, true) * sum.a;
   if (farol_background.a >= 0.0) gl_FragColor += farol_background * (1.0 - min(sum.a, 1.0));
 }
-gl_FragDepth = texelFetch(farol_accumulatedDepth, pixel, 0).r;
+gl_FragDepth = depth;

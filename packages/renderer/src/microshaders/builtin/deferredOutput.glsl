@@ -14,7 +14,7 @@ float depth = texelFetch(farol_gDepth, pixel, 0).r;
 vec3 lighting = texelFetch(farol_lightingMap, pixel, 0).rgb;
 if (farol_view == 2) {
   gl_FragColor = vec4(farol_heatMap((lighting.r + texelFetch(farol_overdrawMap, pixel, 0).r) * farol_heatScale), 1.0);
-} else if (depth >= 1.0) {
+} else if (farol_isEmpty(depth)) {
   if (farol_background.a < 0.0) discard;
   gl_FragColor = farol_background;
 } else {

@@ -1,9 +1,10 @@
 // Writes depth alone to the host's target from a depth texture, a rounding step farther so that equal depths pass.
 // Farol
 #include "viewport"
+#include "depthMode"
 uniform highp sampler2D farol_sceneDepth;
 //# main
 float depth = texelFetch(farol_sceneDepth, ivec2(gl_FragCoord.xy - farol_offset), 0).r;
-if (depth >= 1.0) discard;
+if (farol_isEmpty(depth)) discard;
 gl_FragColor = vec4(0.0);
-gl_FragDepth = min(depth + 1.2e-7, 1.0);
+gl_FragDepth = farol_depthMode.x > 0.0 ? max(depth - 1.2e-7, 0.0) : min(depth + 1.2e-7, 1.0);

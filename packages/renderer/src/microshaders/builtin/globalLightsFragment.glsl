@@ -1,10 +1,11 @@
 // Directional lights and lights without a range over every pixel; how it is lit, the chunk before says (volumeLighting).
 // Thesis 3.2.3.2
 #include "lightTable"
+#include "depthMode"
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 float depth = FAROL_SURFACE_DEPTH(pixel);
-if (depth >= 1.0) discard;
+if (farol_isEmpty(depth)) discard;
 #ifdef FAROL_COUNT
 FAROL_COUNT_PIXEL(float(farol_lightCounts.x + farol_lightCounts.y))
 #else

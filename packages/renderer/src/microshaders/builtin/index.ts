@@ -4,6 +4,7 @@ import accumulatedOutput from './accumulatedOutput.glsl?raw';
 import ambientLight from './ambientLight.glsl?raw';
 import background from './background.glsl?raw';
 import deferredOutput from './deferredOutput.glsl?raw';
+import depthMode from './depthMode.glsl?raw';
 import depthOnly from './depthOnly.glsl?raw';
 import farthest from './farthest.glsl?raw';
 import fullscreen from './fullscreen.glsl?raw';
@@ -56,6 +57,7 @@ const sources = {
   ambientLight,
   background,
   deferredOutput,
+  depthMode,
   depthOnly,
   farthest,
   fullscreen,

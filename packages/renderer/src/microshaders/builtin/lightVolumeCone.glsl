@@ -1,6 +1,7 @@
 // The vertices of a cone for each spot light of a run, instanced, made from gl_VertexID: 72 a light.
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
 #include "lightTable"
+#include "depthMode"
 uniform highp mat4 projectionMatrix;
 uniform highp int farol_firstRecord;
 uniform highp vec4 farol_fit; // of the buffer to the picture: scale, shift (normalised device coordinates)
@@ -25,5 +26,5 @@ if (corner > 0) {
 }
 gl_Position = projectionMatrix * vec4(apex.xyz + offset, 1.0);
 // what lies beyond the far plane still covers its pixels
-if (gl_Position.w > 0.0) gl_Position.z = min(gl_Position.z, gl_Position.w);
+gl_Position.z = farol_beforeFar(gl_Position);
 gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;

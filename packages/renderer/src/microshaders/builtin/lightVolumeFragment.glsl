@@ -6,7 +6,7 @@ flat in highp int farol_record;
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 float depth = FAROL_SURFACE_DEPTH(pixel);
-if (depth >= 1.0) discard;
+if (farol_isEmpty(depth)) discard;
 #ifdef FAROL_COUNT
 FAROL_COUNT_PIXEL(1.0)
 #else

@@ -1,6 +1,7 @@
 // The vertices of a sphere round each light of a run, instanced, made from gl_VertexID: LIGHT_VOLUME_SPHERE_VERTICES a light.
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
 #include "lightTable"
+#include "depthMode"
 uniform highp mat4 projectionMatrix;
 uniform highp int farol_firstRecord;
 uniform highp vec4 farol_fit; // of the buffer to the picture: scale, shift (normalised device coordinates)
@@ -20,5 +21,5 @@ float latitude = south * 3.14159265 / float(RINGS);
 vec3 offset = centre.w * 1.06 * vec3(sin(latitude) * cos(longitude), cos(latitude), sin(latitude) * sin(longitude));
 gl_Position = projectionMatrix * vec4(centre.xyz + offset, 1.0);
 // what lies beyond the far plane still covers its pixels
-if (gl_Position.w > 0.0) gl_Position.z = min(gl_Position.z, gl_Position.w);
+gl_Position.z = farol_beforeFar(gl_Position);
 gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;

@@ -1,12 +1,19 @@
 // View-space position from window depth, exact where depth is near 1: works with 1 - depth, which loses nothing.
 // Farol; uniforms by passes/unprojectUniforms.ts; perspective, orthographic and off-centre projections
-uniform highp vec4 farol_unprojectZ; // view z = (x + y e) / (z + w e), e = 1 - depth
+#include "depthMode"
+uniform highp vec4 farol_unprojectZ; // view z = (x + y e) / (z + w e), e = 1 - depth, or reversed depth itself
 uniform highp vec4 farol_unprojectXY; // scale of x and y, then offset
 uniform highp float farol_perspective; // 1 perspective, 0 orthographic
 
+// m, negative before the camera
+float farol_viewZ(const in float depth) {
+  if (farol_depthMode.y > 0.0) return 1.0 - exp2(depth * farol_depthMode.y);
+  float e = farol_depthMode.x > 0.0 ? depth : 1.0 - depth;
+  return (farol_unprojectZ.x + farol_unprojectZ.y * e) / (farol_unprojectZ.z + farol_unprojectZ.w * e);
+}
+
 // uv: 0..1 over the picture; depth: 0..1 as in the depth buffer
 vec3 farol_unproject(const in vec2 uv, const in float depth) {
-  float e = 1.0 - depth;
-  float z = (farol_unprojectZ.x + farol_unprojectZ.y * e) / (farol_unprojectZ.z + farol_unprojectZ.w * e);
+  float z = farol_viewZ(depth);
   return vec3((uv * 2.0 - 1.0 + farol_unprojectXY.zw) * farol_unprojectXY.xy * mix(1.0, -z, farol_perspective), z);
 }

@@ -1,0 +1,63 @@
+import type { TechniqueName } from '@farol/renderer';
+import { techniques } from '@farol/renderer';
+import { Group } from 'three';
+import { Bench } from '../Bench';
+import type { Difference } from '../../support/images';
+import type { Cases } from './Case';
+import { gltfCases } from './gltfCases';
+import { geometryCases } from './geometryCases';
+import { mapCases } from './mapCases';
+import { materialCases } from './materialCases';
+import { orderCases } from './orderCases';
+import { Sheet, sheetSize } from './Sheet';
+
+export const sheets = {
+  materials: materialCases,
+  maps: mapCases,
+  geometry: geometryCases,
+  order: orderCases,
+  glTF: gltfCases,
+} as const satisfies Record<string, Cases | (() => Promise<Cases>)>;
+
+/** How far a technique's picture of one case is from stock three's. */
+export interface CaseResult extends Difference {
+  readonly sheet: string;
+  readonly case: string;
+  readonly technique: string;
+}
+
+export interface SheetResult {
+  readonly results: CaseResult[];
+  /** Cases that stock three does not show: they would test nothing. */
+  readonly unseen: string[];
+}
+
+/** The techniques of the matrix: 'auto' is one of the others. */
+export const drawn = (Object.keys(techniques) as TechniqueName[]).filter((name) => name !== 'auto');
+
+/** Draws all cases of a sheet by stock three and by each technique. */
+export async function runSheet(
+  name: keyof typeof sheets,
+  only: readonly TechniqueName[] = drawn,
+): Promise<SheetResult> {
+  const listed: Cases | (() => Promise<Cases>) = sheets[name];
+  const cases = typeof listed === 'function' ? await listed() : listed;
+  const { width, height } = sheetSize(cases);
+  const bench = new Bench(width, height, { target: { stencilBuffer: true }, renderer: { stencil: true } });
+  bench.webgl.localClippingEnabled = true;
+  bench.farol.inferredScale = 1;
+  const kit = { environment: bench.environment() };
+  const empty = new Sheet(Object.fromEntries(Object.keys(cases).map((key) => [key, () => new Group()])), kit);
+  const sheet = new Sheet(cases, kit);
+  const nothing = bench.stock(empty.scene, empty.camera);
+  const stock = bench.stock(sheet.scene, sheet.camera);
+  const unseen = sheet.compare(nothing, stock).filter(({ largest }) => largest === 0);
+  const results = only.flatMap((technique) =>
+    sheet
+      .compare(stock, bench.byTechnique(technique, sheet.scene, sheet.camera))
+      .map(({ name: key, ...difference }) => ({ sheet: name, case: key, technique, ...difference })),
+  );
+  bench.farol.dispose();
+  bench.webgl.dispose();
+  return { results, unseen: unseen.map(({ name: key }) => key) };
+}

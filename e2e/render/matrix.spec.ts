@@ -1,0 +1,51 @@
+import type { CaseResult } from '../pages/matrix/runSheet';
+import { isException } from './matrixExceptions';
+import { expect, test } from '../support/test';
+
+/**
+ * The matrix: each material, map, geometry and order of drawing, in a cell of 32 × 32 pixels, by each technique, in linear
+ * float against stock three. A cell that is off is named. The forward family runs three's own shaders; what a G-buffer or
+ * light buffer holds is rounded there. One pixel of a cell is 0.098%.
+ */
+const FORWARD = new Set(['forward', 'forward-single-pass', 'tiled-forward', 'forward-plus', 'clustered-forward']);
+const LARGEST = 1e-4;
+/** Of linear values, between two neighbours of 8 bits in sRGB, the largest. */
+const STEP = 0.0091;
+const PSNR = 55;
+const SHARE = 0.001;
+
+/** Cases that are not to be seen. */
+const HIDDEN = new Set(['shadow', 'material that is not visible', 'layers that the camera does not see']);
+
+function failure({ sheet, case: name, technique, largest, psnr, share }: CaseResult): string | null {
+  if (isException(technique, `${sheet}: ${name}`)) return null;
+  // of 8 bits, a value on the edge of rounding may go either way
+  const most = sheet.endsWith('8 bits') ? STEP : LARGEST;
+  const good = FORWARD.has(technique) ? largest <= most : psnr >= PSNR && share <= SHARE;
+  return good
+    ? null
+    : `${sheet}: ${name}, ${technique}: largest ${largest.toExponential(2)}, ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(2)}% off by more than 2/255`;
+}
+
+test.describe.configure({ timeout: 240_000 });
+
+test.beforeEach(async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+});
+
+for (const sheet of ['materials', 'maps', 'geometry', 'order', 'glTF'] as const) {
+  test(`each case of the sheet ${sheet}, by each technique`, async ({ page }) => {
+    const { results, unseen } = await page.evaluate((name) => window.testPage.runSheet(name), sheet);
+    expect(
+      unseen.filter((name) => !HIDDEN.has(name)),
+      'cases that stock three does not show',
+    ).toEqual([]);
+    expect(results.map(failure).filter((text) => text !== null)).toEqual([]);
+  });
+}
+
+test('each setting of renderer, scene and camera, by techniques in turn', async ({ page }) => {
+  const results = await page.evaluate(() => window.testPage.runSettings());
+  expect(results.map(failure).filter((text) => text !== null)).toEqual([]);
+});
