@@ -1,6 +1,7 @@
 /** A case that a technique draws otherwise than stock three, and why. The README lists them too. */
 export interface Exception {
   readonly technique: string;
+  /** Sheet and name, or the sheet alone with a colon for all of it. */
   readonly cases: readonly string[];
   readonly reason: string;
 }
@@ -20,6 +21,9 @@ export const matrixExceptions: readonly Exception[] = [
       'geometry: skinned, transparent',
       'order: transparent things by render order',
       'glTF: alpha blend',
+      // each has a transparent ball
+      'settings: ',
+      'settings, 8 bits: ',
     ],
     reason:
       'a transparent layer is lit at one texel of each two by two, and by what is nearest to it in the light buffer',
@@ -33,5 +37,9 @@ export const matrixExceptions: readonly Exception[] = [
 
 /** True if a case is known to be drawn otherwise by a technique. */
 export function isException(technique: string, name: string): boolean {
-  return matrixExceptions.some((exception) => exception.technique === technique && exception.cases.includes(name));
+  return matrixExceptions.some(
+    (exception) =>
+      exception.technique === technique &&
+      exception.cases.some((one) => name === one || (one.endsWith(': ') && name.startsWith(one))),
+  );
 }

@@ -1,4 +1,4 @@
-import type { Camera, Light, Object3D } from 'three';
+import type { Camera, Light, Object3D, Scene } from 'three';
 import { isManagedLight, type LeftToThree } from './lights/isManagedLight';
 import { cookieOf } from './lights/lightCookie';
 
@@ -20,7 +20,8 @@ export function collectLights(root: Object3D, camera: Camera, left: LeftToThree,
   found.count = 0;
   found.masks = 0;
   found.nested.length = 0;
-  if (root.visible) visit(root, 0, camera, left, found);
+  // of another root than a Scene, three's traversal meets the lights that are its children too
+  if (root.visible) visit(root, (root as Scene).isScene === true ? 0 : 2, camera, left, found);
   // what earlier frames had more of is let go
   if (found.all.length > found.count) found.all.length = found.count;
 }
