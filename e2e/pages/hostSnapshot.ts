@@ -17,6 +17,8 @@ function plain(value: unknown, depth: number, seen: Map<object, number>): unknow
       .sort()
       // listeners to what is freed, three's and Farol's; the number of the frame in which three last moved bones
       .filter((key) => key !== '_listeners' && key !== 'frame')
+      // textures of bones and batches, which three fills each frame, count how often
+      .filter((key) => key !== 'version' || (value as THREE.Material).isMaterial === true)
       .map((key) => [key, plain((value as Record<string, unknown>)[key], depth - 1, seen)]),
   );
 }
