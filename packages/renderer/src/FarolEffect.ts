@@ -19,7 +19,7 @@ export interface FarolEffect {
   readonly bytes: number;
   /**
    * Called before anything is drawn and before three's traversal; may set `frame.camera` (a view of the host's, such as a
-   * jittered one), `frame.target` with its viewport, `frame.adapt` and `frame.withIndirect`.
+   * jittered one), `frame.target` with its viewport, `frame.adapt` and `frame.gbufferLayout`.
    */
   begin?(frame: Frame): void;
   /** Draws, inside three's `render`. @param pass the pass that was drawn, or that is to be replaced */

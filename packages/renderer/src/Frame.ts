@@ -16,6 +16,7 @@ import {
 } from 'three';
 import type { View } from './debug/views';
 import type { Fills } from './techniques/Technique';
+import { gbufferLayout, type GBufferAttachment } from './gbuffer/gbufferLayout';
 import type { LightTable } from './lights/LightTable';
 import type { ForwardTwins } from './materials/forwardTwin';
 import { setLayers } from './materials/layersAttribute';
@@ -76,8 +77,8 @@ export class Frame {
   shadowMapsDrawn = 0;
   /** Set by an effect: gives the kind of twin that an item is drawn with in place of another. */
   adapt: ((kind: TwinKind, item: RenderItem) => TwinKind) | null = null;
-  /** Set by an effect: the G-buffer has indirect light by itself too. */
-  withIndirect = false;
+  /** Attachments of the G-buffer; an effect may set others, which begin with the same. */
+  gbufferLayout: readonly GBufferAttachment[] = gbufferLayout;
   /** Set by an effect: takes the place of the G-buffer's accumulation. */
   accumulation: Texture | null = null;
   private readonly canvasStencil: boolean;
@@ -114,7 +115,7 @@ export class Frame {
     this.view = view;
     this.uploadedBytes = 0;
     this.adapt = this.accumulation = null;
-    this.withIndirect = false;
+    this.gbufferLayout = gbufferLayout;
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     this.face = webgl.getActiveCubeFace();
     this.level = webgl.getActiveMipmapLevel();

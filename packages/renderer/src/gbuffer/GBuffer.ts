@@ -1,19 +1,19 @@
-import { DepthTexture, FloatType, NearestFilter, type Texture, type WebGLRenderer } from 'three';
-import { gbufferLayout, indirectLayout, type GBufferAttachment } from './gbufferLayout';
+import { DepthTexture, FloatType, NearestFilter, type WebGLRenderer } from 'three';
+import { gbufferLayout, type GBufferAttachment } from './gbufferLayout';
 import { WebGLMultipleRenderTargets } from './WebGLMultipleRenderTargets';
 
 /** Geometry buffer: the attachments of `gbufferLayout` and a depth texture. */
 export class GBuffer {
   readonly target: WebGLMultipleRenderTargets;
 
-  private readonly layout: readonly GBufferAttachment[];
-
   /**
-   * @param withIndirect has an attachment more, `indirect`
+   * @param layout begins as `gbufferLayout`; an effect may want more
    * @throws Error when the device has fewer draw buffers than the layout has attachments
    */
-  constructor(webgl: WebGLRenderer, withIndirect = false) {
-    const layout = (this.layout = withIndirect ? [...gbufferLayout, indirectLayout] : gbufferLayout);
+  constructor(
+    webgl: WebGLRenderer,
+    readonly layout: readonly GBufferAttachment[] = gbufferLayout,
+  ) {
     const gl = webgl.getContext() as WebGL2RenderingContext;
     const most = gl.getParameter(gl.MAX_DRAW_BUFFERS) as number;
     if (most < layout.length) {
@@ -45,10 +45,6 @@ export class GBuffer {
   }
   get material() {
     return this.target.textures[3];
-  }
-  /** Indirect light alone, or null: made for an effect. */
-  get indirect(): Texture | null {
-    return this.target.textures[gbufferLayout.length] ?? null;
   }
   get depth(): DepthTexture {
     return this.target.depthTexture!;

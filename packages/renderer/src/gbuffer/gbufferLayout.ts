@@ -38,12 +38,3 @@ export const gbufferLayout = [
     bytes: 4,
   },
 ] as const satisfies readonly GBufferAttachment[];
-
-/** An attachment more for effects that change indirect light alone (ambient occlusion). */
-export const indirectLayout: GBufferAttachment = {
-  // rgb: what the accumulation holds of ambient, environment and light maps, reflections by roughness
-  name: 'indirect',
-  format: RGBAFormat,
-  type: HalfFloatType,
-  bytes: 8,
-};

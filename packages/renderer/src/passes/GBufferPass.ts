@@ -30,9 +30,8 @@ export class GBufferPass implements Pass {
   }
 
   render(frame: Frame): void {
-    const withIndirect = frame.withIndirect && this.forView === null;
-    if (this.gbuffer !== null && (this.gbuffer.indirect !== null) !== withIndirect) this.dispose();
-    this.gbuffer ??= new GBuffer(frame.webgl, withIndirect);
+    if (this.gbuffer?.layout !== frame.gbufferLayout) this.dispose();
+    this.gbuffer ??= new GBuffer(frame.webgl, frame.gbufferLayout);
     this.gbuffer.setSize(frame.width, frame.height);
     frame.bind(this.gbuffer.target);
     // where nothing is drawn, depth 1 says so: what the other attachments hold there is never shown, and a clear costs as much as a draw

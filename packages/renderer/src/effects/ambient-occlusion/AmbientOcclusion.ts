@@ -25,6 +25,7 @@ import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import { EffectTarget } from '../EffectTarget';
 import ambientOcclusion from './ambientOcclusion.glsl?raw';
 import occlusionFilter from './occlusionFilter.glsl?raw';
+import { INDIRECT, layoutWithIndirect } from './layoutWithIndirect';
 import { indirectTwin, occludedTwin } from './occlusionTwins';
 
 /** Radius on the picture beyond which samples would lie too far apart (pixels at full resolution). */
@@ -95,7 +96,7 @@ export class AmbientOcclusion implements FarolEffect {
 
   begin(frame: Frame): void {
     this.use = 'none';
-    frame.withIndirect = true;
+    frame.gbufferLayout = layoutWithIndirect;
     frame.adapt = this.adapt;
   }
 
@@ -104,7 +105,7 @@ export class AmbientOcclusion implements FarolEffect {
       const gbuffer = pass.gbuffer!;
       this.use = 'accumulation';
       this.lit.value = gbuffer.accumulation;
-      this.indirect.value = gbuffer.indirect;
+      this.indirect.value = gbuffer.target.textures[INDIRECT];
       this.draw(frame, gbuffer.depth, gbuffer.normal);
     } else if (pass instanceof DepthPrepass) {
       this.use = 'prepass';

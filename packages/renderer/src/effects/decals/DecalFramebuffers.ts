@@ -1,5 +1,6 @@
 import type { Texture } from 'three';
 import type { Frame } from '../../Frame';
+import { gbufferLayout } from '../../gbuffer/gbufferLayout';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 
 /** Framebuffers over a G-buffer's attachments without its depth, so that depth may be read while they are drawn to. */
@@ -13,7 +14,8 @@ export class DecalFramebuffers {
     const { gl } = frame;
     const { properties, state } = frame.webgl;
     const handle = (texture: Texture) => (properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture;
-    const light = gbuffer.indirect === null ? [gbuffer.accumulation] : [gbuffer.accumulation, gbuffer.indirect];
+    // what effects add to the layout is light
+    const light = [gbuffer.accumulation, ...gbuffer.target.textures.slice(gbufferLayout.length)];
     const groups = [light.map(handle), [gbuffer.albedo, gbuffer.normal, gbuffer.material].map(handle)];
     const all = groups.flat();
     if (all.length === this.attached.length && all.every((texture, i) => texture === this.attached[i])) return;
