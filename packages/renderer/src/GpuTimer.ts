@@ -22,8 +22,7 @@ export class GpuTimer {
   private running = false;
 
   constructor(private readonly gl: WebGL2RenderingContext) {
-    this.start();
-    gl.canvas.addEventListener('webglcontextrestored', this.start);
+    this.restart();
   }
 
   get available(): boolean {
@@ -60,14 +59,13 @@ export class GpuTimer {
   }
 
   /** Begins anew: the queries of a lost context are gone with it, and its extensions must be asked for again. */
-  private readonly start = (): void => {
+  restart(): void {
     this.pending.length = this.free.length = 0;
     this.running = false;
     this.extension = this.gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
-  };
+  }
 
   dispose(): void {
-    this.gl.canvas.removeEventListener('webglcontextrestored', this.start);
     for (const { query } of this.pending) this.gl.deleteQuery(query);
     for (const query of this.free) this.gl.deleteQuery(query);
     this.pending.length = this.free.length = 0;

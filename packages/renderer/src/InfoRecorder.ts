@@ -32,7 +32,10 @@ export class InfoRecorder {
   private triangles = 0;
   private pass: PassInfo | null = null;
 
-  constructor(private readonly webgl: WebGLRenderer) {}
+  constructor(private readonly webgl: WebGLRenderer) {
+    // before any listener of the host's that draws
+    webgl.getContext().canvas.addEventListener('webglcontextrestored', this.restartTimer);
+  }
 
   begin(timing: boolean): void {
     if (timing && !this.timerAsked) this.fetchTimer();
@@ -105,9 +108,12 @@ export class InfoRecorder {
 
   dispose(): void {
     this.disposed = true;
+    this.webgl.getContext().canvas.removeEventListener('webglcontextrestored', this.restartTimer);
     this.timer?.dispose();
     this.timer = null;
   }
+
+  private readonly restartTimer = (): void => this.timer?.restart();
 
   private fetchTimer(): void {
     this.timerAsked = true;
