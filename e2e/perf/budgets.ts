@@ -62,6 +62,9 @@ const ordinary: Budget = {
   depthFirst: false,
 };
 
+/** The colour behind everything, in place of a clear. */
+const BACKGROUND = 1;
+
 /** Lists made on the GPU, or none. */
 const withoutCpuLists = { listsOfOne: 0, listsOfAll: 0, garbageOfLight: 110, garbageOfObject: 70 };
 
@@ -76,7 +79,7 @@ const budgets: Record<string, Partial<Budget>> = {
   },
   'forward-single-pass': {
     ...withoutCpuLists,
-    draws: ({ objects }) => objects,
+    draws: ({ objects }) => objects + BACKGROUND,
     passes: TAIL,
     bytesPerPixel: 0,
   },
@@ -95,14 +98,14 @@ const budgets: Record<string, Partial<Budget>> = {
   },
   'tiled-forward': {
     ...withoutCpuLists,
-    draws: ({ objects }) => objects + LISTS,
+    draws: ({ objects }) => objects + LISTS + BACKGROUND,
     passes: 1 + TAIL,
     bytesPerPixel: LISTS_BYTES,
   },
   // the G-buffer and the materials draw each object; light buffers of diffuse and specular in half floats, with depth
   'light-prepass': {
     ...withoutCpuLists,
-    draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT,
+    draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT + BACKGROUND,
     bytesPerPixel: 40,
     garbageOfObject: 120,
     shadings: 2,
@@ -110,7 +113,7 @@ const budgets: Record<string, Partial<Budget>> = {
   // the same at half of the width and height but for the materials
   inferred: {
     ...withoutCpuLists,
-    draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT + 1,
+    draws: ({ objects }) => 2 * objects + VOLUMES + OUTPUT + 1 + BACKGROUND,
     bytesPerPixel: 10,
     garbageOfObject: 120,
     shadings: 1.25,
@@ -119,7 +122,7 @@ const budgets: Record<string, Partial<Budget>> = {
   'forward-plus': {
     ...withoutCpuLists,
     // each object's depth into a target of 8 bytes a pixel, on to the canvas, then each object
-    draws: ({ objects }) => 2 * objects + DEPTHS + LISTS + OUTPUT,
+    draws: ({ objects }) => 2 * objects + DEPTHS + LISTS + OUTPUT + BACKGROUND,
     passes: 2 + TAIL,
     bytesPerPixel: 8 + LISTS_BYTES,
     garbageOfObject: 120,
@@ -131,7 +134,7 @@ const budgets: Record<string, Partial<Budget>> = {
     passes: 3 + TAIL,
     bytesPerPixel: GBUFFER + LISTS_BYTES,
   },
-  'clustered-forward': { draws: ({ objects }) => objects, passes: 1 + TAIL, bytesPerPixel: LISTS_BYTES },
+  'clustered-forward': { draws: ({ objects }) => objects + BACKGROUND, passes: 1 + TAIL, bytesPerPixel: LISTS_BYTES },
 };
 
 /** What `technique` may take; a new one takes what is ordinary until it gets a row of its own. */
