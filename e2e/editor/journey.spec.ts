@@ -94,7 +94,7 @@ test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page 
   await waitUntilReady(page);
   expect(await serialized(page)).not.toBe(saved);
   const chooser = page.waitForEvent('filechooser');
-  await page.keyboard.press('Control+o');
+  await page.getByRole('button', { name: /^Open/ }).first().click();
   await (await chooser).setFiles(file);
   await expect(page.getByRole('treeitem', { name: 'Box' })).toBeVisible();
   expect(await serialized(page)).toBe(saved);
