@@ -13,7 +13,7 @@ import { type EffectName, effects } from '@farol/renderer/effects';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
 import { dragonUrls } from './dragonUrls';
-import { collectFiles } from './model/collectFiles';
+import { collectFiles } from '@farol/engine';
 import { loadModel, type LoadedModel } from './model/loadModel';
 import { disposeModel, modelParameters, modelScene } from './model/modelScene';
 import { type Pixels, readPixels } from './readPixels';

@@ -49,6 +49,7 @@ export {
   type SceneDefinition,
   type SceneParameters,
 } from './scenes/SceneDefinition';
+export { collectFiles, type FileMap } from './assets/collectFiles';
 export { scenes } from './scenes/index';
 export { benchmarkLights } from './scenes/benchmark/benchmarkLights';
 export { benchmarkLightsObjects } from './scenes/benchmark/benchmarkLightsObjects';

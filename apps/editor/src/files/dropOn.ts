@@ -3,7 +3,7 @@ import { Plane, Raycaster, Vector2, Vector3 } from 'three';
 import type { Editor } from '../Editor';
 import type { Container } from '../model/commands/Placement';
 import { hitPoint } from '../viewport/pick';
-import type { FileMap } from './collectFiles';
+import type { FileMap } from '@farol/engine';
 import type { DraggedAsset } from './dragAsset';
 import { importFiles } from './importFiles';
 import { type DropPlace, placeAsset } from './placeAsset';

@@ -1,7 +1,7 @@
 import { type AssetLibrary, packGltf, readableEndings, typeOfUrl } from '@farol/engine';
 import type { Editor } from '../Editor';
 import { AddAssets } from '../model/commands/AddAssets';
-import type { FileMap } from './collectFiles';
+import type { FileMap } from '@farol/engine';
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 

@@ -1,5 +1,5 @@
 import type { Editor } from '../Editor';
-import { collectFiles } from './collectFiles';
+import { collectFiles } from '@farol/engine';
 import { draggedAsset, isAssetDrag, isFileDrag } from './dragAsset';
 import type { DropTarget } from './dropOn';
 

@@ -1,5 +1,5 @@
 import type { GltfJson } from '@farol/engine';
-import type { FileMap } from './collectFiles';
+import type { FileMap } from '@farol/engine';
 
 /**
  * Path of the model among dropped files: the .glb or .gltf that is nearest to the top.

@@ -1,7 +1,7 @@
 import { readGltfJson } from '@farol/engine';
 import { LoadingManager, type WebGLRenderer } from 'three';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
-import type { FileMap } from './collectFiles';
+import type { FileMap } from '@farol/engine';
 import { createLoader } from './createLoader';
 import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
 

@@ -85,7 +85,7 @@ export class Autosave {
     this.delta = new SceneDelta(this.editor.document.scene);
     this.hold();
     void this.store.send({ kind: 'drop' });
-    // the user has left it: saved, or thrown away after being asked
+    // the user has left it: saved, or thrown away after being asked; what cannot be deleted is offered once more at worst
     if (isKept) void this.store.delete(old).catch(() => {});
   }
 
