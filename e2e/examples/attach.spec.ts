@@ -27,8 +27,13 @@ test('on a page that knows nothing of Farol: select, edit, undo, draw by Farol',
   const x = () => page.evaluate(() => window.example.scene!.getObjectByName('chest')!.position.x);
   const before = await picture(page);
 
-  await row(page, 'chest').click();
+  await row(page, 'chest').hover();
+  await page.mouse.down();
+  await page.evaluate(() => (window.example.scene!.getObjectByName('lantern 1')!.name = 'lamp')); // while it is pressed
+  await expect(row(page, 'lamp')).toBeVisible();
+  await page.mouse.up();
   await expect(row(page, 'chest')).toHaveAttribute('aria-selected', 'true');
+  await page.evaluate(() => (window.example.scene!.getObjectByName('lamp')!.name = 'lantern 1'));
   const input = page.getByRole('spinbutton', { name: 'Position x' });
   await expect(input).toHaveValue('-2');
   await input.fill('0.5');

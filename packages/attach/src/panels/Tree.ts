@@ -26,6 +26,8 @@ export class Tree {
   private readonly spacer = element('div', { className: 'spacer', role: 'presentation' });
   private readonly open = new Set<Object3D>();
   private rows: Row[] = [];
+  /** Of the rows that are seen, by the id of their object. */
+  private readonly elements = new Map<number, HTMLElement>();
   private drawn = '';
   private readonly end: () => void;
   private readonly sizes: ResizeObserver;
@@ -104,34 +106,58 @@ export class Tree {
       .join(';');
     if (drawn + first + selected?.id === this.drawn) return;
     this.drawn = drawn + first + selected?.id;
-    this.spacer.replaceChildren(...rows.map((row, i) => this.drawRow(row, first + i)));
+    this.drawRows(rows, first);
     const isSeen = selected && rows.some(({ object }) => object === selected);
     if (isSeen) this.element.setAttribute('aria-activedescendant', `object-${selected.id}`);
     else this.element.removeAttribute('aria-activedescendant');
   }
 
-  private drawRow({ object, depth, place, siblings }: Row, index: number): HTMLElement {
-    const isOpen = this.open.has(object);
-    const row = element(
+  /** An element stays for as long as its object is seen: one that goes while it is pressed takes the click with it. */
+  private drawRows(rows: readonly Row[], first: number): void {
+    const seen = new Set(rows.map(({ object }) => object.id));
+    for (const [id, each] of this.elements) {
+      if (seen.has(id)) continue;
+      each.remove();
+      this.elements.delete(id);
+    }
+    let last: Element | null = null;
+    rows.forEach((row, i) => {
+      const { id } = row.object;
+      let drawn = this.elements.get(id);
+      if (!drawn) this.elements.set(id, (drawn = this.makeRow(id)));
+      this.drawRow(drawn, row, first + i);
+      if (drawn.previousElementSibling !== last || !drawn.parentNode)
+        this.spacer.insertBefore(drawn, last ? last.nextSibling : this.spacer.firstChild);
+      last = drawn;
+    });
+  }
+
+  private makeRow(id: number): HTMLElement {
+    return element(
       'div',
-      {
-        ...{ className: object.visible ? 'row' : 'row hidden', role: 'treeitem', id: `object-${object.id}` },
-        ...{ 'aria-level': depth + 1, 'aria-posinset': place, 'aria-setsize': siblings },
-        'aria-selected': object === this.session.selected,
-      },
-      element(
-        'span',
-        { className: 'twist', 'aria-hidden': true },
-        object.children.length === 0 ? '' : isOpen ? '▾' : '▸',
-      ),
-      element('span', { className: 'name' }, object.name || object.type),
-      element('span', { className: 'type' }, object.name ? object.type : ''),
+      { role: 'treeitem', id: `object-${id}` },
+      element('span', { className: 'twist', 'aria-hidden': true }),
+      element('span', { className: 'name' }),
+      element('span', { className: 'type' }),
     );
-    if (object.children.length > 0) row.setAttribute('aria-expanded', String(isOpen));
+  }
+
+  private drawRow(row: HTMLElement, { object, depth, place, siblings }: Row, index: number): void {
+    const hasChildren = object.children.length > 0;
+    const isOpen = this.open.has(object);
+    row.className = object.visible ? 'row' : 'row hidden';
+    row.ariaLevel = String(depth + 1);
+    row.ariaPosInSet = String(place);
+    row.ariaSetSize = String(siblings);
+    row.ariaSelected = String(object === this.session.selected);
+    row.ariaExpanded = hasChildren ? String(isOpen) : null;
     row.style.top = `${index * ROW}px`;
     row.style.paddingLeft = `${6 + 12 * depth}px`;
     row.dataset.index = String(index);
-    return row;
+    const [twist, name, type] = row.children;
+    setText(twist, !hasChildren ? '' : isOpen ? '▾' : '▸');
+    setText(name, object.name || object.type);
+    setText(type, object.name ? object.type : '');
   }
 
   private click(event: MouseEvent): void {
@@ -184,4 +210,8 @@ export class Tree {
         return false;
     }
   }
+}
+
+function setText(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
 }
