@@ -15,6 +15,7 @@ export const softwareFlags = [
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist',
+  '--disable-gpu-rasterization',
 ];
 
 /** Flags for a machine with a GPU: the same, less what forces the software rasteriser. @type {readonly string[]} */
