@@ -41,8 +41,7 @@ declare global {
 }
 
 // what is drawn in the first frame of a test has its code, unless the test is of that
-if (!location.search.includes('late')) await farol.FarolRenderer.loadShadows();
-await farol.FarolRenderer.loadViews();
+if (!location.search.includes('late')) await farol.FarolRenderer.preload();
 
 window.testPage = {
   three,

@@ -9,9 +9,15 @@ test('a microshader replaced while the scene runs changes the picture of every t
   page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, farol, materialScene } = window.testPage;
+    const { Bench, compareImages, farol, three } = window.testPage;
     const bench = new Bench(80, 60);
-    const { scene, camera } = materialScene(80, 60, { count: 6, onlyDeferred: true });
+    const scene = new three.Scene();
+    const ball = new three.SphereGeometry(1, 16, 12);
+    scene.add(new three.Mesh(ball, new three.MeshStandardMaterial({ roughness: 0.6 })).translateX(-1.1));
+    scene.add(new three.Mesh(ball, new three.MeshPhongMaterial()).translateX(1.1));
+    for (const x of [-3, 0, 3]) scene.add(new three.PointLight(0xffffff, 20, 8).translateX(x).translateZ(3));
+    const camera = new three.PerspectiveCamera(40, 80 / 60, 0.1, 20);
+    camera.position.z = 6;
     const name = 'lightAttenuation';
     const { microshaders } = bench.farol;
     const good = microshaders.get(name)!;

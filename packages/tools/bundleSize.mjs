@@ -4,12 +4,10 @@ import { gzipSync } from 'node:zlib';
 import { parseSync } from 'vite';
 
 /**
- * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. Shadow maps, cookies and light
- * layers are fetched when a scene first asks for them, and are not counted.
- * 1.5 kB of it are for the same picture in any setting: three's order of drawing, logarithmic and reversed depth, fog and
- * tone mapping of the canvas, arrays of cameras.
+ * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. What packages/renderer/src/late
+ * fetches when a scene or setting first asks for it is not counted.
  */
-export const rendererLimit = 46_500;
+export const rendererLimit = 45_000;
 
 /** Bytes that the editor's script may take before its first frame; panels, dialogs and loaders come on demand. */
 export const editorLimit = 450_000;

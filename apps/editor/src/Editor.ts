@@ -1,4 +1,3 @@
-import { FarolRenderer } from '@farol/renderer';
 import { AssetLibrary, deserialize, FileError, readSceneFile, type Scene, scenes } from '@farol/engine';
 import type { Autosave } from './files/autosave/Autosave';
 import type { Command } from './model/Command';
@@ -78,9 +77,7 @@ export class Editor {
     watchErrors(this);
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
     // what the first frame may need is there before it
-    this.ready = Promise.all([FarolRenderer.loadShadows(), FarolRenderer.loadViews()]).then(() =>
-      this.openFirst(first ?? null),
-    );
+    this.ready = this.viewport.farol.addLateMicroShaders().then(() => this.openFirst(first ?? null));
   }
 
   get commands(): CommandStack {

@@ -85,9 +85,7 @@ export class Viewer {
     this.resize();
     new ResizeObserver(() => this.resize()).observe(parent);
     // what the first frame may need is there before it
-    this.ready = Promise.all([FarolRenderer.loadShadows(), FarolRenderer.loadViews()]).then(() =>
-      this.chooseScene(state.scene),
-    );
+    this.ready = FarolRenderer.preload().then(() => this.chooseScene(state.scene));
     this.ready.catch(() => {}); // told by a message; who waits for it hears of it too
   }
 

@@ -10,11 +10,13 @@ import type { FarolEffect } from './FarolEffect';
 import type { FarolInfo } from './FarolInfo';
 import { Frame } from './Frame';
 import { InfoRecorder } from './InfoRecorder';
+import { lightBufferCode, shadowCode, timerCode, viewCode } from './late';
 import { LightTable } from './lights/LightTable';
 import { forwardTwins } from './materials/forwardTwin';
 import { resetLayers } from './materials/layersAttribute';
 import { TwinCache } from './materials/TwinCache';
 import type { MicroShaderRegistry } from './microshaders';
+import { addMicroShaders } from './microshaders/addMicroShaders';
 import { createRegistry } from './microshaders/createRegistry';
 import { gridUniforms } from './passes/LightGridPass';
 import { tileUniforms } from './passes/LightTilesPass';
@@ -54,21 +56,6 @@ const NO_EFFECTS: readonly FarolEffect[] = [];
 /** Lights with a shadow or an image that three has texture units for; more go without until Farol draws them. */
 const FEW_MASKS = 4;
 
-/** Shared by all renderers of a page. */
-let shadowCode: typeof import('./shadows') | null = null;
-
-let viewCode: typeof import('./debug') | null = null;
-
-function reportMissingViews(error: unknown): void {
-  console.error(`Farol: no code of this view (${String(error)}). Serve the files of @farol/renderer together.`);
-}
-
-function reportMissingShadows(error: unknown): void {
-  console.error(
-    `Farol: no code of shadow maps (${String(error)}); three draws them. Serve the files of @farol/renderer together.`,
-  );
-}
-
 /**
  * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
  * lights, render target and picture.
@@ -99,8 +86,6 @@ export class FarolRenderer {
   private readonly lights = new LightTable();
   /** Null until a scene has asked for what masks lights, and its code is there. */
   private shadows: ShadowMaps | null = null;
-  private shadowsAsked = false;
-  private viewsAsked = false;
   private readonly left = { shadows: false, cookies: true };
   private readonly twins: TwinCache;
   private readonly recorder: InfoRecorder;
@@ -305,22 +290,29 @@ export class FarolRenderer {
   }
 
   /**
-   * Fetches the code of shadow maps, cookies and light layers now. `render` asks for it by itself when a scene first needs
-   * it; until it is there, three draws the shadows and maps of up to four such lights
-   * itself, more go without, and layers are not looked at.
+   * Fetches all code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
+   * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
+   * itself, more go without, and layers are not looked at), the views of surfaces and overdraw (the final picture is shown),
+   * 'light-prepass' and 'inferred' ('deferred' draws).
    * @throws Error when the code cannot be fetched
    */
-  static async loadShadows(): Promise<void> {
-    shadowCode = await import('./shadows');
+  static async preload(): Promise<void> {
+    await Promise.all([shadowCode.load(), viewCode.load(), lightBufferCode.load(), timerCode.load()]);
+  }
+
+  /** Adds the microshaders of all code that is fetched late to `microshaders`, where they can be seen and replaced. */
+  async addLateMicroShaders(): Promise<void> {
+    await FarolRenderer.preload();
+    for (const { code } of [shadowCode, viewCode, lightBufferCode])
+      addMicroShaders(this.microshaders, code!.microShaders);
   }
 
   /**
-   * Fetches the code of the views of surfaces and overdraw now. `render` asks for it by itself when such a view is set, and
-   * shows the final picture until it is there.
-   * @throws Error when the code cannot be fetched
+   * Takes the GPU times of the last frame that have come since into `info`; `render` does so for the frames before it.
+   * @returns whether there were any
    */
-  static async loadViews(): Promise<void> {
-    viewCode = await import('./debug');
+  updateTimes(): boolean {
+    return this.recorder.updateTimes();
   }
 
   /**
@@ -329,7 +321,8 @@ export class FarolRenderer {
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
     this.findLights(scene, camera);
-    if (this.shadowsAsked && this.shadows === null) await FarolRenderer.loadShadows();
+    if (this.asksForShadows && this.shadows === null) await shadowCode.load();
+    await this.known[this.techniqueName].late?.load();
     const { compileByDrawing } = await import('./compileByDrawing');
     await compileByDrawing(this, scene, camera);
   }
@@ -353,7 +346,7 @@ export class FarolRenderer {
     this.left.cookies = this.shadows === null;
     this.left.shadows = this.left.cookies && this.webgl.shadowMap.enabled;
     collectLights(scene, camera, this.left, this.found);
-    if (this.shadows !== null || (this.found.masks === 0 && !this.lightLayers)) return;
+    if (this.shadows !== null || !this.asksForShadows) return;
     if (!this.makeShadows()) {
       if (this.found.masks <= FEW_MASKS) return;
       this.left.shadows = this.left.cookies = false;
@@ -361,31 +354,33 @@ export class FarolRenderer {
     collectLights(scene, camera, this.left, this.found);
   }
 
+  private get asksForShadows(): boolean {
+    return this.found.masks > 0 || this.separatesLayers;
+  }
+
   /** The view to be drawn: the final picture while the code of the one asked for is not there. */
   private viewToDraw(): View {
     const { viewName } = this;
     if (this.viewPasses !== null || isTechniqueView(viewName)) return viewName;
-    if (viewCode === null) {
-      if (!this.viewsAsked) FarolRenderer.loadViews().catch(reportMissingViews);
-      this.viewsAsked = true;
+    if (viewCode.code === null) {
+      viewCode.ask();
       return 'final';
     }
-    this.viewPasses = viewCode.makeViewPasses(this.microshaders);
+    this.viewPasses = viewCode.code.makeViewPasses(this.microshaders);
     return viewName;
   }
 
   /** Makes what masks lights, once its code is there. @returns whether it did */
   private makeShadows(): boolean {
-    if (this.shadows !== null) return false;
-    if (shadowCode === null) {
-      if (!this.shadowsAsked) FarolRenderer.loadShadows().catch(reportMissingShadows);
-      this.shadowsAsked = true;
+    const { code } = shadowCode;
+    if (code === null) {
+      shadowCode.ask();
       return false;
     }
-    this.shadows = shadowCode.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
+    this.shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
     this.lights.layers = this.shadows.layers;
     this.shadowDraws.stands = this.shadows.stands;
-    this.frame.queue.shadowMasks = shadowCode.shadowMasks;
+    this.frame.queue.shadowMasks = code.shadowMasks;
     this.left.shadows = this.left.cookies = this.found.seeksMasks = false;
     return true;
   }
@@ -394,6 +389,12 @@ export class FarolRenderer {
     const { lights } = this;
     this.active = this.techniqueName;
     this.reason = 'asked for';
+    const { late } = this.known[this.active];
+    if (late?.code === null) {
+      late.ask();
+      this.active = 'deferred';
+      this.reason = `the code of "${this.techniqueName}" is being fetched`;
+    }
     if (this.techniqueName !== 'auto') return;
     const { bounded, coverage, directional, unbounded } = lights;
     let surfaces = false;
@@ -475,6 +476,7 @@ export class FarolRenderer {
     let passes = this.passLists.get(name);
     if (passes === undefined) {
       passes = this.known[name].passes({
+        microshaders: this.microshaders,
         lightIndex: this.uniforms.farol_lightIndex,
         tiles: this.uniforms,
         grid: this.uniforms,

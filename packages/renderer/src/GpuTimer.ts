@@ -45,10 +45,11 @@ export class GpuTimer {
     this.running = false;
   }
 
-  /** Takes the results that are there. */
-  poll(): void {
+  /** Takes the results that are there. @returns whether there were any */
+  poll(): boolean {
     const { gl, extension, pending } = this;
-    if (extension === null || pending.length === 0) return;
+    if (extension === null || pending.length === 0) return false;
+    const waiting = pending.length;
     const disjoint = gl.getParameter(extension.GPU_DISJOINT_EXT) as boolean;
     while (pending.length > 0 && gl.getQueryParameter(pending[0].query, gl.QUERY_RESULT_AVAILABLE)) {
       const { name, query } = pending.shift()!;
@@ -56,6 +57,7 @@ export class GpuTimer {
       if (!disjoint) this.times.set(name, nanoseconds / 1e6);
       this.free.push(query);
     }
+    return pending.length < waiting;
   }
 
   /** Begins anew: the queries of a lost context are gone with it, and its extensions must be asked for again. */

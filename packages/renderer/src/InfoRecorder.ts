@@ -1,6 +1,7 @@
 import type { WebGLRenderer } from 'three';
 import type { FarolInfo, PassInfo } from './FarolInfo';
 import type { GpuTimer } from './GpuTimer';
+import { timerCode } from './late';
 import type { LightTable } from './lights/LightTable';
 import type { ShadowMaps } from './shadows/ShadowMaps';
 
@@ -22,8 +23,6 @@ export class InfoRecorder {
   };
   /** Fetched when timing is first asked for. */
   private timer: GpuTimer | null = null;
-  private timerAsked = false;
-  private disposed = false;
   private readonly known = new Map<string, PassInfo>();
   private timing = false;
   private started = 0;
@@ -38,11 +37,19 @@ export class InfoRecorder {
   }
 
   begin(timing: boolean): void {
-    if (timing && !this.timerAsked) this.fetchTimer();
+    if (timing && this.timer === null) this.makeTimer();
     this.timing = timing && this.timer?.available === true;
     this.started = performance.now();
     this.info.passes.length = 0;
     if (this.timing) this.timer!.poll();
+  }
+
+  /** Takes GPU times that have come since the last frame. @returns whether there were any */
+  updateTimes(): boolean {
+    if (!this.timing || !this.timer!.poll()) return false;
+    for (const pass of this.info.passes) pass.gpuMs = this.timer!.times.get(pass.name) ?? null;
+    this.sumTimes();
+    return true;
   }
 
   beginPass(name: string): void {
@@ -84,17 +91,11 @@ export class InfoRecorder {
     info.technique = technique;
     info.reason = reason;
     info.drawCalls = info.triangles = 0;
-    let gpu = 0;
-    let timed = false;
     for (const pass of info.passes) {
       info.drawCalls += pass.drawCalls;
       info.triangles += pass.triangles;
-      if (pass.gpuMs !== null) {
-        gpu += pass.gpuMs;
-        timed = true;
-      }
     }
-    info.gpuMs = timed ? gpu : null;
+    this.sumTimes();
     info.lights.total = lights.total;
     info.lights.visible = lights.visible;
     info.shadows.drawn = shadows?.drawn ?? 0;
@@ -107,7 +108,6 @@ export class InfoRecorder {
   }
 
   dispose(): void {
-    this.disposed = true;
     this.webgl.getContext().canvas.removeEventListener('webglcontextrestored', this.restartTimer);
     this.timer?.dispose();
     this.timer = null;
@@ -115,13 +115,14 @@ export class InfoRecorder {
 
   private readonly restartTimer = (): void => this.timer?.restart();
 
-  private fetchTimer(): void {
-    this.timerAsked = true;
-    import('./GpuTimer').then(
-      ({ GpuTimer }) => {
-        if (!this.disposed) this.timer = new GpuTimer(this.webgl.getContext() as WebGL2RenderingContext);
-      },
-      (error: unknown) => console.error(`Farol: the code of GPU times could not be fetched (${String(error)}).`),
-    );
+  private sumTimes(): void {
+    const { info } = this;
+    info.gpuMs = null;
+    for (const { gpuMs } of info.passes) if (gpuMs !== null) info.gpuMs = (info.gpuMs ?? 0) + gpuMs;
+  }
+
+  private makeTimer(): void {
+    if (timerCode.code === null) timerCode.ask();
+    else this.timer = new timerCode.code.GpuTimer(this.webgl.getContext() as WebGL2RenderingContext);
   }
 }

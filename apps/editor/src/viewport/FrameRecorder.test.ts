@@ -24,6 +24,13 @@ describe('FrameRecorder', () => {
     expect(recorder.passes.map(({ name }) => name)).toEqual(['c']);
     expect(recorder.mean(recorder.passes[0], 'gpu')).toBeNull();
   });
+
+  it('puts GPU times that come later to the frame they are of', () => {
+    const recorder = new FrameRecorder(4);
+    for (let i = 0; i < 5; i++) recorder.add({ passes: [pass('a', 1)] });
+    recorder.addTimes({ passes: [pass('a', 1, 7), pass('unknown', 1, 3)] });
+    expect([...recorder.passes[0].gpu]).toEqual([7, -1, -1, -1]);
+  });
 });
 
 describe('gridCells', () => {

@@ -37,6 +37,15 @@ export class FrameRecorder {
     }
   }
 
+  /** GPU times of the last frame came after it was drawn. */
+  addTimes({ passes }: Pick<FarolInfo, 'passes'>): void {
+    const at = (this.frames - 1) % this.length;
+    for (const { name, gpuMs } of passes) {
+      const times = this.byName.get(name);
+      if (times && gpuMs !== null) times.gpu[at] = gpuMs;
+    }
+  }
+
   /** Longest of the frames (ms): the sum of their passes. */
   longest(kind: 'cpu' | 'gpu'): number {
     let longest = 0;

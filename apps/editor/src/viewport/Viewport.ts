@@ -32,6 +32,8 @@ export class Viewport {
   readonly changed = new Signal();
   /** Emits after each frame that was drawn. */
   readonly drawn = new Signal();
+  /** GPU times of the last frame have come, after it: they are in `farol.info`. */
+  readonly timed = new Signal();
   /** Emits when the picture has another size. */
   readonly resized = new Signal();
   readonly statistics = new FrameStatistics();
@@ -53,7 +55,7 @@ export class Viewport {
   private through: CameraComponent | null = null;
   private ownPainter: Painter | null = null;
   private always = false;
-  private pending = 1;
+  private pending = true;
   private request = 0;
   private last = 0;
   private width = 1;
@@ -235,9 +237,9 @@ export class Viewport {
     return { width: this.width, height: this.height };
   }
 
-  /** Has the next frame drawn, and a few more, which bring the times of the GPU. */
+  /** Has the next frame drawn. */
   invalidate(): void {
-    this.pending = 4;
+    this.pending = true;
   }
 
   /** Draws now. */
@@ -351,8 +353,11 @@ export class Viewport {
     const { simulation } = this.document;
     simulation.advance(elapsed);
     if (this.editorCamera.update(Math.min(elapsed, 0.1))) this.invalidate();
-    if (!simulation.isPlaying && !this.always && this.pending === 0) return;
-    this.pending = Math.max(0, this.pending - 1);
+    if (!simulation.isPlaying && !this.always && !this.pending) {
+      if (this.farol.updateTimes()) this.timed.emit();
+      return;
+    }
+    this.pending = false;
     try {
       this.renderNow();
     } catch (error) {

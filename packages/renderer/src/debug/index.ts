@@ -5,6 +5,9 @@ import { OverdrawPass } from './OverdrawPass';
 import surfaceView from './surfaceView.glsl?raw';
 import { SurfaceViewPass } from './SurfaceViewPass';
 
+/** Its chunks, by name. */
+export const microShaders = { countView, surfaceView };
+
 /** What draws the views that no technique draws. */
 export interface ViewPasses {
   readonly overdraw: OverdrawPass;
@@ -12,7 +15,7 @@ export interface ViewPasses {
 }
 
 /** The renderer fetches this when such a view is first asked for. */
-export function makeViewPasses(microshaders: MicroShaderRegistry): ViewPasses {
-  addMicroShaders(microshaders, { countView, surfaceView });
+export function makeViewPasses(registry: MicroShaderRegistry): ViewPasses {
+  addMicroShaders(registry, microShaders);
   return { overdraw: new OverdrawPass(), surfaceView: new SurfaceViewPass() };
 }

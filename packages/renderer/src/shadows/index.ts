@@ -11,6 +11,9 @@ import { shadowMaskTwin, showsShadowMask } from './shadowMaskTwin';
 import shadowMoments from './shadowMoments.glsl?raw';
 import type { WebGLRenderer } from 'three';
 
+/** Its chunks, by name. */
+export const microShaders = { cookieTile, lightMaskLayers, lightMaskOn, lightShadow, shadowMask, shadowMoments };
+
 /** Of materials that show nothing but shadows. */
 export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
 
@@ -19,7 +22,7 @@ export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: 
  * asks for it.
  * @param limit of the atlas of depths, texels a side
  */
-export function makeShadowMaps(webgl: WebGLRenderer, microshaders: MicroShaderRegistry, limit: number): ShadowMaps {
-  addMicroShaders(microshaders, { cookieTile, lightMaskLayers, lightMaskOn, lightShadow, shadowMask, shadowMoments });
-  return new ShadowMaps(webgl, microshaders, limit);
+export function makeShadowMaps(webgl: WebGLRenderer, registry: MicroShaderRegistry, limit: number): ShadowMaps {
+  addMicroShaders(registry, microShaders);
+  return new ShadowMaps(webgl, registry, limit);
 }

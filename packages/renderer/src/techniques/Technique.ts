@@ -1,10 +1,14 @@
+import type { LateCode } from '../late';
 import type { LightOrder } from '../lights/LightTable';
+import type { MicroShaderRegistry } from '../microshaders';
 import type { GridUniforms } from '../passes/LightGridPass';
 import type { TileUniforms } from '../passes/LightTilesPass';
 import type { Pass } from '../passes/Pass';
 
 /** What a technique's passes are made with. */
 export interface TechniqueContext {
+  /** Where microshaders of its own are added. */
+  readonly microshaders: MicroShaderRegistry;
   /** Uniform of the record that a single-light pass draws. */
   readonly lightIndex: { value: number };
   /** Where the light lists of tiles are. */
@@ -34,5 +38,7 @@ export interface Technique {
   readonly needsFloatTargets: boolean;
   /** Its part in clearing the target: what it writes where nothing is. Default 'behind'. */
   readonly fills?: Fills;
+  /** Code that it needs and that is fetched when it is first drawn by; 'deferred' draws until it is there. Default none. */
+  readonly late?: LateCode<unknown>;
   passes(context: TechniqueContext): Pass[];
 }

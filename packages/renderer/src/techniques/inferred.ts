@@ -1,8 +1,4 @@
-import { LightBufferPass } from '../passes/LightBufferPass';
-import { LitMaterialsPass } from '../passes/LitMaterialsPass';
-import { StippledPass } from '../passes/StippledPass';
-import { ThinGBufferPass } from '../passes/ThinGBufferPass';
-import { forwardTail } from './forwardTail';
+import { lightBufferCode } from '../late';
 import type { Technique } from './Technique';
 
 /**
@@ -25,11 +21,6 @@ export const inferred: Technique = {
   help: 'Light pre-pass with its buffers at half the resolution, joined by a filter that keeps to edges.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
-  passes({ inferredScale }) {
-    const surfaces = new ThinGBufferPass({ scale: inferredScale, stipple: true });
-    const lights = new LightBufferPass(surfaces);
-    const materials = new LitMaterialsPass(surfaces, lights);
-    const [opaque, transmissive] = forwardTail('lightLoopAll');
-    return [surfaces, lights, materials, opaque, transmissive, new StippledPass(surfaces, materials, 'lightLoopAll')];
-  },
+  late: lightBufferCode,
+  passes: ({ microshaders, inferredScale }) => lightBufferCode.code!.inferredPasses(microshaders, inferredScale),
 };

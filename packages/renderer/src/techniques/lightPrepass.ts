@@ -1,7 +1,4 @@
-import { LightBufferPass } from '../passes/LightBufferPass';
-import { LitMaterialsPass } from '../passes/LitMaterialsPass';
-import { ThinGBufferPass } from '../passes/ThinGBufferPass';
-import { forwardTail } from './forwardTail';
+import { lightBufferCode } from '../late';
 import type { Technique } from './Technique';
 
 /**
@@ -15,9 +12,6 @@ export const lightPrepass: Technique = {
   help: 'Normals first, then the lights into a buffer, then the materials once more, lit by that buffer.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
-  passes() {
-    const surfaces = new ThinGBufferPass({ scale: { value: 1 }, stipple: false });
-    const lights = new LightBufferPass(surfaces);
-    return [surfaces, lights, new LitMaterialsPass(surfaces, lights), ...forwardTail('lightLoopAll')];
-  },
+  late: lightBufferCode,
+  passes: ({ microshaders }) => lightBufferCode.code!.lightPrepassPasses(microshaders),
 };

@@ -23,13 +23,20 @@ export function PassesSection(): ReactNode {
   useEffect(() => {
     const draw = (): void => (canvas.current === null ? undefined : drawPassGraph(canvas.current, recorder, kind));
     draw();
-    return viewport.drawn.subscribe(() => {
-      recorder.add(viewport.farol.info);
-      draw();
-    });
+    const endings = [
+      viewport.drawn.subscribe(() => {
+        recorder.add(viewport.farol.info);
+        draw();
+      }),
+      viewport.timed.subscribe(() => {
+        recorder.addTimes(viewport.farol.info);
+        draw();
+      }),
+    ];
+    return () => endings.forEach((end) => end());
   }, [viewport, recorder, kind]);
 
-  // a picture at rest is drawn a few times, so that there is something to see
+  // a picture at rest is drawn once, so that there is something to see
   useEffect(() => viewport.invalidate(), [viewport]);
 
   const rows = usePoll(

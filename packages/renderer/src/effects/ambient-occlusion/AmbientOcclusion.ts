@@ -18,7 +18,7 @@ import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import { GBufferPass } from '../../passes/GBufferPass';
 import type { Pass } from '../../passes/Pass';
 import { PassMaterial } from '../../passes/PassMaterial';
-import { ThinGBufferPass } from '../../passes/ThinGBufferPass';
+import { ThinGBufferPass } from '../../light-buffer/ThinGBufferPass';
 import { setUnprojectUniforms, unprojectUniforms } from '../../passes/unprojectUniforms';
 import type { RenderItem } from '../../RenderItem';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';

@@ -15,18 +15,14 @@ import heatMap from './heatMap.glsl?raw';
 import heatScale from './heatScale.glsl?raw';
 import incidentLight from './incidentLight.glsl?raw';
 import lightAttenuation from './lightAttenuation.glsl?raw';
-import lightBufferCounts from './lightBufferCounts.glsl?raw';
-import lightBufferFilter from './lightBufferFilter.glsl?raw';
 import lightList from './lightList.glsl?raw';
 import lightListClustered from './lightListClustered.glsl?raw';
 import lightMask from './lightMask.glsl?raw';
 import lightLoopAll from './lightLoopAll.glsl?raw';
-import lightLoopBuffer from './lightLoopBuffer.glsl?raw';
 import lightLoopNone from './lightLoopNone.glsl?raw';
 import lightLoopOne from './lightLoopOne.glsl?raw';
 import lightLoopTiled from './lightLoopTiled.glsl?raw';
 import lightOneByOne from './lightOneByOne.glsl?raw';
-import lightSums from './lightSums.glsl?raw';
 import lightTable from './lightTable.glsl?raw';
 import lightTiles from './lightTiles.glsl?raw';
 import lightVolumeCone from './lightVolumeCone.glsl?raw';
@@ -38,9 +34,6 @@ import shadeSurface from './shadeSurface.glsl?raw';
 import shadePlain from './shadePlain.glsl?raw';
 import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
-import sumLight from './sumLight.glsl?raw';
-import thinGBufferRead from './thinGBufferRead.glsl?raw';
-import thinGBufferWrite from './thinGBufferWrite.glsl?raw';
 import tileDepth from './tileDepth.glsl?raw';
 import tileDepthBlocks from './tileDepthBlocks.glsl?raw';
 import tiledOutput from './tiledOutput.glsl?raw';
@@ -48,7 +41,6 @@ import tileMask from './tileMask.glsl?raw';
 import tileSummary from './tileSummary.glsl?raw';
 import unproject from './unproject.glsl?raw';
 import viewport from './viewport.glsl?raw';
-import volumeLightBuffer from './volumeLightBuffer.glsl?raw';
 import volumeLighting from './volumeLighting.glsl?raw';
 
 /** Sources by name. A new microshader is a file and a line here. */
@@ -68,18 +60,14 @@ const sources = {
   heatScale,
   incidentLight,
   lightAttenuation,
-  lightBufferCounts,
-  lightBufferFilter,
   lightList,
   lightListClustered,
   lightLoopAll,
   lightMask,
-  lightLoopBuffer,
   lightLoopNone,
   lightLoopOne,
   lightLoopTiled,
   lightOneByOne,
-  lightSums,
   lightTable,
   lightTiles,
   lightVolumeCone,
@@ -91,9 +79,6 @@ const sources = {
   shadeSurface,
   shading,
   shadeThree,
-  sumLight,
-  thinGBufferRead,
-  thinGBufferWrite,
   tileDepth,
   tileDepthBlocks,
   tiledOutput,
@@ -101,7 +86,6 @@ const sources = {
   tileSummary,
   unproject,
   viewport,
-  volumeLightBuffer,
   volumeLighting,
 };
 

@@ -3,7 +3,7 @@ import type { Frame } from '../Frame';
 import { gridShift } from './gridFit';
 import type { LightBufferPass } from './LightBufferPass';
 import type { ThinGBufferPass } from './ThinGBufferPass';
-import { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from './unprojectUniforms';
+import { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../passes/unprojectUniforms';
 
 /** Uniforms of thinGBufferRead.glsl. */
 export interface ThinGBufferUniforms extends UnprojectUniforms {

@@ -1,8 +1,8 @@
 import type { IUniform } from 'three';
 import type { View } from '../debug/views';
-import { forwardTwins, type ForwardTwins } from './forwardTwin';
+import { forwardTwins, type ForwardTwins } from '../materials/forwardTwin';
 import { withObject } from './objectAttribute';
-import type { TwinKind } from './TwinKind';
+import type { TwinKind } from '../materials/TwinKind';
 
 /**
  * Lit materials that take their direct light from the light buffer.

@@ -1,6 +1,6 @@
-import { beforeLastBrace } from './beforeLastBrace';
-import { overdrawTwin } from './overdrawTwin';
-import type { TwinKind } from './TwinKind';
+import { beforeLastBrace } from '../materials/beforeLastBrace';
+import { overdrawTwin } from '../materials/overdrawTwin';
+import type { TwinKind } from '../materials/TwinKind';
 
 const OUTPUTS = 'layout(location = 1) out highp vec4 farol_out1;\nlayout(location = 2) out highp vec4 farol_out2;\n';
 

@@ -1,14 +1,14 @@
 import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, Vector4, WebGLRenderTarget } from 'three';
 import type { Frame } from '../Frame';
-import { thinGBufferLayout } from '../gbuffer/thinGBufferLayout';
-import { isLightBufferMaterial } from '../materials/isLightBufferMaterial';
-import { resetObject, setObject } from '../materials/objectAttribute';
-import { thinGBufferTwins, type ThinGBufferTwins } from '../materials/thinGBufferTwins';
+import { thinGBufferLayout } from './thinGBufferLayout';
+import { isLightBufferMaterial } from './isLightBufferMaterial';
+import { resetObject, setObject } from './objectAttribute';
+import { thinGBufferTwins, type ThinGBufferTwins } from './thinGBufferTwins';
 import type { RenderItem } from '../RenderItem';
 import { drawLayers } from './drawLayers';
 import { gridFit, gridTexels } from './gridFit';
 import { objectNumber } from './objectNumbers';
-import type { Pass } from './Pass';
+import type { Pass } from '../passes/Pass';
 
 /** How large the buffers of lighting are, and what is in them. */
 export interface ThinGBufferOptions {

@@ -1,5 +1,5 @@
-import { beforeLastBrace } from './beforeLastBrace';
-import type { TwinKind } from './TwinKind';
+import { beforeLastBrace } from '../materials/beforeLastBrace';
+import type { TwinKind } from '../materials/TwinKind';
 
 /** WebGL 2 has at least 16 vertex attributes; three's own materials need fewer. */
 const LOCATION = 15;

@@ -1,6 +1,6 @@
 import { expect, test } from '../support/test';
 
-test('before the code of shadow maps is there three draws the shadows, then Farol does: the same picture', async ({
+test('before late code is there three draws the shadows and deferred shading the rest, then Farol does: the same picture', async ({
   page,
   pagesURL,
 }) => {
@@ -28,23 +28,25 @@ test('before the code of shadow maps is there three draws the shadows, then Faro
     light.castShadow = false;
     const without = compareImages(stock, bench.stock(scene, camera)).psnr;
     light.castShadow = true;
-    const result: { without: number; frames: [string, number, number][] } = { without, frames: [] };
+    const result: { without: number; frames: [string, number, number, string][] } = { without, frames: [] };
     for (const when of ['before', 'after']) {
-      if (when === 'after') await farol.FarolRenderer.loadShadows();
-      for (const technique of ['forward-single-pass', 'deferred'] as const) {
+      if (when === 'after') await farol.FarolRenderer.preload();
+      for (const technique of ['forward-single-pass', 'deferred', 'light-prepass'] as const) {
         const { psnr } = compareImages(stock, bench.byTechnique(technique, scene, camera));
         result.frames.push([
           `${when}, ${technique}`,
           psnr,
           bench.farol.info.shadows.drawn + bench.farol.info.shadows.kept,
+          bench.farol.info.technique,
         ]);
       }
     }
     return result;
   });
   expect(seen.without, 'a picture without the shadow').toBeLessThan(35);
-  for (const [name, psnr, maps] of seen.frames) {
+  for (const [name, psnr, maps, technique] of seen.frames) {
     expect(psnr, name).toBeGreaterThan(45);
     expect(maps, name).toBe(name.startsWith('before') ? 0 : 1);
+    expect(technique, name).toBe(name === 'before, light-prepass' ? 'deferred' : name.split(', ')[1]);
   }
 });

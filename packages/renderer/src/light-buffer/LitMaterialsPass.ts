@@ -1,15 +1,15 @@
 import { Vector2, type IUniform, type Texture } from 'three';
 import type { Frame } from '../Frame';
 import type { ForwardTwins } from '../materials/forwardTwin';
-import { lightBufferTwins } from '../materials/lightBufferTwins';
-import { resetObject, setObject } from '../materials/objectAttribute';
+import { lightBufferTwins } from './lightBufferTwins';
+import { resetObject, setObject } from './objectAttribute';
 import type { View } from '../debug/views';
-import { FullscreenMesh } from './FullscreenMesh';
+import { FullscreenMesh } from '../passes/FullscreenMesh';
 import type { LightBufferPass } from './LightBufferPass';
 import { lightBufferUniforms, setLightBufferUniforms } from './lightBufferUniforms';
 import { objectNumber } from './objectNumbers';
-import type { Pass } from './Pass';
-import { OutputMaterial } from './PassMaterial';
+import type { Pass } from '../passes/Pass';
+import { OutputMaterial } from '../passes/PassMaterial';
 import type { ThinGBufferPass } from './ThinGBufferPass';
 
 /**

@@ -1,10 +1,10 @@
 import { BackSide, FrontSide, NoBlending, ShaderChunk, type IUniform, type Vector4 } from 'three';
-import { beforeLastBrace } from './beforeLastBrace';
-import type { ForwardTwins } from './forwardTwin';
-import { litTwin } from './litTwin';
+import { beforeLastBrace } from '../materials/beforeLastBrace';
+import type { ForwardTwins } from '../materials/forwardTwin';
+import { litTwin } from '../materials/litTwin';
 import { withObject } from './objectAttribute';
-import { replaceOnce } from './replaceOnce';
-import type { TwinKind } from './TwinKind';
+import { replaceOnce } from '../materials/replaceOnce';
+import type { TwinKind } from '../materials/TwinKind';
 
 /** Twins that write the thin G-buffer: of opaque materials, and of the layers of transparent ones. */
 export interface ThinGBufferTwins {

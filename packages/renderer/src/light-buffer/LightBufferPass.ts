@@ -1,10 +1,10 @@
 import { DepthTexture, FloatType, HalfFloatType, NearestFilter } from 'three';
 import type { Frame } from '../Frame';
 import { WebGLMultipleRenderTargets } from '../gbuffer/WebGLMultipleRenderTargets';
-import { lightBufferCountTwin } from '../materials/lightBufferCountTwin';
+import { lightBufferCountTwin } from './lightBufferCountTwin';
 import { setThinGBufferUniforms, thinGBufferUniforms } from './lightBufferUniforms';
-import { LightVolumeDraws } from './LightVolumeDraws';
-import type { Pass } from './Pass';
+import { LightVolumeDraws } from '../passes/LightVolumeDraws';
+import type { Pass } from '../passes/Pass';
 import type { ThinGBufferPass } from './ThinGBufferPass';
 
 /** Three texels of four half floats hold the four sums of lightSums.glsl. */

@@ -1,5 +1,5 @@
 import { HalfFloatType, RGBAFormat } from 'three';
-import type { GBufferAttachment } from './gbufferLayout';
+import type { GBufferAttachment } from '../gbuffer/gbufferLayout';
 
 /**
  * The thin G-buffer: 8 bytes a texel and 32-bit float depth. Position is rebuilt from depth. The encoding is

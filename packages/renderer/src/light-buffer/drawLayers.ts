@@ -1,7 +1,7 @@
 import { DoubleSide } from 'three';
 import type { Frame } from '../Frame';
 import type { ForwardTwins } from '../materials/forwardTwin';
-import { setObject } from '../materials/objectAttribute';
+import { setObject } from './objectAttribute';
 import type { TwinKind } from '../materials/TwinKind';
 import type { RenderItem } from '../RenderItem';
 import { objectNumber, stippleCorner } from './objectNumbers';

@@ -1,9 +1,9 @@
 import type { Frame } from '../Frame';
 import { forwardTwins } from '../materials/forwardTwin';
-import { resetObject } from '../materials/objectAttribute';
+import { resetObject } from './objectAttribute';
 import { drawLayers } from './drawLayers';
 import type { LitMaterialsPass } from './LitMaterialsPass';
-import type { Pass } from './Pass';
+import type { Pass } from '../passes/Pass';
 import type { ThinGBufferPass } from './ThinGBufferPass';
 
 /**
