@@ -141,6 +141,38 @@ async function workMeter(page: Page): Promise<() => Promise<number>> {
   };
 }
 
+/** What a slice of the autosave took: time of the clock, and time that the page's own thread worked (ms). */
+interface Slice {
+  readonly clock: number;
+  readonly work: number;
+}
+
+/** Traces the page while something is done. @returns each slice of the autosave, the longest work first */
+async function slicesOf(page: Page, act: () => Promise<void>): Promise<Slice[]> {
+  await page.evaluate(() => {
+    const { requestIdleCallback } = window;
+    window.requestIdleCallback = (callback, options) =>
+      requestIdleCallback((deadline) => {
+        const { slices } = window.editor.autosave!.statistics;
+        const before = slices.length;
+        callback(deadline);
+        if (slices.length > before) performance.mark('autosave slice');
+      }, options);
+  });
+  const browser = page.context().browser()!;
+  await browser.startTracing(page, { categories: ['devtools.timeline', 'blink.user_timing'] });
+  await act();
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString()) as {
+    traceEvents: { name: string; pid: number; ts: number; dur: number; tdur: number }[];
+  };
+  const marks = traceEvents.filter(({ name }) => name === 'autosave slice');
+  const slices = traceEvents.filter(
+    ({ name, pid, ts, dur }) =>
+      name === 'FireIdleCallback' && marks.some((mark) => mark.pid === pid && mark.ts >= ts && mark.ts <= ts + dur),
+  );
+  return slices.map(({ dur, tdur }) => ({ clock: dur / 1000, work: tdur / 1000 })).toSorted((a, b) => b.work - a.work);
+}
+
 test('10,000 GameObjects: opened and saved within 2 s each; autosave takes no frame more than 4 ms', async ({
   page,
 }) => {
@@ -155,30 +187,29 @@ test('10,000 GameObjects: opened and saved within 2 s each; autosave takes no fr
   await (await download).path();
   const saved = (await work()) - before;
 
-  const rename = async (name: string): Promise<{ parts: number; slices: readonly number[] }> => {
+  const rename = async (name: string): Promise<void> => {
     await page.getByLabel('Name', { exact: true }).fill(name);
     await page.keyboard.press('Enter');
     await stored(page);
-    return page.evaluate(() => {
-      const { parts, slices } = window.editor.autosave!.statistics;
-      return { parts, slices: [...slices] };
-    });
   };
+  const parts = (): Promise<number> => page.evaluate(() => window.editor.autosave!.statistics.parts);
   await page.evaluate(() => window.editor.document.selection.set(['object1']));
-  const first = await rename('Changed');
-  const second = await rename('Changed again');
-  const sorted = second.slices.toSorted((a, b) => a - b);
-  const at = (share: number): number => sorted[Math.floor((sorted.length - 1) * share)];
+  const slices = await slicesOf(page, () => rename('Changed'));
+  const first = await parts();
+  await rename('Changed again');
+  const [longest] = slices;
+  const slowest = Math.max(...slices.map(({ clock }) => clock));
   console.log(
     `10,000 GameObjects: open ${(opened * 1000).toFixed(0)} ms, save ${(saved * 1000).toFixed(0)} ms of work; autosave ` +
-      `of all: ${first.parts} parts, ${first.slices.length} slices, median ${at(0.5).toFixed(2)} ms, longest ${at(1).toFixed(2)} ms`,
+      `of all: ${first} parts, ${slices.length} slices, longest ${longest.work.toFixed(2)} ms of work, ` +
+      `${slowest.toFixed(2)} ms by the clock, which runs on while others have the processor`,
   );
-  expect(second.parts - first.parts).toBe(1);
-  expect(first.parts).toBeGreaterThan(10_000);
+  expect((await parts()) - first).toBe(1);
+  expect(first).toBeGreaterThan(10_000);
   expect(opened).toBeLessThan(2);
   expect(saved).toBeLessThan(2);
-  // the clock of a slice runs on while the system gives the processor to others: the median says what it takes itself
-  expect(at(0.5)).toBeLessThan(4);
+  expect(slices.length).toBeGreaterThan(1);
+  expect(longest.work).toBeLessThan(4);
   expect(await fieldOf(page, 'Changed again', 'ObjectRenderer', 'instanced')).toBe(true);
 });
 

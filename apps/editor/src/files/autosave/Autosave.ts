@@ -108,18 +108,19 @@ export class Autosave {
   }
 
   private next(): void {
-    const slice = (): void => this.slice();
-    if ('requestIdleCallback' in window) requestIdleCallback(slice, { timeout: 1000 });
-    else setTimeout(slice, 30);
+    if ('requestIdleCallback' in window) requestIdleCallback((deadline) => this.slice(deadline), { timeout: 1000 });
+    else setTimeout(() => this.slice(null), 30);
   }
 
-  private slice(): void {
+  /** @param deadline - until when the page has nothing else to do; null when it cannot be known */
+  private slice(deadline: IdleDeadline | null): void {
     if (!this.hasBegun) {
       this.isRunning = false;
       return;
     }
     const start = performance.now();
-    const parts = this.delta.read(() => performance.now() - start > BUDGET, this.most);
+    const budget = Math.min(BUDGET, deadline?.didTimeout === false ? deadline.timeRemaining() : BUDGET);
+    const parts = this.delta.read(() => performance.now() - start > budget, this.most);
     this.most *= 2;
     if (parts.length > 0) this.post(this.store.send({ kind: 'parts', parts }));
     const isDone = this.delta.isEmpty;

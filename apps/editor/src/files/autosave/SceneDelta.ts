@@ -10,10 +10,13 @@ export class SceneDelta {
   private readonly objects = new NoteList();
   private readonly containers = new NoteList();
   private readonly prefabs = new NoteList();
-  /** Objects that are still to be noted, with all below them. */
+  /** Objects that are still to be noted, with all below them. Nothing is read while some wait. */
   private readonly trees: GameObject[] = [];
   private headChanged = false;
-  /** What each object was in when it was last noted: ids, '' for the top. A change that takes it out does not say. */
+  /**
+   * What each object was in when it was last noted: ids, '' for the top. A change that takes it out does not say. What is
+   * not here is at the top, or in something that has been noted and not read since.
+   */
   private readonly containerOf = new Map<string, string>();
 
   constructor(private readonly scene: Scene) {}
@@ -27,7 +30,7 @@ export class SceneDelta {
   noteAll(): void {
     this.headChanged = true;
     this.containers.add('');
-    for (const root of this.scene.roots) this.noteTree(root);
+    for (const root of this.scene.roots) this.trees.push(root);
     this.prefabs.add('');
     for (const { id } of this.scene.prefabs.list) this.prefabs.add(id);
   }
@@ -40,7 +43,8 @@ export class SceneDelta {
   note(change: SceneChange): void {
     switch (change.kind) {
       case 'add':
-        this.noteTree(change.gameObject);
+        this.trees.push(change.gameObject);
+        this.containerOf.set(change.gameObject.id, idOfParent(change.gameObject));
         this.containers.add(idOfParent(change.gameObject));
         break;
       case 'remove':
@@ -54,6 +58,8 @@ export class SceneDelta {
       case 'move': {
         const { id } = change.gameObject;
         const parent = idOfParent(change.gameObject);
+        // its old parent may not have been noted, and will not lead to it any more
+        if (!this.containerOf.has(id)) this.trees.push(change.gameObject);
         this.containers.add(this.containerOf.get(id) ?? '').add(parent);
         this.containerOf.set(id, parent);
         this.objects.add(id);
@@ -123,18 +129,14 @@ export class SceneDelta {
     return [HEAD, JSON.stringify(head)];
   }
 
-  /** Has an object noted, with all below it, bit by bit. */
-  private noteTree(object: GameObject): void {
-    this.containerOf.set(object.id, idOfParent(object));
-    this.trees.push(object);
-  }
-
+  /** Notes an object; what is below it waits. */
   private noteNext(object: GameObject): void {
     // it was taken out meanwhile
     if (object.scene !== this.scene) return;
     this.objects.add(object.id);
+    this.containerOf.set(object.id, idOfParent(object));
     if (object.children.length > 0) this.containers.add(object.id);
-    for (const child of object.children) this.noteTree(child);
+    for (const child of object.children) this.trees.push(child);
   }
 }
 

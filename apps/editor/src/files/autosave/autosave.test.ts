@@ -1,19 +1,25 @@
 import { changePrefab, createRandom, GameObject, Light, makePrefab, type SceneChange, serialize } from '@farol/engine';
 import { expect, it } from 'vitest';
 import { EditorDocument } from '../../model/EditorDocument';
-import { deleteObjects, duplicateObjects, moveObjects } from '../../model/edits';
-import { assembleParts } from './parts';
+import { canMoveTo, deleteObjects, duplicateObjects, moveObjects } from '../../model/edits';
+import { assembleParts, type PartChange } from './parts';
 import { SceneDelta } from './SceneDelta';
+
+const keep = (changes: readonly PartChange[], parts: Map<string, string>): number => {
+  for (const [key, json] of changes) {
+    if (json === null) parts.delete(key);
+    else parts.set(key, json);
+  }
+  return changes.length;
+};
 
 const readAll = (delta: SceneDelta, parts: Map<string, string>): number => {
   let count = 0;
-  while (!delta.isEmpty) {
-    for (const [key, json] of delta.read(() => true)) {
-      count++;
-      if (json === null) parts.delete(key);
-      else parts.set(key, json);
-    }
-  }
+  while (!delta.isEmpty)
+    count += keep(
+      delta.read(() => true),
+      parts,
+    );
   return count;
 };
 
@@ -21,29 +27,40 @@ it.each([1, 2, 3])('the stored parts make the very scene, after any changes, see
   const random = createRandom(seed);
   const document = new EditorDocument();
   const { scene, commands } = document;
-  for (let i = 0; i < 12; i++) scene.add(new GameObject(`Object ${i}`));
-  const delta = new SceneDelta(scene);
-  document.onSceneChange = (change: SceneChange) => delta.note(change);
-  delta.noteAll();
-  const parts = new Map<string, string>();
   const all = (): GameObject[] => {
     const list: GameObject[] = [];
     scene.traverse((object) => list.push(object));
     return list;
   };
+  for (let i = 0; i < 60; i++) {
+    const parents = [scene, ...all()];
+    parents[Math.floor(random() * parents.length)].add(new GameObject(`Object ${i}`));
+  }
+  const delta = new SceneDelta(scene);
+  document.onSceneChange = (change: SceneChange) => delta.note(change);
+  delta.noteAll();
+  const parts = new Map<string, string>();
   for (let i = 0; i < 120; i++) {
     const objects = all();
     const object = objects[Math.floor(random() * objects.length)];
     const act = random();
-    if (act < 0.2 && objects.length > 4) commands.run(deleteObjects(scene, [object]));
+    if (!object) commands.undo();
+    else if (act < 0.2 && objects.length > 40) commands.run(deleteObjects(scene, [object]));
     else if (act < 0.4) commands.run(duplicateObjects(scene, [object]));
     else if (act < 0.6) commands.run(moveObjects(scene, [object], scene, 0));
-    else if (act < 0.7 && object.children.length === 0 && objects[0] !== object) objects[0].add(object);
+    else if (act < 0.7 && canMoveTo([object], objects[0])) commands.run(moveObjects(scene, [object], objects[0]));
     else if (act < 0.8 && !object.getComponent(Light)) object.addComponent(Light);
     else if (act < 0.9) object.transform.position = [random(), 0, 0];
     else if (act < 0.95) commands.undo();
     else changePrefab(scene, makePrefab(object, 'Some', scene.prefabs.list[0]?.id).prefab);
-    if (random() < 0.3) readAll(delta, parts);
+    // some of what waits, or all
+    if (random() < 0.05) readAll(delta, parts);
+    else
+      for (let count = random() * 6; count > 1; count--)
+        keep(
+          delta.read(() => true),
+          parts,
+        );
   }
   readAll(delta, parts);
   expect(assembleParts(parts)).toEqual(JSON.parse(JSON.stringify(serialize(scene))));
