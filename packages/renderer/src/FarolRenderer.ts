@@ -30,7 +30,6 @@ import { SceneView } from './SceneView';
 import { maskUniforms } from './shadows/maskUniforms';
 import type { ShadowMaps } from './shadows/ShadowMaps';
 import { type TechniqueName, techniques } from './techniques';
-import { TechniqueChooser } from './techniques/TechniqueChooser';
 import type { Technique } from './techniques/Technique';
 
 export interface FarolOptions {
@@ -112,7 +111,6 @@ export class FarolRenderer {
   /** What draws this frame: the technique, or what 'auto' picked, and why. */
   private active: TechniqueName = 'deferred';
   private reason = '';
-  private readonly chooser = new TechniqueChooser();
   private readonly lightingScale = { value: 0.5 };
   private floatTargets = true;
   private viewName: View = 'final';
@@ -257,6 +255,7 @@ export class FarolRenderer {
       this.lights.layers?.begin(scene, this.separatesLayers);
       this.lights.collect(this.found.all, frame.camera);
       this.lights.layers?.end();
+      this.sceneView = this.viewOf(scene);
       this.pick();
       if (shadows !== null) shadows.cascades = Math.min(4, Math.max(1, Math.round(this.shadowCascades)));
       shadows?.update(scene, frame.camera, this.lights.masked);
@@ -264,7 +263,6 @@ export class FarolRenderer {
       frame.queue.layers = this.lights.layers?.reference ?? 0;
       this.lights.write(frame.camera, this.known[this.active].lightOrder, frame, shadows);
       this.setUniforms();
-      this.sceneView = this.viewOf(scene);
       const { fills = 'behind' } = this.known[this.active];
       this.sceneView.render(
         frame.camera,
@@ -399,7 +397,7 @@ export class FarolRenderer {
     const { bounded, coverage, directional, unbounded } = lights;
     let surfaces = false;
     for (const effect of this.activeEffects) surfaces ||= effect.needsSurfaces === true;
-    const choice = this.chooser.choose({
+    const choice = this.sceneView.chooser.choose({
       bounded,
       coverage,
       everywhere: directional + unbounded,

@@ -13,6 +13,7 @@ import { isManagedLight, type LeftToThree } from './lights/isManagedLight';
 import type { GeometryGroup } from './RenderItem';
 import type { RenderItemSort, RenderQueue } from './RenderQueue';
 import type { Fills } from './techniques/Technique';
+import { TechniqueChooser } from './techniques/TechniqueChooser';
 
 /** three's WebGLRenderList as far as it is used here. */
 interface RenderList {
@@ -48,6 +49,8 @@ const NEVER = [false, false, false, false];
  * The host's scene is only read. `draw` is called back inside `render`, where `renderBufferDirect` works.
  */
 export class SceneView {
+  /** What 'auto' has picked for the scene. */
+  readonly chooser = new TechniqueChooser();
   private readonly view: Object3D & { overrideMaterial?: Material | null };
   private readonly children: Object3D[] = [];
   private readonly hidden: Light[] = [];

@@ -49,10 +49,17 @@ describe('TechniqueChooser', () => {
     for (let i = 0; i < 100; i++) seen.add(chooser.choose(scene({ coverage: i % 2 ? 2.8 : 3.3 })).technique);
     expect([...seen]).toEqual([first]);
     const frames: string[] = [];
-    for (let i = 0; i < 20; i++) frames.push(chooser.choose(scene({ coverage: 50 })).technique);
+    for (let i = 0; i < 20; i++) frames.push(chooser.choose(scene({ coverage: 10 })).technique);
     expect(frames[0]).toBe(first);
     expect(frames.indexOf('clustered-deferred')).toBe(7);
     expect(frames.at(-1)).toBe('clustered-deferred');
+  });
+
+  it('follows at once where the bound is far behind, as when the lights of a scene come', () => {
+    const chooser = new TechniqueChooser();
+    expect(chooser.choose(scene({ bounded: 0, everywhere: 0 })).technique).toBe('forward-single-pass');
+    expect(chooser.choose(scene({ bounded: 50, coverage: 30 })).technique).toBe('clustered-deferred');
+    expect(chooser.choose(scene({ bounded: 2, everywhere: 0, coverage: 0.1 })).technique).toBe('forward-single-pass');
   });
 
   it('says why', () => {

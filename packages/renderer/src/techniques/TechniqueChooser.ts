@@ -31,6 +31,8 @@ const MANY_LIGHTS = 400;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;
 const PATIENCE = 8;
+/** Passed by this factor, a bound is not waited at: the lights of a scene have come or gone, and who knows when it is drawn again. */
+const FAR = 4;
 
 const choices: Record<ChosenTechnique, Choice> = {
   'forward-single-pass': {
@@ -52,8 +54,8 @@ const choices: Record<ChosenTechnique, Choice> = {
 };
 
 /**
- * Picks a technique for a frame from cheap figures, and keeps to it unless another has been better for some frames.
- * Without allocation.
+ * Picks a technique for the frames of a scene from cheap figures, and keeps to it unless another has been better for some
+ * frames, or is far better. Without allocation.
  */
 export class TechniqueChooser {
   private current: Choice | null = null;
@@ -63,19 +65,21 @@ export class TechniqueChooser {
     const best = choices[this.best(figures, 1)];
     const { current } = this;
     if (current === null) return (this.current = best);
-    // the choice stays while it is best when seen with slack in its favour
-    const holds =
-      best === current ||
-      this.best(figures, SLACK) === current.technique ||
-      this.best(figures, 1 / SLACK) === current.technique;
+    const holds = best === current || this.holds(figures, SLACK);
     this.waited = holds ? 0 : this.waited + 1;
     const deferred = current.technique.endsWith('deferred');
     const impossible = deferred ? !figures.floatTargets : figures.surfaces && figures.floatTargets;
-    if (impossible || this.waited >= PATIENCE) {
+    if (impossible || this.waited >= PATIENCE || !(holds || this.holds(figures, FAR))) {
       this.current = best;
       this.waited = 0;
     }
     return this.current!;
+  }
+
+  /** Whether the choice is best when seen with that much in its favour. */
+  private holds(figures: SceneFigures, slack: number): boolean {
+    const { technique } = this.current!;
+    return this.best(figures, slack) === technique || this.best(figures, 1 / slack) === technique;
   }
 
   private best(
@@ -83,7 +87,7 @@ export class TechniqueChooser {
     scale: number,
   ): ChosenTechnique {
     if (!surfaces || !floatTargets) {
-      if (bounded + everywhere <= FEW_LIGHTS) return 'forward-single-pass';
+      if (bounded + everywhere <= FEW_LIGHTS * scale) return 'forward-single-pass';
       if (!floatTargets || (coverage + everywhere) * scale <= MANY_OVER_A_PIXEL) return 'clustered-forward';
     }
     return !transparents && bounded * scale > MANY_LIGHTS ? 'tiled-deferred' : 'clustered-deferred';
