@@ -1,0 +1,16 @@
+import type { GameObject, Scene } from '@farol/engine';
+
+/** Numbers from 0 up to, not including, 1. */
+export type Random = () => number;
+
+/** An integer from 0 up to, not including, `count`. */
+export const below = (random: Random, count: number): number => Math.floor(random() * count);
+
+export const pick = <T>(random: Random, list: readonly T[]): T => list[below(random, list.length)];
+
+/** Every object of a scene. */
+export function objectsOf(scene: Scene): GameObject[] {
+  const all: GameObject[] = [];
+  scene.traverse((object) => all.push(object));
+  return all;
+}

@@ -1,0 +1,56 @@
+import { type GameObject, instanceRootOf, overridesOf, PrefabError } from '@farol/engine';
+import type { Command } from '../Command';
+import type { Container } from '../commands/Placement';
+import type { EditorDocument } from '../EditorDocument';
+import {
+  applyField,
+  applyInstance,
+  canPlacePrefab,
+  createPrefab,
+  deletePrefab,
+  placePrefab,
+  renamePrefab,
+  revertField,
+  revertInstance,
+  unpackInstance,
+} from '../prefabEdits';
+import { below, pick, type Random } from './random';
+
+/** Work with prefabs; where an object is in no instance, it becomes one. */
+export function randomPrefabCommand(
+  random: Random,
+  { scene }: EditorDocument,
+  object: GameObject,
+  parent: Container,
+): Command {
+  const root = instanceRootOf(object);
+  if (!root) return createPrefab(scene, object, []);
+  const prefab = pick(random, scene.prefabs.list);
+  switch (below(random, 9)) {
+    case 0:
+      return placePrefab(scene, prefab, canPlacePrefab(scene, prefab, parent) ? parent : scene, [], [random(), 0, 0]);
+    case 1:
+      return applyField(scene, object.transform, 'scale', []);
+    case 2:
+      return revertInstance(scene, root, []);
+    case 3:
+      return unpackInstance(scene, root, []);
+    case 4:
+      return deletePrefab(scene, prefab, []);
+    case 5: {
+      const own = pick(random, overridesOf(root).fields);
+      return own ? revertField(scene, own, []) : revertInstance(scene, root, []);
+    }
+    case 6:
+    case 7:
+      try {
+        return applyInstance(scene, root, []);
+      } catch (error) {
+        // the prefab would hold itself: refused, with nothing changed
+        if (!(error instanceof PrefabError)) throw error;
+        return unpackInstance(scene, root, []);
+      }
+    default:
+      return renamePrefab(scene, prefab, `Prefab ${below(random, 100)}`);
+  }
+}
