@@ -37,6 +37,10 @@ export default defineConfig({
     { name: 'render', testDir: './render', use: { baseURL: process.env.FAROL_VIEWER_URL } },
     { name: 'examples', testDir: './examples', use: { baseURL: process.env.FAROL_VIEWER_URL } },
     { name: 'perf', testDir: './perf', use: { baseURL: process.env.FAROL_VIEWER_URL } },
+    // by hand only: glTF models of a folder of yours
+    ...(process.env.FAROL_MODELS
+      ? [{ name: 'models', testDir: './models', use: { baseURL: process.env.FAROL_VIEWER_URL } }]
+      : []),
     {
       name: 'editor',
       testDir: './editor',

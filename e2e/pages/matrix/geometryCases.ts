@@ -160,6 +160,12 @@ export const geometryCases: Cases = {
     }
     return group;
   },
+  'two objects in one place': () => {
+    const group = new THREE.Group();
+    for (const color of [0x442266, 0xcccc44])
+      group.add(new THREE.Mesh(knot(), new Standard({ color, roughness: 0.5 })));
+    return group;
+  },
   'material changed before it is drawn': () => {
     const mesh = new THREE.Mesh(knot(), new Standard({ roughness: 0.5 }));
     mesh.onBeforeRender = (_r, _s, _c, _g, material) => (material as THREE.MeshStandardMaterial).color.set(0x4488ff);

@@ -155,7 +155,8 @@ export class MultipassLightsPass implements Pass {
     let drawn = false;
     const { spheres, items } = this;
     const b = bounded * 4;
-    for (let i = 0; i < items.length; i++) {
+    // of surfaces of several objects at one depth the last is seen: it comes first, and the mark keeps the others out
+    for (let i = items.length - 1; i >= 0; i--) {
       if (bounded >= 0 && spheres[i * 4 + 3] !== Infinity) {
         const { bounds, axes } = lights;
         const dx = spheres[i * 4] - bounds[b];
