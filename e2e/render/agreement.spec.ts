@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import type { Bench } from '../pages/Bench';
 import type { LightMix, MaterialSceneOptions } from '../pages/materialScene';
 import type { Difference } from '../support/images';
 import { checkAgreement, hardEdgeLimits } from '../support/agreement';
@@ -13,6 +14,11 @@ interface Pair {
   difference: Difference;
 }
 
+interface SharedBench {
+  /** Of all scenes of a page: what it has compiled for one of them it need not compile for the next. */
+  bench?: Bench;
+}
+
 /** Draws a scene by stock three once, and by each technique. */
 async function drawAll(
   page: Page,
@@ -22,7 +28,7 @@ async function drawAll(
   return page.evaluate(
     ([width, height, options, environment]) => {
       const { Bench, compareImages, farol, isFlat, materialScene } = window.testPage;
-      const bench = new Bench(width, height);
+      const bench = ((window as SharedBench).bench ??= new Bench(width, height));
       const map = environment ? bench.environment() : null;
       const { scene, camera } = materialScene(width, height, { ...options, environment: map });
       const stock = bench.stock(scene, camera);
@@ -51,24 +57,18 @@ test.beforeEach(async ({ page, pagesURL }) => {
 
 test('all lit materials and meshes under 24 lights of mixed kinds, with an environment', async ({ page }) => {
   for (const pair of await drawAll(page, {}, true)) check(pair, 'mixed');
+  for (const pair of await drawAll(page, { onlyDeferred: true }, true)) check(pair, 'only what a G-buffer holds');
 });
 
-test('only what a G-buffer holds', async ({ page }) => {
-  for (const pair of await drawAll(page, { onlyDeferred: true }, true)) check(pair, 'G-buffer materials');
-});
-
-test('an orthographic camera, and fog', async ({ page }) => {
-  for (const pair of await drawAll(page, { orthographic: true }, false)) check(pair, 'orthographic');
+test('fog', async ({ page }) => {
   for (const pair of await drawAll(page, { fog: true }, false)) check(pair, 'fog');
 });
 
 const mixes: LightMix[] = ['point', 'spot', 'directional', 'hemisphere', 'unbounded'];
-for (const mix of mixes) {
-  test(`lights of one kind: ${mix}`, async ({ page }) => {
-    for (const pair of await drawAll(page, { mix }, false)) check(pair, mix);
-  });
-}
 
-test('spot lights with a hard edge: only the edge may differ where a position is rebuilt', async ({ page }) => {
+test('lights of one kind; an orthographic camera', async ({ page }) => {
+  for (const mix of mixes) for (const pair of await drawAll(page, { mix }, false)) check(pair, mix);
+  for (const pair of await drawAll(page, { orthographic: true }, false)) check(pair, 'orthographic');
+  // only the edge may differ where a position is rebuilt
   for (const pair of await drawAll(page, { mix: 'spot', penumbra: 0 }, false)) check(pair, 'hard edges', true);
 });
