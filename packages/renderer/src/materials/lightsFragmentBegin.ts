@@ -12,6 +12,9 @@ const LOOP = `float farol_lightsEvaluated = 0.0;
 #if defined( FAROL_PLAIN_STANDARD ) && defined( FAROL_SHADE_ALL ) && ! defined( FAROL_ONE_BY_ONE )
 FAROL_SHADE_PLAIN
 #else
+#ifdef FAROL_TOON
+farol_startToon(geometryPosition, geometryNormal);
+#endif
 FAROL_FOR_EACH_LIGHT(geometryPosition)
 #endif
 #endif

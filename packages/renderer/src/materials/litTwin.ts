@@ -27,6 +27,9 @@ const PARS = '#include <lights_pars_begin>';
 const LAYERS = '#define FAROL_LAYERS';
 const NORMAL = '#include <normal_pars_fragment>';
 
+/** Loops that differ from pixel to pixel. In them three's toon shading, which takes derivatives, means nothing. */
+const LISTS: ReadonlySet<string> = new Set(['lightLoopTiled', 'lightListClustered']);
+
 /** A kind of twin of lit materials: three's shader with Farol's light loop in it. */
 export function litTwin(options: LitTwinOptions): TwinKind {
   const chunksOf = (loop: string, oneByOne: boolean) => [
@@ -35,14 +38,17 @@ export function litTwin(options: LitTwinOptions): TwinKind {
   ];
   const chunks = chunksOf(options.loop, options.oneByOne ?? false);
   const ownChunks = chunksOf(options.loop, true);
-  const toonChunks = chunksOf(loopOfToon(options.loop), false);
+  const toonChunks = LISTS.has(options.loop) ? ['shadeToon', ...chunks] : chunks;
+  const ownToonChunks = chunksOf(LISTS.has(options.loop) ? 'lightLoopAll' : options.loop, false);
   const begin = () => lightsFragmentBegin(options.withThreeLights ?? true);
   return {
     key: options.key,
     chunks(source) {
-      if ((source as Material & { isMeshToonMaterial?: boolean }).isMeshToonMaterial) return toonChunks;
       // the host's own changes of three's lighting functions count
-      return source.onBeforeCompile === Material.prototype.onBeforeCompile ? chunks : ownChunks;
+      const own = source.onBeforeCompile !== Material.prototype.onBeforeCompile;
+      const { isMeshToonMaterial } = source as Material & { isMeshToonMaterial?: boolean };
+      if (isMeshToonMaterial) return own ? ownToonChunks : toonChunks;
+      return own ? ownChunks : chunks;
     },
     ...(options.properties && { properties: options.properties }),
     ...(options.variant && { variant: options.variant }),
@@ -57,9 +63,4 @@ export function litTwin(options: LitTwinOptions): TwinKind {
       shader.fragmentShader = text;
     },
   };
-}
-
-/** Toon shading takes derivatives in the light loop, which mean nothing unless all pixels go through the same lights. */
-function loopOfToon(loop: string): string {
-  return loop === 'lightLoopNone' || loop === 'lightLoopOne' ? loop : 'lightLoopAll';
 }

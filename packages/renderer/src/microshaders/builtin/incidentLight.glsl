@@ -6,6 +6,7 @@
 struct FarolLight {
   vec3 direction; // to the light, view space, unit length
   vec3 color; // irradiance of a surface that faces the light
+  float distance; // to the light (m), 0 for a directional light
   float attenuation; // what the colour was multiplied by
   int extension; // record of the extension, 0 when there is none
   int mask; // record of its shadow and cookie, 0 when there is none
@@ -29,6 +30,7 @@ FarolLight farol_directionalLight(const in int index) {
   light.direction = farol_lightTexel(index, 0).xyz;
   vec4 color = farol_lightTexel(index, 1);
   light.color = color.rgb;
+  light.distance = 0.0;
   light.attenuation = 1.0;
   light.extension = light.mask = 0;
   if (color.w != 0.0) {
@@ -44,7 +46,7 @@ FarolLight farol_localLight(const in int index, const in vec3 positionVS) {
   vec4 centre = farol_lightTexel(index, 0);
   vec4 color = farol_lightTexel(index, 1);
   vec3 toLight = centre.xyz - positionVS;
-  float lightDistance = length(toLight);
+  float lightDistance = light.distance = length(toLight);
   light.direction = normalize(toLight);
   light.extension = light.mask = 0;
   if (color.w >= 0.0) { // a plain point light: w is its decay

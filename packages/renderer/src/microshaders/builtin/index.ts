@@ -34,6 +34,7 @@ import shadeSurface from './shadeSurface.glsl?raw';
 import shadePlain from './shadePlain.glsl?raw';
 import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
+import shadeToon from './shadeToon.glsl?raw';
 import tileDepth from './tileDepth.glsl?raw';
 import tileDepthBlocks from './tileDepthBlocks.glsl?raw';
 import tiledOutput from './tiledOutput.glsl?raw';
@@ -79,6 +80,7 @@ const sources = {
   shadeSurface,
   shading,
   shadeThree,
+  shadeToon,
   tileDepth,
   tileDepthBlocks,
   tiledOutput,

@@ -20,11 +20,16 @@
   #define FAROL_SAVE_SHEEN
   #define FAROL_SCALE_SHEEN
 #endif
-// what gets nothing of a light is not shaded; toon shading takes derivatives in here, which all pixels must come by
-#ifdef TOON
+// what gets nothing of a light is not shaded; three's toon shading takes derivatives, which all pixels must come by
+#if defined( TOON ) && ! defined( FAROL_TOON )
   #define FAROL_IS_LIT(light) true
 #else
   #define FAROL_IS_LIT(light) light.attenuation > 0.0
+#endif
+#ifdef FAROL_TOON
+  #define FAROL_DIRECT(light) reflectedLight.directDiffuse += farol_toonGradient(light, geometryNormal) * directLight.color * BRDF_Lambert(material.diffuseColor);
+#else
+  #define FAROL_DIRECT(light) RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight);
 #endif
 // along the normal of the geometry, as three has it from the vertices, a shadow map is looked up some way off
 #if defined( FAROL_VERTEX_NORMAL ) && !defined( FLAT_SHADED )
@@ -37,7 +42,7 @@
   if (FAROL_IS_LIT(light)) { \
   directLight.direction = light.direction; directLight.color = FAROL_MASKED(light.color, light.mask, geometryPosition, FAROL_SHADOW_NORMAL, receiveShadow); directLight.visible = true; \
   ReflectedLight farol_before = reflectedLight; FAROL_SAVE_CLEARCOAT FAROL_SAVE_SHEEN \
-  RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight); \
+  FAROL_DIRECT(light) \
   if (light.extension > 0) { \
     vec4 farol_diffuse = farol_lightTexel(light.extension, 0); vec4 farol_specular = farol_lightTexel(light.extension, 1); \
     reflectedLight.directDiffuse = mix(farol_before.directDiffuse, reflectedLight.directDiffuse, farol_diffuse.rgb) \
