@@ -19,7 +19,11 @@ export interface EditorHandle {
     readonly isDirty: boolean;
     readonly changed: { subscribe(listener: () => void): () => void };
   };
-  addPlugin(plugin: { name: string; actions: { id: string; label: string; run(): void }[] }): void;
+  addPlugin(plugin: {
+    name: string;
+    actions?: { id: string; label: string; run(): void }[];
+    techniques?: Readonly<Record<string, object>>;
+  }): void;
   readonly viewport: {
     readonly canvas: HTMLCanvasElement;
     readonly camera: GameObject['object3D'];
@@ -27,9 +31,10 @@ export interface EditorHandle {
     readonly mode: string;
     readonly view: string;
     readonly statistics: { readonly frames: number };
+    readonly gizmo: { readonly snapSteps: unknown };
     readonly editorCamera: { readonly target: { toArray(): number[] } };
     readonly webgl: WebGLRenderer;
-    readonly farol: { readonly techniques: Readonly<Record<string, unknown>> };
+    readonly farol: { readonly techniques: Readonly<Record<string, object>> };
     renderNow(): void;
   };
   readonly autosave: {

@@ -35,7 +35,16 @@ test('what a killed tab leaves is found, recovered, and stored again', async ({ 
   const dialog = next.getByRole('dialog');
   await expect(dialog).toContainText('Unsaved work was found');
   expect(await axeProblems(next)).toEqual([]);
+
+  // put off, and found again when something else has been begun and stored
+  await dialog.getByRole('button', { name: 'Later' }).click();
+  await addObject(next, 'Mesh', 'Cone');
+  await stored(next);
+  await next.getByRole('button', { name: 'File', exact: true }).click();
+  await next.getByRole('menuitem', { name: 'Recover…' }).click();
+  await expect(dialog).toContainText('Unsaved work was found');
   await dialog.getByRole('button', { name: 'Recover' }).click();
+  await dialog.getByRole('button', { name: 'Discard changes' }).click();
   await expect(next.getByRole('treeitem', { name: 'Precious' })).toBeVisible();
   expect(await serialized(next)).toBe(work);
   expect(await next.evaluate(() => window.editor.commands.isDirty)).toBe(true);
@@ -101,6 +110,16 @@ test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ 
   await page.getByRole('menuitem', { name: 'Revert to prefab' }).click();
   expect(await intensities()).toEqual([50, 50, 50]);
   expect((await history(page)).at(-1)).toBe('Revert intensity to the prefab');
+
+  // renamed
+  await page.locator('.asset-card').first().click();
+  await page.keyboard.press('F2');
+  await page.getByLabel('Name of the prefab').fill('Lamp');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('group', { name: 'Prefab' })).toContainText('Lamp');
+  await expect(page.locator('.asset-card')).toHaveText('Lamp');
+  await page.keyboard.press('Control+z');
+  await expect(page.locator('.asset-card')).toHaveText('Point light');
 });
 
 /** A scene file of boxes that are drawn as instances, in a hundred groups. */

@@ -21,6 +21,23 @@ const middle = (page: Page): Promise<number[]> =>
 
 const isRed = (page: Page): Promise<boolean> => middle(page).then(([r, g]) => r > 2 * g);
 
+/** Whether something in the small picture of the scene's camera is red. */
+const isPreviewRed = (page: Page): Promise<boolean> =>
+  page.evaluate(() => {
+    const { viewport, document } = window.editor;
+    const { selection, scene } = document;
+    const before = selection.ids;
+    selection.set([scene.find('Camera')!.id]);
+    viewport.renderNow();
+    selection.set(before);
+    const gl = viewport.webgl.getContext() as WebGL2RenderingContext;
+    // within the right lower corner, less than its smallest size
+    const [width, height] = [150, 80];
+    const pixels = new Uint8Array(width * height * 4);
+    gl.readPixels(gl.drawingBufferWidth - width - 14, 14, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return pixels.some((red, i) => i % 4 === 0 && red > 60 && red > 3 * pixels[i + 1]);
+  });
+
 /** Puts the cursor before the line of a chunk that begins with a text. */
 async function goBefore(page: Page, chunk: string, beginning: string): Promise<void> {
   await page.evaluate(
@@ -51,6 +68,7 @@ async function openSphere(page: Page): Promise<void> {
 test('edit a microshader, break it, mend it: the picture follows, and keeps the last good one', async ({ page }) => {
   await openSphere(page);
   await expect.poll(() => isRed(page)).toBe(false);
+  expect(await isPreviewRed(page)).toBe(false);
   const before = await history(page);
 
   // compiled while it is typed
@@ -58,6 +76,7 @@ test('edit a microshader, break it, mend it: the picture follows, and keeps the 
   await page.keyboard.type('light.color *= vec3(1.0, 0.0, 0.0);\n');
   await expect.poll(() => isRed(page)).toBe(true);
   await expect(panel(page).getByRole('status')).toContainText('Edited in this scene');
+  expect(await isPreviewRed(page)).toBe(true);
 
   // broken: the error is at its line, the picture as it was
   await goBefore(page, 'incidentLight', 'light.color *=');
@@ -91,7 +110,13 @@ test('edit a microshader, break it, mend it: the picture follows, and keeps the 
 
   // a chunk that nothing on the device draws with is compiled as the techniques would
   await expect(panel(page).getByRole('complementary')).toContainText('Clustered forward', { timeout: 30_000 });
+  // of a plugin's too
+  await page.evaluate(() => {
+    const technique = { ...window.editor.viewport.farol.techniques['tiled-forward'], label: 'Of a plugin' };
+    window.editor.addPlugin({ name: 'Own', techniques: { own: technique } });
+  });
   await goBefore(page, 'tileMask', '#include');
+  await expect(panel(page).getByRole('complementary')).toContainText('Of a plugin');
   await page.keyboard.type('float wrong = nowhere;\n');
   await expect(panel(page).getByRole('list', { name: 'Errors' })).toContainText('nowhere');
   await expect(panel(page).getByRole('complementary')).toContainText('None at present');

@@ -8,6 +8,7 @@ test('selects by a box, from a side, without what is locked; shows what a camera
   await addObject(page, 'Mesh', 'Box');
   await page.getByLabel('Position x').fill('-1');
   await addObject(page, 'Mesh', 'Cone');
+  await expect(page.getByLabel('Name', { exact: true })).toHaveValue('Cone');
   await page.getByLabel('Position x').fill('1');
   await page.keyboard.press('Enter');
   const selected = (): Promise<string[]> =>
@@ -41,6 +42,36 @@ test('selects by a box, from a side, without what is locked; shows what a camera
   await page.keyboard.press('l');
   await page.mouse.click(box.x, box.y);
   expect(await selected()).toEqual([]);
+
+  // ranges of lights: of the selected one, or of all
+  await addObject(page, 'Light', 'Point light');
+  await page.evaluate(() => window.editor.document.selection.set([]));
+  const changed = await page.evaluate(() => {
+    const { viewport } = window.editor;
+    const gl = viewport.webgl.getContext() as WebGL2RenderingContext;
+    const picture = (): Uint8Array => {
+      viewport.renderNow();
+      const pixels = new Uint8Array(gl.drawingBufferWidth * gl.drawingBufferHeight * 4);
+      gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return pixels;
+    };
+    const before = picture();
+    document.querySelector<HTMLButtonElement>('[aria-label^="Ranges of all lights"]')!.click();
+    const after = picture();
+    return after.filter((value, i) => value !== before[i]).length;
+  });
+  expect(changed).toBeGreaterThan(300);
+
+  // steps of snapping, kept for the next time
+  await page.getByRole('button', { name: 'Snap steps' }).click();
+  await page.getByLabel('Distance of a snap step').fill('0.25');
+  await page.getByLabel('Angle of a snap step').fill('90');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  const steps = await page.evaluate(() => window.editor.viewport.gizmo.snapSteps);
+  expect(steps).toEqual({ translate: 0.25, rotate: Math.PI / 2, scale: 0.1 });
+  expect(await page.evaluate(() => localStorage.getItem('farol-editor'))).toContain('"translate":0.25');
+  await expect(page.getByRole('button', { name: 'Snap: 0.25 m, 90°, 0.1' })).toBeVisible();
 
   // the small picture is of the background's colour, where the large one has the grid and the objects
   await page.getByRole('treeitem', { name: 'Camera' }).click();

@@ -1,4 +1,5 @@
 import { AssetLibrary, deserialize, FileError, readSceneFile, type Scene, scenes } from '@farol/engine';
+import { MathUtils } from 'three';
 import type { Autosave } from './files/autosave/Autosave';
 import type { Command } from './model/Command';
 import type { CommandStack } from './model/CommandStack';
@@ -11,6 +12,7 @@ import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
 import { Signal } from './model/Signal';
+import { type Preferences, usePreferences } from './ui/preferences';
 import { Viewport } from './viewport/Viewport';
 import { layoutActions } from './layout/useLayout';
 import { addPlugin } from './plugins/addPlugin';
@@ -74,8 +76,10 @@ export class Editor {
     this.viewport = new Viewport(this.document, canvas);
     this.document.onAssetFailed = (error) => this.notices.show('error', error.message, 'asset');
     this.watchPicture();
+    this.watchPreferences();
     watchErrors(this);
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
+    this.viewport.shareMicroShaders = (registry) => this.microShaders.addRegistry(registry);
     // what the first frame may need is there before it
     this.ready = this.viewport.farol.addLateMicroShaders().then(() => this.openFirst(first ?? null));
   }
@@ -200,6 +204,15 @@ export class Editor {
     this.openFile = file;
     this.fileChanged.emit();
     this.viewport.renderNow();
+  }
+
+  private watchPreferences(): void {
+    const apply = ({ snapSteps }: Preferences): void => {
+      const { translate, rotate, scale } = snapSteps;
+      this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
+    };
+    apply(usePreferences.getState());
+    usePreferences.subscribe(apply);
   }
 
   private watchPicture(): void {

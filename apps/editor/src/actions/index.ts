@@ -12,6 +12,7 @@ import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { pause, play, step, stop } from './play';
 import { makePrefab, unpackPrefab } from './prefabs';
+import { recover } from './recover';
 import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
@@ -25,7 +26,7 @@ import { lookFrom } from './sides';
 import { snap } from './snap';
 import { showStatistics } from './statistics';
 import { undo } from './undo';
-import { continuous, showGrid, showIcons } from './viewportToggles';
+import { continuous, showGrid, showIcons, showRanges } from './viewportToggles';
 
 /** Everything that the user can do by a key or a menu. A new action is a file and a line here. */
 export const actions = new ActionRegistry([
@@ -35,6 +36,7 @@ export const actions = new ActionRegistry([
   save,
   saveAs,
   exportScene,
+  recover,
   undo,
   redo,
   cut,
@@ -58,6 +60,7 @@ export const actions = new ActionRegistry([
   focus,
   showGrid,
   showIcons,
+  showRanges,
   continuous,
   showStatistics,
   ...lookFrom,

@@ -1,8 +1,12 @@
+import { usePreferences } from '../ui/preferences';
 import type { Action } from './Action';
 
 export const snap: Action = {
   id: 'gizmo.snap',
-  label: 'Snap: 0.5 m, 15°, 0.1 (hold Ctrl for once)',
+  label() {
+    const { translate, rotate, scale } = usePreferences.getState().snapSteps;
+    return `Snap: ${translate} m, ${rotate}°, ${scale} (hold Ctrl for once)`;
+  },
   icon: 'magnet',
   run({ viewport }) {
     viewport.snapping = !viewport.snapping;

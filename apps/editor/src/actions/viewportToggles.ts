@@ -20,6 +20,17 @@ export const showIcons: Action = {
   checked: ({ viewport }) => viewport.showIcons,
 };
 
+/** Of all lights, or of those that are selected. */
+export const showRanges: Action = {
+  id: 'view.ranges',
+  label: 'Ranges of all lights, not of selected ones alone',
+  icon: 'ranges',
+  run({ viewport }) {
+    viewport.showRanges = !viewport.showRanges;
+  },
+  checked: ({ viewport }) => viewport.showRanges,
+};
+
 export const continuous: Action = {
   id: 'view.continuous',
   label: 'Draw without pause, to see frame rates',

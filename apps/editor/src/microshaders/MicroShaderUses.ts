@@ -1,6 +1,5 @@
-import { type MicroShaderRegistry, techniques, type TechniqueName, type View } from '@farol/renderer';
+import type { FarolRenderer, TechniqueName, View } from '@farol/renderer';
 import { formatMicroShader } from '@farol/renderer/authoring';
-import type { WebGLRenderer } from 'three';
 import { Signal } from '../model/Signal';
 import { chunksOf, dryRun } from './dryRun';
 import { probeMicroShader } from './probeMicroShader';
@@ -23,32 +22,45 @@ export class MicroShaderUses {
   private readonly byView = new Map<View, ReadonlySet<string>>();
   private search: Promise<void> | null = null;
 
-  /** @param getTexts - the microshaders of the scene */
+  /**
+   * @param farol - draws the picture
+   * @param getTexts - the microshaders of the scene
+   */
   constructor(
-    private readonly webgl: WebGLRenderer,
-    private readonly registry: MicroShaderRegistry,
+    private readonly farol: FarolRenderer,
     private readonly getTexts: () => ReadonlyMap<string, string>,
   ) {
     // a chunk that is in no program would be seen broken only when somebody draws with it
-    registry.addCheck((names) => {
+    farol.microshaders.addCheck((names) => {
       const live = this.liveChunks();
       if (!names.some((name) => live.has(name))) this.probe(names);
     });
   }
 
   private get gl(): WebGL2RenderingContext {
-    return this.webgl.getContext() as WebGL2RenderingContext;
+    return this.farol.webgl.getContext() as WebGL2RenderingContext;
   }
 
-  /** Finds what each technique and view draws with, one after the other, without holding up the page. */
+  /** The techniques that can draw with something: all but 'auto', which draws by another one. */
+  private get techniques(): TechniqueName[] {
+    return (Object.keys(this.farol.techniques) as TechniqueName[]).filter((name) => name !== 'auto');
+  }
+
+  /**
+   * Finds what each technique and view draws with, one after the other, without holding up the page. What is known is not
+   * looked for again: a technique that was added since is.
+   */
   find(): Promise<void> {
-    this.search ??= this.findAll();
+    if (this.isKnown) return Promise.resolve();
+    this.search ??= this.findAll().finally(() => {
+      this.search = null;
+    });
     return this.search;
   }
 
   /** Whether everything is known. */
   get isKnown(): boolean {
-    return this.byTechnique.size > 0 && this.byView.size === VIEWS.length;
+    return this.byView.size === VIEWS.length && this.techniques.every((name) => this.byTechnique.has(name));
   }
 
   /** Techniques that draw with a chunk, 'auto' left out. */
@@ -71,7 +83,7 @@ export class MicroShaderUses {
 
   private programs(): { name: string; chunks: Set<string> }[] {
     const { gl } = this;
-    const programs = (this.webgl.info.programs ?? []) as unknown as Program[];
+    const programs = (this.farol.webgl.info.programs ?? []) as unknown as Program[];
     return programs.map(({ name, vertexShader, fragmentShader }) => ({
       name,
       chunks: chunksOf(`${gl.getShaderSource(vertexShader)}\n${gl.getShaderSource(fragmentShader)}`),
@@ -87,23 +99,26 @@ export class MicroShaderUses {
    * @throws MicroShaderCompileError when it does not compile where it is used, or alone where it is not
    */
   private probe(names: readonly string[]): void {
-    const { gl, registry } = this;
+    const { gl, farol } = this;
+    const registry = farol.microshaders;
     const texts = new Map(this.getTexts());
     for (const name of names) {
       const chunk = registry.get(name);
       if (chunk) texts.set(name, formatMicroShader(chunk));
     }
     const user = names.flatMap((name) => this.techniquesOf(name)).at(0) ?? null;
-    probeMicroShader(gl, registry, texts, names, user);
+    probeMicroShader(gl, registry, texts, names, user, farol.techniques);
   }
 
   private async findAll(): Promise<void> {
-    const names = (Object.keys(techniques) as TechniqueName[]).filter((name) => name !== 'auto');
-    for (const technique of names) {
+    for (const technique of this.techniques) {
+      if (this.byTechnique.has(technique)) continue;
+      await this.farol.techniques[technique].late?.load();
       await idle();
       this.byTechnique.set(technique, this.chunksWith({ technique }));
     }
     for (const view of VIEWS) {
+      if (this.byView.has(view)) continue;
       await idle();
       this.byView.set(view, this.chunksWith({ technique: 'clustered-forward', view }));
     }
@@ -112,7 +127,8 @@ export class MicroShaderUses {
 
   private chunksWith(options: Parameters<typeof dryRun>[1]): Set<string> {
     const all = new Set<string>();
-    for (const { text } of dryRun(this.gl, options, new Map())) for (const name of chunksOf(text)) all.add(name);
+    const sources = dryRun(this.gl, options, new Map(), this.farol.techniques);
+    for (const { text } of sources) for (const name of chunksOf(text)) all.add(name);
     return all;
   }
 }

@@ -1,5 +1,5 @@
 import { MicroShaderOverrides } from '@farol/engine';
-import { FarolRenderer, type FarolOptions } from '@farol/renderer';
+import { FarolRenderer, type FarolOptions, type Technique } from '@farol/renderer';
 import { WebGLRenderer } from 'three';
 import { type DrySource, makeDryContext } from './DryContext';
 import { makeDryScene } from './dryScene';
@@ -7,17 +7,23 @@ import { makeDryScene } from './dryScene';
 /**
  * The shaders that a technique or a view draws with on this device, without drawing or compiling.
  * @param texts - microshaders of the scene
+ * @param techniques - those that the renderer may not know, by name
  */
 export function dryRun(
   gl: WebGL2RenderingContext,
-  options: Pick<FarolOptions, 'technique' | 'view'>,
+  { technique = 'auto', view }: Pick<FarolOptions, 'technique' | 'view'>,
   texts: ReadonlyMap<string, string>,
+  techniques: Readonly<Record<string, Technique>> = {},
 ): readonly DrySource[] {
   const { context, sources } = makeDryContext(gl);
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = 16;
   const webgl = new WebGLRenderer({ canvas, context });
-  const farol = new FarolRenderer(webgl, options);
+  const farol = new FarolRenderer(webgl, { view });
+  for (const [name, each] of Object.entries(techniques)) {
+    if (!Object.hasOwn(farol.techniques, name)) farol.addTechnique(name, each);
+  }
+  farol.technique = technique;
   const { scene, camera, dispose } = makeDryScene();
   new MicroShaderOverrides(farol.microshaders).apply(texts);
   sources.length = 0;

@@ -1,6 +1,7 @@
 import {
   MicroShaderCompileError,
   type MicroShaderRegistry,
+  type Technique,
   type TechniqueName,
   WebGLShaderCompiler,
 } from '@farol/renderer';
@@ -11,6 +12,7 @@ import { chunksOf, dryRun } from './dryRun';
  * @param registry - gives the new text already
  * @param texts - microshaders of the scene
  * @param user - a technique that draws with it; null when none does
+ * @param techniques - all there are, by name
  * @throws MicroShaderCompileError with chunk and line
  */
 export function probeMicroShader(
@@ -19,13 +21,14 @@ export function probeMicroShader(
   texts: ReadonlyMap<string, string>,
   names: readonly string[],
   user: TechniqueName | null,
+  techniques: Readonly<Record<string, Technique>>,
 ): void {
   if (user === null) {
     for (const name of names) if (registry.has(name)) compileAlone(gl, registry, name);
     return;
   }
   const tried = new Set<string>();
-  for (const { stage, text } of dryRun(gl, { technique: user }, texts)) {
+  for (const { stage, text } of dryRun(gl, { technique: user }, texts, techniques)) {
     if (tried.has(text) || !names.some((name) => chunksOf(text).has(name))) continue;
     tried.add(text);
     compileStage(gl, names[0], stage, text);

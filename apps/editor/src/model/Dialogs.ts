@@ -44,7 +44,22 @@ export interface ExportDialog {
   readonly kind: 'export';
 }
 
-export type DialogRequest = ConfirmDialog | ProblemsDialog | KeysDialog | PaletteDialog | RecoverDialog | ExportDialog;
+/** A question whose answer is a line of text. */
+export interface TextDialog {
+  readonly kind: 'text';
+  readonly title: string;
+  /** What the field is called. */
+  readonly label: string;
+  /** What it begins with. */
+  readonly value: string;
+  /** What the button that agrees says. */
+  readonly action: string;
+  /** Takes the text, without blanks at its ends; never an empty one. */
+  accept(value: string): void;
+}
+
+export type DialogRequest =
+  ConfirmDialog | ProblemsDialog | TextDialog | KeysDialog | PaletteDialog | RecoverDialog | ExportDialog;
 
 /** The dialog that is asked for, one at a time. */
 export class Dialogs {

@@ -7,8 +7,12 @@ export interface Preferences {
   folded: Readonly<Record<string, boolean>>;
   /** 'system' follows the system's light or dark. */
   theme: 'dark' | 'light' | 'system';
+  /** By what drags of the handles go while they snap: metres, degrees, part of the size; each above 0. */
+  snapSteps: { readonly translate: number; readonly rotate: number; readonly scale: number };
 }
 
 export const usePreferences = create<Preferences>()(
-  persist((): Preferences => ({ folded: {}, theme: 'dark' }), { name: 'farol-editor' }),
+  persist((): Preferences => ({ folded: {}, theme: 'dark', snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 } }), {
+    name: 'farol-editor',
+  }),
 );

@@ -1,5 +1,5 @@
 import type { Camera as CameraComponent, Scene as EngineScene } from '@farol/engine';
-import { FarolRenderer } from '@farol/renderer';
+import { FarolRenderer, type MicroShaderRegistry } from '@farol/renderer';
 import {
   HalfFloatType,
   Mesh,
@@ -47,6 +47,11 @@ export class CameraPreview {
     this.quad.frustumCulled = false;
     this.quad.position.z = -1;
     this.scene.add(this.quad);
+  }
+
+  /** What it draws with. */
+  get microshaders(): MicroShaderRegistry {
+    return this.farol.microshaders;
   }
 
   /** Its place in a picture of a size (CSS pixels), by the form that the camera is given. */

@@ -10,8 +10,15 @@ import { boundsOf } from './boundsOf';
 export type GizmoMode = 'select' | 'translate' | 'rotate' | 'scale';
 export type GizmoSpace = 'world' | 'local';
 
-/** Steps while snapping: metres, radians, factor. */
-export const snapSteps = { translate: 0.5, rotate: MathUtils.degToRad(15), scale: 0.1 };
+/** By what drags go while they snap. */
+export interface SnapSteps {
+  /** Metres. */
+  readonly translate: number;
+  /** Radians. */
+  readonly rotate: number;
+  /** Part of the size at the start. */
+  readonly scale: number;
+}
 
 /** An object when a drag began: what was authored, and its parent's place in the world. */
 interface Start {
@@ -74,6 +81,7 @@ export class Gizmo {
   private ctrl = false;
   private isSnapping = false;
   private isDisposed = false;
+  private steps: SnapSteps = { translate: 0.5, rotate: MathUtils.degToRad(15), scale: 0.1 };
 
   /**
    * @param onDrag - called when a drag begins (true) and ends (false)
@@ -118,6 +126,16 @@ export class Gizmo {
 
   set snapping(snapping: boolean) {
     this.isSnapping = snapping;
+    this.applySnapping();
+  }
+
+  /** Each above 0. */
+  get snapSteps(): SnapSteps {
+    return this.steps;
+  }
+
+  set snapSteps(steps: SnapSteps) {
+    this.steps = steps;
     this.applySnapping();
   }
 
@@ -253,9 +271,10 @@ export class Gizmo {
   private applySnapping(): void {
     const snaps = this.isSnapping !== this.ctrl;
     if (!this.controls) return;
-    this.controls.translationSnap = snaps ? snapSteps.translate : null;
-    this.controls.rotationSnap = snaps ? snapSteps.rotate : null;
-    this.controls.scaleSnap = snaps ? snapSteps.scale : null;
+    const { translate, rotate, scale } = this.steps;
+    this.controls.translationSnap = snaps ? translate : null;
+    this.controls.rotationSnap = snaps ? rotate : null;
+    this.controls.scaleSnap = snaps ? scale : null;
   }
 
   private readonly keyChanged = (event: KeyboardEvent): void => {

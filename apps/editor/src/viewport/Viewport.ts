@@ -1,5 +1,5 @@
 import { Camera as CameraComponent, type GameObject, InputRouter } from '@farol/engine';
-import { FarolRenderer, type TechniqueName, type View } from '@farol/renderer';
+import { FarolRenderer, type MicroShaderRegistry, type TechniqueName, type View } from '@farol/renderer';
 import { type Box2, type Camera, type Material, Vector2, WebGLRenderer } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
 import { Signal } from '../model/Signal';
@@ -28,6 +28,8 @@ const middle = new Vector2();
 export class Viewport {
   /** Takes what goes wrong while a frame is drawn. */
   onError: (error: unknown) => void = () => {};
+  /** Brings the scene's microshaders into another renderer that draws the scene. */
+  shareMicroShaders: (registry: MicroShaderRegistry) => void = () => {};
   /** Emits when one of the settings below changes. */
   readonly changed = new Signal();
   /** Emits after each frame that was drawn. */
@@ -185,6 +187,16 @@ export class Viewport {
     this.changed.emit();
   }
 
+  /** Whether the ranges of all lights are drawn; else those of selected ones. */
+  get showRanges(): boolean {
+    return this.helpers.showRanges;
+  }
+
+  set showRanges(show: boolean) {
+    this.helpers.showRanges = show;
+    this.changed.emit();
+  }
+
   /** Whether every frame is drawn, changed or not: to see frame rates. */
   get continuous(): boolean {
     return this.always;
@@ -251,7 +263,7 @@ export class Viewport {
       this.helpers.render(this.webgl, this.camera, this.through, this.gizmo.isDragging);
     const { previewed } = this;
     if (previewed) {
-      this.preview ??= new CameraPreview(this.webgl);
+      this.preview ??= this.makePreview();
       const { scene, edited } = this.document;
       const key = `${edited.revision} ${scene.time} ${this.assetChanges}`;
       this.preview.render(scene, previewed, this.width, this.height, key);
@@ -317,6 +329,12 @@ export class Viewport {
     this.ownPainter?.dispose();
     this.farol.dispose();
     this.webgl.dispose();
+  }
+
+  private makePreview(): CameraPreview {
+    const preview = new CameraPreview(this.webgl);
+    this.shareMicroShaders(preview.microshaders);
+    return preview;
   }
 
   private sceneOpened(): void {

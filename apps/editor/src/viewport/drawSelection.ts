@@ -1,4 +1,4 @@
-import { Camera, type GameObject, Light } from '@farol/engine';
+import { Camera, type GameObject, Light, type Scene } from '@farol/engine';
 import { Box3, Matrix4, OrthographicCamera, Vector3 } from 'three';
 import type { LineSet } from './LineSet';
 
@@ -11,8 +11,8 @@ const z = new Vector3();
 const from = new Vector3();
 const to = new Vector3();
 
-/** Sphere of a point light, cone of a spot light, arrow of a directional light. */
-function drawLight(lines: LineSet, light: Light): void {
+/** Sphere of a point light, cone of a spot light, arrow of a directional light. @param segments - of each circle */
+function drawLight(lines: LineSet, light: Light, segments = 64): void {
   const { matrixWorld } = light.gameObject.object3D;
   centre.setFromMatrixPosition(matrixWorld);
   x.setFromMatrixColumn(matrixWorld, 0).normalize();
@@ -23,16 +23,16 @@ function drawLight(lines: LineSet, light: Light): void {
     x.set(reach, 0, 0);
     y.set(0, reach, 0);
     z.set(0, 0, reach);
-    lines.circle(centre, x, y);
-    lines.circle(centre, y, z);
-    lines.circle(centre, z, x);
+    lines.circle(centre, x, y, segments);
+    lines.circle(centre, y, z, segments);
+    lines.circle(centre, z, x, segments);
   } else if (light.type === 'spot') {
     const length = Number.isFinite(light.reach) ? reach : 5;
     const radius = Math.min(length * Math.tan(Math.min(light.cutoff, 1.5)), length * 4);
     to.copy(centre).addScaledVector(z, length);
     x.multiplyScalar(radius);
     y.multiplyScalar(radius);
-    lines.circle(to, x, y);
+    lines.circle(to, x, y, segments);
     for (const side of [x, y]) {
       lines.line(centre, from.copy(to).add(side));
       lines.line(centre, from.copy(to).sub(side));
@@ -68,6 +68,12 @@ function drawCamera(lines: LineSet, camera: Camera): void {
     lines.line(centre, each);
     lines.line(each, corners[(i + 1) % 4]);
   });
+}
+
+/** Adds the ranges of every light of a scene that is on; of many lights more coarsely. */
+export function drawRanges(lines: LineSet, { lights }: Scene): void {
+  const segments = Math.min(48, Math.max(8, Math.round(20_000 / lights.length)));
+  for (const light of lights) if (light.isActive) drawLight(lines, light, segments);
 }
 
 /** Adds the lines that show what is selected besides its outline: ranges of lights, views of cameras. */

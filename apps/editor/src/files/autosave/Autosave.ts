@@ -77,6 +77,7 @@ export class Autosave {
   /** Another scene: nothing is stored until it is changed. */
   private restart(): void {
     clearTimeout(this.timer);
+    this.timer = 0;
     const old = this.session;
     const isKept = this.hasBegun && !this.failed;
     this.session = createId();
@@ -116,6 +117,7 @@ export class Autosave {
   private slice(deadline: IdleDeadline | null): void {
     if (!this.hasBegun) {
       this.isRunning = false;
+      if (this.again) this.wake();
       return;
     }
     const start = performance.now();
@@ -150,7 +152,7 @@ export class Autosave {
         this.isRunning = false;
         this.statistics.commits++;
         if (replaced) {
-          this.replaced = null;
+          if (this.replaced === replaced) this.replaced = null;
           await this.store.delete(replaced);
         }
         this.stored.emit();

@@ -4,8 +4,9 @@ import { AutosaveStore } from './AutosaveStore';
 import { takeClean } from './cleanSessions';
 import type { SessionInfo } from './store';
 
-/** Puts a scene that was stored back, as one that is not saved. @returns whether it could be opened */
+/** Puts a scene that was stored back, as one that is not saved. @returns whether it was opened */
 export async function recover(editor: Editor, autosave: Autosave, session: SessionInfo): Promise<boolean> {
+  if (!(await editor.mayLoseChanges())) return false;
   const { text, files } = await autosave.store.read(session.id);
   const file = { name: session.fileName, handle: session.handle };
   if (!(await editor.openFileBytes(text, file, (path) => files.get(path) ?? null))) return false;
@@ -13,6 +14,14 @@ export async function recover(editor: Editor, autosave: Autosave, session: Sessi
   autosave.replace(session.id);
   editor.notices.show('info', `${session.name} is as it was. Save it to keep it.`);
   return true;
+}
+
+/** Offers what tabs that were killed have left. @returns whether there was any */
+export async function offerRecovery(editor: Editor, autosave: Autosave): Promise<boolean> {
+  const lost = await autosave.store.lost();
+  const sessions = lost.filter(({ isDirty }) => isDirty);
+  if (sessions.length > 0) void editor.dialogs.show({ kind: 'recover', sessions, autosave });
+  return sessions.length > 0;
 }
 
 /**
@@ -24,8 +33,7 @@ export async function startAutosave(editor: Editor): Promise<Autosave | null> {
   const autosave = new Autosave(editor, new AutosaveStore());
   const lost = await autosave.store.lost();
   const clean = takeClean();
-  const sessions = lost.filter(({ id, isDirty }) => isDirty && !clean.has(id));
-  for (const session of lost) if (!sessions.includes(session)) await autosave.store.delete(session.id);
-  if (sessions.length > 0) void editor.dialogs.show({ kind: 'recover', sessions, autosave });
+  for (const { id, isDirty } of lost) if (!isDirty || clean.has(id)) await autosave.store.delete(id);
+  await offerRecovery(editor, autosave);
   return autosave;
 }

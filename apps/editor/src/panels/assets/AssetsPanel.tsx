@@ -12,7 +12,7 @@ import { Icon } from '../../ui/Icon';
 import { LateItems } from '../../ui/MenuButton';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
 import { AssetCard } from './AssetCard';
-import { assetMenu, removeEntry } from './assetMenu';
+import { assetMenu, removeEntry, renameEntry } from './assetMenu';
 import './assets.css';
 
 type Filter = AssetKind | 'all' | 'own';
@@ -101,10 +101,11 @@ export function AssetsPanel(): ReactNode {
           onContextMenu={contextMenu}
           onKeyDown={(event) => {
             const entry = entries.find(({ name }) => name === selected);
-            if (event.key !== 'Delete' || !entry) return;
+            const act = { Delete: removeEntry, F2: renameEntry }[event.key];
+            if (!act || !entry) return;
             event.preventDefault();
             event.stopPropagation();
-            editor.attempt(() => removeEntry(editor, entry));
+            editor.attempt(() => act(editor, entry));
           }}
         >
           {entries.length === 0 && (

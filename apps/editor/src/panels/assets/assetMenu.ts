@@ -4,7 +4,7 @@ import { type AssetEntry, isEnvironment } from '../../files/assetKinds';
 import { placeAsset, useAsEnvironment } from '../../files/placeAsset';
 import { deleteAsset, usagesOf } from '../../model/assetUsages';
 import { addObject } from '../../model/edits';
-import { deletePrefab, instancesOf } from '../../model/prefabEdits';
+import { deletePrefab, instancesOf, renamePrefab } from '../../model/prefabEdits';
 import type { MenuEntry } from '../../ui/MenuEntry';
 
 const counted = (count: number, what: string): string => `${count} ${what}${count === 1 ? '' : 's'}`;
@@ -32,6 +32,24 @@ export async function removeEntry(editor: Editor, entry: AssetEntry): Promise<vo
   }
   if (prefab) commands.run(deletePrefab(scene, prefab, document.selection.ids));
   else if (entry.kind !== 'prefab') commands.run(deleteAsset(scene, entry.name));
+}
+
+/** Asks for another name of a prefab. */
+export function renameEntry(editor: Editor, entry: AssetEntry): void {
+  const { document, commands, dialogs } = editor;
+  const { scene } = document;
+  const prefab = scene.prefabs.get(entry.name);
+  if (entry.kind !== 'prefab' || !prefab) throw new Error(`${entry.label} cannot be renamed: only prefabs can.`);
+  void dialogs.show({
+    kind: 'text',
+    title: `Rename ${prefab.name}`,
+    label: 'Name of the prefab',
+    value: prefab.name,
+    action: 'Rename',
+    accept: (name) => {
+      if (name !== prefab.name) commands.run(renamePrefab(scene, prefab, name));
+    },
+  });
 }
 
 /** Puts the parts of a model into the scene, each an object that can be edited. */
@@ -70,12 +88,16 @@ export function assetMenu(editor: Editor, entry: AssetEntry): MenuEntry[] {
   }
   if (entry.kind === 'prefab') {
     const select = (): void => document.selection.set(instancesOf(document.scene, entry.name).map(({ id }) => id));
-    entries.push({ label: 'Select instances', icon: 'select', run: select });
+    entries.push(
+      { label: 'Select instances', icon: 'select', run: select },
+      { label: 'Rename…', keys: 'F2', run: attempt(() => renameEntry(editor, entry)) },
+    );
   }
   const disabled = entry.isBuiltin || document.assets.modelOf(entry.name) !== null;
   entries.push('separator', {
     label: 'Delete…',
     icon: 'remove',
+    keys: 'Delete',
     disabled,
     run: attempt(() => removeEntry(editor, entry)),
   });

@@ -1,4 +1,3 @@
-import { techniques } from '@farol/renderer';
 import type { ReactNode } from 'react';
 import type { MicroShaderUses } from '../../microshaders/MicroShaderUses';
 import { useEditor } from '../../ui/EditorContext';
@@ -7,6 +6,7 @@ import { useEditor } from '../../ui/EditorContext';
 export function ChunkUses({ name, uses }: { name: string; uses: MicroShaderUses }): ReactNode {
   const editor = useEditor();
   const { registry } = editor.microShaders;
+  const { techniques } = editor.viewport.farol;
   const needs = registry.get(name)?.dependencies ?? [];
   const users = registry.names().filter((other) => registry.get(other)!.dependencies.includes(name));
   const drawn = uses.techniquesOf(name);

@@ -12,11 +12,13 @@ export function useMicroShaderUses(): MicroShaderUses {
   let uses = known.get(editor);
   if (!uses) {
     const { viewport, document } = editor;
-    uses = new MicroShaderUses(viewport.webgl, viewport.farol.microshaders, () => document.scene.microShaders.texts);
+    uses = new MicroShaderUses(viewport.farol, () => document.scene.microShaders.texts);
     known.set(editor, uses);
     editor.microShaders.sources = microShaderSources;
   }
   useSignal(uses.changed);
-  useEffect(() => void uses.find(), [uses]);
+  // a plugin may have added a technique
+  useSignal(editor.viewport.changed);
+  useEffect(() => void uses.find());
   return uses;
 }

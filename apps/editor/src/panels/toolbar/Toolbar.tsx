@@ -6,6 +6,7 @@ import { newScene, openExamples } from '../../actions/newScene';
 import { open } from '../../actions/open';
 import { panelEntries } from '../../actions/panelEntries';
 import { pause, play, step, stop } from '../../actions/play';
+import { recover } from '../../actions/recover';
 import { redo } from '../../actions/redo';
 import { remove } from '../../actions/remove';
 import { save, saveAs } from '../../actions/save';
@@ -42,7 +43,7 @@ export function Toolbar(): ReactNode {
           label="File"
           entries={() => [
             { label: 'New', icon: 'scene', entries: newEntries },
-            ...[open, save, saveAs, exportScene].map((action) => actionEntry(action, editor)),
+            ...[open, save, saveAs, exportScene, recover].map((action) => actionEntry(action, editor)),
           ]}
         />
         <div className="button-group" role="toolbar" aria-label="File and history">

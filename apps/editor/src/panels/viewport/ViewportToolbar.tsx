@@ -3,11 +3,13 @@ import { gizmoModes } from '../../actions/gizmoModes';
 import { gizmoSpace } from '../../actions/gizmoSpace';
 import { snap } from '../../actions/snap';
 import { showStatistics } from '../../actions/statistics';
-import { continuous, showGrid, showIcons } from '../../actions/viewportToggles';
+import { continuous, showGrid, showIcons, showRanges } from '../../actions/viewportToggles';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { SnapSteps } from './SnapSteps';
 import { ViewCube } from './ViewCube';
 import type { Viewport } from '../../viewport/Viewport';
+import { usePreferences } from '../../ui/preferences';
 import { SelectBox } from '../../ui/SelectBox';
 
 const EDITOR_CAMERA = '/';
@@ -21,6 +23,8 @@ function lookThrough(viewport: Viewport, id: string): void {
 export function ViewportToolbar(): ReactNode {
   const { document, viewport } = useEditor();
   useSignal(viewport.changed);
+  // the button of snapping says them
+  usePreferences(({ snapSteps }) => snapSteps);
   useSignal(document.structure);
   const cameras = document.scene.cameras.map((camera) => ({
     value: camera.id,
@@ -36,10 +40,12 @@ export function ViewportToolbar(): ReactNode {
         <span className="bar-line" />
         <ActionButton action={gizmoSpace} icon={viewport.space === 'local' ? 'local' : 'world'} />
         <ActionButton action={snap} />
+        <SnapSteps />
       </div>
       <div className="button-group" role="toolbar" aria-label="Display">
         <ActionButton action={showGrid} />
         <ActionButton action={showIcons} />
+        <ActionButton action={showRanges} />
         <ActionButton action={continuous} />
         <ActionButton action={showStatistics} />
         <span className="bar-line" />

@@ -1,0 +1,46 @@
+import { Popover } from '@base-ui/react/popover';
+import type { ReactNode } from 'react';
+import { Icon } from '../../ui/Icon';
+import { NumberInput } from '../../ui/NumberInput';
+import { type Preferences, usePreferences } from '../../ui/preferences';
+
+const steps = [
+  { name: 'translate', label: 'Distance', unit: 'm', min: 0.001, max: 1000, step: 0.1 },
+  { name: 'rotate', label: 'Angle', unit: '°', min: 0.1, max: 180, step: 1 },
+  { name: 'scale', label: 'Scale', unit: '', min: 0.001, max: 10, step: 0.05 },
+] as const;
+
+/** A button that opens the steps by which drags of the handles snap; they are remembered. */
+export function SnapSteps(): ReactNode {
+  const chosen = usePreferences(({ snapSteps }) => snapSteps);
+  const set = (name: keyof Preferences['snapSteps'], value: number): void => {
+    usePreferences.setState(({ snapSteps }) => ({ snapSteps: { ...snapSteps, [name]: value } }));
+  };
+  return (
+    <Popover.Root>
+      <Popover.Trigger className="button snap-steps" aria-label="Snap steps" title="Snap steps">
+        <Icon name="down" size={12} />
+      </Popover.Trigger>
+      <Popover.Portal>
+        <Popover.Positioner className="positioner" sideOffset={3} align="start">
+          <Popover.Popup className="popup snap-popup" aria-label="Snap steps">
+            {steps.map(({ name, label, ...rest }) => (
+              <div key={name} className="snap-row">
+                <span aria-hidden="true">{label}</span>
+                <NumberInput
+                  {...rest}
+                  value={chosen[name]}
+                  label={`${label} of a snap step`}
+                  handle={<span className="grip" />}
+                  onPreview={(value) => set(name, value)}
+                  onCommit={() => {}}
+                  onDiscard={() => {}}
+                />
+              </div>
+            ))}
+          </Popover.Popup>
+        </Popover.Positioner>
+      </Popover.Portal>
+    </Popover.Root>
+  );
+}
