@@ -52,6 +52,9 @@ export interface FarolOptions {
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
 
+/** Draws that cost less than having the GPU begin with them. */
+const FEW_DRAWS = 16;
+
 /** Lights with a shadow or an image that three has texture units for; more go without until Farol draws them. */
 const FEW_MASKS = 4;
 
@@ -277,8 +280,8 @@ export class FarolRenderer {
     } finally {
       if (webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
     }
-    // lets the GPU begin while the host goes on
-    frame.gl.flush();
+    // lets the GPU begin while the host goes on; a call to another process, which few draws are not worth
+    if (this.info.drawCalls > FEW_DRAWS) frame.gl.flush();
     this.recorder.end(this.active, this.reason, this.lights, shadows, frame.uploadedBytes, this.targetBytes());
   }
 

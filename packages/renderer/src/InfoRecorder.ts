@@ -41,6 +41,7 @@ export class InfoRecorder {
     this.timing = timing && this.timer?.available === true;
     this.started = performance.now();
     this.info.passes.length = 0;
+    this.info.drawCalls = this.info.triangles = 0;
     if (this.timing) this.timer!.poll();
   }
 
@@ -75,6 +76,8 @@ export class InfoRecorder {
     const { render } = this.webgl.info;
     pass.drawCalls = render.calls - this.calls;
     pass.triangles = render.triangles - this.triangles;
+    this.info.drawCalls += pass.drawCalls;
+    this.info.triangles += pass.triangles;
     pass.gpuMs = this.timing ? (this.timer!.times.get(pass.name) ?? null) : null;
     this.pass = null;
   }
@@ -90,11 +93,6 @@ export class InfoRecorder {
     const { info } = this;
     info.technique = technique;
     info.reason = reason;
-    info.drawCalls = info.triangles = 0;
-    for (const pass of info.passes) {
-      info.drawCalls += pass.drawCalls;
-      info.triangles += pass.triangles;
-    }
     this.sumTimes();
     info.lights.total = lights.total;
     info.lights.visible = lights.visible;

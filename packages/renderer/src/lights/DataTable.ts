@@ -12,7 +12,8 @@ interface Slot {
 }
 
 /**
- * A growable float texture that uploads only rows whose content changed, and nothing where nothing did.
+ * A growable float texture that uploads only rows whose content changed, of one row only the texels, and nothing where
+ * nothing did.
  * Without allocation while it does not grow.
  */
 export class DataTable {
@@ -103,13 +104,16 @@ export class DataTable {
       const rows = Math.floor(slot.lastChanged / rowFloats) - first + 1;
       const gl = webgl.getContext() as WebGL2RenderingContext;
       const { state } = webgl;
+      const left = rows > 1 ? 0 : (slot.firstChanged % rowFloats) >> 2;
+      const texels = rows > 1 ? this.width : ((slot.lastChanged % rowFloats) >> 2) - left + 1;
+      const start = first * rowFloats + left * 4;
       state.bindTexture(gl.TEXTURE_2D, properties.__webglTexture);
       state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
       state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
       state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, first, this.width, rows, gl.RGBA, gl.FLOAT, this.data, first * rowFloats);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, left, first, texels, rows, gl.RGBA, gl.FLOAT, this.data, start);
       state.unbindTexture();
-      this.uploadedBytes = rows * rowFloats * 4;
+      this.uploadedBytes = rows * texels * 16;
     }
     slot.firstChanged = Infinity;
     slot.lastChanged = -1;

@@ -15,6 +15,8 @@ export class BackgroundDraw {
       fragment: ['background'],
       uniforms: { ...frame.uniforms },
       depthTest: true,
+      // of 1 where it is 1: three's usual state stays as it is
+      depthWrite: true,
       depthFunc: LessEqualDepth,
     });
     frame.drawMesh(this.triangle, this.material);
