@@ -74,7 +74,40 @@ test('on a page that knows nothing of Farol: select, edit, undo, draw by Farol',
   await page.getByRole('button', { name: 'Undo' }).click();
   expect(await intensity()).toBe(5);
 
+  // several at once: what differs is shown as such, and stays as it is where nothing is typed
+  const positions = () =>
+    page.evaluate(() =>
+      ['lantern 1', 'lantern 2'].map((name) => window.example.scene!.getObjectByName(name)!.position.toArray()),
+    );
+  const [one, two] = await positions();
+  await row(page, 'lantern 2').click({ modifiers: ['Control'] });
+  await expect(page.getByRole('treeitem', { selected: true })).toHaveCount(2);
+  await expect(input).toHaveAttribute('placeholder', '—');
+  await page.getByRole('spinbutton', { name: 'Position y' }).fill('4');
+  await page.keyboard.press('Enter');
+  expect(await positions()).toEqual([
+    [one[0], 4, one[2]],
+    [two[0], 4, two[2]],
+  ]);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect(await positions()).toEqual([one, two]);
   expect(await problems(page)).toEqual([]);
+
+  // copies and deletion
+  const count = (name: string) =>
+    page.evaluate((name) => window.example.scene!.getObjectsByProperty('name', name).length, name);
+  await page.keyboard.press('Control+d');
+  expect([await count('lantern 1'), await count('lantern 2')]).toEqual([2, 2]);
+  await page.getByRole('tree').focus();
+  await page.keyboard.press('Delete');
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  expect([await count('lantern 1'), await count('lantern 2')]).toEqual([1, 1]);
+  await page.getByRole('button', { name: 'Delete' }).click();
+  expect([await count('lantern 1'), await count('lantern 2')]).toEqual([0, 0]);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.getByRole('treeitem', { selected: true })).toHaveCount(2);
+
   await page.getByRole('button', { name: 'Draw with Farol' }).click();
   await expect(page.getByLabel('Technique')).toHaveValue('auto');
   await page.getByLabel('Technique').selectOption('deferred');

@@ -2,7 +2,9 @@ import type { FarolRenderer } from '@farol/renderer';
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 import type { AttachOptions } from './attachEditor';
 import { type Drawer, Drawing } from './model/Drawing';
+import { duplicateSelected } from './model/duplicateSelected';
 import type { History } from './model/History';
+import { removeSelected } from './model/removeSelected';
 import { Session } from './model/Session';
 import { Bar } from './panels/Bar';
 import { FramePanel } from './panels/FramePanel';
@@ -82,13 +84,22 @@ export class AttachedEditor {
     this.timer = setInterval(refresh, REFRESH) as unknown as number;
   }
 
-  /** The selected object, or null; setting it selects. */
+  /** The object that was selected last, or null; setting it selects it alone. */
   get selected(): Object3D | null {
     return this.session.selected;
   }
 
   set selected(object: Object3D | null) {
     this.session.selected = object;
+  }
+
+  /** The selected objects, in the order of their choice. */
+  get selection(): readonly Object3D[] {
+    return this.session.selection;
+  }
+
+  set selection(objects: readonly Object3D[]) {
+    this.session.selection = objects;
   }
 
   /** What the page looks through. */
@@ -144,12 +155,23 @@ export class AttachedEditor {
   /** Keys pressed in the panels; the page does not get them. */
   private key(event: KeyboardEvent): void {
     event.stopPropagation();
-    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-    const key = event.key.toLowerCase();
-    if (key !== 'z' && key !== 'y') return;
+    const act = this.actOf(event);
+    if (!act) return;
     event.preventDefault();
-    if (key === 'y' || event.shiftKey) this.history.redo();
-    else this.history.undo();
+    this.session.attempt(act);
+  }
+
+  private actOf(event: KeyboardEvent): (() => unknown) | null {
+    const { session, history } = this;
+    if (event.altKey) return null;
+    const key = event.key.toLowerCase();
+    if (!event.ctrlKey && !event.metaKey) {
+      const isTyped = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
+      return key === 'delete' && !isTyped ? () => removeSelected(session) : null;
+    }
+    if (key === 'd') return () => duplicateSelected(session);
+    if (key === 'y' || (key === 'z' && event.shiftKey)) return () => history.redo();
+    return key === 'z' ? () => history.undo() : null;
   }
 
   /** Asks the page for a frame. */

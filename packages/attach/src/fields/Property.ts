@@ -1,6 +1,4 @@
 import type { Field, FieldValue } from '@farol/engine';
-import { sameValue } from '@farol/engine';
-import type { Session } from '../model/Session';
 
 /** A value of something of three's, declared as a field of the editor is: kind, unit, range and a line of help. */
 export interface Property<Target = unknown> {
@@ -11,55 +9,22 @@ export interface Property<Target = unknown> {
   set(target: Target, value: FieldValue): void;
 }
 
-/** A property with what it belongs to. */
+/** A property with what it belongs to: one thing, or several that are edited together. */
 export interface BoundProperty {
   readonly name: string;
   readonly label: string;
   readonly field: Field;
-  get(): FieldValue;
-  set(value: FieldValue): void;
+  /** The value of each of them; at least one. */
+  get(): FieldValue[];
+  /** @param values one for each of them */
+  set(values: readonly FieldValue[]): void;
 }
 
-/** Binds properties to their target. */
-export function bind<Target>(target: Target, properties: readonly Property<Target>[]): BoundProperty[] {
+/** Binds properties to their targets, of which there is one at least. */
+export function bind<Target>(targets: readonly Target[], properties: readonly Property<Target>[]): BoundProperty[] {
   return properties.map(({ name, label, field, get, set }) => ({
     ...{ name, label, field },
-    get: () => get(target),
-    set: (value) => set(target, value),
+    get: () => targets.map((target) => get(target)),
+    set: (values) => targets.forEach((target, i) => set(target, values[i])),
   }));
-}
-
-/**
- * One edit of a property: any number of previews, then one step of history. Nothing is kept when the value is what it was
- * before.
- */
-export class PropertyEdit {
-  private readonly before: FieldValue;
-
-  constructor(
-    private readonly session: Session,
-    private readonly property: BoundProperty,
-  ) {
-    this.before = property.get();
-  }
-
-  preview(value: FieldValue): void {
-    this.property.set(value);
-    this.session.edited.emit();
-  }
-
-  commit(): void {
-    const { property, before, session } = this;
-    const after = property.get();
-    if (sameValue(before, after)) return;
-    session.history.keep({
-      label: `change of ${property.label.toLowerCase()}`,
-      undo: () => property.set(before),
-      redo: () => property.set(after),
-    });
-  }
-
-  discard(): void {
-    this.preview(this.before);
-  }
 }

@@ -11,20 +11,44 @@ export interface Section {
   readonly properties: readonly BoundProperty[];
 }
 
-/** What the inspector shows of an object: its transform, its flags, and what it has as light, camera or by its materials. */
-export function sectionsOf(object: Object3D): Section[] {
-  const sections = [section('Transform', object, transformProperties), section('Object', object, objectProperties)];
-  if ((object as Light).isLight === true) sections.push(section(object.type, object, lightProperties));
-  if ((object as Camera).isCamera === true) sections.push(section(object.type, object, cameraProperties));
+const materialsOf = (object: Object3D): Material[] => {
   const { material } = object as Mesh;
-  for (const each of new Set<Material>(Array.isArray(material) ? material : material ? [material] : [])) {
-    sections.push(section(each.name ? `${each.type} ${each.name}` : each.type, each, materialProperties));
+  return [...new Set<Material>(Array.isArray(material) ? material : material ? [material] : [])];
+};
+
+/**
+ * What the inspector shows of objects: transform, flags, and what they have as lights, as cameras or by their materials. Of
+ * several objects it is what all of them have.
+ * @param objects - at least one
+ */
+export function sectionsOf(objects: readonly Object3D[]): Section[] {
+  const [first] = objects;
+  const types = new Set(objects.map(({ type }) => type));
+  const title = (common: string): string => (types.size === 1 ? first.type : common);
+  const sections = [section('Transform', objects, transformProperties), section('Object', objects, objectProperties)];
+  if (objects.every((object) => (object as Light).isLight))
+    sections.push(section(title('Light'), objects, lightProperties));
+  if (objects.every((object) => (object as Camera).isCamera))
+    sections.push(section(title('Camera'), objects, cameraProperties));
+  const materials = objects.map(materialsOf);
+  const all = [...new Set(materials.flat())];
+  if (objects.length === 1) {
+    for (const each of all) {
+      sections.push(section(each.name ? `${each.type} ${each.name}` : each.type, [each], materialProperties));
+    }
+  } else if (materials.every((list) => list.length > 0)) {
+    const label = all.length === 1 ? all[0].type : `${all.length} materials`;
+    sections.push(section(label, all, materialProperties));
   }
   return sections.filter(({ properties }) => properties.length > 0);
 }
 
-function section(title: string, target: object, properties: readonly Property<Record<string, unknown>>[]): Section {
-  const own = target as Record<string, unknown>;
-  const present = properties.filter(({ name }) => own[name] !== undefined && own[name] !== null);
+function section(
+  title: string,
+  targets: readonly object[],
+  properties: readonly Property<Record<string, unknown>>[],
+): Section {
+  const own = targets as readonly Record<string, unknown>[];
+  const present = properties.filter(({ name }) => own.every((each) => each[name] !== undefined && each[name] !== null));
   return { title, properties: bind(own, present) };
 }

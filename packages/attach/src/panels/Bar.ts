@@ -1,14 +1,19 @@
 import type { Session } from '../model/Session';
+import { duplicateSelected } from '../model/duplicateSelected';
+import { removeSelected } from '../model/removeSelected';
 import { element } from '../ui/element';
 import type { Gizmo, GizmoMode } from '../viewport/Gizmo';
 
 const modes: Record<GizmoMode, string> = { translate: 'Move', rotate: 'Turn', scale: 'Scale' };
 
-/** Buttons: undo and redo, what the gizmo does, and closing. */
+/** Buttons: undo and redo, what the gizmo does, copies and deletion, and closing. */
 export class Bar {
   readonly element = element('div', { className: 'bar', role: 'toolbar', 'aria-label': 'Editor' });
   private readonly undo: HTMLButtonElement;
   private readonly redo: HTMLButtonElement;
+  private readonly duplicate: HTMLButtonElement;
+  private readonly remove: HTMLButtonElement;
+  private readonly problem = element('p', { role: 'alert' });
   private readonly ends: (() => void)[];
 
   /** @param toggle shows or hides the panels */
@@ -38,14 +43,19 @@ export class Bar {
       press(space, gizmo.space === 'local');
     });
     press(space, gizmo.space === 'local');
+    this.duplicate = button('Duplicate', () => session.attempt(() => duplicateSelected(session)));
+    this.remove = button('Delete', () => session.attempt(() => removeSelected(session)));
+    this.duplicate.title = 'Ctrl+D in the panels';
+    this.remove.title = 'Delete in the panels';
     const fold = button('Hide', () => {
       toggle();
       fold.setAttribute('aria-expanded', String(fold.textContent === 'Show'));
       fold.textContent = fold.textContent === 'Show' ? 'Hide' : 'Show';
     });
     fold.setAttribute('aria-expanded', 'true');
-    this.element.append(this.undo, this.redo, ...gizmos, space, fold);
-    this.ends = [session.history.changed.listen(() => this.show())];
+    this.element.append(this.undo, this.redo, this.duplicate, this.remove, ...gizmos, space, fold, this.problem);
+    const shows = [session.history.changed, session.selectionChanged, session.problemChanged];
+    this.ends = shows.map((signal) => signal.listen(() => this.show()));
     this.show();
   }
 
@@ -54,11 +64,15 @@ export class Bar {
   }
 
   private show(): void {
-    const { undoLabel, redoLabel } = this.session.history;
+    const { history, topmost, problem } = this.session;
+    const { undoLabel, redoLabel } = history;
     // not `disabled`, which would take the focus, and with it the keys, from a button that was just pressed
     this.undo.ariaDisabled = String(undoLabel === null);
     this.undo.title = undoLabel === null ? '' : `Undo ${undoLabel}`;
     this.redo.ariaDisabled = String(redoLabel === null);
     this.redo.title = redoLabel === null ? '' : `Redo ${redoLabel}`;
+    for (const each of [this.duplicate, this.remove]) each.ariaDisabled = String(topmost.length === 0);
+    this.problem.hidden = problem === '';
+    this.problem.textContent = problem;
   }
 }

@@ -3,7 +3,7 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import { FieldInput } from '../ui/FieldInput';
 
-/** The values of the selected object: shown as they change, edited with undo. */
+/** The values of the selected objects: shown as they change, edited together and with undo. */
 export class Inspector {
   readonly element = element('section', { className: 'inspector', 'aria-label': 'Inspector', tabIndex: 0 });
   private inputs: FieldInput[] = [];
@@ -30,15 +30,16 @@ export class Inspector {
 
   private build(): void {
     this.close();
-    const { selected } = this.session;
+    const { selection } = this.session;
     this.inputs = [];
-    if (!selected) {
+    if (selection.length === 0) {
       const hint = 'Nothing is selected: choose an object in the tree, or click one in the picture.';
       this.element.replaceChildren(element('p', { className: 'hint' }, hint));
       return;
     }
     this.element.replaceChildren(
-      ...sectionsOf(selected).map(({ title, properties }) => {
+      ...(selection.length > 1 ? [element('p', { className: 'hint' }, `${selection.length} objects`)] : []),
+      ...sectionsOf(selection).map(({ title, properties }) => {
         const inputs = properties.map((property) => new FieldInput(this.session, property));
         this.inputs.push(...inputs);
         return element(

@@ -4,6 +4,7 @@ import { element } from '../ui/element';
 
 const ROW = 22; // CSS pixels, as in style.css
 const MARGIN = 4; // rows drawn above and below what is seen
+const MANY = { 'aria-multiselectable': true };
 
 interface Row {
   object: Object3D;
@@ -15,12 +16,18 @@ interface Row {
 
 /**
  * The objects of the scene as a tree. Only rows that are seen are elements; what the page adds and removes shows at the
- * next `refresh`. Arrow keys walk, open and close as in any tree.
+ * next `refresh`. Arrow keys walk, open and close as in any tree; Ctrl chooses several objects, Shift a range of rows.
  *
  * @see https://www.w3.org/WAI/ARIA/apg/patterns/treeview/
  */
 export class Tree {
-  readonly element = element('div', { className: 'tree', role: 'tree', 'aria-label': 'Hierarchy', tabIndex: 0 });
+  readonly element = element('div', {
+    className: 'tree',
+    role: 'tree',
+    'aria-label': 'Hierarchy',
+    tabIndex: 0,
+    ...MANY,
+  });
   /** Text that names or types of objects must hold to be listed. */
   readonly search = element('input', { type: 'search', placeholder: 'Search', 'aria-label': 'Search objects' });
   private readonly spacer = element('div', { className: 'spacer', role: 'presentation' });
@@ -29,6 +36,8 @@ export class Tree {
   /** Of the rows that are seen, by the id of their object. */
   private readonly elements = new Map<number, HTMLElement>();
   private drawn = '';
+  /** Where a range begins. */
+  private anchor: Object3D | null = null;
   private readonly end: () => void;
   private readonly sizes: ResizeObserver;
 
@@ -39,7 +48,7 @@ export class Tree {
     this.element.addEventListener('scroll', () => this.draw());
     this.element.addEventListener('click', (event) => this.click(event));
     this.element.addEventListener('keydown', (event) => {
-      if (this.key(event.key)) event.preventDefault();
+      if (this.key(event)) event.preventDefault();
     });
     this.end = session.selectionChanged.listen(() => this.reveal());
     this.sizes = new ResizeObserver(() => this.draw());
@@ -98,14 +107,15 @@ export class Tree {
     const { scrollTop, clientHeight } = this.element;
     const first = Math.max(0, Math.floor(scrollTop / ROW) - MARGIN);
     const rows = this.rows.slice(first, Math.ceil((scrollTop + clientHeight) / ROW) + MARGIN);
-    const { selected } = this.session;
+    const { selected, selection } = this.session;
+    const chosen = selection.map(({ id }) => id).join();
     const drawn = rows
       .map(({ object, depth }) =>
         [object.id, object.name, depth, object.visible, object.children.length > 0, this.open.has(object)].join(),
       )
       .join(';');
-    if (drawn + first + selected?.id === this.drawn) return;
-    this.drawn = drawn + first + selected?.id;
+    if (`${drawn} ${first} ${chosen}` === this.drawn) return;
+    this.drawn = `${drawn} ${first} ${chosen}`;
     this.drawRows(rows, first);
     const isSeen = selected && rows.some(({ object }) => object === selected);
     if (isSeen) this.element.setAttribute('aria-activedescendant', `object-${selected.id}`);
@@ -115,6 +125,7 @@ export class Tree {
   /** An element stays for as long as its object is seen: one that goes while it is pressed takes the click with it. */
   private drawRows(rows: readonly Row[], first: number): void {
     const seen = new Set(rows.map(({ object }) => object.id));
+    const selection = new Set(this.session.selection);
     for (const [id, each] of this.elements) {
       if (seen.has(id)) continue;
       each.remove();
@@ -125,7 +136,7 @@ export class Tree {
       const { id } = row.object;
       let drawn = this.elements.get(id);
       if (!drawn) this.elements.set(id, (drawn = this.makeRow(id)));
-      this.drawRow(drawn, row, first + i);
+      this.drawRow(drawn, row, first + i, selection.has(row.object));
       if (drawn.previousElementSibling !== last || !drawn.parentNode)
         this.spacer.insertBefore(drawn, last ? last.nextSibling : this.spacer.firstChild);
       last = drawn;
@@ -142,14 +153,15 @@ export class Tree {
     );
   }
 
-  private drawRow(row: HTMLElement, { object, depth, place, siblings }: Row, index: number): void {
+  private drawRow(row: HTMLElement, item: Row, index: number, isSelected: boolean): void {
+    const { object, depth, place, siblings } = item;
     const hasChildren = object.children.length > 0;
     const isOpen = this.open.has(object);
     row.className = object.visible ? 'row' : 'row hidden';
     row.ariaLevel = String(depth + 1);
     row.ariaPosInSet = String(place);
     row.ariaSetSize = String(siblings);
-    row.ariaSelected = String(object === this.session.selected);
+    row.ariaSelected = String(isSelected);
     row.ariaExpanded = hasChildren ? String(isOpen) : null;
     row.style.top = `${index * ROW}px`;
     row.style.paddingLeft = `${6 + 12 * depth}px`;
@@ -165,7 +177,22 @@ export class Tree {
     const row = this.rows[Number(target.closest<HTMLElement>('.row')?.dataset.index ?? -1)];
     if (!row) return;
     if (target.className === 'twist' && row.object.children.length > 0) this.toggle(row.object);
-    else this.session.selected = row.object;
+    else this.choose(row.object, event);
+  }
+
+  /** @param keys that are held: Ctrl chooses one more or one less, Shift all rows from the one that was chosen before */
+  private choose(object: Object3D, { ctrlKey, metaKey, shiftKey }: MouseEvent | KeyboardEvent): void {
+    const { rows, session } = this;
+    const from = rows.findIndex((row) => row.object === this.anchor);
+    if (shiftKey && from >= 0) {
+      const to = rows.findIndex((row) => row.object === object);
+      const range = rows.slice(Math.min(from, to), Math.max(from, to) + 1).map((row) => row.object);
+      session.selection = from < to ? range : range.toReversed();
+      return;
+    }
+    this.anchor = object;
+    if (ctrlKey || metaKey) session.toggle(object);
+    else session.selected = object;
   }
 
   private toggle(object: Object3D): void {
@@ -174,15 +201,16 @@ export class Tree {
   }
 
   /** @returns whether the key is one of the tree's */
-  private key(key: string): boolean {
+  private key(event: KeyboardEvent): boolean {
     const { rows, session } = this;
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
     const at = rows.findIndex(({ object }) => object === session.selected);
     const select = (index: number) => {
       const row = rows[Math.min(rows.length - 1, Math.max(0, index))];
-      session.selected = row.object;
+      this.choose(row.object, event);
     };
     const object = rows[at]?.object;
-    switch (key) {
+    switch (event.key) {
       case 'ArrowDown':
         select(at + 1);
         return true;

@@ -1,6 +1,7 @@
-import { checkFieldValue, type Field, type FieldValue, type Vector3Tuple } from '@farol/engine';
+import type { Field, FieldValue, Vector3Tuple } from '@farol/engine';
 import type { Session } from '../model/Session';
-import { type BoundProperty, PropertyEdit } from '../fields/Property';
+import type { BoundProperty } from '../fields/Property';
+import { type PartialValue, PropertyEdit } from '../fields/PropertyEdit';
 import { element } from './element';
 import { linearColour, screenColour } from './screenColour';
 
@@ -11,13 +12,15 @@ const AXES = ['x', 'y', 'z'] as const;
 let count = 0;
 
 /**
- * A row of the inspector: label and controls of one property. It previews while one types or drags, commits when the
- * control does, discards on Escape, and marks a value that the field does not allow.
+ * A row of the inspector: label and controls of one property, of one object or of several. It previews while one types or
+ * drags, commits when the control does, discards on Escape, and marks a value that the field does not allow. Of values that
+ * differ it shows that they do; what is not touched stays as each has it.
  */
 export class FieldInput {
   readonly element: HTMLElement;
   private readonly controls: Control[];
-  private readonly shown: string[] = [];
+  /** The text of each control; null where values differ. */
+  private readonly shown: (string | null)[] = [];
   private edit: PropertyEdit | null = null;
 
   constructor(
@@ -52,12 +55,13 @@ export class FieldInput {
   /** Shows the value as it is now, unless it is being edited. */
   refresh(): void {
     if (this.edit) return;
-    const texts = this.textsOf(this.property.get());
+    const all = this.property.get().map((value) => this.textsOf(value));
     this.controls.forEach((control, i) => {
-      if (texts[i] === this.shown[i]) return;
-      this.shown[i] = texts[i];
-      if (control instanceof HTMLInputElement && control.type === 'checkbox') control.checked = texts[i] === 'true';
-      else control.value = texts[i];
+      const last = all.at(-1)![i];
+      const text = all.every((texts) => texts[i] === last) ? last : null;
+      if (text === this.shown[i]) return;
+      this.shown[i] = text;
+      show(control, text, last);
     });
   }
 
@@ -73,11 +77,12 @@ export class FieldInput {
 
   private preview(): void {
     const value = this.read();
-    const problem = checkFieldValue(this.property.field, value);
+    const edit = this.edit ?? new PropertyEdit(this.session, this.property);
+    const problem = edit.problemWith(value);
     this.mark(problem);
     if (problem !== null) return;
-    this.edit ??= new PropertyEdit(this.session, this.property);
-    this.edit.preview(value);
+    this.edit = edit;
+    edit.preview(value);
   }
 
   /** Marks the controls as wrong, with the reason as their tooltip. */
@@ -116,16 +121,19 @@ export class FieldInput {
     }
   }
 
-  private read(): FieldValue {
+  /** Of a vector, null where the values differ and nothing has been typed. */
+  private read(): PartialValue {
     const { controls } = this;
     const { kind } = this.property.field;
     const [first] = controls;
-    const numbers = () => controls.map((control) => (control.value === '' ? Number.NaN : Number(control.value)));
+    const numbers = () => controls.map(({ value }) => (value === '' ? Number.NaN : Number(value)));
+    const components = (factor: number) =>
+      numbers().map((each, i) => (Number.isNaN(each) && this.shown[i] === null ? null : each * factor));
     switch (kind) {
       case 'vector3':
-        return numbers() as unknown as Vector3Tuple;
+        return components(1);
       case 'euler':
-        return numbers().map((degrees) => degrees * DEGREE) as unknown as Vector3Tuple;
+        return components(DEGREE);
       case 'number':
         return numbers()[0];
       case 'angle':
@@ -156,5 +164,21 @@ export class FieldInput {
       default:
         return [String(value)];
     }
+  }
+}
+
+/**
+ * @param text null where values differ
+ * @param last what the object that was chosen last has, for a control that cannot be empty
+ */
+function show(control: Control, text: string | null, last: string): void {
+  control.toggleAttribute('data-mixed', text === null);
+  if (!(control instanceof HTMLInputElement)) control.value = text ?? '';
+  else if (control.type === 'checkbox') {
+    control.checked = text === 'true';
+    control.indeterminate = text === null;
+  } else {
+    control.value = text ?? (control.type === 'color' ? last : '');
+    control.placeholder = text === null ? '—' : '';
   }
 }

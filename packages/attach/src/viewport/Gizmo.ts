@@ -1,49 +1,27 @@
-import { type Object3D, type PerspectiveCamera, Quaternion, Scene, type Vector2, Vector3 } from 'three';
+import { type PerspectiveCamera, Scene, type Vector2 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { Session } from '../model/Session';
+import { Drag } from './Drag';
 
 export type GizmoMode = 'translate' | 'rotate' | 'scale';
 
-/** Place, turn and size of an object. */
-class Pose {
-  private readonly position = new Vector3();
-  private readonly quaternion = new Quaternion();
-  private readonly scale = new Vector3();
-
-  constructor(private readonly object: Object3D) {
-    this.position.copy(object.position);
-    this.quaternion.copy(object.quaternion);
-    this.scale.copy(object.scale);
-  }
-
-  apply(): void {
-    const { object } = this;
-    object.position.copy(this.position);
-    object.quaternion.copy(this.quaternion);
-    object.scale.copy(this.scale);
-    if (!object.matrixAutoUpdate) object.updateMatrix();
-  }
-
-  equals({ position, quaternion, scale }: Pose): boolean {
-    return this.position.equals(position) && this.quaternion.equals(quaternion) && this.scale.equals(scale);
-  }
-}
-
 const labels: Record<GizmoMode, string> = { translate: 'move', rotate: 'turn', scale: 'scale' };
 
-/** three's TransformControls on the selected object, in a scene of their own; one drag is one step of history. */
+/**
+ * three's TransformControls on the object that was selected last, in a scene of their own; the others that are selected
+ * follow it. One drag is one step of history.
+ */
 export class Gizmo {
   readonly scene = new Scene();
   private readonly controls: TransformControls;
-  private before: Pose | null = null;
+  private current: Drag | null = null;
   private readonly end: () => void;
 
   constructor(private readonly session: Session) {
     this.controls = new TransformControls(session.camera);
     this.scene.add(this.controls.getHelper());
     this.controls.addEventListener('objectChange', () => {
-      const { object } = this.controls;
-      if (object && !object.matrixAutoUpdate) object.updateMatrix();
+      this.current?.follow(this.mode === 'scale');
       session.edited.emit();
     });
     this.end = session.selectionChanged.listen(() => this.follow());
@@ -68,14 +46,14 @@ export class Gizmo {
   }
 
   get isDragging(): boolean {
-    return this.before !== null;
+    return this.current !== null;
   }
 
   /** Brings the gizmo to where its object and the camera are. @returns whether there is something to draw */
   update(): boolean {
     const { session, controls } = this;
     controls.camera = session.camera as PerspectiveCamera;
-    if (session.selected && !session.holds(session.selected)) session.selected = null; // the page took it away
+    session.dropLost();
     return controls.object !== undefined;
   }
 
@@ -87,7 +65,12 @@ export class Gizmo {
   }
 
   begin(at: Vector2): void {
-    this.before = new Pose(this.controls.object!);
+    const { topmost } = this.session;
+    const leader = this.controls.object!;
+    this.current = new Drag(
+      leader,
+      topmost.filter((object) => object !== leader),
+    );
     this.controls.pointerDown(pointer(at, 0));
   }
 
@@ -97,18 +80,19 @@ export class Gizmo {
 
   /** Ends a drag, as a step of history, or by putting the object back. */
   finish(at: Vector2, keep: boolean): void {
-    const { before, controls, session } = this;
-    const object = controls.object;
-    this.before = null;
+    const { current, controls, session } = this;
+    const { object } = controls;
+    this.current = null;
     controls.pointerUp(pointer(at, 0));
-    if (!before || !object) return;
-    const after = new Pose(object);
-    if (after.equals(before)) return;
+    if (!current || !object) return;
+    const redo = current.finish();
+    if (!redo) return;
     if (keep) {
-      const label = `${labels[this.mode]} of ${object.name || object.type}`;
-      session.history.keep({ label, undo: () => before.apply(), redo: () => after.apply() });
+      const count = session.topmost.length;
+      const name = count > 1 ? `${count} objects` : object.name || object.type;
+      session.history.keep({ label: `${labels[this.mode]} of ${name}`, undo: () => current.undo(), redo });
     } else {
-      before.apply();
+      current.undo();
       session.edited.emit();
     }
   }
@@ -121,8 +105,9 @@ export class Gizmo {
 
   private follow(): void {
     const { controls, session } = this;
-    const { selected } = session;
-    if (selected && selected !== session.scene && selected.parent) controls.attach(selected);
+    // of what is selected together with something above it, that one moves
+    const object = session.topmost.at(-1);
+    if (object) controls.attach(object);
     else controls.detach();
   }
 }

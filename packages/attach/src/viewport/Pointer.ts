@@ -7,7 +7,7 @@ import { pickObject } from './pickObject';
 const CLICK = 4;
 
 /**
- * Pointer on the page's canvas: drags the gizmo, and selects what is clicked. What the gizmo takes, the page's own
+ * Pointer on the page's canvas: drags the gizmo, and selects what is clicked, with Ctrl or Shift besides the others. What the gizmo takes, the page's own
  * controls do not see; all else reaches them as ever.
  */
 export class Pointer {
@@ -67,7 +67,9 @@ export class Pointer {
     this.pressed = null;
     if (!pressed || pressed.id !== event.pointerId || !keep) return;
     if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > CLICK) return;
-    session.selected = pickObject(session.scene, session.camera, this.at);
+    const picked = pickObject(session.scene, session.camera, this.at);
+    if (!event.ctrlKey && !event.metaKey && !event.shiftKey) session.selected = picked;
+    else if (picked) session.toggle(picked);
   }
 
   private escape(event: KeyboardEvent): void {

@@ -1,47 +1,62 @@
 import { BoxHelper, type LineBasicMaterial, type Object3D, type Scene } from 'three';
 import type { Session } from '../model/Session';
 
-/** Objects below the selected one up to which its box is measured anew each frame. */
+/** Objects, with those below them, up to which boxes are measured anew each frame; beyond that there is none. */
 const MEASURED = 200;
 
-/** A box of lines round the selected object. */
+/** Boxes of lines round the selected objects. */
 export class SelectionBox {
-  private readonly box = new BoxHelper(undefined as unknown as Object3D, 0xffa044);
+  private boxes: BoxHelper[] = [];
   private readonly end: () => void;
 
   constructor(
     private readonly session: Session,
-    scene: Scene,
+    private readonly scene: Scene,
   ) {
-    const material = this.box.material as LineBasicMaterial;
-    material.depthTest = false;
-    material.transparent = true;
-    material.toneMapped = false;
-    this.box.frustumCulled = false;
     this.end = session.selectionChanged.listen(() => this.follow());
     this.follow();
-    scene.add(this.box);
   }
 
-  /** Measures the object where it is now. */
+  /** Measures the objects where they are now. */
   update(): void {
-    if (this.box.visible) this.box.update();
+    for (const box of this.boxes) box.update();
   }
 
   dispose(): void {
     this.end();
-    this.box.dispose();
+    this.clear();
+  }
+
+  private clear(): void {
+    for (const box of this.boxes.splice(0)) {
+      box.removeFromParent();
+      box.dispose();
+    }
   }
 
   private follow(): void {
-    const { selected, scene } = this.session;
+    this.clear();
+    const { selection, scene } = this.session;
     let count = 0;
-    let shown = false;
-    selected?.traverse((object) => {
-      count++;
-      shown ||= 'geometry' in object;
+    this.boxes = selection.flatMap((selected) => {
+      let isShown = false;
+      if (selected === scene || count > MEASURED) return [];
+      selected.traverse((object) => {
+        count++;
+        isShown ||= 'geometry' in object;
+      });
+      return isShown && count <= MEASURED ? [makeBox(selected)] : [];
     });
-    this.box.visible = shown && selected !== scene && count <= MEASURED;
-    if (this.box.visible) this.box.setFromObject(selected!);
+    if (this.boxes.length > 0) this.scene.add(...this.boxes);
   }
+}
+
+function makeBox(object: Object3D): BoxHelper {
+  const box = new BoxHelper(object, 0xffa044);
+  const material = box.material as LineBasicMaterial;
+  material.depthTest = false;
+  material.transparent = true;
+  material.toneMapped = false;
+  box.frustumCulled = false;
+  return box;
 }
