@@ -1,16 +1,18 @@
-import { type ArrayCamera, type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
+import { type ArrayCamera, type Camera, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from './adoptDepth';
 import { clearValue } from './clearValue';
 import { checkDevice, hasFloatTargets } from './checkDevice';
-import { collectLights, type FoundLights } from './collectLights';
-import type { ViewPasses } from './debug';
-import { type View, isSurfaceView, isTechniqueView, views } from './debug/views';
+import { type View, isSurfaceView, views } from './debug/views';
 import { unknownName } from './errors';
 import type { FarolEffect } from './FarolEffect';
 import type { FarolInfo } from './FarolInfo';
+import type { FarolOptions } from './FarolOptions';
 import { Frame } from './Frame';
+import { FrameUniforms } from './FrameUniforms';
 import { InfoRecorder } from './InfoRecorder';
 import { lightBufferCode, shadowCode, timerCode, viewCode } from './late';
+import { LateViews } from './late/LateViews';
+import { LightFinder } from './LightFinder';
 import { LightTable } from './lights/LightTable';
 import { forwardTwins } from './materials/forwardTwin';
 import { resetLayers } from './materials/layersAttribute';
@@ -18,45 +20,20 @@ import { TwinCache } from './materials/TwinCache';
 import type { MicroShaderRegistry } from './microshaders';
 import { addMicroShaders } from './microshaders/addMicroShaders';
 import { createRegistry } from './microshaders/createRegistry';
-import { gridUniforms } from './passes/LightGridPass';
-import { tileUniforms } from './passes/LightTilesPass';
 import { drawEarly } from './passes/drawEarly';
 import { drawPasses } from './passes/drawPasses';
-import type { Pass } from './passes/Pass';
-import { validatePasses } from './passes/validatePasses';
 import { refuseXR } from './refuseXR';
 import { renderArray } from './renderArray';
 import { SceneView } from './SceneView';
-import { maskUniforms } from './shadows/maskUniforms';
 import type { ShadowMaps } from './shadows/ShadowMaps';
-import { type TechniqueName, techniques } from './techniques';
+import type { TechniqueName } from './techniques';
 import type { Technique } from './techniques/Technique';
-
-export interface FarolOptions {
-  /** Key of `techniques`. Default 'auto'. */
-  technique?: TechniqueName;
-  /** Default 'final'. */
-  view?: View;
-  /** Times each pass on the GPU where the device can. Default false: a host may time with a query of its own. */
-  timing?: boolean;
-  /** Default none. */
-  effects?: readonly FarolEffect[];
-  /**
-   * Texels a side of the texture that holds all shadow maps, at most; it is made as large as the lights ask for. Default
-   * 8192, at most what the device has; at least 512.
-   */
-  shadowAtlasSize?: number;
-  /** As the property of that name. Default false. */
-  lightLayers?: boolean;
-}
+import { TechniqueSet } from './techniques/TechniqueSet';
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
 
 /** Draws that cost less than having the GPU begin with them. */
 const FEW_DRAWS = 16;
-
-/** Lights with a shadow or an image that three has texture units for; more go without until Farol draws them. */
-const FEW_MASKS = 4;
 
 /**
  * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
@@ -84,32 +61,24 @@ export class FarolRenderer {
    * dispose, those in the list are disposed with this renderer. Default none.
    */
   effects: readonly FarolEffect[];
+  /**
+   * Whether a directional, point or spot light reaches only objects that share a layer with it (`light.layers`,
+   * `object.layers`); a light is lit at all if the camera shares a layer with it, as in three. What has other layers than
+   * most objects is then drawn forward, by every technique. Takes effect on the next frame. Default false, as in three: all
+   * lights reach all objects.
+   */
+  lightLayers: boolean;
   private readonly frame: Frame;
   private readonly lights = new LightTable();
-  /** Null until a scene has asked for what masks lights, and its code is there. */
-  private shadows: ShadowMaps | null = null;
-  private readonly left = { shadows: false, cookies: true };
   private readonly twins: TwinCache;
   private readonly recorder: InfoRecorder;
-  private readonly uniforms = {
-    farol_lightTable: { value: null as unknown },
-    farol_lightCounts: { value: [0, 0, 0, 0] },
-    farol_ambient: { value: this.lights.ambient },
-    farol_lightIndex: { value: 0 },
-    farol_heatScale: { value: 1 / 32 },
-    farol_background: { value: new Vector4(0, 0, 0, -1) },
-    ...maskUniforms(),
-    ...tileUniforms(),
-    ...gridUniforms(),
-  };
+  private readonly uniforms = new FrameUniforms(this.lights);
   private readonly sceneViews = new WeakMap<Object3D, SceneView>();
-  private readonly passLists = new Map<TechniqueName, Pass[]>();
   /** What is seen through transmissive things is drawn at another size than the lists are for. */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
-  /** Null until a view has asked for them, and their code is there. */
-  private viewPasses: ViewPasses | null = null;
-  private readonly found: FoundLights = { all: [], count: 0, nested: [], seeksMasks: true, masks: 0 };
-  private readonly known: Record<string, Technique> = { ...techniques };
+  private readonly views: LateViews;
+  private readonly finder: LightFinder;
+  private readonly set: TechniqueSet;
   private techniqueName: TechniqueName = 'auto';
   /** What draws this frame: the technique, or what 'auto' picked, and why. */
   private active: TechniqueName = 'deferred';
@@ -119,14 +88,13 @@ export class FarolRenderer {
   private viewName: View = 'final';
   private sceneView!: SceneView;
   private disposed = false;
-  private separatesLayers = false;
   private readonly shadowAtlasSize: number;
   private activeEffects = NO_EFFECTS;
   private readonly draw = () => this.drawFrame();
   private readonly begun = () => this.frame.takeOutputBuffer();
   private readonly shadowDraws = {
     stands: [] as readonly Object3D[],
-    render: () => this.run('shadow maps', () => this.shadows!.render()),
+    render: () => this.run('shadow maps', () => this.finder.shadows!.render()),
   };
 
   /**
@@ -140,12 +108,22 @@ export class FarolRenderer {
     checkDevice(webgl, false);
     this.floatTargets = hasFloatTargets(webgl);
     this.microshaders = createRegistry(webgl);
+    this.views = new LateViews(this.microshaders);
+    this.finder = new LightFinder(webgl, (code) => this.makeShadows(code));
+    const uniforms = this.uniforms.values;
+    this.set = new TechniqueSet({
+      microshaders: this.microshaders,
+      lightIndex: uniforms.farol_lightIndex,
+      tiles: uniforms,
+      grid: uniforms,
+      inferredScale: this.lightingScale,
+    });
     this.twins = new TwinCache({
-      uniforms: this.uniforms,
+      uniforms,
       header: (chunks) => this.microshaders.header(chunks),
       revision: (chunks) => this.microshaders.revision(chunks),
     });
-    this.frame = new Frame(webgl, this.lights, this.twins, this.uniforms, this.microshaders);
+    this.frame = new Frame(webgl, this.lights, this.twins, uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
     this.shadowAtlasSize = Math.max(512, options.shadowAtlasSize ?? 8192);
     this.timing = options.timing ?? false;
@@ -161,14 +139,13 @@ export class FarolRenderer {
   }
 
   set technique(name: TechniqueName) {
-    if (!Object.hasOwn(this.known, name)) throw unknownName('technique', name, Object.keys(this.known));
-    checkDevice(this.webgl, this.known[name].needsFloatTargets);
+    checkDevice(this.webgl, this.set.get(name).needsFloatTargets);
     this.techniqueName = name;
   }
 
   /** What `technique` can be: the built-in ones, and those that were added. */
   get techniques(): Readonly<Record<string, Technique>> {
-    return this.known;
+    return this.set.known;
   }
 
   /**
@@ -177,8 +154,7 @@ export class FarolRenderer {
    * @throws Error when there is one of that name
    */
   addTechnique(name: string, technique: Technique): TechniqueName {
-    if (Object.hasOwn(this.known, name)) throw new Error(`Farol: there is a technique "${name}"; choose another name.`);
-    this.known[name] = technique;
+    this.set.add(name, technique);
     return name as TechniqueName;
   }
 
@@ -209,20 +185,6 @@ export class FarolRenderer {
     this.lightingScale.value = scale;
   }
 
-  /**
-   * Whether a directional, point or spot light reaches only objects that share a layer with it (`light.layers`,
-   * `object.layers`); a light is lit at all if the camera shares a layer with it, as in three. What has other layers than
-   * most objects is then drawn forward, by every technique. Takes effect on the next frame. Default false, as in three: all
-   * lights reach all objects.
-   */
-  get lightLayers(): boolean {
-    return this.separatesLayers;
-  }
-
-  set lightLayers(enabled: boolean) {
-    this.separatesLayers = enabled;
-  }
-
   /** Figures of the last frame. */
   get info(): FarolInfo {
     return this.recorder.info;
@@ -246,17 +208,18 @@ export class FarolRenderer {
     if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
     adoptDepth(this.webgl, camera);
-    this.findLights(scene, camera);
-    const { frame, shadows, webgl } = this;
-    frame.begin(scene, camera, this.viewToDraw());
+    this.finder.find(scene, camera, this.lightLayers);
+    const { finder, frame, webgl } = this;
+    const { shadows } = finder;
+    frame.begin(scene, camera, this.views.available(this.viewName));
     if (frame.view === 'grid') frame.quarter();
     const { target, face, level } = frame;
     this.activeEffects = frame.view === 'final' ? this.effects : NO_EFFECTS;
     try {
       for (const effect of this.activeEffects) effect.begin?.(frame);
       this.lights.shadows = webgl.shadowMap.enabled;
-      this.lights.layers?.begin(scene, this.separatesLayers);
-      this.lights.collect(this.found.all, frame.camera);
+      this.lights.layers?.begin(scene, this.lightLayers);
+      this.lights.collect(finder.found.all, frame.camera);
       this.lights.layers?.end();
       this.sceneView = this.viewOf(scene);
       this.pick();
@@ -264,12 +227,12 @@ export class FarolRenderer {
       shadows?.update(scene, frame.camera, this.lights.masked);
       frame.shadowMapsDrawn = shadows?.drawn ?? 0;
       frame.queue.layers = this.lights.layers?.reference ?? 0;
-      this.lights.write(frame.camera, this.known[this.active].lightOrder, frame, shadows);
-      this.setUniforms();
-      const { fills = 'behind' } = this.known[this.active];
+      const { fills = 'behind', lightOrder } = this.set.known[this.active];
+      this.lights.write(frame.camera, lightOrder, frame, shadows);
+      this.uniforms.set(webgl, frame, shadows, this.heatMapMaximum);
       this.sceneView.render(
         frame.camera,
-        this.found.nested,
+        finder.found.nested,
         frame.queue,
         this.draw,
         frame.ownsTarget() ? fills : null,
@@ -321,9 +284,9 @@ export class FarolRenderer {
    * until the device has linked its programs.
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
-    this.findLights(scene, camera);
-    if (this.asksForShadows && this.shadows === null) await shadowCode.load();
-    await this.known[this.techniqueName].late?.load();
+    this.finder.find(scene, camera, this.lightLayers);
+    if (this.finder.asksForShadows) await shadowCode.load();
+    await this.set.get(this.techniqueName).late?.load();
     const { compileByDrawing } = await import('./compileByDrawing');
     await compileByDrawing(this, scene, camera);
   }
@@ -332,65 +295,28 @@ export class FarolRenderer {
   dispose(): void {
     if (this.disposed) return;
     this.disposed = true;
-    for (const passes of this.passLists.values()) for (const pass of passes) pass.dispose();
-    this.passLists.clear();
+    this.set.dispose();
     for (const effect of this.effects) effect.dispose();
-    this.viewPasses?.overdraw.dispose();
-    this.viewPasses?.surfaceView.dispose();
+    this.views.dispose();
     this.twins.dispose();
     this.lights.dispose();
-    this.shadows?.dispose();
+    this.finder.shadows?.dispose();
     this.recorder.dispose();
   }
 
-  private findLights(scene: Object3D, camera: Camera): void {
-    this.left.cookies = this.shadows === null;
-    this.left.shadows = this.left.cookies && this.webgl.shadowMap.enabled;
-    collectLights(scene, camera, this.left, this.found);
-    if (this.shadows !== null || !this.asksForShadows) return;
-    if (!this.makeShadows()) {
-      if (this.found.masks <= FEW_MASKS) return;
-      this.left.shadows = this.left.cookies = false;
-    }
-    collectLights(scene, camera, this.left, this.found);
-  }
-
-  private get asksForShadows(): boolean {
-    return this.found.masks > 0 || this.separatesLayers;
-  }
-
-  /** The view to be drawn: the final picture while the code of the one asked for is not there. */
-  private viewToDraw(): View {
-    const { viewName } = this;
-    if (this.viewPasses !== null || isTechniqueView(viewName)) return viewName;
-    if (viewCode.code === null) {
-      viewCode.ask();
-      return 'final';
-    }
-    this.viewPasses = viewCode.code.makeViewPasses(this.microshaders);
-    return viewName;
-  }
-
-  /** Makes what masks lights, once its code is there. @returns whether it did */
-  private makeShadows(): boolean {
-    const { code } = shadowCode;
-    if (code === null) {
-      shadowCode.ask();
-      return false;
-    }
-    this.shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
-    this.lights.layers = this.shadows.layers;
-    this.shadowDraws.stands = this.shadows.stands;
+  private makeShadows(code: NonNullable<(typeof shadowCode)['code']>): ShadowMaps {
+    const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
+    this.lights.layers = shadows.layers;
+    this.shadowDraws.stands = shadows.stands;
     this.frame.queue.shadowMasks = code.shadowMasks;
-    this.left.shadows = this.left.cookies = this.found.seeksMasks = false;
-    return true;
+    return shadows;
   }
 
   private pick(): void {
     const { lights } = this;
     this.active = this.techniqueName;
     this.reason = 'asked for';
-    const { late } = this.known[this.active];
+    const { late } = this.set.known[this.active];
     if (late?.code === null) {
       late.ask();
       this.active = 'deferred';
@@ -412,20 +338,6 @@ export class FarolRenderer {
     this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
   }
 
-  private setUniforms(): void {
-    const { lights, uniforms } = this;
-    lights.upload(this.webgl);
-    uniforms.farol_lightTable.value = lights.table.texture;
-    uniforms.farol_offset.value.set(this.frame.viewport.x, this.frame.viewport.y);
-    const counts = uniforms.farol_lightCounts.value;
-    counts[0] = lights.directional;
-    counts[1] = lights.unbounded;
-    counts[2] = lights.bounded;
-    counts[3] = lights.others;
-    this.shadows?.setUniforms(uniforms, lights);
-    uniforms.farol_heatScale.value = 1 / this.heatMapMaximum;
-  }
-
   /** Called inside three's render, for the host's target, and before that for three's transmission target if needed. */
   private drawFrame(): void {
     const { frame } = this;
@@ -442,10 +354,10 @@ export class FarolRenderer {
       return;
     }
     if (frame.view === 'overdraw')
-      this.run('overdraw', () => this.viewPasses!.overdraw.render(frame, this.hasPass('depth')));
+      this.run('overdraw', () => this.views.passes!.overdraw.render(frame, this.set.hasPass(this.active, 'depth')));
     drawEarly(frame, this.transmittedTwins('final'));
-    drawPasses(frame, this.passesOf(this.active), this.activeEffects, this.recorder);
-    if (frame.view === 'overdraw' && !this.hasPass('output')) this.viewPasses!.overdraw.show(frame);
+    drawPasses(frame, this.set.passesOf(this.active), this.activeEffects, this.recorder);
+    if (frame.view === 'overdraw' && !this.set.hasPass(this.active, 'output')) this.views.passes!.overdraw.show(frame);
     if (frame.view === 'grid') this.showSurface();
     frame.bindTarget();
   }
@@ -453,14 +365,14 @@ export class FarolRenderer {
   /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */
   private setBackground(): void {
     const { frame } = this;
-    const background = this.uniforms.farol_background.value;
+    const background = this.uniforms.values.farol_background.value;
     frame.fills = this.sceneView.uncleared;
     if (frame.fills !== null) clearValue(this.webgl, frame.scene, frame.premultiplied, background);
     else background.w = -1;
   }
 
   private showSurface(): void {
-    this.run('view', () => this.viewPasses!.surfaceView.render(this.frame));
+    this.run('view', () => this.views.passes!.surfaceView.render(this.frame));
   }
 
   private run(name: string, render: () => void): void {
@@ -469,39 +381,17 @@ export class FarolRenderer {
     this.recorder.endPass();
   }
 
-  private hasPass(name: string): boolean {
-    return this.passesOf(this.active).some((pass) => pass.name === name);
-  }
-
-  private passesOf(name: TechniqueName): Pass[] {
-    let passes = this.passLists.get(name);
-    if (passes === undefined) {
-      passes = this.known[name].passes({
-        microshaders: this.microshaders,
-        lightIndex: this.uniforms.farol_lightIndex,
-        tiles: this.uniforms,
-        grid: this.uniforms,
-        inferredScale: this.lightingScale,
-      });
-      validatePasses(name, passes);
-      this.passLists.set(name, passes);
-    }
-    return passes;
-  }
-
   private viewOf(scene: Object3D): SceneView {
     let view = this.sceneViews.get(scene);
     if (view === undefined) {
-      view = new SceneView(this.webgl, scene, this.left, this.begun);
+      view = new SceneView(this.webgl, scene, this.finder.left, this.begun);
       this.sceneViews.set(scene, view);
     }
     return view;
   }
 
   private targetBytes(): number {
-    let bytes = this.lights.bytes + (this.shadows?.bytes ?? 0);
-    if (this.viewPasses !== null) bytes += this.viewPasses.overdraw.bytes + this.viewPasses.surfaceView.bytes;
-    for (const passes of this.passLists.values()) for (const pass of passes) bytes += pass.bytes;
+    let bytes = this.lights.bytes + (this.finder.shadows?.bytes ?? 0) + this.views.bytes + this.set.bytes;
     for (const effect of this.effects) bytes += effect.bytes;
     return bytes;
   }

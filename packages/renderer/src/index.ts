@@ -1,4 +1,5 @@
-export { FarolRenderer, type FarolOptions } from './FarolRenderer';
+export { FarolRenderer } from './FarolRenderer';
+export type { FarolOptions } from './FarolOptions';
 export { techniques, type TechniqueName } from './techniques';
 export type { Technique, TechniqueContext } from './techniques/Technique';
 export type { Pass, Resource } from './passes/Pass';

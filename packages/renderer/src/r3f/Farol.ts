@@ -1,7 +1,8 @@
 import { useFrame, useThree } from '@react-three/fiber';
 import { type Ref, useImperativeHandle, useLayoutEffect, useState } from 'react';
 import type { FarolEffect } from '../FarolEffect';
-import { type FarolOptions, FarolRenderer } from '../FarolRenderer';
+import type { FarolOptions } from '../FarolOptions';
+import { FarolRenderer } from '../FarolRenderer';
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
 

@@ -1,0 +1,21 @@
+import type { View } from './debug/views';
+import type { FarolEffect } from './FarolEffect';
+import type { TechniqueName } from './techniques';
+
+export interface FarolOptions {
+  /** Key of `techniques`. Default 'auto'. */
+  technique?: TechniqueName;
+  /** Default 'final'. */
+  view?: View;
+  /** Times each pass on the GPU where the device can. Default false: a host may time with a query of its own. */
+  timing?: boolean;
+  /** Default none. */
+  effects?: readonly FarolEffect[];
+  /**
+   * Texels a side of the texture that holds all shadow maps, at most; it is made as large as the lights ask for. Default
+   * 8192, at most what the device has; at least 512.
+   */
+  shadowAtlasSize?: number;
+  /** As the property of that name. Default false. */
+  lightLayers?: boolean;
+}
