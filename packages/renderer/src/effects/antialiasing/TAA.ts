@@ -26,6 +26,8 @@ import { TemporalHistory } from './TemporalHistory';
 const SAMPLES = 32;
 /** Cameras whose past is kept; the one that has not drawn for longest gives way. */
 const HISTORIES = 4;
+/** Of `share`, in a pixel that does not move while others do. */
+const STILL = 0.5;
 /** A camera that turns by more than this from one frame to the next (cosine) shows another shot. */
 const CUT = 0.7;
 
@@ -43,8 +45,8 @@ const CUT = 0.7;
  */
 export class TAA implements FarolEffect {
   readonly name = 'TAA';
-  /** Share of the new frame in a pixel that moves, half of that in one that does not: above 0, at most 1. Default 0.25. */
-  share = 0.25;
+  /** Share of the new frame in a pixel that moves, half of that in one that does not: above 0, at most 1. Default 0.3. */
+  share = 0.3;
   /** Standard deviations of its neighbours to which a pixel's past is clipped unless nothing changes. Default 1.25, above 0. */
   gamma = 1.25;
   private readonly histories: TemporalHistory[] = [];
@@ -62,7 +64,7 @@ export class TAA implements FarolEffect {
   private readonly projectZ = { value: new Vector4() };
   private readonly encoded = { value: false };
   private readonly hasMotion = { value: false };
-  private readonly shareOfNew = { value: 1 };
+  private readonly shareOfNew = { value: new Vector2(1, 1) };
   private readonly clip = { value: 0 };
   private readonly triangle = new FullscreenMesh();
   private material: PassMaterial | null = null;
@@ -111,8 +113,9 @@ export class TAA implements FarolEffect {
     this.encoded.value = picture.encoded;
     this.setDepthKind(frame);
     this.reproject.value.copy(viewProjection).invert().premultiply(history.viewProjection);
+    const first = 1 / ((still ? history.still : history.count) + 1);
     const least = still ? 1 / SAMPLES : this.share;
-    this.shareOfNew.value = Math.max(1 / ((still ? history.still : history.count) + 1), least);
+    this.shareOfNew.value.set(Math.max(first, least), Math.max(first, still ? least : this.share * STILL));
     this.clip.value = still ? 0 : this.gamma;
     const target = history.next(frame.width, frame.height);
     frame.bind(target);
@@ -138,6 +141,7 @@ export class TAA implements FarolEffect {
     motion.render(frame, history.motions, history.frame + 1, history.viewProjection, this.shared!.target);
     const looks = looksOf(frame.queue);
     const still =
+      !history.isEmpty &&
       !motion.changed &&
       looks === history.looks &&
       frame.lights.uploadedBytes === 0 &&

@@ -11,7 +11,7 @@ uniform highp vec2 farol_depthKind; // 1 if depth is reversed; log2(far + 1) if 
 uniform highp vec4 farol_projectZ; // of a view z: factor and sum of clip z, factor and sum of clip w
 uniform bool farol_encoded;
 uniform bool farol_hasMotion; // the motion map holds something
-uniform float farol_share; // of the new frame where something moves, 0 to 1; 1: there is no history
+uniform highp vec2 farol_share; // of the new frame: in a pixel that moves, and in one that does not; 1: there is no history
 uniform float farol_gamma; // standard deviations to which the history is clipped; 0: it is not
 layout(location = 0) out highp vec4 farol_color;
 
@@ -82,7 +82,7 @@ vec2 farol_velocity(const in ivec2 pixel, const in vec2 size) {
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 vec2 size = vec2(textureSize(farol_picture, 0));
 farol_color = farol_pictureAt(pixel);
-if (farol_share < 1.0) {
+if (farol_share.x < 1.0) {
   vec2 velocity = farol_velocity(pixel, size);
   vec2 uv = gl_FragCoord.xy / size - velocity;
   bool still = all(lessThan(abs(velocity * size), vec2(1e-3)));
@@ -100,11 +100,13 @@ if (farol_share < 1.0) {
       vec3 reach = farol_gamma * sqrt(max(squares / 9.0 - mean * mean, 0.0));
       vec3 off = farol_toYCoCg(history.rgb) - mean;
       vec3 ratio = abs(off) / max(reach, 1e-5);
-      history.rgb = farol_fromYCoCg(mean + off / max(max(ratio.x, max(ratio.y, ratio.z)), 1.0));
+      vec3 believed = farol_fromYCoCg(mean + off / max(max(ratio.x, max(ratio.y, ratio.z)), 1.0));
+      // what is thinner than a pixel is missed by some frames: where nothing moves it is not forgotten at once
+      history.rgb = still ? mix(history.rgb, believed, 0.5) : believed;
     }
     // a bright point that comes and goes counts less (Karis); light that the display can show counts whole
     // what moves blurs at each look into the past: it is looked at less
-    float share = still && farol_gamma > 0.0 ? 0.5 * farol_share : farol_share;
+    float share = still ? farol_share.y : farol_share.x;
     float ofNew = share / max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
     float ofOld = (1.0 - share) / max(1.0, max(history.r, max(history.g, history.b)));
     farol_color = (farol_color * ofNew + history * ofOld) / (ofNew + ofOld);
