@@ -39,7 +39,7 @@ vec2 farol_smaller(const in vec3 a, const in vec3 b) {
 
 // false where the decal does not reach
 bool farol_findDecal(const in ivec2 pixel, out FarolDecal decal) {
-  if (texelFetch(farol_surfaceDepth, pixel, 0).r >= 1.0) return false;
+  if (farol_isEmpty(texelFetch(farol_surfaceDepth, pixel, 0).r)) return false;
   vec3 place = farol_inDecal(pixel);
   if (any(greaterThan(abs(place), vec3(0.5)))) return false;
   decal.normal = farol_decodeNormal(texelFetch(farol_surfaceNormal, pixel, 0).xy);
