@@ -1,37 +1,125 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
 import { axeProblems } from './axe';
-import { addObject, openEditor } from './editor';
+import { addObject, openEditor, pointOf } from './editor';
+import { makeFingers, type Point } from './fingers';
 
 test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
 
-// what a theme can change is the colours
-const themes = { dark: undefined, light: ['color-contrast'] } as const;
+async function openTheme(page: Page, theme: 'dark' | 'light', rules?: readonly string[]): Promise<void> {
+  await page.addInitScript((value) => {
+    localStorage.setItem('farol-editor', JSON.stringify({ state: { theme: value }, version: 0 }));
+  }, theme);
+  await openEditor(page, 'empty');
+  expect(await axeProblems(page, rules)).toEqual([]);
+  await addObject(page, 'Light', 'Spot light');
+  expect(await axeProblems(page, rules)).toEqual([]);
+  await page.getByRole('button', { name: 'Add', exact: true }).click();
+  await expect(page.getByRole('menuitem', { name: 'Mesh' })).toBeVisible();
+  expect(await axeProblems(page, rules)).toEqual([]);
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Keys' }).click();
+  await expect(page.getByRole('dialog', { name: 'Keys' })).toBeVisible();
+  expect(await axeProblems(page, rules)).toEqual([]);
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+}
 
-for (const [theme, rules] of Object.entries(themes)) {
-  test(`axe finds nothing serious, ${theme} theme`, async ({ page }) => {
-    await page.addInitScript((value) => {
-      localStorage.setItem('farol-editor', JSON.stringify({ state: { theme: value }, version: 0 }));
-    }, theme);
-    await openEditor(page, 'empty');
-    expect(await axeProblems(page, rules)).toEqual([]);
-    await addObject(page, 'Light', 'Spot light');
-    expect(await axeProblems(page, rules)).toEqual([]);
-    await page.getByRole('button', { name: 'Add', exact: true }).click();
-    await expect(page.getByRole('menuitem', { name: 'Mesh' })).toBeVisible();
-    expect(await axeProblems(page, rules)).toEqual([]);
-    await page.keyboard.press('Escape');
-    await page.getByRole('button', { name: 'Keys' }).click();
-    await expect(page.getByRole('dialog', { name: 'Keys' })).toBeVisible();
-    expect(await axeProblems(page, rules)).toEqual([]);
-    // the journeys of these panels ask axe in the dark theme
-    if (theme === 'light') await lookAtPanels(page, rules);
+// the journeys of the other panels ask axe in the dark theme
+test('axe finds nothing serious, dark theme', async ({ page }) => openTheme(page, 'dark'));
+
+test.describe('on a tablet', () => {
+  test.use({ viewport: { width: 820, height: 1180 }, hasTouch: true });
+
+  test('axe finds nothing serious, light theme; fingers turn, move and choose', async ({ page }) => {
+    // what a theme can change is the colours
+    await openTheme(page, 'light', ['color-contrast']);
+    await useFingers(page);
+    await lookAtPanels(page, ['color-contrast']);
   });
+});
+
+/** Where the editor's camera is from what it orbits, and that (m, rounded to millimetres). */
+const view = (page: Page): Promise<{ from: number[]; target: number[]; distance: number }> =>
+  page.evaluate(() => {
+    const { camera, editorCamera } = window.editor.viewport;
+    const target = editorCamera.target.toArray();
+    const from = camera.matrixWorld.elements.slice(12, 15).map((each, i) => each - target[i]);
+    const round = (each: number): number => Math.round(each * 1000) / 1000;
+    return { from: from.map(round), target: target.map(round), distance: round(Math.hypot(...from)) };
+  });
+
+/** One finger orbits, two pan and zoom, a tap chooses, a long press opens a menu; with the handles off one draws a box. */
+async function useFingers(page: Page): Promise<void> {
+  const fingers = await makeFingers(page);
+  const { x, y, width } = (await page.locator('.viewport-place').boundingBox())!;
+  const at = (right: number, down: number): Point => [x + width / 2 + right, y + 330 + down];
+  // rows, icons and menus
+  const selected = (): Promise<string[]> =>
+    page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name));
+  const sun = page.getByRole('treeitem', { name: 'Sun' });
+  await sun.tap();
+  await expect.poll(selected).toEqual(['Sun']);
+  const light = await pointOf(page, 'Spot light');
+  await fingers.press([light.x, light.y]);
+  await fingers.lift();
+  await expect.poll(selected).toEqual(['Spot light']);
+  const row = (await sun.boundingBox())!;
+  await fingers.press([row.x + 60, row.y + 10]);
+  await expect(page.getByRole('menuitem', { name: 'Duplicate' })).toBeVisible();
+  expect(await selected()).toEqual(['Sun']);
+  await fingers.lift();
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('menu')).toHaveCount(0);
+
+  // the handles of what is selected would take the finger
+  await page.evaluate(() => window.editor.document.selection.set([]));
+  const start = await view(page);
+
+  await fingers.press(at(0, 0));
+  await fingers.move(at(80, 0));
+  await fingers.lift();
+  await expect.poll(async () => (await view(page)).from).not.toEqual(start.from);
+  const turned = await view(page);
+  expect(turned.target).toEqual(start.target);
+  expect(turned.distance).toBeCloseTo(start.distance, 2);
+
+  await fingers.press(at(-40, 0), at(40, 0));
+  await fingers.move(at(20, 60), at(100, 60));
+  await fingers.lift();
+  await expect.poll(async () => (await view(page)).target).not.toEqual(turned.target);
+  const moved = await view(page);
+  // the device tells of one finger after the other, so that they are nearer to each other now and then
+  expect(Math.abs(moved.distance / start.distance - 1)).toBeLessThan(0.1);
+
+  await fingers.press(at(-40, 0), at(40, 0));
+  await fingers.move(at(-120, 0), at(120, 0));
+  await fingers.lift();
+  await expect.poll(async () => (await view(page)).distance).toBeLessThan(start.distance * 0.7);
+
+  // with the handles off one finger draws a box, until there is a second one
+  await page.getByRole('button', { name: 'Select', exact: true }).click();
+  const before = await view(page);
+  await fingers.press(at(-40, 0));
+  await fingers.move(at(0, 40));
+  await expect(page.locator('.select-box')).toBeVisible();
+  await fingers.press(at(0, 40), at(80, 40));
+  await expect(page.locator('.select-box')).toBeHidden();
+  await fingers.move(at(0, 100), at(80, 100));
+  await fingers.lift();
+  await expect.poll(async () => (await view(page)).target).not.toEqual(before.target);
+
+  // every tab and button of the bars is within the window
+  for (const each of await page.locator('.tab, .toolbar .button').all()) {
+    const box = (await each.boundingBox())!;
+    expect(box.x, await each.innerText()).toBeGreaterThanOrEqual(0);
+    expect(box.x + box.width, await each.innerText()).toBeLessThanOrEqual(820);
+    expect(box.height).toBeGreaterThanOrEqual(28);
+  }
 }
 
 /** The palette, and the panels that are behind others at first. */
 async function lookAtPanels(page: Page, rules?: readonly string[]): Promise<void> {
-  await page.keyboard.press('Escape');
   await page.keyboard.press('Control+k');
   await expect(page.getByRole('option').first()).toBeVisible();
   expect(await axeProblems(page, rules)).toEqual([]);

@@ -14,14 +14,20 @@ export interface PlacedPanel {
 /** The group that a place is at first. */
 export const groupOfPlace = (place: PanelPlace): string => place;
 
+/** Up to this width (CSS pixels) a window that is higher than wide, as of a tablet, has no room beside the picture. */
+const NARROW = 1000;
+
 /**
- * A layout of the panels that are open at first, each at its place. Panels of one place share a group.
+ * A layout of the panels that are open at first, each at its place. Panels of one place share a group. In a narrow upright
+ * window the picture has all its width, and the others are below it.
  * @param height - of the window (CSS pixels): in a low one the bottom takes less
+ * @param width - of the window (CSS pixels)
  */
-export function defaultLayout(panels: readonly PlacedPanel[], height = 900): LayoutNode {
+export function defaultLayout(panels: readonly PlacedPanel[], height = 900, width = 1440): LayoutNode {
   const sizes = { left: 250, right: 340, bottom: Math.min(190, Math.round(height * 0.22)) };
-  const group = (place: PanelPlace): PanelGroup[] => {
-    const ids = panels.filter((panel) => panel.place === place && panel.isOpen !== false).map(({ id }) => id);
+  const group = (place: PanelPlace, ...more: PanelPlace[]): PanelGroup[] => {
+    const open = panels.filter(({ isOpen }) => isOpen !== false);
+    const ids = [place, ...more].flatMap((each) => open.filter((panel) => panel.place === each)).map(({ id }) => id);
     return ids.length === 0 ? [] : [{ kind: 'group', id: groupOfPlace(place), panels: ids, active: ids[0] }];
   };
   const stack = (direction: LayoutSplit['direction'], parts: [LayoutNode, number][]): LayoutNode =>
@@ -30,6 +36,12 @@ export function defaultLayout(panels: readonly PlacedPanel[], height = 900): Lay
       : { kind: 'split', direction, children: parts.map(([node]) => node), sizes: parts.map(([, size]) => size) };
   const part = (place: 'left' | 'right' | 'bottom'): [LayoutNode, number][] =>
     group(place).map((node) => [node, sizes[place]]);
+  if (width < Math.min(height, NARROW)) {
+    const below: [LayoutNode, number][] = [...group('left', 'bottom'), ...group('right')].map((node) => [node, 400]);
+    const parts: [LayoutNode, number][] = group('middle').map((node) => [node, 500]);
+    if (below.length > 0) parts.push([stack('row', below), Math.round(height * 0.42)]);
+    return stack('column', parts);
+  }
   const middle = group('middle').map((node): [LayoutNode, number] => [node, 500]);
   const columns: [LayoutNode, number][] = [...part('left'), [stack('column', [...middle, ...part('bottom')]), 800]];
   return stack('row', [...columns, ...part('right')]);

@@ -54,6 +54,22 @@ describe('the layout of panels', () => {
     expect(edges).toHaveLength(3);
   });
 
+  it('gives the picture all the width of a tablet that is held upright', () => {
+    const layout = defaultLayout(panels, 1180, 820);
+    expectSound(layout, ['hierarchy', 'viewport', 'inspector', 'history', 'assets', 'console']);
+    expect(groupsOf(layout).map((group) => group.panels)).toEqual([
+      ['viewport'],
+      ['hierarchy', 'assets', 'console'],
+      ['inspector', 'history'],
+    ]);
+    const [picture] = placeLayout(layout, 820, 1060).groups;
+    expect(picture.rectangle).toEqual({ x: 0, y: 0, width: 820, height: 1060 - 496 - EDGE });
+    expect(groupsOf(defaultLayout(panels, 820, 1180))[0].panels).toEqual(['hierarchy']);
+    // what comes later joins its like
+    const opened = openPanel(layout, { id: 'microshaders', place: 'bottom' }, panels);
+    expect(groupWith(opened, 'microshaders')!.panels).toContain('assets');
+  });
+
   it('stays sound under random moves, and fills the window without a gap', () => {
     const random = createRandom(7);
     const below = (count: number): number => Math.floor(random() * count);

@@ -32,7 +32,8 @@ export function currentLayout(): LayoutNode {
   const { stored, known } = useLayout.getState();
   const { revision } = panels.changed;
   if (current && currentOf?.stored === stored && currentOf.revision === revision) return current;
-  let layout = repairLayout(stored, (id) => panels.get(id) !== undefined) ?? defaultLayout(panels.list, innerHeight);
+  let layout =
+    repairLayout(stored, (id) => panels.get(id) !== undefined) ?? defaultLayout(panels.list, innerHeight, innerWidth);
   if (stored) {
     for (const panel of panels.list) {
       const isNew = panel.isOpen !== false && !known.includes(panel.id) && !groupWith(layout, panel.id);

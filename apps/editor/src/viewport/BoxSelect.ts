@@ -6,7 +6,7 @@ const REACH = 4;
 
 /**
  * Selects what is in a box that is drawn over the picture: by dragging while the handles are off, or with Ctrl held, which
- * adds to the selection. Alt held, a drag orbits as ever.
+ * adds to the selection. Alt held, a drag orbits as ever; so do two fingers pan and zoom.
  */
 export class BoxSelect {
   private readonly element = document.createElement('div');
@@ -47,7 +47,9 @@ export class BoxSelect {
     if (!viewport.editorCamera.enabled) return;
     this.pointer = event.pointerId;
     this.from.set(event.clientX, event.clientY);
-    viewport.editorCamera.enabled = false;
+    // the camera must have heard of a finger when the second one comes
+    if (event.pointerType === 'touch') viewport.editorCamera.oneFinger = false;
+    else viewport.editorCamera.enabled = false;
   };
 
   private readonly pointerMove = (event: PointerEvent): void => {
@@ -89,6 +91,7 @@ export class BoxSelect {
     this.pointer = null;
     this.isOpen = false;
     this.element.hidden = true;
+    this.viewport.editorCamera.oneFinger = true;
     this.viewport.editorCamera.enabled = this.viewport.lookThrough === null;
   };
 

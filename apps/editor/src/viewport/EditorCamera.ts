@@ -89,6 +89,11 @@ export class EditorCamera {
     this.controls.enabled = enabled;
   }
 
+  /** Whether one finger orbits; two pan and zoom in any case. */
+  set oneFinger(orbits: boolean) {
+    this.controls.touches.one = orbits ? ACTION.TOUCH_ROTATE : ACTION.NONE;
+  }
+
   /** The point that is orbited, in the world: a copy. */
   get target(): Vector3 {
     return this.controls.getTarget(new Vector3(), false);

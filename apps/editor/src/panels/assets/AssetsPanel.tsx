@@ -69,7 +69,8 @@ export function AssetsPanel(): ReactNode {
       matches(entry.label, search),
   );
 
-  const contextMenu = (event: { target: EventTarget }): void => {
+  /** Notes the card that a menu would be of: a long press of a finger opens one without telling where. */
+  const note = (event: { target: EventTarget }): void => {
     const card = (event.target as HTMLElement).closest<HTMLElement>('[data-asset]');
     pressed.current = entries.find(({ name }) => name === card?.dataset.asset) ?? null;
   };
@@ -98,7 +99,8 @@ export function AssetsPanel(): ReactNode {
           onDragOver={(event) => setIsOver(isFileDrag(event.dataTransfer))}
           onDragLeave={() => setIsOver(false)}
           onDrop={() => setIsOver(false)}
-          onContextMenu={contextMenu}
+          onPointerDown={note}
+          onContextMenu={note}
           onKeyDown={(event) => {
             const entry = entries.find(({ name }) => name === selected);
             const act = { Delete: removeEntry, F2: renameEntry }[event.key];

@@ -30,6 +30,7 @@ export function HierarchyPanel(): ReactNode {
   const { document } = editor;
   const scroller = useRef<HTMLDivElement>(null);
   const anchor = useRef<string | null>(null);
+  const pressed = useRef<string | undefined>(undefined);
   const [query, setQuery] = useState('');
   const tree = useObjectTree((index) => virtualizer.scrollToIndex(index), query);
   const rows = tree.getItems();
@@ -62,10 +63,13 @@ export function HierarchyPanel(): ReactNode {
     [document, tree],
   );
 
-  /** A right click on what is not selected selects it. */
-  const contextMenu = (event: MouseEvent): void => {
-    const row = (event.target as HTMLElement).closest<HTMLElement>('[data-object-id]');
-    const id = row?.dataset.objectId;
+  /** Notes the row that a menu would be of: a long press of a finger opens one without telling where. */
+  const note = (event: { target: EventTarget }): void => {
+    pressed.current = (event.target as HTMLElement).closest<HTMLElement>('[data-object-id]')?.dataset.objectId;
+  };
+  /** The menu of what is not selected selects it. */
+  const selectPressed = (): void => {
+    const id = pressed.current;
     if (id === undefined) document.selection.clear();
     else if (!document.selection.has(id)) document.selection.set([id]);
   };
@@ -115,11 +119,12 @@ export function HierarchyPanel(): ReactNode {
         />
         <MenuButton label="Add object" icon="add" iconOnly entries={() => addEntries(editor)} />
       </header>
-      <ContextMenu.Root>
+      <ContextMenu.Root onOpenChange={(open) => open && selectPressed()}>
         <ContextMenu.Trigger
           ref={scroller}
           className="tree-scroller"
-          onContextMenu={contextMenu}
+          onPointerDown={note}
+          onContextMenu={note}
           onClick={(event) => event.target === event.currentTarget && document.selection.clear()}
         >
           <AssistiveTreeDescription tree={tree} />
