@@ -233,6 +233,7 @@ export class FarolRenderer {
       this.sceneView.render(
         frame.camera,
         finder.found.nested,
+        finder.found.rest,
         frame.queue,
         this.draw,
         frame.ownsTarget() ? fills : null,
@@ -384,7 +385,7 @@ export class FarolRenderer {
   private viewOf(scene: Object3D): SceneView {
     let view = this.sceneViews.get(scene);
     if (view === undefined) {
-      view = new SceneView(this.webgl, scene, this.finder.left, this.begun);
+      view = new SceneView(this.webgl, scene, this.begun);
       this.sceneViews.set(scene, view);
     }
     return view;

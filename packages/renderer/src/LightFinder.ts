@@ -10,7 +10,7 @@ type ShadowCode = NonNullable<(typeof shadowCode)['code']>;
 
 /** Finds the lights of a frame, and asks for what masks them when one casts a shadow or throws an image. */
 export class LightFinder {
-  readonly found: FoundLights = { all: [], count: 0, nested: [], seeksMasks: true, masks: 0 };
+  readonly found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0 };
   /** What three goes on drawing itself. */
   readonly left = { shadows: false, cookies: true };
   /** Null until a scene has asked for what masks lights, and its code is there. */

@@ -9,7 +9,6 @@ import {
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
-import { isManagedLight, type LeftToThree } from './lights/isManagedLight';
 import type { GeometryGroup } from './RenderItem';
 import type { RenderItemSort, RenderQueue } from './RenderQueue';
 import type { Fills } from './techniques/Technique';
@@ -70,7 +69,6 @@ export class SceneView {
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly source: Object3D,
-    private readonly left: LeftToThree,
     /** Called inside `render` when the lists are there and nothing is drawn yet. */
     private readonly begun: () => void,
   ) {
@@ -95,6 +93,7 @@ export class SceneView {
   /**
    * Runs three's `render`.
    * @param lights the lights to hide that three's traversal would meet below the root
+   * @param rest what three's traversal meets of the root: its children without managed lights, see `FoundLights`
    * @param queue gets the items in three's order
    * @param draw does the drawing; called once more for three's transmission target if something transmits
    * @param fills how what draws can fill the target, so that three need not clear it
@@ -103,6 +102,7 @@ export class SceneView {
   render(
     camera: Camera,
     lights: readonly Light[],
+    rest: readonly Object3D[],
     queue: RenderQueue,
     draw: () => void,
     fills: Fills | null,
@@ -113,7 +113,8 @@ export class SceneView {
     this.draw = draw;
     this.fills = fills;
     queue.clear();
-    this.gatherChildren();
+    this.children.length = 0;
+    for (const child of rest) this.children.push(child);
     if (shadows !== null) for (const stand of shadows.stands) this.children.push(stand);
     this.hide(lights);
     const { shadowMap } = this.webgl;
@@ -141,20 +142,6 @@ export class SceneView {
 
   private own(name: string, value: unknown): void {
     Object.defineProperty(this.view, name, { value, writable: true, configurable: true });
-  }
-
-  private gatherChildren(): void {
-    const { source, children } = this;
-    children.length = 0;
-    if ((source as Scene).isScene !== true) {
-      children.push(source);
-      return;
-    }
-    for (const child of source.children) {
-      const light = child as Light;
-      if (light.isLight === true && child.children.length === 0 && isManagedLight(light, this.left)) continue;
-      children.push(child);
-    }
   }
 
   private hide(lights: readonly Light[]): void {
