@@ -1,4 +1,4 @@
-import { isFlat } from '../support/images';
+import { compareImages, isFlat } from '../support/images';
 import { expect, test } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
 
@@ -25,6 +25,15 @@ test('anti-aliasing and ambient occlusion come from the address, and the menu ch
   expect(new URL(page.url()).searchParams.get('aa')).toBe('taa');
   expect(new URL(page.url()).searchParams.has('ao')).toBe(false);
   expect(await page.evaluate(() => window.viewer.farol.info.passes.map(({ name }) => name))).toContain('TAA');
+  const plain = await readImage(page);
+  await page.getByLabel('Decals').check();
+  await expect.poll(names).toEqual(['decals', 'TAA']);
+  expect(compareImages(plain, await readImage(page)).largest, 'decals are seen').toBeGreaterThan(0.05);
+  expect(new URL(page.url()).searchParams.get('decals')).toBe('1');
+  const passes = await page.evaluate(() => window.viewer.farol.info.passes.map(({ name }) => name));
+  expect(passes.filter((name) => name === 'decals')).toHaveLength(1);
+  await page.getByLabel('Decals').uncheck();
+  expect(await names()).toEqual(['TAA']);
 });
 
 test('the number of lights follows the address', async ({ page }) => {

@@ -12,6 +12,7 @@ import { type FarolEffect, FarolRenderer, type TechniqueName, techniques, type V
 import { type EffectName, effects } from '@farol/renderer/effects';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
+import { setDemoDecals } from './demoDecals';
 import { dragonUrls } from './dragonUrls';
 import { collectFiles } from '@farol/engine';
 import { loadModel, type LoadedModel } from './model/loadModel';
@@ -40,6 +41,7 @@ export const known: KnownNames = {
       aa: 'none',
       ao: false,
       oit: false,
+      decals: false,
     },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
@@ -155,6 +157,11 @@ export class Viewer {
   /** Averages transparent layers in place of sorting them, or sorts them. */
   setOrderIndependentTransparency(on: boolean): void {
     this.changed({ oit: on });
+  }
+
+  /** Throws decals on the scene, or takes them away. */
+  setDecals(on: boolean): void {
+    this.changed({ decals: on });
   }
 
   /** Chooses the resolution of the Stanford dragon, a key of `known.dragons`, and builds the scene on show anew. */
@@ -296,6 +303,7 @@ export class Viewer {
     if (!camera.getComponent(MouseController)) camera.addComponent(MouseController);
     if (pose) camera.transform.modelMatrix = pose.matrixWorld;
     if (this.state.time !== null) scene.setTime(this.state.time);
+    setDemoDecals(scene, this.state.decals);
     this.app.scene = scene;
     before.dispose();
   }
@@ -321,6 +329,7 @@ export class Viewer {
 
   private changed(changes: Partial<ViewerState>): void {
     Object.assign(this.state, changes);
+    setDemoDecals(this.app.scene, this.state.decals);
     this.setEffects();
     // Timer queries cannot be nested: without the menu they are left to whoever measures.
     this.farol.timing = this.state.gui;

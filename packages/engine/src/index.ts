@@ -23,6 +23,7 @@ export type { Vector3Input } from './core/toVector3';
 export { ComponentRegistry } from './components/ComponentRegistry';
 export { builtinComponents, componentTypes, createComponent } from './components/builtinComponents';
 export { Camera } from './components/Camera';
+export { Decal } from './components/Decal';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
 export { ModelRenderer } from './components/ModelRenderer';
@@ -86,4 +87,5 @@ export { serialize, serializeHead, serializeObject, type SerializeOptions } from
 
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 export { App, type AppOptions, type FrameInfo } from './app/App';
+export { followDecals } from './app/followDecals';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';

@@ -24,7 +24,7 @@ export interface FarolEffect {
   begin?(frame: Frame): void;
   /** Draws, inside three's `render`. @param pass the pass that was drawn, or that is to be replaced */
   render?(frame: Frame, pass: Pass): void;
-  /** Called inside three's `render` after all passes. */
+  /** Called inside three's `render` after all passes; has figures in `FarolInfo.passes` unless there is `after`. */
   end?(frame: Frame): void;
   /** Frees its GPU resources; it makes them anew when it is used again. */
   dispose(): void;

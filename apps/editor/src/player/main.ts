@@ -3,6 +3,7 @@ import {
   AssetLibrary,
   deserialize,
   FileError,
+  followDecals,
   KeyController,
   MouseController,
   readSceneFile,
@@ -57,6 +58,7 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
     scene.update(last === 0 ? 0 : Math.min((now - last) / 1000, 0.1));
     last = now;
     controls.update();
+    followDecals(app.renderer, scene);
     app.renderer.render(scene.three, camera);
     requestAnimationFrame(frame);
   };

@@ -17,6 +17,8 @@ export interface ViewerState {
   ao: boolean;
   /** Whether transparent layers are averaged in place of sorted. */
   oit: boolean;
+  /** Whether decals are thrown on the scene, to be looked at. */
+  decals: boolean;
   /** Fixed simulated time (s), drawn once and not moving; null lets it run. */
   time: number | null;
   /** Size of the picture (CSS pixels); null follows the window. */

@@ -23,6 +23,7 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     aa: (text) => void (state.aa = oneOf(text, known.antialiasing)),
     ao: (text) => void (state.ao = boolean(text)),
     oit: (text) => void (state.oit = boolean(text)),
+    decals: (text) => void (state.decals = boolean(text)),
     time: (text) => void (state.time = number(text, { min: 0 })),
     width: (text) => void (state.width = number(text, { min: 1, max: 8192, integer: true })),
     height: (text) => void (state.height = number(text, { min: 1, max: 8192, integer: true })),

@@ -36,6 +36,7 @@ const known: KnownNames = {
       aa: 'none',
       ao: false,
       oit: false,
+      decals: false,
     },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
@@ -48,12 +49,12 @@ describe('readState', () => {
 
   it('reads every parameter', () => {
     const query =
-      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&oit=1&time=2.5&width=160&height=90&dpr=1&gui=0';
+      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&oit=1&decals=1&time=2.5&width=160&height=90&dpr=1&gui=0';
     const { state, problems } = readState(query, known);
     expect(problems).toEqual([]);
     expect(state).toEqual({
       ...{ scene: 'planes', technique: 'auto', view: 'albedo', parameters: { n: 7, mesh: 'dragon' }, dragon: 'high' },
-      ...{ aa: 'taa', ao: true, oit: true, time: 2.5, width: 160, height: 90, dpr: 1, gui: false },
+      ...{ aa: 'taa', ao: true, oit: true, decals: true, time: 2.5, width: 160, height: 90, dpr: 1, gui: false },
     });
   });
 
@@ -93,7 +94,7 @@ describe('readState', () => {
 describe('writeState', () => {
   const state: ViewerState = {
     ...{ scene: 'planes', technique: 'forward', view: 'albedo', dragon: 'high', aa: 'smaa', ao: true, oit: true },
-    ...{ parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
+    ...{ decals: true, parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
     ...{ time: 0, width: 320, height: 180, dpr: 1.5, gui: false },
   };
 

@@ -21,7 +21,7 @@ export function writeState(state: ViewerState, { scenes, defaults }: KnownNames)
   for (const name of ['dragon', 'aa', 'time', 'width', 'height', 'dpr'] as const) {
     if (state[name] !== defaults[name]) entries.push([name, state[name]]);
   }
-  for (const name of ['ao', 'oit'] as const) {
+  for (const name of ['ao', 'oit', 'decals'] as const) {
     if (state[name] !== defaults[name]) entries.push([name, state[name] ? 1 : 0]);
   }
   if (state.gui !== defaults.gui) entries.push(['gui', state.gui ? 1 : 0]);

@@ -72,6 +72,7 @@ export function addressHelp({ scenes, techniques, views, dragons, antialiasing }
     ['aa', `Anti-aliasing: ${antialiasing.join(', ')}. TAA gathers over frames: at a fixed time each draw is one.`],
     ['ao', '1 darkens indirect light in corners (ambient occlusion), with techniques that know depth first.'],
     ['oit', '1 averages transparent layers in place of sorting them (weighted blended transparency).'],
+    ['decals', '1 throws decals on the scene, with techniques that have a G-buffer.'],
     ['time', 'Draws the scene once, as it is at this time (s), and does not move it.'],
     ['width, height', 'Size of the picture (CSS pixels); the window by default.'],
     ['dpr', 'Device pixels for each CSS pixel; those of the screen by default, 2 at most.'],

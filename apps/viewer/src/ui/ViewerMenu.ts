@@ -27,6 +27,7 @@ export class ViewerMenu {
     aa: string;
     ao: boolean;
     oit: boolean;
+    decals: boolean;
     dragon: string;
     stopped: boolean;
   };
@@ -35,8 +36,8 @@ export class ViewerMenu {
 
   constructor(private readonly viewer: Viewer) {
     const { gui } = this;
-    const { technique, view, aa, ao, oit, dragon, time } = viewer.state;
-    this.values = { technique, view, aa, ao, oit, dragon, stopped: time !== null };
+    const { technique, view, aa, ao, oit, decals, dragon, time } = viewer.state;
+    this.values = { technique, view, aa, ao, oit, decals, dragon, stopped: time !== null };
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
     gui
       .add(this.values, 'technique', names)
@@ -52,6 +53,7 @@ export class ViewerMenu {
       .onChange((name: string) => viewer.setAntialiasing(name));
     this.addEffect('ao', 'ambient-occlusion', (on) => viewer.setAmbientOcclusion(on));
     this.addEffect('oit', 'order-independent-transparency', (on) => viewer.setOrderIndependentTransparency(on));
+    this.addEffect('decals', 'decals', (on) => viewer.setDecals(on));
     gui
       .add(this.values, 'stopped')
       .name('Stop time')
@@ -82,6 +84,7 @@ export class ViewerMenu {
     this.values.aa = state.aa;
     this.values.ao = state.ao;
     this.values.oit = state.oit;
+    this.values.decals = state.decals;
     this.values.dragon = state.dragon;
     this.values.stopped = state.time !== null;
     this.gui.show(state.gui);
@@ -101,7 +104,7 @@ export class ViewerMenu {
     for (const controller of this.gui.controllersRecursive()) controller.updateDisplay();
   }
 
-  private addEffect(value: 'ao' | 'oit', name: EffectName, set: (on: boolean) => void): void {
+  private addEffect(value: 'ao' | 'oit' | 'decals', name: EffectName, set: (on: boolean) => void): void {
     const { label, help } = effects[name];
     this.gui.add(this.values, value).name(label).onChange(set).domElement.title = help;
   }

@@ -2,6 +2,7 @@ import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { WebGLRenderer, type WebGLRendererParameters } from 'three';
 import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
 import { Scene } from '../core/Scene';
+import { followDecals } from './followDecals';
 import { InputRouter } from './InputRouter';
 import { MicroShaderOverrides } from './MicroShaderOverrides';
 
@@ -54,6 +55,7 @@ export class App {
   private request = 0;
   private lastFrame = 0;
   private isPlaying = true;
+  private isDisposed = false;
   private readonly info = { deltaSeconds: 0, time: 0 };
   private aspectWidth = 1;
   private aspectHeight = 1;
@@ -148,6 +150,7 @@ export class App {
       return;
     }
     camera.setViewport(this.aspectWidth, this.aspectHeight);
+    followDecals(this.renderer, this.currentScene, this.redrawAtRest);
     this.renderer.render(this.currentScene.three, camera.three);
   }
 
@@ -172,6 +175,7 @@ export class App {
 
   /** Ends loop and input and frees the renderers. The scene stays, as do a canvas or a WebGLRenderer of the host's. */
   dispose(): void {
+    this.isDisposed = true;
     this.stop();
     this.input.dispose();
     this.listeners.clear();
@@ -191,6 +195,10 @@ export class App {
     this.unwatch = scene.onChange(({ kind }) => kind === 'microshader' && apply());
     apply();
   }
+
+  private readonly redrawAtRest = (): void => {
+    if (!this.running && !this.isDisposed) this.render();
+  };
 
   private readonly frame = (now: number): void => {
     this.request = requestAnimationFrame(this.frame);

@@ -1,5 +1,6 @@
 import { Camera } from './Camera';
 import { ComponentRegistry } from './ComponentRegistry';
+import { Decal } from './Decal';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
@@ -15,6 +16,7 @@ export const builtinComponents = new ComponentRegistry([
   ModelRenderer,
   Light,
   Camera,
+  Decal,
   KeyController,
   MouseController,
   RandomMovement,

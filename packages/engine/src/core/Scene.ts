@@ -3,6 +3,7 @@ import { AssetLibrary } from '../assets/AssetLibrary';
 import { builtinComponents } from '../components/builtinComponents';
 import type { Camera } from '../components/Camera';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
+import type { Decal } from '../components/Decal';
 import type { Light } from '../components/Light';
 import type { Component } from './Component';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
@@ -85,6 +86,11 @@ export class Scene implements GameObjectContainer {
   /** Every Camera of the scene, active or not; the same array all along. */
   get cameras(): readonly Camera[] {
     return this.index.cameras.array;
+  }
+
+  /** Every Decal of the scene, active or not; the same array all along. */
+  get decals(): readonly Decal[] {
+    return this.index.decals.array;
   }
 
   /** The camera to draw with: the first one that came, unless another was chosen; null when the scene has none. */

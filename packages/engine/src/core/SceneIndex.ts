@@ -1,4 +1,5 @@
 import { Camera } from '../components/Camera';
+import { Decal } from '../components/Decal';
 import { Light } from '../components/Light';
 import { Component } from './Component';
 import type { GameObject } from './GameObject';
@@ -10,6 +11,7 @@ export class SceneIndex {
   readonly componentsById = new Map<string, Component>();
   readonly lights = new IndexedList<Light>();
   readonly cameras = new IndexedList<Camera>();
+  readonly decals = new IndexedList<Decal>();
   /** Components that override `update`. */
   readonly updated = new IndexedList<Component>();
   /** Components with a pointer method. */
@@ -21,6 +23,7 @@ export class SceneIndex {
     this.componentsById.set(component.id, component);
     if (component instanceof Light) this.lights.add(component);
     if (component instanceof Camera) this.cameras.add(component);
+    if (component instanceof Decal) this.decals.add(component);
     if (component.update !== Component.prototype.update) this.updated.add(component);
     if (component.onKeyDown || component.onKeyUp) this.keyed.add(component);
     if (component.onPointerDown || component.onPointerMove || component.onPointerUp || component.onPointerWheel) {
@@ -32,6 +35,7 @@ export class SceneIndex {
     this.componentsById.delete(component.id);
     if (component instanceof Light) this.lights.remove(component);
     if (component instanceof Camera) this.cameras.remove(component);
+    if (component instanceof Decal) this.decals.remove(component);
     this.updated.remove(component);
     this.pointed.remove(component);
     this.keyed.remove(component);

@@ -23,7 +23,8 @@ export function drawPasses(
   }
   for (const effect of effects) {
     if (effect.end === undefined) continue;
-    recorder.beginPass(effect.name);
+    // what draws after passes has its figures already
+    if (effect.after === undefined) recorder.beginPass(effect.name);
     effect.end(frame);
     recorder.endPass();
   }

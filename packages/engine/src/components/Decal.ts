@@ -1,0 +1,110 @@
+import type { Decal as ThreeDecal } from '@farol/renderer/decals';
+import type { MeshStandardMaterial } from 'three';
+import type { MaterialValues } from '../assets/MaterialCache';
+import { materialFields } from '../assets/materialFields';
+import { component } from '../fields/component';
+import { angle, asset, colour, number, vector3 } from '../fields/fields';
+import type { FieldValue } from '../fields/Field';
+import type { Scene } from '../core/Scene';
+import { decalCode, loadDecalCode } from './decalCode';
+
+const defaults = Object.fromEntries(
+  Object.entries(materialFields).map(([name, field]) => [name, field.default]),
+) as unknown as MaterialValues;
+
+/**
+ * Puts a picture on whatever surface lies in a box round the GameObject. It is thrown along the object's z axis, seen from
+ * +z, by three's `Decal` of @farol/renderer/decals; an `App` switches that effect on while its scene has decals. Seen by
+ * techniques with a G-buffer.
+ */
+export class Decal extends component({
+  size: vector3([1, 1, 0.5], {
+    unit: 'm',
+    min: 0.001,
+    step: 0.1,
+    help: 'Width and height of the picture, and how deep it reaches.',
+  }),
+  colour: colour([0.8, 0.1, 0.05], { help: 'Diffuse colour; multiplies the map.' }),
+  map: asset('texture', null, { help: 'Texture of the colour; where its alpha is 0 the surface stays as it is.' }),
+  normalMap: asset('texture', null, { help: 'Texture of bumps, in tangent space.', label: 'Normal map' }),
+  normalScale: number(1, {
+    step: 0.05,
+    help: 'Strength of the bumps; below 0 they are inverted.',
+    label: 'Bump strength',
+  }),
+  roughness: number(0.6, { min: 0, max: 1, step: 0.01, help: '0 is a mirror, 1 is chalk.' }),
+  metalness: number(0, { min: 0, max: 1, step: 0.01, help: '0 for insulators, 1 for metals.' }),
+  opacity: number(1, { min: 0, max: 1, step: 0.01, help: 'How much of the surface it covers; 0 cannot be seen.' }),
+  maximumAngle: angle(Math.PI / 2, {
+    min: 0,
+    max: Math.PI,
+    help: 'Surfaces that are turned farther away from it are left out.',
+    label: 'Maximum angle',
+  }),
+  order: number(0, { integer: true, min: -1000, max: 1000, help: 'Of decals in one place the highest is on top.' }),
+}) {
+  static override readonly typeName: string = 'Decal';
+  static override readonly help: string = 'A picture on whatever surface lies in a box.';
+
+  private box: ThreeDecal | null = null;
+  private material: MeshStandardMaterial | null = null;
+
+  /** The decal below the GameObject's object3D; null outside a scene, and until its code is fetched. */
+  get three(): ThreeDecal | null {
+    return this.box;
+  }
+
+  override onEnterScene(scene: Scene): void {
+    const code = decalCode();
+    if (code === null) {
+      loadDecalCode().then(
+        () => this.scene === scene && this.box === null && this.onEnterScene(scene),
+        (error: Error) => console.error(`Farol: ${error.message}`),
+      );
+      return;
+    }
+    this.material = scene.assets.materials.acquire(this.surface()) as MeshStandardMaterial;
+    this.box = new code.Decal(this.material);
+    this.box.name = this.gameObject.name;
+    this.gameObject.object3D.add(this.box);
+    this.apply();
+  }
+
+  override onLeaveScene(scene: Scene): void {
+    this.box?.removeFromParent();
+    this.box = null;
+    if (this.material) scene.assets.materials.release(this.material);
+    this.material = null;
+  }
+
+  override onFieldChanged(): void {
+    if (!this.scene || !this.box || !this.material) return;
+    this.material = this.scene.assets.materials.change(this.material, this.surface()) as MeshStandardMaterial;
+    this.box.surface = this.material;
+    this.apply();
+  }
+
+  override onActiveChanged(): void {
+    this.apply();
+  }
+
+  protected override checkField(name: string, value: FieldValue): string | null {
+    const field = this.fields[name];
+    if (!this.scene || field.kind !== 'asset' || typeof value !== 'string') return null;
+    return this.scene.assets.problemWith(field.assetType, value);
+  }
+
+  private surface(): MaterialValues {
+    const { colour, map, normalMap, normalScale, roughness, metalness, opacity } = this;
+    return { ...defaults, colour, map, normalMap, normalScale, roughness, metalness, opacity, transparent: true };
+  }
+
+  private apply(): void {
+    const { box } = this;
+    if (!box) return;
+    box.scale.set(...this.size);
+    box.maximumAngle = this.maximumAngle;
+    box.renderOrder = this.order;
+    box.visible = this.enabled;
+  }
+}
