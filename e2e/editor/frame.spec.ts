@@ -34,6 +34,12 @@ test('the frame: technique and why, passes, two techniques side by side, all vie
   await expect(frame.getByRole('row', { name: /^g-buffer/ })).toBeVisible();
   await expect(frame.getByLabel('Why this technique')).toHaveCount(0);
 
+  // edges: the forward technique left them to the canvas
+  await expect(frame.getByRole('row', { name: /^SMAA/ })).toBeVisible();
+  await frame.getByRole('combobox', { name: 'Anti-aliasing' }).click();
+  await page.getByRole('option', { name: /^Of the technique/ }).click();
+  await expect(frame.getByRole('row', { name: /^SMAA/ })).toHaveCount(0, { timeout: 20_000 });
+
   // side by side
   await frame.getByRole('checkbox', { name: 'Compare two techniques' }).click();
   const handle = page.getByRole('slider', { name: 'Where the two techniques meet' });

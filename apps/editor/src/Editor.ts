@@ -207,7 +207,8 @@ export class Editor {
   }
 
   private watchPreferences(): void {
-    const apply = ({ snapSteps }: Preferences): void => {
+    const apply = ({ snapSteps, effects }: Preferences): void => {
+      this.viewport.setEffects(effects);
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
     };

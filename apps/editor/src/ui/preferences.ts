@@ -1,5 +1,6 @@
 import { create } from 'zustand';
 import { persist } from 'zustand/middleware';
+import type { EffectChoice } from '../viewport/ViewportEffects';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
 export interface Preferences {
@@ -9,10 +10,18 @@ export interface Preferences {
   theme: 'dark' | 'light' | 'system';
   /** By what drags of the handles go while they snap: metres, degrees, part of the size; each above 0. */
   snapSteps: { readonly translate: number; readonly rotate: number; readonly scale: number };
+  /** What takes part in the picture beside the technique. */
+  effects: EffectChoice;
 }
 
 export const usePreferences = create<Preferences>()(
-  persist((): Preferences => ({ folded: {}, theme: 'dark', snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 } }), {
-    name: 'farol-editor',
-  }),
+  persist(
+    (): Preferences => ({
+      folded: {},
+      theme: 'dark',
+      snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
+      effects: { antialiasing: 'auto', on: [] },
+    }),
+    { name: 'farol-editor' },
+  ),
 );

@@ -15,6 +15,7 @@ import { hitPoint, pick } from './pick';
 import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
 import { PointerPicker } from './PointerPicker';
+import { type EffectChoice, ViewportEffects } from './ViewportEffects';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
 const ICON_REACH = 0.4;
@@ -45,6 +46,7 @@ export class Viewport {
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
 
+  private readonly effects: ViewportEffects;
   private readonly input: InputRouter;
   private readonly picker: PointerPicker;
   private readonly boxSelect: BoxSelect;
@@ -57,7 +59,7 @@ export class Viewport {
   private through: CameraComponent | null = null;
   private ownPainter: Painter | null = null;
   private always = false;
-  private pending = true;
+  private pending = 1;
   private request = 0;
   private last = 0;
   private width = 1;
@@ -74,12 +76,14 @@ export class Viewport {
     this.webgl = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
+    const redraw = (): void => this.invalidate();
+    this.effects = new ViewportEffects(this.farol, redraw, (error) => this.onError(error));
     const dragged = (isDragging: boolean): void => {
       this.editorCamera.enabled = !isDragging && this.through === null;
     };
     // the handles hear of the pointer before the camera does, so that a handle is taken and the camera stays
     const loaded = (): void => this.editorCamera.listenLast();
-    this.gizmo = new Gizmo(document, canvas, dragged, () => this.invalidate(), loaded);
+    this.gizmo = new Gizmo(document, canvas, dragged, redraw, loaded);
     this.editorCamera = new EditorCamera(canvas);
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);
@@ -89,7 +93,6 @@ export class Viewport {
       dispatchPointer: (event) => this.sceneListens && document.scene.dispatchPointer(event),
       dispatchKey: (event) => this.sceneListens && document.scene.dispatchKey(event),
     });
-    const redraw = (): void => this.invalidate();
     for (const signal of [document.edited, document.selection.changed, document.simulation.changed, this.changed]) {
       this.endings.push(signal.subscribe(redraw));
     }
@@ -249,9 +252,14 @@ export class Viewport {
     return { width: this.width, height: this.height };
   }
 
-  /** Has the next frame drawn. */
+  /** Has the next frame drawn, and those that an effect gathers. */
   invalidate(): void {
-    this.pending = true;
+    this.pending = this.effects.frames;
+  }
+
+  /** Sets what takes part in the picture beside the technique. */
+  setEffects(choice: EffectChoice): void {
+    this.effects.choice = choice;
   }
 
   /** Draws now. */
@@ -268,6 +276,7 @@ export class Viewport {
       const key = `${edited.revision} ${scene.time} ${this.assetChanges}`;
       this.preview.render(scene, previewed, this.width, this.height, key);
     }
+    this.effects.update();
     this.statistics.add(performance.now());
     this.drawn.emit();
   }
@@ -327,6 +336,7 @@ export class Viewport {
     this.helpers.dispose();
     this.editorCamera.dispose();
     this.ownPainter?.dispose();
+    this.effects.dispose();
     this.farol.dispose();
     this.webgl.dispose();
   }
@@ -371,11 +381,11 @@ export class Viewport {
     const { simulation } = this.document;
     simulation.advance(elapsed);
     if (this.editorCamera.update(Math.min(elapsed, 0.1))) this.invalidate();
-    if (!simulation.isPlaying && !this.always && !this.pending) {
+    if (!simulation.isPlaying && !this.always && this.pending === 0) {
       if (this.farol.updateTimes()) this.timed.emit();
       return;
     }
-    this.pending = false;
+    this.pending = Math.max(0, this.pending - 1);
     try {
       this.renderNow();
     } catch (error) {

@@ -7,6 +7,7 @@ import { viewOptions } from '../../ui/viewOptions';
 import '../inspector/inspector.css';
 import { Section } from '../inspector/Section';
 import { CompareSection } from './CompareSection';
+import { EffectsSection } from './EffectsSection';
 import './frame.css';
 import { PassesSection } from './PassesSection';
 import { ViewsSection } from './ViewsSection';
@@ -44,6 +45,7 @@ export function FramePanel(): ReactNode {
           <Figures />
         </Section>
         <PassesSection />
+        <EffectsSection />
         <ViewsSection />
         <CompareSection />
       </div>

@@ -11,7 +11,7 @@ type Kind = 'cpu' | 'gpu';
 
 const ms = (value: number | null): string => (value === null ? '–' : value.toFixed(value < 10 ? 2 : 1));
 
-/** Times of the passes over the last frames: stacked, and their means. */
+/** Times of the passes over the last frames, stacked; means of those of the last frame. */
 export function PassesSection(): ReactNode {
   const { viewport } = useEditor();
   const recorder = useMemo(() => new FrameRecorder(), []);
@@ -43,10 +43,11 @@ export function PassesSection(): ReactNode {
     useCallback(() => {
       const now = new Map(viewport.farol.info.passes.map((pass) => [pass.name, pass]));
       return recorder.passes
+        .filter(({ name }) => now.has(name))
         .map((times) => {
-          const pass = now.get(times.name);
+          const pass = now.get(times.name)!;
           const [cpu, gpu] = (['cpu', 'gpu'] as const).map((each) => ms(recorder.mean(times, each)));
-          return [times.name, pass?.drawCalls ?? 0, cpu, gpu].join('\t');
+          return [times.name, pass.drawCalls, cpu, gpu].join('\t');
         })
         .join('\n');
     }, [viewport, recorder]),

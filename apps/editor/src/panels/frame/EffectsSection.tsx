@@ -1,0 +1,63 @@
+import type { ReactNode } from 'react';
+import { SelectBox, type SelectOption } from '../../ui/SelectBox';
+import { Toggle } from '../../ui/Toggle';
+import { usePreferences } from '../../ui/preferences';
+import type { Antialiasing, EffectChoice, SwitchedEffect } from '../../viewport/ViewportEffects';
+import { Section } from '../inspector/Section';
+
+const antialiasings: readonly SelectOption<Antialiasing>[] = [
+  { value: 'auto', label: 'Automatic', help: 'Multisampled where the technique can be, else SMAA.' },
+  { value: 'none', label: 'Of the technique', help: 'Techniques with a G-buffer have none.' },
+  { value: 'smaa', label: 'SMAA', help: 'Smooths the edges of each picture by itself.' },
+  { value: 'taa', label: 'TAA', help: 'Gathers frames, each drawn a part of a pixel off.' },
+];
+
+const switches: readonly { name: SwitchedEffect; label: string; help: string }[] = [
+  {
+    name: 'ambient-occlusion',
+    label: 'Ambient occlusion',
+    help: 'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.',
+  },
+  {
+    name: 'order-independent-transparency',
+    label: 'Unsorted transparency',
+    help: 'Transparent layers are averaged, not sorted: they may pass through one another.',
+  },
+];
+
+/** What takes part in the picture beside the technique. */
+export function EffectsSection(): ReactNode {
+  const { antialiasing, on } = usePreferences(({ effects }) => effects);
+  const choose = (change: Partial<EffectChoice>): void => {
+    usePreferences.setState({ effects: { antialiasing, on, ...change } });
+  };
+  return (
+    <Section
+      id="Frame effects"
+      title="Effects"
+      help="What takes part in the picture beside the technique."
+      icon="contrast"
+    >
+      <div className="field">
+        <span className="field-label">Anti-aliasing</span>
+        <SelectBox
+          value={antialiasing}
+          options={antialiasings}
+          label="Anti-aliasing"
+          onChange={(value) => choose({ antialiasing: value })}
+        />
+      </div>
+      {switches.map(({ name, label, help }) => (
+        <div key={name} className="field">
+          <span className="field-label">{label}</span>
+          <Toggle
+            value={on.includes(name)}
+            label={label}
+            description={help}
+            onChange={(isOn) => choose({ on: isOn ? [...on, name] : on.filter((each) => each !== name) })}
+          />
+        </div>
+      ))}
+    </Section>
+  );
+}
