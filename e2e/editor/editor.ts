@@ -88,7 +88,12 @@ export async function addObject(page: Page, ...names: string[]): Promise<void> {
   for (const name of names.slice(0, -1)) await page.getByRole('menuitem', { name, exact: true }).press('ArrowRight');
   await page.getByRole('menuitem', { name: names.at(-1), exact: true }).click();
   await menuIsGone(page);
+  await inspectorFollows(page);
 }
+
+/** Waits until the inspector shows what is selected: it comes after the tree. */
+export const inspectorFollows = (page: Page): Promise<void> =>
+  expect(page.locator('.inspector[aria-busy="true"]')).toHaveCount(0);
 
 /** A menu on its way out still takes letters and Escape for itself, as menus do. */
 const menuIsGone = (page: Page): Promise<void> => expect(page.getByRole('menu')).toHaveCount(0);

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
 import { axeProblems } from './axe';
-import { addObject, fieldOf, history, serialized, waitUntilReady } from './editor';
+import { addObject, fieldOf, history, inspectorFollows, serialized, waitUntilReady } from './editor';
 
 test.use({ viewport: { width: 1000, height: 600 }, reducedMotion: 'reduce' });
 
@@ -83,6 +83,7 @@ test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ 
     );
   const light = page.getByRole('region', { name: 'Light', exact: true });
   const type = async (value: string): Promise<void> => {
+    await inspectorFollows(page);
     await light.getByLabel('Intensity', { exact: true }).fill(value);
     await page.keyboard.press('Enter');
   };
@@ -93,6 +94,7 @@ test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ 
   await expect(mark).toBeVisible();
   expect(await axeProblems(page)).toEqual([]);
   await page.getByRole('treeitem', { name: 'Point light' }).nth(1).click();
+  await inspectorFollows(page);
   await expect(mark).toHaveCount(0);
   await type('50');
   await mark.click();

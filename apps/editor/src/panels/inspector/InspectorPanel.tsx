@@ -22,6 +22,7 @@ export function InspectorPanel(): ReactNode {
     <section
       className="panel inspector"
       aria-label="Inspector"
+      aria-busy={ids !== document.selection.ids}
       onPointerOver={show}
       onFocus={show}
       onPointerLeave={() => setHelp('')}

@@ -6,6 +6,7 @@ export const otherKeys: readonly (readonly [string, string])[] = [
   ['Right button', 'Look around; with W A S D Q E: fly, Shift: faster'],
   ['Left button in Select, or with Ctrl', 'Drag: select what is in the box; with Ctrl: more of it'],
   ['Ctrl while dragging a handle', 'Snap'],
+  ['Fingers', 'Tap: select; one: orbit; two: pan, nearer and farther; a long press in the tree: its menu'],
   ['Arrow keys in the picture', 'Orbit; with Shift: pan; + and -: nearer and farther'],
   ['Ctrl+Shift+D in the tree', 'Move objects by the arrow keys; Enter: put them there'],
   ['Arrow keys in a number', 'Step; with Shift: ten times, with Alt: a tenth'],
