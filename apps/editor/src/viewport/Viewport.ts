@@ -1,4 +1,4 @@
-import { Camera as CameraComponent, type GameObject, InputRouter } from '@farol/engine';
+import { Camera as CameraComponent, followDecals, type GameObject, InputRouter } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName, type View } from '@farol/renderer';
 import { type Box2, type Camera, type Material, Vector2, WebGLRenderer } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
@@ -76,14 +76,13 @@ export class Viewport {
     this.webgl = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
-    const redraw = (): void => this.invalidate();
-    this.effects = new ViewportEffects(this.farol, redraw, (error) => this.onError(error));
+    this.effects = new ViewportEffects(this.farol, this.redraw, (error) => this.onError(error));
     const dragged = (isDragging: boolean): void => {
       this.editorCamera.enabled = !isDragging && this.through === null;
     };
     // the handles hear of the pointer before the camera does, so that a handle is taken and the camera stays
     const loaded = (): void => this.editorCamera.listenLast();
-    this.gizmo = new Gizmo(document, canvas, dragged, redraw, loaded);
+    this.gizmo = new Gizmo(document, canvas, dragged, this.redraw, loaded);
     this.editorCamera = new EditorCamera(canvas);
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);
@@ -94,7 +93,7 @@ export class Viewport {
       dispatchKey: (event) => this.sceneListens && document.scene.dispatchKey(event),
     });
     for (const signal of [document.edited, document.selection.changed, document.simulation.changed, this.changed]) {
-      this.endings.push(signal.subscribe(redraw));
+      this.endings.push(signal.subscribe(this.redraw));
     }
     this.endings.push(
       document.assetsChanged.subscribe(() => {
@@ -104,7 +103,7 @@ export class Viewport {
       document.opened.subscribe(() => this.sceneOpened()),
     );
     this.endings.push(document.structure.subscribe(() => this.checkCamera()));
-    canvas.addEventListener('webglcontextrestored', redraw);
+    canvas.addEventListener('webglcontextrestored', this.redraw);
     this.request = requestAnimationFrame(this.frame);
   }
 
@@ -142,6 +141,7 @@ export class Viewport {
     if (painter === this.ownPainter) return;
     this.ownPainter?.dispose();
     this.ownPainter = painter;
+    this.effects.suspended = painter !== null;
     this.changed.emit();
   }
 
@@ -265,6 +265,7 @@ export class Viewport {
   /** Draws now. */
   renderNow(): void {
     this.through?.setViewport(this.width, this.height);
+    followDecals(this.farol, this.document.scene, this.redraw);
     (this.painter ?? this.farol).render(this.document.scene.three, this.camera);
     this.gizmo.update(this.camera);
     if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
@@ -373,6 +374,8 @@ export class Viewport {
     // a canvas that was resized is empty until it is drawn
     this.renderNow();
   }
+
+  private readonly redraw = (): void => this.invalidate();
 
   private readonly frame = (now: number): void => {
     this.request = requestAnimationFrame(this.frame);

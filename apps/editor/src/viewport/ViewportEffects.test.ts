@@ -25,10 +25,14 @@ describe('ViewportEffects', () => {
     expect(redraw).toHaveBeenCalledTimes(1);
     effects.update();
     expect(redraw).toHaveBeenCalledTimes(1);
+    effects.suspended = true;
+    expect(names(farol)).toEqual([]);
+    effects.suspended = false;
+    expect(names(farol)).toEqual(['SMAA']);
     farol.info.passes = [{ name: 'opaque' }] as never;
     effects.update();
     expect(names(farol)).toEqual([]);
-    expect(redraw).toHaveBeenCalledTimes(2);
+    expect(redraw).toHaveBeenCalledTimes(4);
   });
 
   it('takes what is chosen, the same objects again, and leaves the effects of others alone', async () => {

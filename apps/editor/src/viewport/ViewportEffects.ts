@@ -21,6 +21,7 @@ const SETTLED = 32;
 /** Keeps `FarolRenderer.effects` at what is chosen; their code is fetched when the first of them is on. */
 export class ViewportEffects {
   private chosen: EffectChoice = { antialiasing: 'auto', on: [] };
+  private isSuspended = false;
   private code: typeof import('@farol/renderer/effects') | null = null;
   private asked = false;
   private readonly made = new Map<EffectName, FarolEffect>();
@@ -45,6 +46,12 @@ export class ViewportEffects {
     this.chosen = choice;
     this.update();
     this.redraw();
+  }
+
+  /** While techniques are compared, each draws as it does by itself. */
+  set suspended(suspended: boolean) {
+    this.isSuspended = suspended;
+    this.update();
   }
 
   /** Frames to draw until a picture that changed is as it stays. */
@@ -74,6 +81,7 @@ export class ViewportEffects {
 
   private wanted({ passes }: FarolInfo): EffectName[] {
     const { antialiasing, on } = this.chosen;
+    if (this.isSuspended) return [];
     const names: EffectName[] = switchedEffects.filter((name) => on.includes(name));
     if (antialiasing === 'smaa' || antialiasing === 'taa') names.push(antialiasing);
     if (antialiasing === 'auto' && passes.some(({ name }) => name === 'g-buffer')) names.push('smaa');

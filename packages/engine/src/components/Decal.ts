@@ -18,7 +18,7 @@ const defaults = Object.fromEntries(
  * techniques with a G-buffer.
  */
 export class Decal extends component({
-  size: vector3([1, 1, 0.5], {
+  size: vector3([0.8, 0.8, 1.2], {
     unit: 'm',
     min: 0.001,
     step: 0.1,
