@@ -9,5 +9,8 @@ export default defineConfig({
     exclude: ['**/node_modules/**', '**/dist/**'],
     environment: 'node',
     passWithNoTests: false,
+    // a scene is made in about two seconds, on a machine that does other things in ten
+    testTimeout: 30_000,
+    hookTimeout: 30_000,
   },
 });
