@@ -1,6 +1,27 @@
-import { type GameObject, type Scene, type SceneChange, serializeHead, serializeObject } from '@farol/engine';
+import {
+  type FileObject,
+  type GameObject,
+  type Prefab,
+  type Scene,
+  type SceneChange,
+  serializeHead,
+  serializeObject,
+} from '@farol/engine';
 import { NoteList } from './NoteList';
-import { childrenKey, HEAD, objectKey, type PartChange, PREFAB_ORDER, prefabKey } from './parts';
+import {
+  childrenKey,
+  HEAD,
+  objectKey,
+  type PartChange,
+  type PartKey,
+  pieceKey,
+  PREFAB_ORDER,
+  prefabKey,
+  type PrefabPart,
+} from './parts';
+
+/** Objects of a prefab that are read at once. */
+const PIECE = 100;
 
 /**
  * Which parts of a scene have changed since they were last read. It notes changes as they are made, and reads the parts
@@ -10,6 +31,10 @@ export class SceneDelta {
   private readonly objects = new NoteList();
   private readonly containers = new NoteList();
   private readonly prefabs = new NoteList();
+  /** Pieces of the prefab that is read; null for those that it has no more. */
+  private pieces: { readonly key: PartKey; readonly objects: readonly FileObject[] | null }[] = [];
+  /** How many pieces of each prefab have been read. */
+  private readonly pieceCounts = new Map<string, number>();
   /** Objects that are still to be noted, with all below them. Nothing is read while some wait. */
   private readonly trees: GameObject[] = [];
   private headChanged = false;
@@ -23,7 +48,10 @@ export class SceneDelta {
 
   /** Whether nothing waits to be read. */
   get isEmpty(): boolean {
-    return !this.headChanged && this.trees.length + this.objects.size + this.containers.size + this.prefabs.size === 0;
+    return (
+      !this.headChanged &&
+      this.pieces.length + this.trees.length + this.objects.size + this.containers.size + this.prefabs.size === 0
+    );
   }
 
   /** Notes the whole scene. */
@@ -106,6 +134,8 @@ export class SceneDelta {
   }
 
   private readNext(): PartChange | null {
+    const piece = this.pieces.pop();
+    if (piece) return [piece.key, piece.objects && JSON.stringify(piece.objects)];
     const objectId = this.objects.take();
     if (objectId !== undefined) {
       const object = this.scene.findById(objectId);
@@ -120,13 +150,23 @@ export class SceneDelta {
     const prefabId = this.prefabs.take();
     if (prefabId === '') return [PREFAB_ORDER, JSON.stringify(this.scene.prefabs.list.map((prefab) => prefab.id))];
     if (prefabId !== undefined) {
-      const prefab = this.scene.prefabs.get(prefabId);
-      return [prefabKey(prefabId), prefab && JSON.stringify(prefab)];
+      const part = this.splitPrefab(prefabId, this.scene.prefabs.get(prefabId));
+      return [prefabKey(prefabId), part && JSON.stringify(part)];
     }
     if (!this.headChanged) return null;
     this.headChanged = false;
     const { prefabs: _prefabs, objects: _objects, ...head } = serializeHead(this.scene);
     return [HEAD, JSON.stringify(head)];
+  }
+
+  private splitPrefab(id: string, prefab: Prefab | null): PrefabPart | null {
+    const pieces = Math.ceil((prefab?.objects.length ?? 0) / PIECE);
+    for (let i = 0; i < Math.max(pieces, this.pieceCounts.get(id) ?? 0); i++) {
+      const objects = prefab && i < pieces ? prefab.objects.slice(i * PIECE, (i + 1) * PIECE) : null;
+      this.pieces.push({ key: pieceKey(id, i), objects });
+    }
+    this.pieceCounts.set(id, pieces);
+    return prefab && { id, name: prefab.name, pieces };
   }
 
   /** Notes an object; what is below it waits. */

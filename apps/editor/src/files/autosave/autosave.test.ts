@@ -79,6 +79,33 @@ it('reads what changed, and nothing else', () => {
   expect([...parts.keys()]).toEqual([`o/${scene.roots[5].id}`]);
 });
 
+it('reads a large prefab in pieces, and forgets those that it has no more', () => {
+  const { scene } = new EditorDocument();
+  const delta = new SceneDelta(scene);
+  const parts = new Map<string, string>();
+  const store = (count: number): void => {
+    const objects = Array.from({ length: count }, (_, i) => ({
+      ...{ id: `o${i}`, name: `Object ${i}`, components: [] },
+      parent: i === 0 ? null : 'o0',
+    }));
+    scene.prefabs.set({ id: 'o0', name: 'Large', objects });
+    delta.note({ kind: 'prefab', id: 'o0' });
+    readAll(delta, parts);
+  };
+  const pieces = (): string[] => [...parts.keys()].filter((key) => key.startsWith('r/')).toSorted();
+  delta.noteAll();
+  store(250);
+  expect(pieces()).toEqual(['r/o0/0', 'r/o0/1', 'r/o0/2']);
+  expect(assembleParts(parts).prefabs).toEqual(scene.prefabs.list);
+  store(120);
+  expect(pieces()).toEqual(['r/o0/0', 'r/o0/1']);
+  expect(assembleParts(parts).prefabs![0].objects).toHaveLength(120);
+  scene.prefabs.delete('o0');
+  delta.note({ kind: 'prefab', id: 'o0' });
+  readAll(delta, parts);
+  expect([...parts.keys()].filter((key) => /^[pr]\//.test(key))).toEqual([]);
+});
+
 it('says which part is missing of a damaged store', () => {
   expect(() => assembleParts(new Map([['c/', '["a"]']]))).toThrow("The part 'o/a' of the autosave is missing.");
 });

@@ -2,7 +2,8 @@ import type { FarolFile, FileObject, Prefab } from '@farol/engine';
 
 /**
  * A scene in parts that are stored one by one, as JSON by key: 'head' (everything but objects and prefabs), 'o/ID' (an
- * object), 'c/ID' (the ids of its children in order; 'c/' for the top), 'p/ID' (a prefab), 'q' (the order of the prefabs).
+ * object), 'c/ID' (the ids of its children in order; 'c/' for the top), 'p/ID' (a prefab, with the number of its pieces),
+ * 'r/ID/N' (a piece: some of its objects), 'q' (the order of the prefabs).
  */
 export type PartKey = string;
 
@@ -12,8 +13,16 @@ export type PartChange = readonly [key: PartKey, json: string | null];
 export const objectKey = (id: string): PartKey => `o/${id}`;
 export const childrenKey = (id: string): PartKey => `c/${id}`;
 export const prefabKey = (id: string): PartKey => `p/${id}`;
+export const pieceKey = (id: string, index: number): PartKey => `r/${id}/${index}`;
 export const HEAD = 'head';
 export const PREFAB_ORDER = 'q';
+
+/** A prefab without its objects, which are in pieces: a large one would hold up the page as a whole. */
+export interface PrefabPart {
+  readonly id: string;
+  readonly name: string;
+  readonly pieces: number;
+}
 
 /** Everything of a file but objects and prefabs. */
 export type FileHead = Omit<FarolFile, 'objects' | 'prefabs'>;
@@ -38,6 +47,13 @@ export function assembleParts(parts: ReadonlyMap<PartKey, string>): FarolFile {
   };
   visit('');
   const order = parts.has(PREFAB_ORDER) ? read<string[]>(PREFAB_ORDER) : [];
-  const prefabs = order.map((id) => read<Prefab>(prefabKey(id)));
+  const prefabs = order.map((key): Prefab => {
+    const part = read<PrefabPart | Prefab>(prefabKey(key));
+    // as versions before this one stored it
+    if ('objects' in part) return part;
+    const { id, name, pieces } = part;
+    const objects = Array.from({ length: pieces }, (_, i) => read<FileObject[]>(pieceKey(id, i))).flat();
+    return { id, name, objects };
+  });
   return { ...read<FileHead>(HEAD), ...(prefabs.length > 0 ? { prefabs } : {}), objects };
 }
