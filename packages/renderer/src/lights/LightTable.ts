@@ -9,10 +9,15 @@ import type {
   SpotLight,
   WebGLRenderer,
 } from 'three';
-import { Color, Vector3 } from 'three';
+import { Vector3 } from 'three';
+import { AmbientSum } from './AmbientSum';
 import { DataTable } from './DataTable';
 import { FLOATS_PER_RECORD, RECORDS_PER_ROW } from './lightRecord';
-import type { FarolAttenuation, FarolLightData } from './FarolLightData';
+import { FiniteLights } from './FiniteLights';
+import { isBlackLight } from './isBlackLight';
+import { lightAxis } from './lightAxis';
+import { lightRange } from './lightRange';
+import { type LightMasks, LightRecords } from './LightRecords';
 import { viewFrustumPlanes } from './viewFrustumPlanes';
 import { sphereOutsidePlanes } from './sphereOutsidePlanes';
 import { coneBoundingSphere } from './coneBoundingSphere';
@@ -22,33 +27,19 @@ import { LightGrid } from './LightGrid';
 import type { LightLayers } from './LightLayers';
 import { cookieOf } from './lightCookie';
 
-const NO_DATA: FarolLightData = {};
 /** Cones wider than this are drawn and culled as spheres (rad). */
 const WIDEST_CONE = 1.05;
 
 const position = new Vector3();
-const target = new Vector3();
-const colour = new Color();
+const axis = new Vector3();
 const planes = new Float64Array(24);
 const coneSphere = new Float64Array(4);
-const skyColour: [number, number, number] = [0, 0, 0];
-const groundColour: [number, number, number] = [0, 0, 0];
 
 /**
  * How the lights with a range lie in the table: spheres before cones, near to far by their centres, or by the ranks of the
  * light grid, which is then made.
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
-
-/** What masks lights (shadow maps, cookies), and where it puts its records. */
-export interface LightMasks {
-  /** Records of the frame. */
-  readonly records: number;
-  /** Record of a light's mask, counted from the first mask; -1 when it has none. */
-  recordOf(light: Light): number;
-  /** Writes the records from `first` on. */
-  write(table: DataTable, first: number, camera: Camera): void;
-}
 
 /** What is drawn to: the grid's tiles are cut from it. */
 export interface PictureSize {
@@ -72,7 +63,7 @@ export class LightTable {
   total = 0;
   visible = 0;
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
-  readonly ambient = new Float32Array(12);
+  readonly ambient: Float32Array;
   /** View-space sphere [x, y, z, r] (m) of each local light with a range, r its range; in the order of `rank`. */
   bounds = new Float64Array(64);
   /** View-space [axis to the light, cos cutoff] of the same lights; cos -1 for a sphere. */
@@ -95,7 +86,6 @@ export class LightTable {
   layers: LightLayers | null = null;
   /** True when lights that cast shadows have them. */
   shadows = false;
-  private masks: LightMasks | null = null;
   /** Record of the first mask. */
   firstMask = 0;
   private readonly directionals: DirectionalLight[] = [];
@@ -107,10 +97,15 @@ export class LightTable {
   private plain = new Float64Array(64);
   private readonly depthOrder = new DepthOrder();
   private volumes: Uint32Array = new Uint32Array(64);
-  private readonly warned = new WeakSet<Light>();
+  private readonly finite = new FiniteLights();
+  private readonly ambientSum = new AmbientSum();
+  private readonly records: LightRecords;
   private projection: ArrayLike<number> = [];
-  private extensions = 0;
-  private firstExtension = 0;
+
+  constructor() {
+    this.ambient = this.ambientSum.values;
+    this.records = new LightRecords(this.table, (light) => this.mayBeMasked(light));
+  }
 
   /** Record of the first local light with a range. */
   get firstBounded(): number {
@@ -141,20 +136,21 @@ export class LightTable {
   write(camera: Camera, order: LightOrder, size: PictureSize, masks: LightMasks | null = null): void {
     const view = camera.matrixWorldInverse;
     this.setRanks(order, camera, size);
-    this.masks = masks;
     this.firstMask = this.firstBounded + this.bounded;
-    this.firstExtension = this.firstMask + (masks?.records ?? 0);
-    this.reserve();
-    this.extensions = 0;
+    const firstExtension = this.firstMask + (masks?.records ?? 0);
+    const { records, table } = this;
+    // every light may need an extension record
+    table.reserve((firstExtension + this.firstBounded + this.bounded) * FLOATS_PER_RECORD);
+    records.begin(masks, this.firstMask);
     let record = 0;
-    for (const light of this.directionals) this.writeDirectional(record++, light, view);
+    for (const light of this.directionals) records.writeDirectional(record++, light, view);
     for (const light of this.unboundeds) {
-      position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
-      this.writeLocal(record++, light, view);
+      const { x, y, z } = position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
+      records.writeLocal(record++, light, x, y, z, view);
     }
     for (let k = 0; k < this.bounded; k++) this.writeBounded(record++, k, view);
-    masks?.write(this.table, this.firstMask, camera);
-    this.table.used((this.firstExtension + this.extensions) * FLOATS_PER_RECORD);
+    masks?.write(table, this.firstMask, camera);
+    table.used((firstExtension + records.extensions) * FLOATS_PER_RECORD);
   }
 
   /** Says which record each light with a range gets. */
@@ -210,7 +206,7 @@ export class LightTable {
     this.directionals.length = this.unboundeds.length = this.masked.length = 0;
     this.kept = 0;
     this.spheres = this.cones = this.others = 0;
-    this.ambient.fill(0);
+    this.ambientSum.clear();
     this.total = lights.length;
     this.visible = 0;
     if (this.bounds.length < lights.length * 4) {
@@ -219,27 +215,30 @@ export class LightTable {
       this.plain = new Float64Array(lights.length * 8);
     }
     for (const light of lights) {
-      if (!this.isFinite(light)) continue;
+      if (!this.finite.check(light)) continue;
       const l = light as PointLight & SpotLight & DirectionalLight & { isPointLight?: boolean };
       if (l.isPointLight || l.isSpotLight) {
-        if (isBlack(light)) continue;
-        const range = rangeOf(l);
+        if (isBlackLight(light)) continue;
+        const range = lightRange(l);
         if (range <= 0) {
           this.unboundeds.push(light);
           if (this.mayBeMasked(light)) this.masked.push(light);
         } else this.findBounded(light, view);
       } else if (l.isDirectionalLight) {
-        if (isBlack(light)) continue;
+        if (isBlackLight(light)) continue;
         this.directionals.push(l);
         if (this.mayBeMasked(light)) this.masked.push(light);
-      } else if ('isHemisphereLight' in light) this.addHemisphere(light as HemisphereLight, view);
-      else this.addAmbient(light);
+      } else {
+        this.visible++;
+        if ('isHemisphereLight' in light) this.ambientSum.addHemisphere(light as HemisphereLight, view);
+        else this.ambientSum.addAmbient(light);
+      }
     }
   }
 
   /** Keeps a light with a range unless the frustum says that it reaches nothing that is seen. */
   private findBounded(light: Light, view: Matrix4): void {
-    const range = rangeOf(light as PointLight);
+    const range = lightRange(light as PointLight);
     const v = view.elements;
     const m = light.matrixWorld.elements;
     const wx = m[12];
@@ -266,12 +265,12 @@ export class LightTable {
     bounds[at + 2] = z;
     bounds[at + 3] = range;
     if (spot.isSpotLight === true && spot.angle < WIDEST_CONE) {
-      this.axisOf(spot, view);
-      coneBoundingSphere(x, y, z, -target.x, -target.y, -target.z, range, spot.angle, coneSphere);
+      lightAxis(spot, view, axis);
+      coneBoundingSphere(x, y, z, -axis.x, -axis.y, -axis.z, range, spot.angle, coneSphere);
       if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) return;
-      axes[at] = target.x;
-      axes[at + 1] = target.y;
-      axes[at + 2] = target.z;
+      axes[at] = axis.x;
+      axes[at + 1] = axis.y;
+      axes[at + 2] = axis.z;
       axes[at + 3] = Math.cos(spot.angle);
       this.cones++;
     } else {
@@ -312,57 +311,8 @@ export class LightTable {
     return Math.min(1, (Math.PI / 4) * scale * scale * Math.abs(p[0] * p[5]));
   }
 
-  private addAmbient(light: Light): void {
-    this.visible++;
-    colour.copy(light.color).multiplyScalar(light.intensity);
-    this.ambient[0] += colour.r;
-    this.ambient[1] += colour.g;
-    this.ambient[2] += colour.b;
-  }
-
-  /** mix(ground, sky, 0.5 n·up + 0.5) = 0.5 (sky + ground) + n · 0.5 (sky - ground) up. */
-  private addHemisphere(light: HemisphereLight, view: Matrix4): void {
-    this.visible++;
-    const up = position.setFromMatrixPosition(light.matrixWorld).transformDirection(view);
-    light.color.toArray(skyColour);
-    light.groundColor.toArray(groundColour);
-    for (let c = 0; c < 3; c++) {
-      const sky = skyColour[c] * light.intensity;
-      const ground = groundColour[c] * light.intensity;
-      this.ambient[c] += 0.5 * (sky + ground);
-      const slope = 0.5 * (sky - ground);
-      this.ambient[3 + c] += slope * up.x;
-      this.ambient[6 + c] += slope * up.y;
-      this.ambient[9 + c] += slope * up.z;
-    }
-  }
-
-  private reserve(): void {
-    // every light may need an extension record
-    this.table.reserve((this.firstExtension + this.firstBounded + this.bounded) * FLOATS_PER_RECORD);
-  }
-
   private mayBeMasked(light: Light): boolean {
     return (light.castShadow && this.shadows) || cookieOf(light) !== null || this.layers?.separates(light) === true;
-  }
-
-  private maskOf(light: Light): number {
-    const record = this.masks === null ? -1 : this.masks.recordOf(light);
-    return record < 0 ? 0 : this.firstMask + record;
-  }
-
-  private writeDirectional(record: number, light: DirectionalLight, view: Matrix4): void {
-    const { table } = this;
-    const at = record * FLOATS_PER_RECORD;
-    this.axisOf(light, view);
-    const extension = this.writeExtension(light);
-    const mask = this.mayBeMasked(light) ? this.maskOf(light) : 0;
-    const { r, g, b } = light.color;
-    const i = light.intensity;
-    table.set4(at, target.x, target.y, target.z, 0);
-    if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, 1);
-    else table.set4(at + 4, r * i, g * i, b * i, mask > 0 ? 1 : 0);
-    table.set4(at + 12, 0, 0, mask, extension);
   }
 
   /** Writes the k-th light with a range. */
@@ -383,114 +333,6 @@ export class LightTable {
       table.set4(to + 4, plain[at], plain[at + 1], plain[at + 2], plain[at + 3]);
       return;
     }
-    position.set(bounds[at], bounds[at + 1], bounds[at + 2]);
-    this.writeLocal(record, this.boundeds[i], view);
+    this.records.writeLocal(record, this.boundeds[i], bounds[at], bounds[at + 1], bounds[at + 2], view);
   }
-
-  /** Writes the record of a point or spot light whose view-space centre is in `position`. */
-  private writeLocal(record: number, light: Light, view: Matrix4): void {
-    const { table } = this;
-    const at = record * FLOATS_PER_RECORD;
-    const point = light as PointLight;
-    const spot = (light as SpotLight).isSpotLight === true ? (light as SpotLight) : null;
-    const extension = this.writeExtension(light);
-    const mask = this.mayBeMasked(light) ? this.maskOf(light) : 0;
-    const plain = spot === null && extension === 0 && mask === 0;
-    const i = light.intensity;
-    table.set4(at, position.x, position.y, position.z, rangeOf(point));
-    if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, -1 - point.decay);
-    else
-      table.set4(
-        at + 4,
-        light.color.r * i,
-        light.color.g * i,
-        light.color.b * i,
-        plain ? point.decay : -1 - point.decay,
-      );
-    if (spot !== null) {
-      this.axisOf(spot, view);
-      table.set4(at + 8, target.x, target.y, target.z, Math.cos(spot.angle));
-      const exponent = (spot.userData.farol as FarolLightData | undefined)?.spotExponent ?? -1;
-      table.set4(at + 12, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, mask, extension);
-    } else if (!plain) {
-      table.set4(at + 8, 0, 0, 1, -3);
-      table.set4(at + 12, -2, -1, mask, extension);
-    }
-  }
-
-  /** Writes the extension record, if the light needs one, and leaves in `colour` what to put in place of its colour. */
-  private writeExtension(light: Light): number {
-    const data = (light.userData.farol as FarolLightData | undefined) ?? NO_DATA;
-    const { specular, ambient, attenuation } = data;
-    if (specular === undefined && ambient === undefined && attenuation === undefined) return 0;
-    const { table } = this;
-    const record = this.firstExtension + this.extensions++;
-    const at = record * FLOATS_PER_RECORD;
-    const i = light.intensity;
-    const d = light.color;
-    const s0 = specular ? specular[0] : d.r;
-    const s1 = specular ? specular[1] : d.g;
-    const s2 = specular ? specular[2] : d.b;
-    const c0 = Math.max(d.r, s0);
-    const c1 = Math.max(d.g, s1);
-    const c2 = Math.max(d.b, s2);
-    table.set4(at, ratio(d.r, c0), ratio(d.g, c1), ratio(d.b, c2), 0);
-    table.set4(at + 4, ratio(s0, c0), ratio(s1, c1), ratio(s2, c2), 0);
-    table.set4(at + 8, ambient ? ambient[0] * i : 0, ambient ? ambient[1] * i : 0, ambient ? ambient[2] * i : 0, 0);
-    this.writeAttenuation(at + 12, attenuation);
-    colour.setRGB(c0 * i, c1 * i, c2 * i);
-    return record;
-  }
-
-  private writeAttenuation(at: number, attenuation: FarolAttenuation | undefined): void {
-    if (attenuation === undefined) this.table.set4(at, 0, 0, 0, 0);
-    else if (attenuation.kind === 'near-far') this.table.set4(at, attenuation.near, attenuation.far, 0, 1);
-    else this.table.set4(at, attenuation.constant, attenuation.linear, attenuation.quadratic, 2);
-  }
-
-  /** Leaves in `target` the unit vector from the light's target to the light, in view space. */
-  private axisOf(light: DirectionalLight | SpotLight, view: Matrix4): void {
-    axisOrigin.setFromMatrixPosition(light.matrixWorld);
-    target.setFromMatrixPosition(light.target.matrixWorld);
-    target.subVectors(axisOrigin, target).transformDirection(view);
-  }
-
-  private isFinite(light: Light): boolean {
-    const e = light.matrixWorld.elements;
-    const l = light as PointLight & SpotLight;
-    let sum = e[12] + e[13] + e[14] + light.color.r + light.color.g + light.color.b + light.intensity;
-    if (l.distance !== undefined) sum += l.distance + l.decay;
-    if (l.angle !== undefined) sum += l.angle + l.penumbra;
-    if (Number.isFinite(sum)) return true;
-    if (!this.warned.has(light)) {
-      this.warned.add(light);
-      console.warn(
-        `Farol: light "${light.name || light.type}" (id ${light.id}) has a value that is not a finite number ` +
-          `(position, colour, intensity, distance, decay or angle) and is left out; set a finite value to light with it.`,
-      );
-    }
-    return false;
-  }
-}
-
-const axisOrigin = new Vector3();
-
-function ratio(part: number, whole: number): number {
-  return whole > 0 ? part / whole : 1;
-}
-
-function isBlack(light: Light): boolean {
-  const { r, g, b } = light.color;
-  const data = light.userData.farol as FarolLightData | undefined;
-  return (
-    light.intensity === 0 ||
-    (r === 0 && g === 0 && b === 0 && data?.ambient === undefined && data?.specular === undefined)
-  );
-}
-
-/** Distance from which the light gives exactly nothing (m); 0 when there is none. */
-function rangeOf(light: PointLight): number {
-  const attenuation = (light.userData.farol as FarolLightData | undefined)?.attenuation;
-  if (attenuation === undefined) return light.distance;
-  return attenuation.kind === 'near-far' ? attenuation.far : attenuation.range;
 }

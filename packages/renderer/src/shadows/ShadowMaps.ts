@@ -1,27 +1,24 @@
 import {
   BasicShadowMap,
   type Camera,
-  DepthTexture,
-  HalfFloatType,
   type Light,
-  LinearFilter,
-  NearestFilter,
   type Object3D,
-  RedFormat,
   type Texture,
-  UnsignedIntType,
   VSMShadowMap,
-  Vector3,
   type WebGLRenderer,
-  WebGLRenderTarget,
+  type WebGLRenderTarget,
 } from 'three';
 import type { DataTable } from '../lights/DataTable';
 import { cookieOf } from '../lights/lightCookie';
 import { LightLayers } from '../lights/LightLayers';
-import type { LightMasks, LightTable } from '../lights/LightTable';
+import type { LightMasks } from '../lights/LightRecords';
+import type { LightTable } from '../lights/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
+import { colourTarget } from './colourTarget';
 import { CookieDraws } from './CookieDraws';
 import { CookieSlot } from './CookieSlot';
+import { depthTarget } from './depthTarget';
+import { lightCoverage } from './lightCoverage';
 import { RECORDS_PER_MASK, shadowKinds, writeLayerMask, writeMask } from './maskRecord';
 import type { MaskUniforms } from './maskUniforms';
 import { MomentDraws } from './MomentDraws';
@@ -36,8 +33,6 @@ const KEPT_FRAMES = 600;
 const REBALANCE = 60;
 /** Texels a side of the atlas of colours at most. */
 const LARGEST_COLOURS = 4096;
-
-const position = new Vector3();
 
 /**
  * The shadow maps and cookies of all lights of a renderer, in two atlases: which of them are to be drawn this frame, and the
@@ -234,7 +229,7 @@ export class ShadowMaps implements LightMasks {
     }
     slot.root = root;
     slot.used = this.frame;
-    slot.coverage = coverageOf(light, camera);
+    slot.coverage = lightCoverage(light, camera);
     slot.casts = casts;
     slot.cookie = image === null ? null : this.cookieFor(image);
     const { mask } = light.shadow.camera.layers;
@@ -369,34 +364,3 @@ export class ShadowMaps implements LightMasks {
 }
 
 const NONE: readonly AtlasTenant[] = [];
-
-function depthTarget(size: number): WebGLRenderTarget {
-  const depthTexture = new DepthTexture(size, size, UnsignedIntType);
-  depthTexture.name = 'Farol shadow maps';
-  depthTexture.minFilter = depthTexture.magFilter = LinearFilter;
-  return new WebGLRenderTarget(size, size, {
-    format: RedFormat,
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    depthTexture,
-  });
-}
-
-function colourTarget(size: number): WebGLRenderTarget {
-  return new WebGLRenderTarget(size, size, {
-    type: HalfFloatType,
-    minFilter: LinearFilter,
-    magFilter: LinearFilter,
-    depthBuffer: false,
-  });
-}
-
-/** Share of the picture that a light covers, roughly, 0 to 1. */
-function coverageOf(light: ShadowLight, camera: Camera): number {
-  const range = (light as { distance?: number }).distance ?? 0;
-  if (range <= 0) return 1;
-  const p = camera.projectionMatrix.elements;
-  const away = -position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(camera.matrixWorldInverse).z;
-  const scale = p[11] === 0 ? range : range / Math.max(away, range);
-  return Math.min(1, (Math.PI / 4) * scale * scale * Math.abs(p[0] * p[5]));
-}

@@ -1,0 +1,24 @@
+import type { Light, PointLight, SpotLight } from 'three';
+
+/** Keeps lights out that have a value which is not a finite number: they would make every pixel NaN. */
+export class FiniteLights {
+  private readonly warned = new WeakSet<Light>();
+
+  /** True if it can be lit by; else warns, once for each light. */
+  check(light: Light): boolean {
+    const e = light.matrixWorld.elements;
+    const l = light as PointLight & SpotLight;
+    let sum = e[12] + e[13] + e[14] + light.color.r + light.color.g + light.color.b + light.intensity;
+    if (l.distance !== undefined) sum += l.distance + l.decay;
+    if (l.angle !== undefined) sum += l.angle + l.penumbra;
+    if (Number.isFinite(sum)) return true;
+    if (!this.warned.has(light)) {
+      this.warned.add(light);
+      console.warn(
+        `Farol: light "${light.name || light.type}" (id ${light.id}) has a value that is not a finite number ` +
+          `(position, colour, intensity, distance, decay or angle) and is left out; set a finite value to light with it.`,
+      );
+    }
+    return false;
+  }
+}

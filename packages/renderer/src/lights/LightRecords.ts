@@ -1,0 +1,138 @@
+import {
+  type Camera,
+  Color,
+  type DirectionalLight,
+  type Light,
+  type Matrix4,
+  type PointLight,
+  type SpotLight,
+  Vector3,
+} from 'three';
+import type { DataTable } from './DataTable';
+import type { FarolAttenuation, FarolLightData } from './FarolLightData';
+import { lightAxis } from './lightAxis';
+import { lightRange } from './lightRange';
+import { FLOATS_PER_RECORD } from './lightRecord';
+
+const NO_DATA: FarolLightData = {};
+const axis = new Vector3();
+const colour = new Color();
+
+/** What masks lights (shadow maps, cookies), and where it puts its records. */
+export interface LightMasks {
+  /** Records of the frame. */
+  readonly records: number;
+  /** Record of a light's mask, counted from the first mask; -1 when it has none. */
+  recordOf(light: Light): number;
+  /** Writes the records from `first` on. */
+  write(table: DataTable, first: number, camera: Camera): void;
+}
+
+/** Writes lights as records of the light table, with the extension records that lights of the thesis have. */
+export class LightRecords {
+  /** Extension records written since `begin`. */
+  extensions = 0;
+  private firstMask = 0;
+  private firstExtension = 0;
+  private masks: LightMasks | null = null;
+
+  /** @param mayBeMasked tells which lights to look up in the masks */
+  constructor(
+    private readonly table: DataTable,
+    private readonly mayBeMasked: (light: Light) => boolean,
+  ) {}
+
+  /** Begins a frame. @param firstMask record of the first mask; extensions follow the masks */
+  begin(masks: LightMasks | null, firstMask: number): void {
+    this.masks = masks;
+    this.firstMask = firstMask;
+    this.firstExtension = firstMask + (masks?.records ?? 0);
+    this.extensions = 0;
+  }
+
+  /** Writes the record of a directional light. */
+  writeDirectional(record: number, light: DirectionalLight, view: Matrix4): void {
+    const { table } = this;
+    const at = record * FLOATS_PER_RECORD;
+    lightAxis(light, view, axis);
+    const extension = this.writeExtension(light);
+    const mask = this.maskOf(light);
+    const { r, g, b } = light.color;
+    const i = light.intensity;
+    table.set4(at, axis.x, axis.y, axis.z, 0);
+    if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, 1);
+    else table.set4(at + 4, r * i, g * i, b * i, mask > 0 ? 1 : 0);
+    table.set4(at + 12, 0, 0, mask, extension);
+  }
+
+  /** Writes the record of a point or spot light whose centre (view space, m) is given. */
+  writeLocal(record: number, light: Light, x: number, y: number, z: number, view: Matrix4): void {
+    const { table } = this;
+    const at = record * FLOATS_PER_RECORD;
+    const point = light as PointLight;
+    const spot = (light as SpotLight).isSpotLight === true ? (light as SpotLight) : null;
+    const extension = this.writeExtension(light);
+    const mask = this.maskOf(light);
+    const plain = spot === null && extension === 0 && mask === 0;
+    const i = light.intensity;
+    table.set4(at, x, y, z, lightRange(point));
+    if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, -1 - point.decay);
+    else
+      table.set4(
+        at + 4,
+        light.color.r * i,
+        light.color.g * i,
+        light.color.b * i,
+        plain ? point.decay : -1 - point.decay,
+      );
+    if (spot !== null) {
+      lightAxis(spot, view, axis);
+      table.set4(at + 8, axis.x, axis.y, axis.z, Math.cos(spot.angle));
+      const exponent = (spot.userData.farol as FarolLightData | undefined)?.spotExponent ?? -1;
+      table.set4(at + 12, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, mask, extension);
+    } else if (!plain) {
+      table.set4(at + 8, 0, 0, 1, -3);
+      table.set4(at + 12, -2, -1, mask, extension);
+    }
+  }
+
+  /** Writes the extension record, if the light needs one, and leaves in `colour` what to put in place of its colour. */
+  private writeExtension(light: Light): number {
+    const data = (light.userData.farol as FarolLightData | undefined) ?? NO_DATA;
+    const { specular, ambient, attenuation } = data;
+    if (specular === undefined && ambient === undefined && attenuation === undefined) return 0;
+    const { table } = this;
+    const record = this.firstExtension + this.extensions++;
+    const at = record * FLOATS_PER_RECORD;
+    const i = light.intensity;
+    const d = light.color;
+    const s0 = specular ? specular[0] : d.r;
+    const s1 = specular ? specular[1] : d.g;
+    const s2 = specular ? specular[2] : d.b;
+    const c0 = Math.max(d.r, s0);
+    const c1 = Math.max(d.g, s1);
+    const c2 = Math.max(d.b, s2);
+    table.set4(at, ratio(d.r, c0), ratio(d.g, c1), ratio(d.b, c2), 0);
+    table.set4(at + 4, ratio(s0, c0), ratio(s1, c1), ratio(s2, c2), 0);
+    table.set4(at + 8, ambient ? ambient[0] * i : 0, ambient ? ambient[1] * i : 0, ambient ? ambient[2] * i : 0, 0);
+    this.writeAttenuation(at + 12, attenuation);
+    colour.setRGB(c0 * i, c1 * i, c2 * i);
+    return record;
+  }
+
+  private writeAttenuation(at: number, attenuation: FarolAttenuation | undefined): void {
+    if (attenuation === undefined) this.table.set4(at, 0, 0, 0, 0);
+    else if (attenuation.kind === 'near-far') this.table.set4(at, attenuation.near, attenuation.far, 0, 1);
+    else this.table.set4(at, attenuation.constant, attenuation.linear, attenuation.quadratic, 2);
+  }
+
+  private maskOf(light: Light): number {
+    if (this.masks === null || !this.mayBeMasked(light)) return 0;
+    const record = this.masks.recordOf(light);
+    return record < 0 ? 0 : this.firstMask + record;
+  }
+}
+
+function ratio(part: number, whole: number): number {
+  return whole > 0 ? part / whole : 1;
+}
