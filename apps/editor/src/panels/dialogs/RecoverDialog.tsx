@@ -53,7 +53,7 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
         ))}
       </ul>
       <div className="dialog-buttons">
-        <span className="dialog-hint">What is left for later stays, and is in the menu File, Recover….</span>
+        <span className="dialog-hint">What is left for later stays: “Recover…” in the menu File offers it again.</span>
         <button type="button" className="button framed" onClick={onClose}>
           Later
         </button>
