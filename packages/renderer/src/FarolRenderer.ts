@@ -32,8 +32,8 @@ import { TechniqueSet } from './techniques/TechniqueSet';
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
 
-/** Draws that cost less than having the GPU begin with them. */
-const FEW_DRAWS = 16;
+/** Draws and lights that cost less than having the GPU begin with them. */
+const FEW = 16;
 
 /**
  * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
@@ -244,8 +244,8 @@ export class FarolRenderer {
     } finally {
       if (webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
     }
-    // lets the GPU begin while the host goes on; a call to another process, which few draws are not worth
-    if (this.info.drawCalls > FEW_DRAWS) frame.gl.flush();
+    // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth
+    if (this.info.drawCalls > FEW || this.lights.total > FEW) frame.gl.flush();
     this.recorder.end(this.active, this.reason, this.lights, shadows, frame.uploadedBytes, this.targetBytes());
   }
 
