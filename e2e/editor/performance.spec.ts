@@ -71,9 +71,13 @@ async function openLarge(page: Page, client: CDPSession): Promise<number> {
   await page.evaluate(() => {
     window.editor.viewport.renderNow = () => {};
   });
-  const text = largeScene();
+  // the file is there: its way from the test to the page is not the editor's
+  await page.evaluate((text) => void Object.assign(window, { file: text }), largeScene());
   const before = await busySeconds(client);
-  await page.evaluate((file) => window.editor.openFileBytes(file, { name: 'Large', handle: null }), text);
+  await page.evaluate(() => {
+    const { file } = window as unknown as { file: string };
+    return window.editor.openFileBytes(file, { name: 'Large', handle: null });
+  });
   const seconds = (await busySeconds(client)) - before;
   await expect(page.getByRole('treeitem', { name: 'Mover 0' })).toBeVisible();
   return seconds;
