@@ -70,5 +70,6 @@ test('lights of one kind; an orthographic camera', async ({ page }) => {
   for (const mix of mixes) for (const pair of await drawAll(page, { mix, count: 12 }, false)) check(pair, mix);
   for (const pair of await drawAll(page, { orthographic: true, count: 12 }, false)) check(pair, 'orthographic');
   // only the edge may differ where a position is rebuilt
-  for (const pair of await drawAll(page, { mix: 'spot', count: 12, penumbra: 0 }, false)) check(pair, 'hard edges', true);
+  for (const pair of await drawAll(page, { mix: 'spot', count: 12, penumbra: 0 }, false))
+    check(pair, 'hard edges', true);
 });
