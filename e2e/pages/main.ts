@@ -13,7 +13,7 @@ import { materialScene } from './materialScene';
 import { supersampled } from './supersampled';
 import { shadowScene } from './shadowScene';
 import { runSettings } from './matrix/runSettings';
-import { drawn, runSheet } from './matrix/runSheet';
+import { runSheet } from './matrix/runSheet';
 
 /** What an empty page offers to a browser test that builds its own scene: three and the renderer, whole. */
 export interface TestPage {
@@ -27,8 +27,6 @@ export interface TestPage {
   supersampled: typeof supersampled;
   shadowScene: typeof shadowScene;
   hostSnapshot: typeof hostSnapshot;
-  /** Techniques of the matrix. */
-  drawn: typeof drawn;
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
   Bench: typeof Bench;
@@ -55,7 +53,6 @@ window.testPage = {
   supersampled,
   shadowScene,
   hostSnapshot,
-  drawn,
   runSheet,
   runSettings,
   Bench,

@@ -1,11 +1,10 @@
 import type { CaseResult } from '../pages/matrix/runSheet';
 import { isException } from './matrixExceptions';
 import { expect, test } from '../support/test';
-import { techniquesInTurn } from '../support/techniquesInTurn';
 
 /**
  * The matrix: each material, map, geometry and order of drawing, in a cell of 32 × 32 pixels, by each technique, in linear
- * float against stock three; A cell that is off is named. The forward family runs three's own shaders; what a G-buffer or
+ * float against stock three. A cell that is off is named. The forward family runs three's own shaders; what a G-buffer or
  * light buffer holds is rounded there. One pixel of a cell is 0.098%.
  */
 const FORWARD = new Set(['forward', 'forward-single-pass', 'tiled-forward', 'forward-plus', 'clustered-forward']);
@@ -36,18 +35,9 @@ test.beforeEach(async ({ page, pagesURL }) => {
   await page.waitForFunction(() => 'testPage' in window);
 });
 
-/** Sheets that every technique draws; of the others each draws the half. */
-const whole = new Set(['materials', 'order']);
-
-for (const [turn, sheet] of (['materials', 'maps', 'geometry', 'order', 'glTF'] as const).entries()) {
-  test(`each case of the sheet ${sheet}, by the techniques`, async ({ page }) => {
-    const techniques = await page.evaluate(() => window.testPage.drawn);
-    const only = whole.has(sheet) ? techniques : techniquesInTurn(techniques, turn, techniques.length / 2);
-    const { results, unseen } = await page.evaluate(([name, only]) => window.testPage.runSheet(name, only), [
-      sheet,
-      only,
-    ] as const);
-    expect(results.length).toBeGreaterThanOrEqual(only.length);
+for (const sheet of ['materials', 'maps', 'geometry', 'order', 'glTF'] as const) {
+  test(`each case of the sheet ${sheet}, by each technique`, async ({ page }) => {
+    const { results, unseen } = await page.evaluate((name) => window.testPage.runSheet(name), sheet);
     expect(
       unseen.filter((name) => !HIDDEN.has(name)),
       'cases that stock three does not show',

@@ -1,7 +1,6 @@
 import { checkAgreement } from '../support/agreement';
 import { compareImages, isFlat } from '../support/images';
 import { expect, test } from '../support/test';
-import { techniquesInTurn } from '../support/techniquesInTurn';
 import { openViewer, readImage, still } from '../support/viewer';
 
 /** Kinds of light that an engine scene may have, with the share of its intensity that keeps the picture exposed. */
@@ -9,11 +8,9 @@ const kinds = { point: 1, spot: 1, directional: 0.02, hemisphere: 0.02, ambient:
 /** Of surfaces at one depth stock three shows the last drawn; one pass a light adds light to the first. */
 const exceptions: Record<string, { largest: number } | undefined> = { 'dragons, forward': { largest: 1e-3 } };
 const few = { lights: 8, n: 3, m: 3, resolution: 2 };
-/** Techniques that a scene under one kind of light is drawn by, in turn. */
-const TECHNIQUES = 4;
 
 /**
- * Every scene under each kind of light, by the techniques in turn, against stock three in linear float. Names come from the
+ * Every scene by every technique under each kind of light, against stock three in linear float. Names come from the
  * page's registries, so that a new scene or technique is in. Inferred lighting has its buffers at full resolution. Two tests share the scenes, for two workers.
  */
 for (const half of [0, 1]) {
@@ -27,7 +24,6 @@ for (const half of [0, 1]) {
       return { scenes: Object.keys(scenes), techniques: [...techniques] };
     });
     expect(scenes.length * techniques.length).toBeGreaterThan(0);
-    let turn = half;
     for (const scene of scenes.filter((_, index) => index % 2 !== half)) {
       const intensities = await page.evaluate(
         async ([name, few]) => {
@@ -60,7 +56,7 @@ for (const half of [0, 1]) {
         );
         const stock = await readImage(page, 'three');
         expect(isFlat(stock), `${scene} under ${kind} lights, by stock three, shows one colour`).toBe(false);
-        for (const technique of techniquesInTurn(techniques, turn++, TECHNIQUES)) {
+        for (const technique of techniques) {
           await page.evaluate((name) => window.viewer.setTechnique(name), technique);
           const family = technique === 'inferred' ? 'light-prepass' : technique;
           const name = `${scene}, ${kind}, ${technique}`;
