@@ -1,5 +1,5 @@
 import { Popover } from '@base-ui/react/popover';
-import type { ReactNode } from 'react';
+import { type ReactNode, useRef } from 'react';
 import { Icon } from '../../ui/Icon';
 import { NumberInput } from '../../ui/NumberInput';
 import { type Preferences, usePreferences } from '../../ui/preferences';
@@ -16,6 +16,7 @@ export function SnapSteps(): ReactNode {
   const set = (name: keyof Preferences['snapSteps'], value: number): void => {
     usePreferences.setState(({ snapSteps }) => ({ snapSteps: { ...snapSteps, [name]: value } }));
   };
+  const kept = useRef(chosen);
   return (
     <Popover.Root>
       <Popover.Trigger className="button snap-steps" aria-label="Snap steps" title="Snap steps">
@@ -33,8 +34,8 @@ export function SnapSteps(): ReactNode {
                   label={`${label} of a snap step`}
                   handle={<span className="grip" />}
                   onPreview={(value) => set(name, value)}
-                  onCommit={() => {}}
-                  onDiscard={() => {}}
+                  onCommit={() => void (kept.current = usePreferences.getState().snapSteps)}
+                  onDiscard={() => usePreferences.setState({ snapSteps: kept.current })}
                 />
               </div>
             ))}
