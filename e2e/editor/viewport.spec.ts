@@ -65,8 +65,10 @@ test('selects by a box, from a side, without what is locked; shows what a camera
   await page.getByRole('button', { name: 'Snap steps' }).click();
   await page.getByLabel('Distance of a snap step').fill('0.25');
   await page.getByLabel('Angle of a snap step').fill('90');
-  await page.keyboard.press('Escape');
-  await page.keyboard.press('Escape');
+  await page.keyboard.press('Enter');
+  await page.getByLabel('Scale of a snap step').fill('0.5');
+  await page.keyboard.press('Escape'); // goes back
+  await page.keyboard.press('Escape'); // closes
   const steps = await page.evaluate(() => window.editor.viewport.gizmo.snapSteps);
   expect(steps).toEqual({ translate: 0.25, rotate: Math.PI / 2, scale: 0.1 });
   expect(await page.evaluate(() => localStorage.getItem('farol-editor'))).toContain('"translate":0.25');
