@@ -10,7 +10,7 @@ import type { FarolOptions } from './FarolOptions';
 import { Frame } from './Frame';
 import { FrameUniforms } from './FrameUniforms';
 import { InfoRecorder } from './InfoRecorder';
-import { lightBufferCode, shadowCode, timerCode, viewCode } from './late';
+import { lightBufferCode, rehearsalCode, shadowCode, timerCode, viewCode } from './late';
 import { LateViews } from './late/LateViews';
 import { LightFinder } from './LightFinder';
 import { LightTable } from './lights/LightTable';
@@ -258,11 +258,17 @@ export class FarolRenderer {
    * Fetches all code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
    * itself, more go without, and layers are not looked at), the views of surfaces and overdraw (the final picture is shown),
-   * 'light-prepass' and 'inferred' ('deferred' draws).
+   * 'light-prepass' and 'inferred' ('deferred' draws), rehearsals ('auto' changes unprepared).
    * @throws Error when the code cannot be fetched
    */
   static async preload(): Promise<void> {
-    await Promise.all([shadowCode.load(), viewCode.load(), lightBufferCode.load(), timerCode.load()]);
+    await Promise.all([
+      shadowCode.load(),
+      viewCode.load(),
+      lightBufferCode.load(),
+      timerCode.load(),
+      rehearsalCode.load(),
+    ]);
   }
 
   /** Adds the microshaders of all code that is fetched late to `microshaders`, where they can be seen and replaced. */
@@ -327,14 +333,18 @@ export class FarolRenderer {
     const { bounded, coverage, directional, unbounded } = lights;
     let surfaces = false;
     for (const effect of this.activeEffects) surfaces ||= effect.needsSurfaces === true;
-    const choice = this.sceneView.chooser.choose({
-      bounded,
-      coverage,
-      everywhere: directional + unbounded,
-      transparents: this.frame.queue.hasLitTransparents,
-      floatTargets: this.floatTargets,
-      surfaces,
-    });
+    const choice = this.sceneView.chooser.choose(
+      {
+        bounded,
+        coverage,
+        everywhere: directional + unbounded,
+        transparents: this.frame.queue.hasLitTransparents,
+        floatTargets: this.floatTargets,
+        surfaces,
+      },
+      rehearsalCode.code !== null,
+    );
+    if (this.sceneView.chooser.settled) rehearsalCode.ask();
     this.active = choice.technique;
     this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
   }
@@ -360,7 +370,18 @@ export class FarolRenderer {
     drawPasses(frame, this.set.passesOf(this.active), this.activeEffects, this.recorder);
     if (frame.view === 'overdraw' && !this.set.hasPass(this.active, 'output')) this.views.passes!.overdraw.show(frame);
     if (frame.view === 'grid') this.showSurface();
+    this.rehearse();
     frame.bindTarget();
+  }
+
+  /** Has what 'auto' is to draw by next made ready, a little in each frame. */
+  private rehearse(): void {
+    const { frame, set } = this;
+    const { chooser } = this.sceneView;
+    if (chooser.next === null || this.techniqueName !== 'auto') return;
+    const { technique } = chooser.next;
+    chooser.preparation ??= new rehearsalCode.code!.Rehearsal(frame, set.known[technique], set.passesOf(technique));
+    chooser.preparation.step(this.activeEffects);
   }
 
   /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */

@@ -85,7 +85,8 @@ export class Frame {
   /** Whether the canvas's colours are multiplied by alpha. */
   readonly premultiplied: boolean;
   private readonly canvasSamples: number;
-  private readonly draw: Draw;
+  /** three's `renderBufferDirect`. */
+  readonly draw: Draw;
 
   constructor(
     readonly webgl: WebGLRenderer,
@@ -263,7 +264,8 @@ export class Frame {
     this.draw(this.camera, this.scene, mesh.geometry, material, mesh, null);
   }
 
-  private drawItem(item: RenderItem, material: Material): void {
+  /** Draws an item with a material as it is, and calls what the host wants to be called. */
+  drawItem(item: RenderItem, material: Material): void {
     const { object, geometry, group } = item;
     const { webgl, scene, camera } = this;
     const source = item.material as ShaderMaterial;

@@ -10,6 +10,7 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import type { GeometryGroup } from './RenderItem';
+import type { Rehearsal } from './rehearsal/Rehearsal';
 import type { RenderItemSort, RenderQueue } from './RenderQueue';
 import type { Fills } from './techniques/Technique';
 import { TechniqueChooser } from './techniques/TechniqueChooser';
@@ -49,7 +50,7 @@ const NEVER = [false, false, false, false];
  */
 export class SceneView {
   /** What 'auto' has picked for the scene. */
-  readonly chooser = new TechniqueChooser();
+  readonly chooser = new TechniqueChooser<Rehearsal>();
   private readonly view: Object3D & { overrideMaterial?: Material | null };
   private readonly children: Object3D[] = [];
   private readonly hidden: Light[] = [];

@@ -14,5 +14,11 @@ export const lightBufferCode = new LateCode(
   'no code of light pre-pass and inferred lighting; deferred shading draws',
 );
 
+/** What has a technique ready before 'auto' draws by it. */
+export const rehearsalCode = new LateCode(
+  () => import('../rehearsal/Rehearsal'),
+  "no code of rehearsals; what 'auto' picks is compiled when it is first drawn",
+);
+
 /** Times of passes on the GPU. */
 export const timerCode = new LateCode(() => import('../GpuTimer'), 'no code of GPU times; there are none');

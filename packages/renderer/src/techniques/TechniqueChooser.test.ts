@@ -55,7 +55,56 @@ describe('TechniqueChooser', () => {
     expect(frames.at(-1)).toBe('clustered-deferred');
   });
 
-  it('follows at once where the bound is far behind, as when the lights of a scene come', () => {
+  const few = scene({ bounded: 1, everywhere: 0 });
+  const many = scene({ bounded: 50, coverage: 30 });
+  const more = scene({ bounded: 5000, coverage: 30 });
+  const frames = (chooser: TechniqueChooser, count: number, figures: SceneFigures, prepares = true) =>
+    Array.from({ length: count }, () => chooser.choose(figures, prepares).technique);
+
+  it('has the next technique made ready where that is possible, and keeps to the old one until it is', () => {
+    const chooser = new TechniqueChooser();
+    frames(chooser, 20, few);
+    expect(chooser.next).toBeNull();
+    frames(chooser, 7, many);
+    expect(chooser.next, 'patience').toBeNull();
+    expect(new Set(frames(chooser, 30, many))).toEqual(new Set(['forward-single-pass']));
+    expect(chooser.next?.technique).toBe('clustered-deferred');
+    chooser.preparation = { ready: true };
+    expect(chooser.choose(many, true).technique).toBe('clustered-deferred');
+    expect(chooser.next).toBeNull();
+  });
+
+  it('drops what it had made ready when the old choice is good again, or another is better', () => {
+    const chooser = new TechniqueChooser();
+    frames(chooser, 20, few);
+    frames(chooser, 8, many);
+    chooser.preparation = { ready: true };
+    expect(frames(chooser, 1, few)).toEqual(['forward-single-pass']);
+    expect(chooser.next).toBeNull();
+    frames(chooser, 8, many);
+    expect(chooser.preparation, 'begins anew').toBeNull();
+    chooser.preparation = { ready: true };
+    expect(frames(chooser, 1, more)).toEqual(['forward-single-pass']);
+    expect(chooser.next?.technique).toBe('tiled-deferred');
+    expect(chooser.preparation).toBeNull();
+    chooser.preparation = { ready: true };
+    expect(frames(chooser, 1, more)).toEqual(['tiled-deferred']);
+  });
+
+  it('waits for nothing where the old technique cannot draw what is asked', () => {
+    const chooser = new TechniqueChooser();
+    frames(chooser, 20, few);
+    expect(chooser.choose({ ...few, surfaces: true }, true).technique).toBe('clustered-deferred');
+    expect(chooser.choose({ ...few, floatTargets: false }, true).technique).toBe('forward-single-pass');
+  });
+
+  it('does not jump in a scene that has been drawn for a while, however far behind the bound is', () => {
+    const chooser = new TechniqueChooser();
+    frames(chooser, 20, few);
+    expect(frames(chooser, 8, many, false).indexOf('clustered-deferred')).toBe(7);
+  });
+
+  it('follows at once where the bound is far behind and the scene is new, as when its lights come', () => {
     const chooser = new TechniqueChooser();
     expect(chooser.choose(scene({ bounded: 0, everywhere: 0 })).technique).toBe('forward-single-pass');
     expect(chooser.choose(scene({ bounded: 50, coverage: 30 })).technique).toBe('clustered-deferred');

@@ -17,6 +17,11 @@ export interface SceneFigures {
 /** What the chooser picks from. */
 export type ChosenTechnique = 'forward-single-pass' | 'clustered-forward' | 'clustered-deferred' | 'tiled-deferred';
 
+/** Makes a technique ready. */
+export interface Preparation {
+  readonly ready: boolean;
+}
+
 export interface Choice {
   readonly technique: ChosenTechnique;
   readonly reason: string;
@@ -31,7 +36,7 @@ const MANY_LIGHTS = 400;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;
 const PATIENCE = 8;
-/** Passed by this factor, a bound is not waited at: the lights of a scene have come or gone, and who knows when it is drawn again. */
+/** Passed by this factor in the first frames of a scene, a bound is not waited at: it loads, and who knows when it is drawn again. */
 const FAR = 4;
 
 const choices: Record<ChosenTechnique, Choice> = {
@@ -55,22 +60,42 @@ const choices: Record<ChosenTechnique, Choice> = {
 
 /**
  * Picks a technique for the frames of a scene from cheap figures, and keeps to it unless another has been better for some
- * frames, or is far better. Without allocation.
+ * frames, or is far better while the scene is new. Without allocation.
  */
-export class TechniqueChooser {
+export class TechniqueChooser<P extends Preparation = Preparation> {
+  /** What is to be drawn by as soon as it is ready; null when the choice is to stay. */
+  next: Choice | null = null;
+  /** What makes `next` ready, to be set by the user; dropped when `next` changes. */
+  preparation: P | null = null;
   private current: Choice | null = null;
   private waited = 0;
+  private frames = 0;
 
-  choose(figures: SceneFigures): Choice {
+  /** Whether the scene was drawn so often that it must be taken to be on the screen, no longer loading. */
+  get settled(): boolean {
+    return this.frames > PATIENCE;
+  }
+
+  /** @param prepares whether someone makes `next` ready; else it is drawn by unprepared. Default false */
+  choose(figures: SceneFigures, prepares = false): Choice {
     const best = choices[this.best(figures, 1)];
     const { current } = this;
     if (current === null) return (this.current = best);
+    if (!this.settled) this.frames++;
     const holds = best === current || this.holds(figures, SLACK);
     this.waited = holds ? 0 : this.waited + 1;
     const deferred = current.technique.endsWith('deferred');
     const impossible = deferred ? !figures.floatTargets : figures.surfaces && figures.floatTargets;
-    if (impossible || this.waited >= PATIENCE || !(holds || this.holds(figures, FAR))) {
+    const next = this.waited >= PATIENCE ? best : null;
+    if (next !== this.next) this.preparation = null;
+    this.next = next;
+    if (
+      impossible ||
+      (next !== null && (!prepares || this.preparation?.ready)) ||
+      !(this.settled || holds || this.holds(figures, FAR))
+    ) {
       this.current = best;
+      this.next = this.preparation = null;
       this.waited = 0;
     }
     return this.current!;

@@ -1,0 +1,61 @@
+/** three's WebGLProgram as far as it is used here. */
+export interface Program {
+  /** Undefined once it is deleted. */
+  readonly program?: WebGLProgram;
+  /** Waits for the link where it has not been called before, as does `getAttributes`. */
+  getUniforms: () => unknown;
+  getAttributes(): unknown;
+  isReady(): boolean;
+}
+
+/** three's own list, `WebGLRenderer.info.programs`, to which it pushes what it compiles. */
+export type ProgramList = Program[];
+
+/** Programs that were set to compile and that nothing has waited for yet. */
+export class WaitingPrograms {
+  private readonly programs: Program[] = [];
+  private readonly getters: Program['getUniforms'][] = [];
+
+  get length(): number {
+    return this.programs.length;
+  }
+
+  /** Adds one while the others are blocked. */
+  add(program: Program, stop: () => never): void {
+    this.programs.push(program);
+    this.getters.push(program.getUniforms);
+    program.getUniforms = stop;
+  }
+
+  /** Has three stop where it would wait for one of them. */
+  block(stop: () => never): void {
+    for (const program of this.programs) program.getUniforms = stop;
+  }
+
+  unblock(): void {
+    for (let i = 0; i < this.programs.length; i++) this.programs[i].getUniforms = this.getters[i];
+  }
+
+  /** Has three ask for uniforms and attributes of the first of them if the device is done with it, as its first draw would. */
+  finishOne(): void {
+    const { programs, getters } = this;
+    if (programs.length === 0) return;
+    const [first] = programs;
+    const deleted = first.program === undefined;
+    if (!deleted && !first.isReady()) return;
+    programs.shift();
+    getters.shift();
+    if (deleted) return;
+    first.getUniforms();
+    first.getAttributes();
+  }
+}
+
+const lists = new WeakMap<ProgramList, WaitingPrograms>();
+
+/** Those of one WebGLRenderer, until its context is lost. */
+export function waitingPrograms(programs: ProgramList): WaitingPrograms {
+  let waiting = lists.get(programs);
+  if (waiting === undefined) lists.set(programs, (waiting = new WaitingPrograms()));
+  return waiting;
+}
