@@ -16,7 +16,9 @@ export const softwareFlags = [
   '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist',
   '--disable-gpu-rasterization',
+  // else each program has a pipeline cache of its own, and the rasteriser compiles equal shaders anew
+  '--enable-angle-features=preferGlobalPipelineCache',
 ];
 
-/** Flags for a machine with a GPU: the same, less what forces the software rasteriser. @type {readonly string[]} */
-export const gpuFlags = softwareFlags.filter((flag) => !flag.includes('swiftshader'));
+/** Flags for a machine with a GPU: the same, less what is for the software rasteriser. @type {readonly string[]} */
+export const gpuFlags = softwareFlags.filter((flag) => !/swiftshader|angle-features/.test(flag));
