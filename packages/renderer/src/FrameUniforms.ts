@@ -35,7 +35,7 @@ export class FrameUniforms {
     counts[1] = lights.unbounded;
     counts[2] = lights.bounded;
     counts[3] = lights.others;
-    shadows?.setUniforms(values, lights);
+    shadows?.setUniforms(values, lights, frame.camera);
     values.farol_heatScale.value = 1 / heatMaximum;
   }
 }

@@ -38,11 +38,11 @@ FarolLobe farol_lobe(const in float lobe, const in float object, const in vec3 n
 
 void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in vec3 positionVS, const in FarolLight light) {
   if (light.attenuation <= 0.0) return;
-  vec3 diffuseColor = FAROL_MASKED(light.color, light.mask, positionVS, lobe.normalVS, lobe.receivesShadows);
-  vec3 specularColor = diffuseColor;
+  vec3 diffuseColor = vec3(1.0);
+  vec3 specularColor = vec3(1.0);
   if (light.extension > 0) {
-    diffuseColor *= farol_lightTexel(light.extension, 0).rgb;
-    specularColor *= farol_lightTexel(light.extension, 1).rgb;
+    diffuseColor = farol_lightTexel(light.extension, 0).rgb;
+    specularColor = farol_lightTexel(light.extension, 1).rgb;
     vec3 ambient = farol_lightTexel(light.extension, 2).rgb * light.attenuation;
     // with F90 below 1 there is no room: the ambient part then loses F0 of itself
     if (lobe.physical && !lobe.splitsDiffuse) sums.rest += ambient;
@@ -50,6 +50,9 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
   }
   float dotNLRaw = dot(lobe.normalVS, light.direction);
   if (dotNLRaw <= 0.0) return;
+  vec3 color = FAROL_MASKED(light.color, light.mask, light.direction * light.distance, positionVS, lobe.normalVS, lobe.receivesShadows);
+  diffuseColor *= color;
+  specularColor *= color;
   float dotNL = min(dotNLRaw, 1.0);
   float dotLV = dot(light.direction, lobe.viewDirVS);
   // half vector h = (l + v) / |l + v|, |l + v|² = 2 + 2 l·v

@@ -174,11 +174,11 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Puts the content of another known chunk, known to be good, in the place of one that nobody has replaced (or that was swapped); what is drawn
+   * Puts the content of another chunk, known to be good, in the place of one that nobody has replaced (or that was swapped); what is drawn
    * with it compiles anew when it is next drawn. No check runs.
    */
-  swap(name: string, other: string): void {
-    const content = this.get(other);
+  swap(name: string, other: string | MicroShader): void {
+    const content = typeof other === 'string' ? this.get(other) : other;
     if (content === undefined || (this.own.has(name) && !this.swapped.has(name))) return;
     this.swapped.add(name);
     this.own.set(name, { ...content, name });

@@ -21,6 +21,9 @@ export interface Caster {
   frame: number;
   /** What three is given to bring its buffers up to date, see SceneView. */
   stand: Object3D | null;
+  /** Boxes of its clusters along the world's axes, as `triangleClusters` has them, and whether they are where it is now. */
+  clusters: Float64Array | null;
+  clustersPlaced: boolean;
   /** The frame for which `stand` was handed out. */
   prepared: number;
 }
@@ -96,6 +99,7 @@ export class ShadowCasters {
       findSphere(object, caster);
       caster.hasBox = caster.radius !== Infinity && casterBox(object, caster.box);
       caster.signature = signature;
+      caster.clustersPlaced = false;
       this.addChange(caster);
     }
     caster.frame = this.frame;
@@ -130,6 +134,8 @@ function makeCaster(object: Object3D): Caster {
     signature: 0,
     frame: -1,
     stand: null,
+    clusters: null,
+    clustersPlaced: false,
     prepared: -1,
   };
 }

@@ -11,8 +11,10 @@ const back = new Vector3();
 export class ShadowFace {
   /** The six planes of its view in world space, as `viewFrustumPlanes` has them. */
   readonly planes = new Float64Array(24);
-  /** What it draws in this frame. */
+  /** What it draws in this frame; of each the first vertex (or index), -1 for all of it, and their number. */
   readonly casters: Caster[] = [];
+  readonly starts: number[] = [];
+  readonly counts: number[] = [];
   /** Part of the atlas that it draws to (texels). */
   x = 0;
   y = 0;
@@ -20,6 +22,17 @@ export class ShadowFace {
   height = 0;
 
   constructor(readonly camera: Camera) {}
+
+  /** Has it draw a caster, or a run of its vertices (or indices). */
+  add(caster: Caster, start = -1, count = Infinity): void {
+    this.casters.push(caster);
+    this.starts.push(start);
+    this.counts.push(count);
+  }
+
+  clear(): void {
+    this.casters.length = this.starts.length = this.counts.length = 0;
+  }
 
   /** Takes the planes from the camera's matrices. */
   update(): void {

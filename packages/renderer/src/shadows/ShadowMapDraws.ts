@@ -11,6 +11,7 @@ import {
 } from 'three';
 import type { GeometryGroup } from '../RenderItem';
 import { CasterMaterials } from './CasterMaterials';
+import { CasterRuns } from './CasterRuns';
 import { casterStand } from './casterStand';
 import { type Caster, isReached, isSeen, type ShadowCasters } from './ShadowCasters';
 import type { ShadowFace } from './ShadowFace';
@@ -38,6 +39,8 @@ type ShadowCallback = (
 
 const rectangle = new Vector4();
 const depth = new Float32Array(1);
+/** What is drawn of a caster. */
+const run: GeometryGroup = { start: -1, count: Infinity };
 
 /** Draws casters into the tiles of shadow maps as three's WebGLShadowMap would. Call inside three's `render`. */
 export class ShadowMapDraws {
@@ -46,6 +49,7 @@ export class ShadowMapDraws {
   private readonly materials: CasterMaterials;
   private readonly draw: Draw;
   private readonly gl: WebGL2RenderingContext;
+  private readonly runs = new CasterRuns();
   private casters: ShadowCasters | null = null;
   private camera: Camera | null = null;
   private bothSides = false;
@@ -72,13 +76,15 @@ export class ShadowMapDraws {
   /** Finds what each face of a light's map will draw, and has three bring its buffers up to date. */
   prepare(slot: ShadowSlot): void {
     const { list, count } = this.casters!;
-    for (const face of slot.faces) face.casters.length = 0;
+    for (const face of slot.faces) face.clear();
     for (let i = 0; i < count; i++) {
       const caster = list[i];
       if (!isReached(caster, slot)) continue;
+      const inRuns = this.runs.begin(caster, slot);
       for (const face of slot.faces) {
         if (!isSeen(caster, face)) continue;
-        face.casters.push(caster);
+        if (!inRuns) face.add(caster);
+        else if (!this.runs.addTo(face, caster)) continue;
         if (caster.prepared === this.frame) continue;
         caster.prepared = this.frame;
         caster.stand ??= casterStand(caster.object);
@@ -105,7 +111,12 @@ export class ShadowMapDraws {
     state.buffers.depth.setMask(true);
     depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
     this.gl.clearBufferfv(this.gl.DEPTH, 0, depth);
-    for (const caster of face.casters) this.drawCaster(caster, slot, face);
+    const { casters, starts, counts } = face;
+    for (let i = 0; i < casters.length; i++) {
+      run.start = starts[i];
+      run.count = counts[i];
+      this.drawCaster(casters[i], slot, face);
+    }
     state.setScissorTest(false);
   }
 
@@ -117,7 +128,7 @@ export class ShadowMapDraws {
     const { geometry, material } = object as Mesh;
     object.modelViewMatrix.multiplyMatrices(face.camera.matrixWorldInverse, object.matrixWorld);
     if (!Array.isArray(material)) {
-      if (material.visible) this.drawPart(object, geometry, material, null, slot, face);
+      if (material.visible) this.drawPart(object, geometry, material, run.start < 0 ? null : run, slot, face);
       return;
     }
     for (const group of geometry.groups) {

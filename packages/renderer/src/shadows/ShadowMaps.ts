@@ -14,12 +14,14 @@ import { LightLayers } from '../lights/LightLayers';
 import type { LightMasks } from '../lights/LightRecords';
 import type { LightTable } from '../lights/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
+import { parseMicroShader } from '../microshaders/parseMicroShader';
 import { colourTarget } from './colourTarget';
 import { CookieDraws } from './CookieDraws';
 import { CookieSlot } from './CookieSlot';
 import { depthTarget } from './depthTarget';
 import { lightCoverage } from './lightCoverage';
 import { RECORDS_PER_MASK, shadowKinds, writeLayerMask, writeMask } from './maskRecord';
+import { maskKindsChunk, maskKindsOf } from './maskKinds';
 import type { MaskUniforms } from './maskUniforms';
 import { MomentDraws } from './MomentDraws';
 import { ShadowCasters } from './ShadowCasters';
@@ -67,6 +69,9 @@ export class ShadowMaps implements LightMasks {
   private tenants = 0;
   /** 0: shaders know no masks; 1: shadows and cookies; 2: layers too. */
   private known = 0;
+  /** Those of `maskKinds` that shaders know, and those that this frame needs too. */
+  private knownKinds = 0;
+  private neededKinds = 0;
 
   /** @param limit of the atlas of depths, texels a side */
   constructor(
@@ -99,7 +104,8 @@ export class ShadowMaps implements LightMasks {
   }
 
   /** Points the uniforms at what lights the frame, once the light table is written. */
-  setUniforms(uniforms: MaskUniforms, lights: LightTable): void {
+  setUniforms(uniforms: MaskUniforms, lights: LightTable, camera: Camera): void {
+    uniforms.farol_worldAxes.value.setFromMatrix4(camera.matrixWorld);
     uniforms.farol_shadowAtlas.value = this.depthTexture;
     uniforms.farol_lightAtlas.value = this.colourTexture;
     const masks = uniforms.farol_masks.value;
@@ -320,6 +326,7 @@ export class ShadowMaps implements LightMasks {
       const masked = slot.shows || slot.cookie !== null || this.layers.separates(slot.light);
       slot.record = masked ? this.records : -1;
       if (slot.record >= 0) this.records += RECORDS_PER_MASK;
+      if (slot.shows || slot.cookie !== null) this.neededKinds |= maskKindsOf(slot, this.type);
     }
     for (const light of this.layered.keys()) {
       this.layered.set(light, this.records);
@@ -332,6 +339,10 @@ export class ShadowMaps implements LightMasks {
 
   /** What shaders know of masks grows with what is met, and never shrinks, so that nothing compiles twice. */
   private adaptShaders(): void {
+    if (this.neededKinds !== this.knownKinds) {
+      this.knownKinds = this.neededKinds;
+      this.microshaders.swap('maskKinds', parseMicroShader('maskKinds', maskKindsChunk(this.knownKinds)));
+    }
     const needed = this.layers.reference !== 0 ? 2 : this.records > 0 ? 1 : 0;
     if (needed <= this.known) return;
     this.known = needed;

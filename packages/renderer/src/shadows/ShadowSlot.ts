@@ -154,10 +154,16 @@ export class ShadowSlot implements AtlasTenant {
     return dx * dx + dy * dy + dz * dz <= reach * reach;
   }
 
+  /** Beyond this nothing is lit (m), Infinity where it has no range. */
+  get range(): number {
+    const { distance } = this.light as PointLight;
+    return distance > 0 ? distance : Infinity;
+  }
+
   /** False when no part of a box (as `casterBox` gives it) is within the range of the light. */
   reachesBox(box: Float64Array): boolean {
-    const range = (this.light as PointLight).distance;
-    if (!(range > 0)) return true;
+    const { range } = this;
+    if (range === Infinity) return true;
     const e = this.faces[0].camera.matrixWorld.elements;
     return squaredDistanceToBox(box, e[12], e[13], e[14]) <= range * range;
   }

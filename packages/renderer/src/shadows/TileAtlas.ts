@@ -1,7 +1,7 @@
 import type { Texture, WebGLRenderTarget } from 'three';
 import { TilePacker, type Tile } from './TilePacker';
 
-/** Texels round each face of a cube, from what lies beside it, so that filters cross its edges. */
+/** Texels round each face of a cube, from what lies beside it, so that filters cross its edges; as in lightShadow.glsl. */
 export const CUBE_BORDER = 1;
 
 /** What has a tile in an atlas: a map, or the six faces of a cube, three by two, with borders. */

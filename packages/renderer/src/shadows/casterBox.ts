@@ -7,11 +7,14 @@ import {
   type Object3D,
 } from 'three';
 import { isAnimatedCaster } from './casterSignature';
+import { moveBox } from './moveBox';
 
 type Kind = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPoints?: boolean };
 
 /** Boxes of geometries in their own space, with the version of the positions that they are of. */
 const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; version: number; position: BufferAttribute }>();
+
+const own = new Float64Array(6);
 
 function boxOf(geometry: BufferGeometry): Box3 | null {
   const position = geometry.attributes.position as BufferAttribute | undefined;
@@ -42,36 +45,32 @@ export function casterBox(object: Object3D, out: Float64Array): boolean {
   const box = boxOf(mesh.geometry);
   if (box === null || box.isEmpty()) return false;
   const { min, max } = box;
-  const e = object.matrixWorld.elements;
-  const x = 0.5 * (min.x + max.x);
-  const y = 0.5 * (min.y + max.y);
-  const z = 0.5 * (min.z + max.z);
-  const a = 0.5 * (max.x - min.x);
-  const b = 0.5 * (max.y - min.y);
-  const c = 0.5 * (max.z - min.z);
-  for (let i = 0; i < 3; i++) {
-    out[i] = e[i] * x + e[4 + i] * y + e[8 + i] * z + e[12 + i];
-    out[3 + i] = Math.abs(e[i]) * a + Math.abs(e[4 + i]) * b + Math.abs(e[8 + i]) * c;
-  }
+  own[0] = 0.5 * (min.x + max.x);
+  own[1] = 0.5 * (min.y + max.y);
+  own[2] = 0.5 * (min.z + max.z);
+  own[3] = 0.5 * (max.x - min.x);
+  own[4] = 0.5 * (max.y - min.y);
+  own[5] = 0.5 * (max.z - min.z);
+  moveBox(own, 0, object.matrixWorld, out, 0);
   return Number.isFinite(out[0] + out[1] + out[2] + out[3] + out[4] + out[5]);
 }
 
-/** True when a box lies wholly on the outer side of one of six planes, as `viewFrustumPlanes` has them. */
-export function boxOutsidePlanes(planes: Float64Array, box: Float64Array): boolean {
+/** True when a box, from index `at` on, lies wholly on the outer side of one of six planes, as `viewFrustumPlanes` has them. */
+export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
   for (let i = 0; i < 24; i += 4) {
     const x = planes[i];
     const y = planes[i + 1];
     const z = planes[i + 2];
-    const reach = Math.abs(x) * box[3] + Math.abs(y) * box[4] + Math.abs(z) * box[5];
-    if (x * box[0] + y * box[1] + z * box[2] + planes[i + 3] < -reach) return true;
+    const reach = Math.abs(x) * box[at + 3] + Math.abs(y) * box[at + 4] + Math.abs(z) * box[at + 5];
+    if (x * box[at] + y * box[at + 1] + z * box[at + 2] + planes[i + 3] < -reach) return true;
   }
   return false;
 }
 
-/** Square of the distance from a point to a box, 0 inside (m²). */
-export function squaredDistanceToBox(box: Float64Array, x: number, y: number, z: number): number {
-  const dx = Math.max(0, Math.abs(x - box[0]) - box[3]);
-  const dy = Math.max(0, Math.abs(y - box[1]) - box[4]);
-  const dz = Math.max(0, Math.abs(z - box[2]) - box[5]);
+/** Square of the distance from a point to a box, from index `at` on; 0 inside (m²). */
+export function squaredDistanceToBox(box: Float64Array, x: number, y: number, z: number, at = 0): number {
+  const dx = Math.max(0, Math.abs(x - box[at]) - box[at + 3]);
+  const dy = Math.max(0, Math.abs(y - box[at + 1]) - box[at + 4]);
+  const dz = Math.max(0, Math.abs(z - box[at + 2]) - box[at + 5]);
   return dx * dx + dy * dy + dz * dz;
 }

@@ -5,6 +5,7 @@ import cookieTile from './cookieTile.glsl?raw';
 import lightMaskLayers from './lightMaskLayers.glsl?raw';
 import lightMaskOn from './lightMaskOn.glsl?raw';
 import lightShadow from './lightShadow.glsl?raw';
+import maskKinds from './maskKinds.glsl?raw';
 import { ShadowMaps } from './ShadowMaps';
 import shadowMask from './shadowMask.glsl?raw';
 import { shadowMaskTwin, showsShadowMask } from './shadowMaskTwin';
@@ -12,7 +13,15 @@ import shadowMoments from './shadowMoments.glsl?raw';
 import type { WebGLRenderer } from 'three';
 
 /** Its chunks, by name. */
-export const microShaders = { cookieTile, lightMaskLayers, lightMaskOn, lightShadow, shadowMask, shadowMoments };
+export const microShaders = {
+  cookieTile,
+  lightMaskLayers,
+  lightMaskOn,
+  lightShadow,
+  maskKinds,
+  shadowMask,
+  shadowMoments,
+};
 
 /** Of materials that show nothing but shadows. */
 export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };

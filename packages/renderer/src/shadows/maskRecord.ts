@@ -1,20 +1,19 @@
-import { Matrix4, type Camera } from 'three';
+import { Matrix4, Vector3, type Camera } from 'three';
 import type { DataTable } from '../lights/DataTable';
 import { FLOATS_PER_RECORD } from '../lights/lightRecord';
 import type { ShadowSlot } from './ShadowSlot';
-import { CUBE_BORDER } from './TileAtlas';
 
 /**
  * A mask in the light table: what a shadow map and a cookie let through of a light. Three records of four texels:
  *
  * | texel | holds |
  * |---|---|
- * | 0–3 | columns of the matrix from view space to the map (0 to 1, depth 0 to 1), or to what leads from a point light there (m, world axes) |
- * | 4 | tile of the shadow map (texels): corner, size; of a cube: corner, side of a face, distance from face to face |
- * | 5 | bias (with the sign of the depth buffer), normal bias (m), radius (texels), intensity |
- * | 6 | kind of shadow (`shadowKinds`), size of the map as the light asks for it (texels), kind of cookie (0 none, 1 map, 2 cube) |
- * | 7 | of a map: how many nearer maps there are; of a cube: a and b of depth = a + b / distance along an axis, nearest and farthest (m) |
- * | 8 | tile of the cookie, as texel 4; else as 10 |
+ * | 0–3 | columns of the matrix from view space to the map (0 to 1, depth 0 to 1); of a cube: position of the light in view space (m), 1, and nothing |
+ * | 4 | corner of the tile of the shadow map (texels); width of a face, kind of shadow (`shadowKinds`), kind of cookie (0 none, 1 map, 2 cube) and whether texel 6 counts, as bits 0–14, 15–17, 18–19 and 20; normal bias (m) |
+ * | 5 | of a map: bias (with the sign of the depth buffer), radius of the filter as part of the width, of the height; of a cube: a and b of depth = a + b / distance along an axis, radius of the filter as part of a face; intensity |
+ * | 6 | of a map: its height (texels), how many nearer maps there are; –, – |
+ * | 7 | – |
+ * | 8 | tile of the cookie: corner, size (texels); of a cube: corner, side of a face; else as 10 |
  * | 9 | layers that the light reaches, 16 bits and 16 bits, 0 for all; –, – |
  * | 10, 11 | how coordinates of the map become those of a nearer map: scale, shift of x; of y |
  */
@@ -28,6 +27,7 @@ const CASCADES = [40, 44, 32];
 export const shadowKinds = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, vsm: 5 } as const;
 
 const matrix = new Matrix4();
+const position = new Vector3();
 
 /**
  * Writes the mask of a light, for positions in view space.
@@ -47,18 +47,26 @@ export function writeMask(
   const { tile, cookie, isCube, near, far, faceWidth, faceHeight } = slot;
   const { shadow } = slot.light;
   const at = record * FLOATS_PER_RECORD;
-  const e = matrix.multiplyMatrices(slot.matrix, camera.matrixWorld).elements;
-  for (let i = 0; i < 16; i += 4) table.set4(at + i, e[i], e[i + 1], e[i + 2], e[i + 3]);
-  const second = isCube ? faceWidth + 2 * CUBE_BORDER : faceHeight;
-  table.set4(at + 16, tile?.x ?? 0, tile?.y ?? 0, faceWidth, second);
-  const bias = reversed ? -shadow.bias : shadow.bias;
-  table.set4(at + 20, bias, kind === shadowKinds.none ? 0 : shadow.normalBias, shadow.radius, shadow.intensity);
+  if (isCube) {
+    position.setFromMatrixPosition(slot.matrix).negate().applyMatrix4(camera.matrixWorldInverse);
+    table.set4(at, position.x, position.y, position.z, 1);
+  } else {
+    const e = matrix.multiplyMatrices(slot.matrix, camera.matrixWorld).elements;
+    for (let i = 0; i < 16; i += 4) table.set4(at + i, e[i], e[i + 1], e[i + 2], e[i + 3]);
+  }
+  const height = isCube ? faceWidth : faceHeight;
   const cookieKind = cookie === null || cookie.tile === null ? 0 : cookie.isCube ? 2 : 1;
-  table.set4(at + 24, kind, shadow.mapSize.x, shadow.mapSize.y, cookieKind);
+  const extended = !isCube && (height !== faceWidth || slot.cascades > 0);
+  const bits = packMask(faceWidth, kind, cookieKind, extended);
+  table.set4(at + 16, tile?.x ?? 0, tile?.y ?? 0, bits, kind === shadowKinds.none ? 0 : shadow.normalBias);
+  const bias = reversed ? -shadow.bias : shadow.bias;
+  const { radius, mapSize, intensity } = shadow;
   const depthRange = far - near;
-  if (!isCube) table.set4(at + 28, slot.cascades, 0, 0, 0);
-  else if (reversed) table.set4(at + 28, -near / depthRange + bias, (near * far) / depthRange, near, far);
-  else table.set4(at + 28, far / depthRange + bias, (-near * far) / depthRange, near, far);
+  if (!isCube) table.set4(at + 20, bias, radius / mapSize.x, radius / mapSize.y, intensity);
+  else if (reversed) {
+    table.set4(at + 20, -near / depthRange + bias, (near * far) / depthRange, radius / mapSize.x, intensity);
+  } else table.set4(at + 20, far / depthRange + bias, (-near * far) / depthRange, radius / mapSize.x, intensity);
+  table.set4(at + 24, height, slot.cascades, 0, 0);
   writeLayers(table, record, layers);
   const { cascades, fits } = slot;
   for (let i = 0; i < cascades; i++) {
@@ -69,15 +77,19 @@ export function writeMask(
   else {
     const { x, y } = cookie!.tile!;
     const size = cookie!.faceWidth;
-    table.set4(at + 32, x, y, size, cookieKind === 2 ? size + 2 * CUBE_BORDER : cookie!.faceHeight);
+    table.set4(at + 32, x, y, size, cookie!.faceHeight);
   }
 }
 
 /** Writes the mask of a light that has neither shadow nor cookie, but does not reach all layers. */
 export function writeLayerMask(table: DataTable, record: number, layers: number): void {
+  table.set4(record * FLOATS_PER_RECORD + 16, 0, 0, packMask(0, shadowKinds.none, 0, false), 0);
   table.set4(record * FLOATS_PER_RECORD + 20, 0, 0, 0, 0);
-  table.set4(record * FLOATS_PER_RECORD + 24, shadowKinds.none, 1, 1, 0);
   writeLayers(table, record, layers);
+}
+
+function packMask(width: number, kind: number, cookie: number, extended: boolean): number {
+  return width + (kind << 15) + (cookie << 18) + (extended ? 1 << 20 : 0);
 }
 
 function writeLayers(table: DataTable, record: number, layers: number): void {

@@ -1,9 +1,11 @@
-import type { IUniform } from 'three';
+import { type IUniform, Matrix3 } from 'three';
 
 /** Uniforms of lightShadow.glsl, shadowMask.glsl and lightMaskLayers.glsl. */
 export interface MaskUniforms extends Record<string, IUniform> {
   readonly farol_shadowAtlas: IUniform;
   readonly farol_lightAtlas: IUniform;
+  /** From view space to the world's axes. */
+  readonly farol_worldAxes: { value: Matrix3 };
   readonly farol_masks: { value: number[] };
   readonly farol_layers: { value: number[] };
 }
@@ -12,6 +14,7 @@ export function maskUniforms(): MaskUniforms {
   return {
     farol_shadowAtlas: { value: null },
     farol_lightAtlas: { value: null },
+    farol_worldAxes: { value: new Matrix3() },
     farol_masks: { value: [0, 0] },
     farol_layers: { value: [0, 0] },
   };

@@ -27,7 +27,7 @@ struct FarolShading {
 #else
   #define FAROL_SHADOW_NORMAL_OF(s) s.normalVS
 #endif
-#define FAROL_MASKED_FOR(s, color, mask) FAROL_MASKED(color, mask, s.positionVS, FAROL_SHADOW_NORMAL_OF(s), (s.flags & 16) != 0)
+#define FAROL_MASKED_FOR(s, color, mask, toLight) FAROL_MASKED(color, mask, toLight, s.positionVS, FAROL_SHADOW_NORMAL_OF(s), (s.flags & 16) != 0)
 
 bool farol_isPhysical(const in FarolShading s) {
   return (s.flags & 3) == 1;
@@ -77,14 +77,16 @@ void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3
 }
 
 void farol_addExtended(inout FarolShading s, const in FarolLight light) {
-  vec3 diffuseColor = FAROL_MASKED_FOR(s, light.color, light.mask);
-  vec3 specularColor = diffuseColor;
+  vec3 diffuseScale = vec3(1.0);
+  vec3 specularScale = vec3(1.0);
   if (light.extension > 0) {
-    diffuseColor *= farol_lightTexel(light.extension, 0).rgb;
-    specularColor *= farol_lightTexel(light.extension, 1).rgb;
+    diffuseScale = farol_lightTexel(light.extension, 0).rgb;
+    specularScale = farol_lightTexel(light.extension, 1).rgb;
     s.diffuse += farol_lightTexel(light.extension, 2).rgb * light.attenuation;
   }
-  farol_addLight(s, light.direction, diffuseColor, specularColor);
+  if (dot(s.normalVS, light.direction) <= 0.0) return; // masks cost more than the light
+  vec3 color = FAROL_MASKED_FOR(s, light.color, light.mask, light.direction * light.distance);
+  farol_addLight(s, light.direction, color * diffuseScale, color * specularScale);
 }
 
 // a light with a range: point lights of three, most of all lights, take the short way
@@ -100,7 +102,6 @@ void farol_addBounded(inout FarolShading s, const in int record) {
   float attenuation = farol_boundedAttenuation(distanceSquared, ratio, decay);
   vec3 specularScale = vec3(1.0);
   if (color.w < 0.0) {
-    vec4 axis = farol_lightTexel(record, 2);
     vec4 cone = farol_lightTexel(record, 3);
     int extension = int(cone.w);
     vec3 ambient = vec3(0.0);
@@ -112,10 +113,14 @@ void farol_addBounded(inout FarolShading s, const in int record) {
       color.rgb *= max(diffuseScale, 1e-6);
       ambient = farol_lightTexel(extension, 2).rgb;
     }
-    attenuation *= farol_angularAttenuation(dot(direction, axis.xyz), axis.w, cone.x, cone.y);
+    if (cone.x >= -1.0) { // a spot light
+      vec4 axis = farol_lightTexel(record, 2);
+      attenuation *= farol_angularAttenuation(dot(direction, axis.xyz), axis.w, cone.x, cone.y);
+    }
     if (attenuation <= 0.0) return;
     s.diffuse += ambient * attenuation;
-    color.rgb = FAROL_MASKED_FOR(s, color.rgb, int(cone.z));
+    if (dot(s.normalVS, direction) <= 0.0) return;
+    color.rgb = FAROL_MASKED_FOR(s, color.rgb, int(cone.z), toLight);
   }
   color.rgb *= attenuation;
   farol_addLight(s, direction, color.rgb, color.rgb * specularScale);

@@ -1,0 +1,9 @@
+// Which kinds of shadow maps and cookies shaders have code for: all of them here, but only those that have been met once lights have masks.
+// Farol
+#define FAROL_SHADOW_MAPS
+#define FAROL_SHADOW_CUBES
+#define FAROL_SHADOW_CASCADES
+#define FAROL_BASIC_SHADOWS
+#define FAROL_PCF_SHADOWS
+#define FAROL_VARIANCE_SHADOWS
+#define FAROL_LIGHT_COOKIES

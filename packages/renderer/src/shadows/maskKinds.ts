@@ -1,0 +1,42 @@
+import { BasicShadowMap, VSMShadowMap } from 'three';
+import type { ShadowSlot } from './ShadowSlot';
+
+/** Bits of what shaders can know of masks, and the definition of each in maskKinds.glsl. */
+export const maskKinds = {
+  maps: 1,
+  cubes: 2,
+  cascades: 4,
+  basic: 8,
+  pcf: 16,
+  variance: 32,
+  cookies: 64,
+} as const;
+
+const defines: Record<keyof typeof maskKinds, string> = {
+  maps: 'FAROL_SHADOW_MAPS',
+  cubes: 'FAROL_SHADOW_CUBES',
+  cascades: 'FAROL_SHADOW_CASCADES',
+  basic: 'FAROL_BASIC_SHADOWS',
+  pcf: 'FAROL_PCF_SHADOWS',
+  variance: 'FAROL_VARIANCE_SHADOWS',
+  cookies: 'FAROL_LIGHT_COOKIES',
+};
+
+/** What shaders must know for a light. @param type of shadow maps, as `WebGLRenderer.shadowMap.type` has it */
+export function maskKindsOf({ shows, isCube, cascades, cookie }: ShadowSlot, type: number): number {
+  let kinds: number = isCube ? maskKinds.cubes : maskKinds.maps;
+  if (cascades > 0) kinds |= maskKinds.cascades;
+  if (cookie !== null) kinds |= maskKinds.cookies;
+  if (!shows) return kinds;
+  if (type === VSMShadowMap) return kinds | maskKinds.variance;
+  return kinds | (type === BasicShadowMap ? maskKinds.basic : maskKinds.pcf);
+}
+
+/** The chunk `maskKinds` for some of the kinds: code that nothing needs slows down what does. */
+export function maskKindsChunk(kinds: number): string {
+  const lines = ['// The kinds of shadow maps and cookies that have been met.', '// Farol'];
+  for (const [name, define] of Object.entries(defines)) {
+    if ((kinds & maskKinds[name as keyof typeof maskKinds]) !== 0) lines.push(`#define ${define}`);
+  }
+  return `${lines.join('\n')}\n`;
+}
