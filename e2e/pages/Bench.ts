@@ -20,6 +20,7 @@ export class Bench {
   readonly webgl: THREE.WebGLRenderer;
   readonly farol: FarolRenderer;
   readonly target: THREE.WebGLRenderTarget;
+  private madeEnvironment: THREE.Texture | null = null;
 
   constructor(
     readonly width: number,
@@ -38,11 +39,7 @@ export class Bench {
 
   /** An environment map made of a blue room with orange walls; small, since filtering it costs more than what it lights. */
   environment(): THREE.Texture {
-    const room = new THREE.Scene();
-    room.background = new THREE.Color(0.5, 0.6, 0.8);
-    const walls = new THREE.MeshBasicMaterial({ color: 0xffcc88, side: THREE.BackSide });
-    room.add(new THREE.Mesh(new THREE.BoxGeometry(4, 4, 4), walls));
-    return new THREE.PMREMGenerator(this.webgl).fromScene(room, 0, 0.1, 100, { size: 64 }).texture;
+    return (this.madeEnvironment ??= this.makeEnvironment());
   }
 
   stock(scene: THREE.Scene, camera: THREE.Camera): PageImage {
@@ -57,6 +54,14 @@ export class Bench {
   /** Linked programs of the renderer. */
   get programs(): number {
     return this.webgl.info.programs?.length ?? 0;
+  }
+
+  private makeEnvironment(): THREE.Texture {
+    const room = new THREE.Scene();
+    room.background = new THREE.Color(0.5, 0.6, 0.8);
+    const walls = new THREE.MeshBasicMaterial({ color: 0xffcc88, side: THREE.BackSide });
+    room.add(new THREE.Mesh(new THREE.BoxGeometry(4, 4, 4), walls));
+    return new THREE.PMREMGenerator(this.webgl).fromScene(room, 0, 0.1, 100, { size: 64 }).texture;
   }
 
   private draw(render: () => void): PageImage {

@@ -8,6 +8,10 @@ const mayBeFlat = new Set(['emissive', 'metalness', 'roughness']);
 /** Views that each technique draws in its own way; the others show the surface, the same whatever the technique. */
 const ofTechnique = new Set(['final', 'lighting', 'light-count', 'overdraw', 'grid']);
 
+/** Of the picture (pixels). */
+const WIDTH = 96;
+const HEIGHT = 54;
+
 /** Few lights and objects, of the scenes that let one choose. */
 const few = { lights: 12, n: 4, m: 4 };
 
@@ -22,7 +26,7 @@ for (const half of [0, 1]) {
     watch,
   }) => {
     test.setTimeout(240_000);
-    await openViewer(page, still);
+    await openViewer(page, { ...still, width: WIDTH, height: HEIGHT });
     const { scenes, techniques, views } = await page.evaluate(() => {
       const { scenes, techniques, views } = window.viewer.known;
       return { scenes: Object.keys(scenes), techniques: [...techniques], views: [...views] };
@@ -45,7 +49,7 @@ for (const half of [0, 1]) {
         for (const view of [...views.filter((view) => ofTechnique.has(view)), surfaces[turn % surfaces.length]]) {
           await page.evaluate((name) => void (window.viewer.farol.view = name as 'final'), view);
           const image = await readImage(page);
-          expect(image.width * image.height, 'pixels').toBe(160 * 90);
+          expect(image.width * image.height, 'pixels').toBe(WIDTH * HEIGHT);
           if (isFlat(image) && !mayBeFlat.has(view)) flat.push(view);
           expect(watch.problems, `${scene}, ${technique}, ${view}`).toEqual([]);
         }
