@@ -38,9 +38,15 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
     for (uint farol_bits = farol_listedBits(farol_tile, farol_word, farol_ranks); farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
       int farol_record = farol_grid.w + farol_word * 32 + farol_lowestBit(farol_bits);
 #define FAROL_END_LISTED }}
+// where lights have masks there may be no plain one; elsewhere the question costs more than it saves
+#ifdef FAROL_HAS_MASKS
+  #define FAROL_HAS_PLAIN (farol_lightCounts.z > farol_lightCounts.w)
+#else
+  #define FAROL_HAS_PLAIN true
+#endif
 // plain point lights by one loop, the others by another, so that the first stays short
 #define FAROL_SHADE_LISTED(shading) \
-  FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addPoint(shading, farol_record); FAROL_END_LISTED \
+  if (FAROL_HAS_PLAIN) { FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addPoint(shading, farol_record); FAROL_END_LISTED } \
   if (farol_lightCounts.w > 0) { FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addOther(shading, farol_record); FAROL_END_LISTED }
 #define FAROL_SHADE_ALL(shading) farol_addUnbounded(shading); FAROL_SHADE_LISTED(shading)
 
