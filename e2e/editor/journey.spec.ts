@@ -148,14 +148,21 @@ test('picks in the picture, moves by the gizmo in one step, deletes and brings b
   expect(await serialized(page)).toBe(before);
 });
 
-test('picks a light by its icon', async ({ page }) => {
+test('picks a light by its icon, and a decal', async ({ page }) => {
   await openEditor(page, 'empty');
   await addObject(page, 'Light', 'Point light');
   await page.keyboard.press('Escape');
   const icon = await pointOf(page, 'Point light');
   await page.mouse.click(icon.x + 5, icon.y - 5);
-  const selected = await page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name));
-  expect(selected).toEqual(['Point light']);
+  const selected = () => page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name));
+  expect(await selected()).toEqual(['Point light']);
+
+  await page.keyboard.press('Delete');
+  await addObject(page, 'Decal');
+  await page.keyboard.press('Escape');
+  expect(await selected()).toEqual([]);
+  await page.mouse.click(icon.x, icon.y);
+  expect(await selected()).toEqual(['Decal']);
 });
 
 test('re-parents by keyboard, duplicates, renames and hides', async ({ page }) => {

@@ -1,6 +1,7 @@
 import {
   Camera,
   type ComponentClass,
+  Decal,
   type FieldValue,
   GameObject,
   Light,
@@ -16,7 +17,7 @@ export interface Creation {
   readonly group: 'object' | 'mesh' | 'light' | 'camera';
   /** Of a mesh: the scene that it is a part of; null for others. */
   readonly folder: string | null;
-  /** What its icon stands for: 'mesh', 'camera', or the type of a light. */
+  /** What its icon stands for: 'mesh', 'camera', 'decal', or the type of a light. */
   readonly kind: string;
   make(): GameObject;
 }
@@ -46,6 +47,12 @@ function makeLight(type: string): GameObject {
   return object;
 }
 
+function makeDecal(): GameObject {
+  const object = withComponent('Decal', Decal);
+  object.transform.rotation = [-Math.PI / 2, 0, 0]; // thrown down
+  return object;
+}
+
 const words = (name: string): string => capital(name.replaceAll(/[-_]/g, ' '));
 
 /** A mesh of the library; those of a scene, such as 'temple/column', are in a folder. */
@@ -65,6 +72,7 @@ export function creations(scene: Scene): Creation[] {
   }));
   return [
     { label: 'Empty object', group: 'object', folder: null, kind: 'object', make: () => new GameObject('Object') },
+    { label: 'Decal', group: 'object', folder: null, kind: 'decal', make: makeDecal },
     ...scene.assets.list('mesh').map(meshCreation),
     ...lights,
     { label: 'Camera', group: 'camera', folder: null, kind: 'camera', make: () => withComponent('Camera', Camera) },

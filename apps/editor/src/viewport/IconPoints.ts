@@ -1,4 +1,4 @@
-import { Camera, type Component, type GameObject, Light, type Scene } from '@farol/engine';
+import { Camera, type Component, Decal, type GameObject, Light, type Scene } from '@farol/engine';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -20,7 +20,7 @@ const SIZE = 20;
 const kindOf: Readonly<Record<string, number>> = Object.fromEntries(iconKinds.map((kind, i) => [kind, i]));
 const place = new Vector3();
 
-/** Icons for the lights and cameras of a scene, which can be picked though there is nothing to see of them: one draw. */
+/** Icons for the lights, cameras and decals of a scene, which can be picked though there is nothing to see of them: one draw. */
 export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   private readonly shown: GameObject[] = [];
 
@@ -41,13 +41,14 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     this.grow(64);
   }
 
-  /** Takes over where lights and cameras are now. @param without - a camera that is looked through */
+  /** Takes over where lights, cameras and decals are now. @param without - a camera that is looked through */
   refresh(scene: Scene, isSelected: (object: GameObject) => boolean, pixelRatio: number, without: Camera | null): void {
     this.shown.length = 0;
     this.material.uniforms.size.value = SIZE * pixelRatio;
-    this.grow(scene.lights.length + scene.cameras.length);
+    this.grow(scene.lights.length + scene.cameras.length + scene.decals.length);
     for (const light of scene.lights) if (light.isActive) this.addIcon(light, isSelected);
     for (const camera of scene.cameras) if (camera.isActive && camera !== without) this.addIcon(camera, isSelected);
+    for (const decal of scene.decals) if (decal.isActive) this.addIcon(decal, isSelected);
     this.geometry.setDrawRange(0, this.shown.length);
     for (const name in this.geometry.attributes) this.geometry.attributes[name].needsUpdate = true;
   }
@@ -89,9 +90,13 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     const { elements } = gameObject.object3D.matrixWorld;
     geometry.attributes.position.setXYZ(i, elements[12], elements[13], elements[14]);
     geometry.attributes.selected.setX(i, isSelected(gameObject) ? 1 : 0);
-    geometry.attributes.kind.setX(i, component instanceof Light ? kindOf[component.type] : kindOf.camera);
-    if (component instanceof Light) {
-      const [r, g, b] = component.diffuse;
+    const isDecal = component instanceof Decal;
+    geometry.attributes.kind.setX(
+      i,
+      component instanceof Light ? kindOf[component.type] : isDecal ? kindOf.decal : kindOf.camera,
+    );
+    if (component instanceof Light || isDecal) {
+      const [r, g, b] = isDecal ? component.colour : component.diffuse;
       const largest = Math.max(r, g, b, 1e-6);
       geometry.attributes.tint.setXYZ(
         i,

@@ -1,9 +1,10 @@
-import { Camera, type GameObject, Light, type Scene } from '@farol/engine';
+import { Camera, Decal, type GameObject, Light, type Scene } from '@farol/engine';
 import { Box3, Matrix4, OrthographicCamera, Vector3 } from 'three';
 import type { LineSet } from './LineSet';
 
 const unprojected = new Matrix4();
 const clip = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
+const reach = new Box3();
 const centre = new Vector3();
 const x = new Vector3();
 const y = new Vector3();
@@ -70,18 +71,33 @@ function drawCamera(lines: LineSet, camera: Camera): void {
   });
 }
 
+/** The box in which a decal lies on surfaces, and an arrow the way it is thrown. */
+function drawDecal(lines: LineSet, { gameObject, size }: Decal): void {
+  const { matrixWorld } = gameObject.object3D;
+  x.fromArray(size).multiplyScalar(0.5);
+  lines.box(reach.set(y.copy(x).negate(), x), matrixWorld);
+  const [width, height] = size;
+  from.set(0, 0, x.z).applyMatrix4(matrixWorld);
+  to.set(0, 0, -x.z).applyMatrix4(matrixWorld);
+  lines.line(from, to);
+  const tip = 0.15 * Math.min(width, height);
+  for (const side of [-tip, tip]) lines.line(to, from.set(side, 0, tip - x.z).applyMatrix4(matrixWorld));
+}
+
 /** Adds the ranges of every light of a scene that is on; of many lights more coarsely. */
 export function drawRanges(lines: LineSet, { lights }: Scene): void {
   const segments = Math.min(48, Math.max(8, Math.round(20_000 / lights.length)));
   for (const light of lights) if (light.isActive) drawLight(lines, light, segments);
 }
 
-/** Adds the lines that show what is selected besides its outline: ranges of lights, views of cameras. */
+/** Adds the lines that show what is selected besides its outline: ranges of lights, views of cameras, boxes of decals. */
 export function drawSelection(lines: LineSet, objects: readonly GameObject[], lookThrough: Camera | null): void {
   for (const object of objects) {
     const light = object.getComponent(Light);
     const camera = object.getComponent(Camera);
     if (light) drawLight(lines, light);
+    const decal = object.getComponent(Decal);
     if (camera && camera !== lookThrough) drawCamera(lines, camera);
+    if (decal) drawDecal(lines, decal);
   }
 }

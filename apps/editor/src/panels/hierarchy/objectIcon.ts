@@ -1,4 +1,4 @@
-import { Camera, type GameObject, isInstanceRoot, Light, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { Camera, Decal, type GameObject, isInstanceRoot, Light, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { IconName } from '../../ui/iconPaths';
 
 /** The icon that says what a GameObject is. */
@@ -8,5 +8,6 @@ export function objectIcon(object: GameObject): IconName {
   if (light) return light.type;
   if (object.getComponent(Camera)) return 'camera';
   if (object.getComponent(ObjectRenderer) || object.getComponent(ModelRenderer)) return 'mesh';
+  if (object.getComponent(Decal)) return 'decal';
   return object.children.length > 0 ? 'folder' : 'object';
 }

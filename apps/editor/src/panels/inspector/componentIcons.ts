@@ -6,6 +6,7 @@ const icons: Readonly<Record<string, IconName>> = {
   ModelRenderer: 'mesh',
   Light: 'point',
   Camera: 'camera',
+  Decal: 'decal',
   KeyController: 'keyboard',
   MouseController: 'mouse',
   RandomMovement: 'motion',
