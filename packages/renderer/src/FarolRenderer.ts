@@ -205,10 +205,9 @@ export class FarolRenderer {
       return;
     }
     this.recorder.begin(this.timing);
-    if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
+    this.finder.find(scene, camera, this.lightLayers, scene.matrixWorldAutoUpdate);
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
     adoptDepth(this.webgl, camera);
-    this.finder.find(scene, camera, this.lightLayers);
     const { finder, frame, webgl } = this;
     const { shadows } = finder;
     frame.begin(scene, camera, this.views.available(this.viewName));

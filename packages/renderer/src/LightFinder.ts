@@ -23,12 +23,15 @@ export class LightFinder {
     private readonly makeShadows: (code: ShadowCode) => ShadowMaps,
   ) {}
 
-  /** @param layers whether lights reach only objects of their layers, which takes masks too */
-  find(scene: Object3D, camera: Camera, layers: boolean): void {
+  /**
+   * @param layers whether lights reach only objects of their layers, which takes masks too
+   * @param update brings the world matrices of the scene up to date. Default false
+   */
+  find(scene: Object3D, camera: Camera, layers: boolean, update = false): void {
     const { found, left } = this;
     left.cookies = this.shadows === null;
     left.shadows = left.cookies && this.webgl.shadowMap.enabled;
-    collectLights(scene, camera, left, found);
+    collectLights(scene, camera, left, found, update);
     this.asksForShadows = found.masks > 0 || layers;
     if (this.shadows !== null || !this.asksForShadows) return;
     if (shadowCode.code === null) {

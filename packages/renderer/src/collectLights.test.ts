@@ -54,4 +54,68 @@ describe('collectLights', () => {
     collectLights(scene, new Camera(), nothingLeft, found);
     expect([found.masks, found.all.length, found.rest.length]).toEqual([0, 0, 0]);
   });
+
+  it('brings world matrices up to date as three does, whatever moves, hides, or keeps its own matrix', () => {
+    let seed = 7;
+    const next = (): number => (seed = (seed * 16807) % 2147483647) / 2147483647;
+    const choose = <T>(...of: T[]): T => of[Math.floor(next() * of.length)];
+    class Own extends PointLight {
+      calls = 0;
+      override updateMatrixWorld(force?: boolean): void {
+        this.calls++;
+        super.updateMatrixWorld(force);
+      }
+    }
+    const grow = (parent: Object3D, depth: number): void => {
+      for (let i = 0; i < 8; i++) {
+        const child = choose<() => Object3D>(
+          () => new PointLight(),
+          () => new PointLight(),
+          () => new Group(),
+          () => new Mesh(),
+          () => new Own(),
+        )();
+        child.visible = next() > 0.2;
+        child.matrixAutoUpdate = next() > 0.2;
+        child.matrixWorldAutoUpdate = next() > 0.2;
+        parent.add(child);
+        if (depth > 0 && next() < 0.4) grow(child, depth - 1);
+      }
+    };
+    const move = (object: Object3D): void => {
+      object.traverse((each) => {
+        if (next() < 0.5) each.position.set(next(), next(), next());
+        if (next() < 0.3) each.rotation.set(next(), next(), next());
+        if (next() < 0.1) each.matrixWorldNeedsUpdate = true;
+      });
+    };
+    for (let round = 0; round < 8; round++) {
+      const root = round % 4 === 3 ? new Group() : new Scene();
+      root.visible = round % 4 !== 2;
+      grow(root, 2);
+      const twin = root.clone();
+      for (let frame = 0; frame < 4; frame++) {
+        const before = seed;
+        if (round > 3) move(root);
+        else for (const child of root.children) move(child);
+        seed = before;
+        if (round > 3) move(twin);
+        else for (const child of twin.children) move(child);
+        const found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0 };
+        collectLights(root, new Camera(), nothingLeft, found, true);
+        twin.updateMatrixWorld();
+        const expected: Object3D[] = [];
+        twin.traverse((each) => expected.push(each));
+        let i = 0;
+        root.traverse((each) => {
+          const wanted = expected[i++];
+          expect(each.matrixWorld.elements).toEqual(wanted.matrixWorld.elements);
+          expect(each.matrix.elements).toEqual(wanted.matrix.elements);
+          expect(each.matrixWorldNeedsUpdate).toBe(wanted.matrixWorldNeedsUpdate);
+          if (each instanceof Own) expect(each.calls).toBe((wanted as Own).calls);
+        });
+        expect(names(found.all)).toEqual(names(collect(root).all));
+      }
+    }
+  });
 });

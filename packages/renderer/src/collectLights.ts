@@ -1,4 +1,4 @@
-import type { Camera, Light, Object3D, Scene } from 'three';
+import { type Camera, type Light, Matrix4, Object3D, type Scene } from 'three';
 import { isManagedLight, type LeftToThree } from './lights/isManagedLight';
 import { cookieOf } from './lights/lightCookie';
 
@@ -17,13 +17,35 @@ export interface FoundLights {
   masks: number;
 }
 
-/** Finds the managed lights that the camera's layers see, parents before children. */
-export function collectLights(root: Object3D, camera: Camera, left: LeftToThree, found: FoundLights): void {
+const { updateMatrixWorld } = Object3D.prototype;
+const identity = new Matrix4();
+
+/** What is done to the world matrices of children: nothing, what each asks for, or all of them. */
+const KEPT = 0;
+const UPDATED = 1;
+const FORCED = 2;
+
+/**
+ * Finds the managed lights that the camera's layers see, parents before children.
+ * @param update brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: what lights have in memory
+ *   is fetched once, not twice. Default false
+ */
+export function collectLights(
+  root: Object3D,
+  camera: Camera,
+  left: LeftToThree,
+  found: FoundLights,
+  update = false,
+): void {
   found.count = 0;
   found.masks = 0;
   found.nested.length = found.rest.length = 0;
-  if ((root as Scene).isScene === true) {
-    if (root.visible) visitChildren(root, camera, left, found);
+  const isScene = (root as Scene).isScene === true;
+  const byChild = update && isScene && root.visible && root.updateMatrixWorld === updateMatrixWorld;
+  if (update && !byChild) root.updateMatrixWorld();
+  if (isScene) {
+    if (byChild) visitChildren(root, camera, left, found, updateOne(root, false) ? FORCED : UPDATED);
+    else if (root.visible) visitChildren(root, camera, left, found, KEPT);
   } else {
     found.rest.push(root);
     // three's traversal meets the lights that are its children too
@@ -33,10 +55,40 @@ export function collectLights(root: Object3D, camera: Camera, left: LeftToThree,
   if (found.all.length > found.count) found.all.length = found.count;
 }
 
-function visitChildren({ children }: Object3D, camera: Camera, left: LeftToThree, found: FoundLights): void {
+/** As three's `updateMatrixWorld`, without the children. @returns whether theirs must follow */
+function updateOne(object: Object3D, force: boolean): boolean {
+  if (object.matrixAutoUpdate) object.updateMatrix();
+  if (!(object.matrixWorldNeedsUpdate || force)) return false;
+  if (object.matrixWorldAutoUpdate) {
+    const { parent, matrix, matrixWorld } = object;
+    if (parent === null) matrixWorld.copy(matrix);
+    else matrixWorld.multiplyMatrices(parent.matrixWorld, matrix);
+  }
+  object.matrixWorldNeedsUpdate = false;
+  return true;
+}
+
+function visitChildren(
+  parent: Object3D,
+  camera: Camera,
+  left: LeftToThree,
+  found: FoundLights,
+  matrices: typeof KEPT | typeof UPDATED | typeof FORCED,
+): void {
+  const { children } = parent;
+  const unmoved = matrices !== KEPT && parent.matrixWorld.equals(identity);
   for (let i = 0; i < children.length; i++) {
     const child = children[i];
     const isLight = (child as Light).isLight === true;
+    if (matrices !== KEPT) {
+      if (!isLight || child.children.length > 0 || child.updateMatrixWorld !== updateMatrixWorld) {
+        child.updateMatrixWorld(matrices === FORCED);
+      } else if (unmoved && child.parent === parent && child.matrixAutoUpdate && child.matrixWorldAutoUpdate) {
+        child.updateMatrix();
+        child.matrixWorld.copy(child.matrix);
+        child.matrixWorldNeedsUpdate = false;
+      } else updateOne(child, matrices === FORCED);
+    }
     if (!child.visible) {
       // the scene's onBeforeRender may show it
       if (!isLight) found.rest.push(child);
