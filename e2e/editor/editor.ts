@@ -31,7 +31,7 @@ export interface EditorHandle {
     readonly mode: string;
     readonly view: string;
     readonly statistics: { readonly frames: number };
-    readonly gizmo: { readonly snapSteps: unknown };
+    readonly gizmo: { readonly snapSteps: unknown; readonly isHot: boolean };
     readonly editorCamera: { readonly target: { toArray(): number[] } };
     readonly webgl: WebGLRenderer;
     readonly farol: { readonly techniques: Readonly<Record<string, object>> };

@@ -159,10 +159,24 @@ test('picks a light by its icon, and a decal', async ({ page }) => {
 
   await page.keyboard.press('Delete');
   await addObject(page, 'Decal');
+  await page.mouse.move(icon.x, icon.y);
+  await expect.poll(() => page.evaluate(() => window.editor.viewport.gizmo.isHot)).toBe(true);
+  // what was let go of has no handles, though no frame has been drawn since
+  await page.evaluate(async () => {
+    const held: FrameRequestCallback[] = [];
+    const real = window.requestAnimationFrame;
+    window.requestAnimationFrame = (callback) => held.push(callback);
+    window.addEventListener('release', () => {
+      window.requestAnimationFrame = real;
+      held.forEach((callback) => real(callback));
+    });
+    await new Promise((resolve) => real(resolve));
+  });
   await page.keyboard.press('Escape');
   expect(await selected()).toEqual([]);
   await page.mouse.click(icon.x, icon.y);
   expect(await selected()).toEqual(['Decal']);
+  await page.evaluate(() => window.dispatchEvent(new Event('release')));
 });
 
 test('re-parents by keyboard, duplicates, renames and hides', async ({ page }) => {

@@ -81,6 +81,7 @@ export class Gizmo {
   private ctrl = false;
   private isSnapping = false;
   private isDisposed = false;
+  private readonly endings: readonly (() => void)[];
   private steps: SnapSteps = { translate: 0.5, rotate: MathUtils.degToRad(15), scale: 0.1 };
 
   /**
@@ -98,6 +99,10 @@ export class Gizmo {
     this.three.add(this.proxy);
     window.addEventListener('keydown', this.keyChanged, true);
     window.addEventListener('keyup', this.keyChanged, true);
+    // not only with the next picture: a handle of what was let go of must not be taken
+    this.endings = [document.selection.changed, document.structure].map((signal) =>
+      signal.subscribe(() => this.letGo()),
+    );
   }
 
   get mode(): GizmoMode {
@@ -108,6 +113,7 @@ export class Gizmo {
     this.cancel();
     this.currentMode = mode;
     if (mode !== 'select' && this.controls) this.controls.mode = mode;
+    this.letGo();
   }
 
   get space(): GizmoSpace {
@@ -154,13 +160,8 @@ export class Gizmo {
   update(camera: Camera): void {
     const { controls } = this;
     if (controls) controls.camera = camera;
-    if (controls?.dragging) return;
-    const objects = this.targets();
-    if (objects.length === 0 || this.currentMode === 'select') {
-      if (controls?.object) controls.detach();
-      return;
-    }
-    this.placeProxy(objects);
+    if (controls?.dragging || this.letGo()) return;
+    this.placeProxy(this.targets());
     if (!controls) this.loading ??= this.load();
     else if (!controls.object) controls.attach(this.proxy);
   }
@@ -181,6 +182,7 @@ export class Gizmo {
     window.removeEventListener('keydown', this.keyChanged, true);
     window.removeEventListener('keyup', this.keyChanged, true);
     this.isDisposed = true;
+    for (const end of this.endings) end();
     this.controls?.dispose();
   }
 
@@ -216,6 +218,14 @@ export class Gizmo {
     return this.targetList;
   }
 
+  /** Takes the handles away where there is nothing to move by them. @returns whether that is so */
+  private letGo(): boolean {
+    const { controls } = this;
+    if (this.targets().length > 0 && this.currentMode !== 'select') return false;
+    if (controls?.object && !controls.dragging) controls.detach();
+    return true;
+  }
+
   /** In the middle of the selection, turned as the one chosen last. */
   private placeProxy(objects: readonly GameObject[]): void {
     const { proxy } = this;
@@ -229,6 +239,7 @@ export class Gizmo {
 
   private begin(): void {
     const objects = this.targets();
+    if (objects.length === 0) return; // locked since the last picture
     this.placeProxy(objects);
     this.starts = objects.map(startOf);
     this.startInverse.copy(this.proxy.matrixWorld).invert();
