@@ -81,7 +81,7 @@ export class Gizmo {
   private ctrl = false;
   private isSnapping = false;
   private isDisposed = false;
-  private readonly endings: readonly (() => void)[];
+  private readonly endSelection: () => void;
   private steps: SnapSteps = { translate: 0.5, rotate: MathUtils.degToRad(15), scale: 0.1 };
 
   /**
@@ -100,9 +100,9 @@ export class Gizmo {
     window.addEventListener('keydown', this.keyChanged, true);
     window.addEventListener('keyup', this.keyChanged, true);
     // not only with the next picture: a handle of what was let go of must not be taken
-    this.endings = [document.selection.changed, document.structure].map((signal) =>
-      signal.subscribe(() => this.letGo()),
-    );
+    this.endSelection = document.selection.changed.subscribe(() => {
+      if (document.selection.ids.length === 0) this.letGo();
+    });
   }
 
   get mode(): GizmoMode {
@@ -112,8 +112,8 @@ export class Gizmo {
   set mode(mode: GizmoMode) {
     this.cancel();
     this.currentMode = mode;
-    if (mode !== 'select' && this.controls) this.controls.mode = mode;
-    this.letGo();
+    if (mode === 'select') this.letGo();
+    else if (this.controls) this.controls.mode = mode;
   }
 
   get space(): GizmoSpace {
@@ -182,7 +182,7 @@ export class Gizmo {
     window.removeEventListener('keydown', this.keyChanged, true);
     window.removeEventListener('keyup', this.keyChanged, true);
     this.isDisposed = true;
-    for (const end of this.endings) end();
+    this.endSelection();
     this.controls?.dispose();
   }
 
