@@ -1,7 +1,7 @@
 import { type ArrayCamera, type Camera, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from './adoptDepth';
 import { clearValue } from './clearValue';
-import { checkDevice, hasFloatTargets } from './checkDevice';
+import { checkDevice } from './checkDevice';
 import { type View, isSurfaceView, views } from './debug/views';
 import { unknownName } from './errors';
 import type { FarolEffect } from './FarolEffect';
@@ -28,6 +28,7 @@ import { SceneView } from './SceneView';
 import type { ShadowMaps } from './shadows/ShadowMaps';
 import type { TechniqueName } from './techniques';
 import type { Technique } from './techniques/Technique';
+import { TechniquePicker } from './techniques/TechniquePicker';
 import { TechniqueSet } from './techniques/TechniqueSet';
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
@@ -79,12 +80,8 @@ export class FarolRenderer {
   private readonly views: LateViews;
   private readonly finder: LightFinder;
   private readonly set: TechniqueSet;
-  private techniqueName: TechniqueName = 'auto';
-  /** What draws this frame: the technique, or what 'auto' picked, and why. */
-  private active: TechniqueName = 'deferred';
-  private reason = '';
+  private readonly picker: TechniquePicker;
   private readonly lightingScale = { value: 0.5 };
-  private floatTargets = true;
   private viewName: View = 'final';
   private sceneView!: SceneView;
   private disposed = false;
@@ -106,7 +103,6 @@ export class FarolRenderer {
     options: FarolOptions = {},
   ) {
     checkDevice(webgl, false);
-    this.floatTargets = hasFloatTargets(webgl);
     this.microshaders = createRegistry(webgl);
     this.views = new LateViews(this.microshaders);
     this.finder = new LightFinder(webgl, (code) => this.makeShadows(code));
@@ -118,6 +114,7 @@ export class FarolRenderer {
       grid: uniforms,
       inferredScale: this.lightingScale,
     });
+    this.picker = new TechniquePicker(webgl, this.set);
     this.twins = new TwinCache({
       uniforms,
       header: (chunks) => this.microshaders.header(chunks),
@@ -135,12 +132,11 @@ export class FarolRenderer {
 
   /** Key of the technique; takes effect on the next frame. @throws Error when unknown, or the device cannot run it */
   get technique(): TechniqueName {
-    return this.techniqueName;
+    return this.picker.technique;
   }
 
   set technique(name: TechniqueName) {
-    checkDevice(this.webgl, this.set.get(name).needsFloatTargets);
-    this.techniqueName = name;
+    this.picker.technique = name;
   }
 
   /** What `technique` can be: the built-in ones, and those that were added. */
@@ -208,7 +204,7 @@ export class FarolRenderer {
     this.finder.find(scene, camera, this.lightLayers, scene.matrixWorldAutoUpdate);
     if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
     adoptDepth(this.webgl, camera);
-    const { finder, frame, webgl } = this;
+    const { finder, frame, picker, webgl } = this;
     const { shadows } = finder;
     frame.begin(scene, camera, this.views.available(this.viewName));
     if (frame.view === 'grid') frame.quarter();
@@ -221,12 +217,12 @@ export class FarolRenderer {
       this.lights.collect(finder.found.all, frame.camera);
       this.lights.layers?.end();
       this.sceneView = this.viewOf(scene);
-      this.pick();
+      picker.pick(this.sceneView.chooser, frame, this.lights, this.activeEffects);
       if (shadows !== null) shadows.cascades = Math.min(4, Math.max(1, Math.round(this.shadowCascades)));
       shadows?.update(scene, frame.camera, this.lights.masked);
       frame.shadowMapsDrawn = shadows?.drawn ?? 0;
       frame.queue.layers = this.lights.layers?.reference ?? 0;
-      const { fills = 'behind', lightOrder } = this.set.known[this.active];
+      const { fills = 'behind', lightOrder } = this.set.known[picker.active];
       this.lights.write(frame.camera, lightOrder, frame, shadows);
       this.uniforms.set(webgl, frame, shadows, this.heatMapMaximum);
       this.sceneView.render(
@@ -245,7 +241,7 @@ export class FarolRenderer {
     }
     // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth
     if (this.info.drawCalls > FEW || this.lights.total > FEW) frame.gl.flush();
-    this.recorder.end(this.active, this.reason, this.lights, shadows, frame.uploadedBytes, this.targetBytes());
+    this.recorder.end(picker.active, picker.reason, this.lights, shadows, frame.uploadedBytes, this.targetBytes());
   }
 
   /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */
@@ -292,7 +288,7 @@ export class FarolRenderer {
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
     this.finder.find(scene, camera, this.lightLayers);
     if (this.finder.asksForShadows) await shadowCode.load();
-    await this.set.get(this.techniqueName).late?.load();
+    await this.set.get(this.technique).late?.load();
     const { compileByDrawing } = await import('./compileByDrawing');
     await compileByDrawing(this, scene, camera);
   }
@@ -318,39 +314,9 @@ export class FarolRenderer {
     return shadows;
   }
 
-  private pick(): void {
-    const { lights } = this;
-    this.active = this.techniqueName;
-    this.reason = 'asked for';
-    const { late } = this.set.known[this.active];
-    if (late?.code === null) {
-      late.ask();
-      this.active = 'deferred';
-      this.reason = `the code of "${this.techniqueName}" is being fetched`;
-    }
-    if (this.techniqueName !== 'auto') return;
-    const { bounded, coverage, directional, unbounded } = lights;
-    let surfaces = false;
-    for (const effect of this.activeEffects) surfaces ||= effect.needsSurfaces === true;
-    const choice = this.sceneView.chooser.choose(
-      {
-        bounded,
-        coverage,
-        everywhere: directional + unbounded,
-        transparents: this.frame.queue.hasLitTransparents,
-        floatTargets: this.floatTargets,
-        surfaces,
-      },
-      rehearsalCode.code !== null,
-    );
-    if (this.sceneView.chooser.settled) rehearsalCode.ask();
-    this.active = choice.technique;
-    this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
-  }
-
   /** Called inside three's render, for the host's target, and before that for three's transmission target if needed. */
   private drawFrame(): void {
-    const { frame } = this;
+    const { frame, picker } = this;
     if (this.webgl.getRenderTarget() !== frame.target) {
       for (const item of frame.queue.opaque) frame.drawForward(item, this.transmittedTwins('final'));
       return;
@@ -364,23 +330,14 @@ export class FarolRenderer {
       return;
     }
     if (frame.view === 'overdraw')
-      this.run('overdraw', () => this.views.passes!.overdraw.render(frame, this.set.hasPass(this.active, 'depth')));
+      this.run('overdraw', () => this.views.passes!.overdraw.render(frame, this.set.hasPass(picker.active, 'depth')));
     drawEarly(frame, this.transmittedTwins('final'));
-    drawPasses(frame, this.set.passesOf(this.active), this.activeEffects, this.recorder);
-    if (frame.view === 'overdraw' && !this.set.hasPass(this.active, 'output')) this.views.passes!.overdraw.show(frame);
+    drawPasses(frame, this.set.passesOf(picker.active), this.activeEffects, this.recorder);
+    if (frame.view === 'overdraw' && !this.set.hasPass(picker.active, 'output'))
+      this.views.passes!.overdraw.show(frame);
     if (frame.view === 'grid') this.showSurface();
-    this.rehearse();
+    picker.rehearse(this.sceneView.chooser, frame, this.activeEffects);
     frame.bindTarget();
-  }
-
-  /** Has what 'auto' is to draw by next made ready, a little in each frame. */
-  private rehearse(): void {
-    const { frame, set } = this;
-    const { chooser } = this.sceneView;
-    if (chooser.next === null || this.techniqueName !== 'auto') return;
-    const { technique } = chooser.next;
-    chooser.preparation ??= new rehearsalCode.code!.Rehearsal(frame, set.known[technique], set.passesOf(technique));
-    chooser.preparation.step(this.activeEffects);
   }
 
   /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */
