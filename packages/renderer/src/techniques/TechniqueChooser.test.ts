@@ -12,6 +12,12 @@ const scene = (figures: Partial<SceneFigures>): SceneFigures => ({
 });
 
 describe('TechniqueChooser', () => {
+  const few = scene({ bounded: 1, everywhere: 0 });
+  const many = scene({ bounded: 50, coverage: 30 });
+  const more = scene({ bounded: 5000, coverage: 30 });
+  const frames = (chooser: TechniqueChooser, count: number, figures: SceneFigures, prepares = true) =>
+    Array.from({ length: count }, () => chooser.choose(figures, prepares).technique);
+
   it('takes lists from three lights on, and a G-buffer where many lie over a pixel', () => {
     expect(new TechniqueChooser().choose(scene({ bounded: 1, everywhere: 1 })).technique).toBe('forward-single-pass');
     expect(new TechniqueChooser().choose(scene({ bounded: 2 })).technique).toBe('clustered-forward');
@@ -55,11 +61,17 @@ describe('TechniqueChooser', () => {
     expect(frames.at(-1)).toBe('clustered-deferred');
   });
 
-  const few = scene({ bounded: 1, everywhere: 0 });
-  const many = scene({ bounded: 50, coverage: 30 });
-  const more = scene({ bounded: 5000, coverage: 30 });
-  const frames = (chooser: TechniqueChooser, count: number, figures: SceneFigures, prepares = true) =>
-    Array.from({ length: count }, () => chooser.choose(figures, prepares).technique);
+  it('keeps to its choice a little past the bound, however long, on either side', () => {
+    for (const [from, to] of [
+      [2.5, 3.5],
+      [3.5, 2.5],
+    ]) {
+      const chooser = new TechniqueChooser();
+      const first = chooser.choose(scene({ coverage: from })).technique;
+      expect(new TechniqueChooser().choose(scene({ coverage: to })).technique).not.toBe(first);
+      expect(new Set(frames(chooser, 50, scene({ coverage: to }), false))).toEqual(new Set([first]));
+    }
+  });
 
   it('has the next technique made ready where that is possible, and keeps to the old one until it is', () => {
     const chooser = new TechniqueChooser();
@@ -69,9 +81,14 @@ describe('TechniqueChooser', () => {
     expect(chooser.next, 'patience').toBeNull();
     expect(new Set(frames(chooser, 30, many))).toEqual(new Set(['forward-single-pass']));
     expect(chooser.next?.technique).toBe('clustered-deferred');
-    chooser.preparation = { ready: true };
+    const preparation = { ready: false };
+    chooser.preparation = preparation;
+    expect(chooser.choose(many, true).technique, 'not yet ready').toBe('forward-single-pass');
+    expect(chooser.preparation).toBe(preparation);
+    preparation.ready = true;
     expect(chooser.choose(many, true).technique).toBe('clustered-deferred');
     expect(chooser.next).toBeNull();
+    expect(chooser.preparation).toBeNull();
   });
 
   it('drops what it had made ready when the old choice is good again, or another is better', () => {
@@ -98,10 +115,18 @@ describe('TechniqueChooser', () => {
     expect(chooser.choose({ ...few, floatTargets: false }, true).technique).toBe('forward-single-pass');
   });
 
+  it('waits as ever where an effect works on a G-buffer that the device cannot have', () => {
+    const chooser = new TechniqueChooser();
+    frames(chooser, 20, { ...few, surfaces: true, floatTargets: false });
+    const drawn = frames(chooser, 8, { ...many, surfaces: true, floatTargets: false }, false);
+    expect(drawn.indexOf('clustered-forward')).toBe(7);
+  });
+
   it('does not jump in a scene that has been drawn for a while, however far behind the bound is', () => {
     const chooser = new TechniqueChooser();
     frames(chooser, 20, few);
     expect(frames(chooser, 8, many, false).indexOf('clustered-deferred')).toBe(7);
+    expect(frames(chooser, 8, few, false).indexOf('forward-single-pass'), 'and back').toBe(7);
   });
 
   it('follows at once where the bound is far behind and the scene is new, as when its lights come', () => {
@@ -109,6 +134,20 @@ describe('TechniqueChooser', () => {
     expect(chooser.choose(scene({ bounded: 0, everywhere: 0 })).technique).toBe('forward-single-pass');
     expect(chooser.choose(scene({ bounded: 50, coverage: 30 })).technique).toBe('clustered-deferred');
     expect(chooser.choose(scene({ bounded: 2, everywhere: 0, coverage: 0.1 })).technique).toBe('forward-single-pass');
+  });
+
+  it('is new for its first frames, and follows at once only what is far from the bound', () => {
+    for (const [drawn, far] of [
+      [8, 'clustered-deferred'],
+      [9, 'forward-single-pass'],
+    ] as const) {
+      const chooser = new TechniqueChooser();
+      frames(chooser, drawn, few);
+      expect(chooser.choose(many, true).technique, `after ${drawn} frames`).toBe(far);
+    }
+    const chooser = new TechniqueChooser();
+    chooser.choose(scene({ coverage: 1 }));
+    expect(chooser.choose(scene({ coverage: 10 }), true).technique, 'not so far').toBe('clustered-forward');
   });
 
   it('says why', () => {
