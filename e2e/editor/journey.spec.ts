@@ -177,6 +177,13 @@ test('picks a light by its icon, and a decal', async ({ page }) => {
   await page.mouse.click(icon.x, icon.y);
   expect(await selected()).toEqual(['Decal']);
   await page.evaluate(() => window.dispatchEvent(new Event('release')));
+
+  const roughness = page.getByLabel('Roughness', { exact: true });
+  await expect(roughness).toBeVisible();
+  await page.getByRole('combobox', { name: 'Blending' }).click();
+  await page.getByRole('option', { name: 'multiply' }).click();
+  expect(await fieldOf(page, 'Decal', 'Decal', 'blending')).toBe('multiply');
+  await expect(roughness, 'is left to the surface').toHaveCount(0);
 });
 
 test('re-parents by keyboard, duplicates, renames and hides', async ({ page }) => {

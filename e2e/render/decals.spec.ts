@@ -152,3 +152,101 @@ test('techniques without a G-buffer say so once, and toMesh gives what they can 
   expect(mesh, 'the mesh cut out is where the decal is').toBeGreaterThan(30);
   expect(watch.forgive(/decals are not drawn.*toMesh/)).toBe(1);
 });
+
+test('the G-buffer and the light of it hold what three’s blending makes of colours, also of decals over decals', async ({
+  page,
+}) => {
+  const cells = await page.evaluate(() => {
+    const { Bench, effects, three } = window.testPage;
+    type Layer = readonly [blending: import('three').Blending, colour: number[], opacity: number];
+    const { NormalBlending, AdditiveBlending, SubtractiveBlending, MultiplyBlending, NoBlending } = three;
+    const some = [0.5, 0.1, 0.9];
+    const layers: Layer[][] = [
+      [],
+      [[NormalBlending, some, 0.6]],
+      [[AdditiveBlending, some, 0.6]],
+      [[SubtractiveBlending, some, 0.6]],
+      [[MultiplyBlending, some, 0.6]],
+      [[NormalBlending, [1, 1, 1], 0.25]],
+      [[NoBlending, some, 0.6]],
+      [
+        [AdditiveBlending, [0.1, 0.2, 0.9], 0.5],
+        [AdditiveBlending, [0.2, 0.1, 0.9], 0.7],
+      ],
+      [
+        [NormalBlending, [0.9, 0.8, 0.2], 1],
+        [MultiplyBlending, some, 1],
+      ],
+      [
+        [NormalBlending, [0.9, 0.8, 0.2], 1],
+        [NormalBlending, some, 1],
+      ],
+    ];
+    const pixels = 8;
+    const count = layers.length;
+    const bench = new Bench(count * pixels, pixels);
+    const camera = new three.OrthographicCamera(0, count, 1, 0, 0.1, 10);
+    camera.position.z = 5;
+    const bare = [0.2, 0.3, 0.05];
+    const wall = new three.Mesh(
+      new three.PlaneGeometry(40, 4),
+      new three.MeshStandardMaterial({ color: new three.Color(...bare), roughness: 0.9 }),
+    );
+    const scene = new three.Scene();
+    scene.add(wall, new three.AmbientLight(0xffffff, 1));
+    layers.forEach((each, cell) =>
+      each.forEach(([blending, colour, opacity], order) => {
+        const color = new three.Color(...colour);
+        const decal = new effects.Decal(
+          new three.MeshStandardMaterial({ color, opacity, blending, roughness: 0.2, metalness: 0 }),
+        );
+        decal.position.set(cell + 0.5, 0.5, 0);
+        decal.renderOrder = order;
+        scene.add(decal);
+      }),
+    );
+    const texels = new Uint8Array(count * pixels * pixels * 4);
+    const rows = [2, 3].map(() => texels.slice());
+    const reader: import('@farol/renderer').FarolEffect = {
+      name: 'reader',
+      after: ['gbuffer'],
+      bytes: 0,
+      render: (_, pass) => {
+        const { target } = (pass as unknown as { gbuffer: { target: import('three').WebGLRenderTarget } }).gbuffer;
+        for (const i of [2, 3])
+          bench.webgl.readRenderTargetPixels(target, 0, 0, count * pixels, pixels, rows[i - 2], undefined, i);
+      },
+      dispose: () => {},
+    };
+    bench.farol.effects = [new effects.Decals(), reader];
+    const { data } = bench.byTechnique('deferred', scene, camera);
+    const blend = ([blending, colour, opacity]: Layer, below: number[]) =>
+      below.map((b, i) => {
+        const source = colour[i] * opacity;
+        if (blending === AdditiveBlending) return Math.min(b + source, 1);
+        if (blending === SubtractiveBlending) return b * (1 - source);
+        return blending === MultiplyBlending ? b * source + b * (1 - opacity) : source + b * (1 - opacity);
+      });
+    return layers.map((each, cell) => {
+      const at = ((pixels / 2) * count * pixels + (cell + 0.5) * pixels) * 4;
+      const covers = each.length === 1 && [NormalBlending, NoBlending].includes(each[0][0] as 0 | 1);
+      return {
+        wanted: each.reduce((below, layer) => blend(layer, below), bare),
+        albedo: [...rows[0].slice(at, at + 3)].map((value) => (value / 255) ** 2),
+        light: [...data.slice(at, at + 3)],
+        roughness: rows[1][at] / 255,
+        wantedRoughness: covers ? 0.9 + (0.2 - 0.9) * each[0][2] : each.some(([b]) => b === NormalBlending) ? 0.2 : 0.9,
+      };
+    });
+  });
+  const [bare] = cells;
+  cells.forEach(({ wanted, albedo, light, roughness, wantedRoughness }, cell) => {
+    wanted.forEach((value, i) => {
+      // what is stored is a square root in 8 bits
+      expect(Math.abs(Math.sqrt(albedo[i]) - Math.sqrt(value)), `cell ${cell}, colour ${i}`).toBeLessThan(1.6 / 255);
+      const lit = (light[i] / bare.light[i]) * bare.wanted[i];
+      expect(Math.abs(lit / value - 1), `cell ${cell}, light ${i}`).toBeLessThan(0.04);
+    });
+    expect(roughness, `cell ${cell}`).toBeCloseTo(wantedRoughness, 2);
+  });
+});

@@ -1,10 +1,13 @@
-import type { Material, Texture } from 'three';
+import type { Blending, Material, Texture } from 'three';
 import type { ValuesOf } from '../fields/Field';
 import type { AssetLibrary } from './AssetLibrary';
 import { makeMaterial, materialSettings, writeMaterial } from './makeMaterial';
 import type { materialFields } from './materialFields';
 
-export type MaterialValues = Readonly<ValuesOf<typeof materialFields>>;
+export type MaterialValues = Readonly<ValuesOf<typeof materialFields>> & {
+  /** three's constant. Default NormalBlending. */
+  readonly blending?: Blending;
+};
 
 interface Entry {
   key: string;

@@ -7,6 +7,7 @@ import {
   MeshPhongMaterial,
   MeshPhysicalMaterial,
   MeshStandardMaterial,
+  NormalBlending,
   type Texture,
 } from 'three';
 import { hasAmbientReflection, setAmbientReflection } from './ambientReflection';
@@ -27,10 +28,13 @@ type LitMaterial = MeshStandardMaterial | MeshPhongMaterial | MeshLambertMateria
 /** An empty material of a kind. */
 export const makeMaterial = (kind: MaterialValues['kind']): Material => new constructors[kind]();
 
-/** The values that matter for the kind of material, in the order of the declaration. */
+/** The values that matter for the kind of material, in the order of the declaration, then the blending. */
 export function materialSettings(values: MaterialValues): unknown[] {
   const get = (name: string): unknown => (name === 'material' ? null : values[name as keyof MaterialValues]);
-  return Object.keys(materialFields).map((name) => (isFieldVisible(materialFields, name, get) ? get(name) : null));
+  const settings = Object.keys(materialFields).map((name) =>
+    isFieldVisible(materialFields, name, get) ? get(name) : null,
+  );
+  return [...settings, values.blending];
 }
 
 /**
@@ -50,6 +54,7 @@ export function writeMaterial(
   coloured.wireframe = values.wireframe;
   material.transparent = values.transparent;
   material.opacity = values.transparent ? values.opacity : 1;
+  material.blending = values.blending ?? NormalBlending;
   material.alphaTest = values.alphaTest;
   material.side = values.doubleSided ? DoubleSide : FrontSide;
   material.vertexColors = values.vertexColours;

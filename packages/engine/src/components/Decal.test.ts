@@ -1,9 +1,12 @@
+import { AdditiveBlending, MultiplyBlending, NormalBlending, SubtractiveBlending } from 'three';
 import { expect, test } from 'vitest';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { Decal } from './Decal';
 import { decalCode, loadDecalCode } from './decalCode';
+import { deserialize } from '../file/deserialize';
+import { serialize } from '../file/serialize';
 
 function decalIn(scene: Scene, values: Parameters<GameObject['addComponent']>[1] = {}): Decal {
   const object = new GameObject('Stain');
@@ -55,4 +58,33 @@ test('decals of equal looks share a material, which goes with the last; the scen
   expect(scene.decals).toEqual([]);
   expect(a.three).toBeNull();
   expect(assets.materials.size).toBe(0);
+});
+
+test('its blending is three’s, and looks that differ by it alone share no material', () => {
+  const scene = new Scene();
+  const decal = decalIn(scene);
+  const other = decalIn(scene);
+  expect(decal.three!.surface.blending).toBe(NormalBlending);
+  for (const [name, constant] of [
+    ['additive', AdditiveBlending],
+    ['subtractive', SubtractiveBlending],
+    ['multiply', MultiplyBlending],
+  ] as const) {
+    decal.blending = name;
+    expect(decal.three!.surface.blending).toBe(constant);
+    expect(other.three!.surface.blending).toBe(NormalBlending);
+  }
+  decal.blending = 'normal';
+  expect(decal.three!.surface).toBe(other.three!.surface);
+});
+
+test('its blending is kept in files; a file from before there was any is read as ever', async () => {
+  const scene = new Scene();
+  decalIn(scene, { blending: 'multiply' });
+  const file = serialize(scene);
+  const [written] = file.objects[0].components.filter(({ type }) => type === 'Decal');
+  expect(written.values.blending).toBe('multiply');
+  expect((await deserialize(file)).decals[0].blending).toBe('multiply');
+  delete written.values.blending;
+  expect((await deserialize(file)).decals[0].blending).toBe('normal');
 });

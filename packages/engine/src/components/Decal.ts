@@ -1,12 +1,27 @@
 import type { Decal as ThreeDecal } from '@farol/renderer/decals';
-import type { MeshStandardMaterial } from 'three';
+import {
+  AdditiveBlending,
+  type MeshStandardMaterial,
+  MultiplyBlending,
+  NormalBlending,
+  SubtractiveBlending,
+} from 'three';
 import type { MaterialValues } from '../assets/MaterialCache';
 import { materialFields } from '../assets/materialFields';
 import { component } from '../fields/component';
-import { angle, asset, colour, number, vector3 } from '../fields/fields';
+import { angle, asset, choice, colour, number, vector3 } from '../fields/fields';
 import type { FieldValue } from '../fields/Field';
 import type { Scene } from '../core/Scene';
 import { decalCode, loadDecalCode } from './decalCode';
+
+const blendings = {
+  normal: NormalBlending,
+  additive: AdditiveBlending,
+  subtractive: SubtractiveBlending,
+  multiply: MultiplyBlending,
+} as const;
+
+const covers = { visibleWhen: { field: 'blending', equals: ['normal'] } };
 
 const defaults = Object.fromEntries(
   Object.entries(materialFields).map(([name, field]) => [name, field.default]),
@@ -26,15 +41,18 @@ export class Decal extends component({
   }),
   colour: colour([0.8, 0.1, 0.05], { help: 'Diffuse colour; multiplies the map.' }),
   map: asset('texture', null, { help: 'Texture of the colour; where its alpha is 0 the surface stays as it is.' }),
+  blending: choice('normal', ['normal', 'additive', 'subtractive', 'multiply'], {
+    help: 'How the colour meets the surface’s: covers it, is added to it, takes its own share from it, or multiplies it.',
+  }),
   normalMap: asset('texture', null, { help: 'Texture of bumps, in tangent space.', label: 'Normal map' }),
   normalScale: number(1, {
     step: 0.05,
     help: 'Strength of the bumps; below 0 they are inverted.',
     label: 'Bump strength',
   }),
-  roughness: number(0.6, { min: 0, max: 1, step: 0.01, help: '0 is a mirror, 1 is chalk.' }),
-  metalness: number(0, { min: 0, max: 1, step: 0.01, help: '0 for insulators, 1 for metals.' }),
-  opacity: number(1, { min: 0, max: 1, step: 0.01, help: 'How much of the surface it covers; 0 cannot be seen.' }),
+  roughness: number(0.6, { min: 0, max: 1, step: 0.01, help: '0 is a mirror, 1 is chalk.', ...covers }),
+  metalness: number(0, { min: 0, max: 1, step: 0.01, help: '0 for insulators, 1 for metals.', ...covers }),
+  opacity: number(1, { min: 0, max: 1, step: 0.01, help: 'How much it does to the surface; 0 cannot be seen.' }),
   maximumAngle: angle(Math.PI / 2, {
     min: 0,
     max: Math.PI,
@@ -96,7 +114,9 @@ export class Decal extends component({
 
   private surface(): MaterialValues {
     const { colour, map, normalMap, normalScale, roughness, metalness, opacity } = this;
-    return { ...defaults, colour, map, normalMap, normalScale, roughness, metalness, opacity, transparent: true };
+    const blending = blendings[this.blending];
+    const made = { colour, map, normalMap, normalScale, roughness, metalness, opacity, blending };
+    return { ...defaults, ...made, transparent: true };
   }
 
   private apply(): void {

@@ -1,4 +1,14 @@
-import { BoxGeometry, Euler, Mesh, MeshStandardMaterial, Quaternion, RawShaderMaterial, Vector3 } from 'three';
+import {
+  BoxGeometry,
+  Euler,
+  Mesh,
+  MeshStandardMaterial,
+  MultiplyBlending,
+  Quaternion,
+  RawShaderMaterial,
+  SubtractiveBlending,
+  Vector3,
+} from 'three';
 import { DecalGeometry } from 'three/addons/geometries/DecalGeometry.js';
 
 /** What three draws of a decal: nothing. */
@@ -31,7 +41,10 @@ export class Decal extends Mesh {
 
   /**
    * @param surface what it is made of: `color`, `opacity`, `map` (its alpha is coverage), `normalMap`, `normalScale`,
-   *   `roughness` and `metalness` count; it stays the host's
+   *   `roughness`, `metalness` and `blending` count; it stays the host's. NormalBlending covers the surface.
+   *   AdditiveBlending, SubtractiveBlending and MultiplyBlending change its colour alone, as three's factors for
+   *   premultiplied alpha have it, and leave it its roughness and metalness; a `normalMap` bends it all the same. Other
+   *   blendings count as NormalBlending
    */
   constructor(public surface: MeshStandardMaterial = new MeshStandardMaterial()) {
     super(box, nothing);
@@ -41,6 +54,7 @@ export class Decal extends Mesh {
   /**
    * The same as a mesh of its own, cut from another by three's DecalGeometry, for techniques without a G-buffer: add it to
    * the scene in place of the decal. Right as long as neither moves; its geometry and material are the caller's to dispose.
+   * Where it blends otherwise than NormalBlending, it does so with the lit colour of what is behind it.
    * @param mesh that the decal lies on; matrices are brought up to date
    */
   toMesh(mesh: Mesh): Mesh<DecalGeometry, MeshStandardMaterial> {
@@ -54,6 +68,8 @@ export class Decal extends Mesh {
     const material = this.surface.clone();
     material.transparent = true;
     material.depthWrite = false;
+    // three does not blend by these without
+    material.premultipliedAlpha ||= material.blending === SubtractiveBlending || material.blending === MultiplyBlending;
     material.polygonOffset = true;
     material.polygonOffsetFactor = -4;
     return new Mesh(geometry, material);

@@ -1,21 +1,22 @@
 import {
+  AdditiveBlending,
   BackSide,
+  type Blending,
   Color,
   CustomBlending,
   DataTexture,
-  HalfFloatType,
   type IUniform,
   Matrix3,
   Matrix4,
-  NearestFilter,
+  MultiplyBlending,
+  NormalBlending,
   OneFactor,
   OneMinusSrcAlphaFactor,
-  RGFormat,
   SrcAlphaFactor,
   SrcColorFactor,
+  SubtractiveBlending,
   type Texture,
   Vector4,
-  type WebGLRenderTarget,
   ZeroFactor,
 } from 'three';
 import type { FarolEffect } from '../../FarolEffect';
@@ -26,17 +27,17 @@ import type { Pass } from '../../passes/Pass';
 import { PassMaterial } from '../../passes/PassMaterial';
 import { setUnprojectUniforms, unprojectUniforms } from '../../passes/unprojectUniforms';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
-import { EffectTarget } from '../EffectTarget';
 import type { Decal } from './Decal';
 import decalAccumulation from './decalAccumulation.glsl?raw';
 import decalBox from './decalBox.glsl?raw';
 import { DecalFramebuffers } from './DecalFramebuffers';
 import decalGBuffer from './decalGBuffer.glsl?raw';
 import decalSurface from './decalSurface.glsl?raw';
+import { SurfaceCopies } from './SurfaceCopies';
 
 /** In place of a normal map's scale where there is none. */
 const NO_NORMAL_MAP = 1e9;
-const NEAREST = { minFilter: NearestFilter, magFilter: NearestFilter } as const;
+const BLENDINGS: readonly Blending[] = [AdditiveBlending, SubtractiveBlending, MultiplyBlending];
 const colour = new Color();
 
 /**
@@ -45,6 +46,7 @@ const colour = new Color();
  *
  * With `deferred`, `tiled-deferred` and `clustered-deferred`, on opaque surfaces that the G-buffer holds. Other techniques
  * have no surfaces to write to: there decals are not seen, and a warning says so; `Decal.toMesh` gives meshes for those.
+ * Another blending than NormalBlending is of the surface's colour, before it is lit.
  * Indirect light is taken from the surface's own by the ratio of colours, so a surface that is quite black has none to give.
  * @see Persson 2011, Volume Decals (GPU Pro 2)
  */
@@ -55,8 +57,7 @@ export class Decals implements FarolEffect {
   private reached = false;
   private warned = false;
   private readonly framebuffers = new DecalFramebuffers();
-  private readonly normals = new EffectTarget({ format: RGFormat, type: HalfFloatType, ...NEAREST }, 4);
-  private readonly albedos = new EffectTarget({ ...NEAREST }, 4);
+  private readonly copies = new SurfaceCopies();
   private readonly white = pixel(255, 255, 255);
   private readonly uniforms = {
     ...unprojectUniforms(),
@@ -73,11 +74,12 @@ export class Decals implements FarolEffect {
     farol_decalNormalMapTransform: { value: new Matrix3() },
     farol_decalValues: { value: new Vector4() },
     farol_decalFacing: { value: 0 },
+    farol_decalBlending: { value: NormalBlending as Blending },
   };
   private materials: readonly [PassMaterial, PassMaterial] | null = null;
 
   get bytes(): number {
-    return this.normals.bytes + this.albedos.bytes;
+    return this.copies.bytes;
   }
 
   begin(): void {
@@ -109,8 +111,7 @@ export class Decals implements FarolEffect {
 
   dispose(): void {
     this.framebuffers.dispose();
-    this.normals.dispose();
-    this.albedos.dispose();
+    this.copies.dispose();
     this.white.dispose();
     for (const material of this.materials ?? []) material.dispose();
     this.materials = null;
@@ -118,19 +119,15 @@ export class Decals implements FarolEffect {
 
   /** Copies what is read of the surfaces while it is written, and points the uniforms at it. */
   private prepare(frame: Frame, gbuffer: GBuffer): void {
-    const { uniforms } = this;
-    const { width, height } = gbuffer.target;
-    const normals = this.normals.of(width, height);
-    const albedos = this.albedos.of(width, height);
-    copyAttachment(frame, gbuffer.target, 1, normals);
-    copyAttachment(frame, gbuffer.target, 2, albedos);
+    const { copies, uniforms } = this;
+    copies.take(frame, gbuffer);
     this.materials ??= this.makeMaterials(frame);
     this.framebuffers.follow(frame, gbuffer);
     frame.bind(gbuffer.target); // its viewport
     setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
     uniforms.farol_surfaceDepth.value = gbuffer.depth;
-    uniforms.farol_surfaceNormal.value = normals.texture;
-    uniforms.farol_surfaceAlbedo.value = albedos.texture;
+    uniforms.farol_surfaceNormal.value = copies.normal;
+    uniforms.farol_surfaceAlbedo.value = copies.albedo;
     uniforms.farol_surfaceMaterial.value = gbuffer.material;
     uniforms.farol_environment.value = Boolean(frame.scene.environment);
   }
@@ -138,7 +135,7 @@ export class Decals implements FarolEffect {
   private draw(frame: Frame, decal: Decal): void {
     const { uniforms } = this;
     const { surface } = decal;
-    const { map, normalMap, opacity, roughness, metalness, normalScale } = surface;
+    const { blending, map, normalMap, opacity, roughness, metalness, normalScale } = surface;
     decal.modelViewMatrix.multiplyMatrices(frame.camera.matrixWorldInverse, decal.matrixWorld);
     uniforms.farol_decalInverse.value.copy(decal.modelViewMatrix).invert();
     colour.copy(surface.color);
@@ -150,6 +147,8 @@ export class Decals implements FarolEffect {
     const scale = normalMap === null ? NO_NORMAL_MAP : normalScale.x;
     uniforms.farol_decalValues.value.set(roughness, metalness, scale, normalScale.y);
     uniforms.farol_decalFacing.value = Math.cos(decal.maximumAngle);
+    uniforms.farol_decalBlending.value = BLENDINGS.includes(blending) ? blending : NormalBlending;
+    this.copies.follow(frame, decal.modelViewMatrix);
     const [light, surfaces] = this.materials!;
     this.framebuffers.bindLight(frame);
     light.uniformsNeedUpdate = true;
@@ -198,17 +197,4 @@ function setTransform(matrix: Matrix3, texture: Texture | null): void {
   }
   if (texture.matrixAutoUpdate) texture.updateMatrix();
   matrix.copy(texture.matrix);
-}
-
-function copyAttachment(frame: Frame, from: WebGLRenderTarget, attachment: number, to: WebGLRenderTarget): void {
-  const { gl } = frame;
-  const { properties, state } = frame.webgl;
-  const framebuffer = (target: WebGLRenderTarget) =>
-    (properties.get(target) as { __webglFramebuffer: WebGLFramebuffer }).__webglFramebuffer;
-  frame.bind(to); // made by then
-  state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer(from));
-  gl.readBuffer(gl.COLOR_ATTACHMENT0 + attachment);
-  gl.blitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-  gl.readBuffer(gl.COLOR_ATTACHMENT0);
-  state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
 }

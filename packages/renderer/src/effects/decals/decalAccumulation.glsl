@@ -1,4 +1,4 @@
-// Takes the indirect light that the surface gave off to what the decal's colour gives off, by multiplication.
+// Takes the indirect light that the surface gave off to what it gives off with the decal on it, by multiplication.
 // Farol
 #include "decalSurface"
 uniform lowp sampler2D farol_surfaceMaterial; // y: metalness, of standard surfaces
@@ -10,10 +10,10 @@ FarolDecal decal;
 if (!farol_findDecal(ivec2(gl_FragCoord.xy), decal)) discard;
 // a square root in 8 bits ends at this albedo: below it, black
 vec3 before = decal.albedo;
-vec3 after = decal.color;
-if (!farol_environment && (decal.flags & 3) == 1) {
+vec3 after = decal.blended;
+if (farol_decalBlending == 1 && !farol_environment && (decal.flags & 3) == 1) {
   before *= 1.0 - texelFetch(farol_surfaceMaterial, ivec2(gl_FragCoord.xy), 0).g;
-  after *= 1.0 - farol_decalValues.y;
+  after = mix(before, decal.color * (1.0 - farol_decalValues.y), decal.opacity);
 }
-vec3 ratio = min(mix(before, after, decal.opacity) / max(before, 1.5e-5), 64.0);
+vec3 ratio = min(after / max(before, 1.5e-5), 64.0);
 farol_accumulation = farol_indirect = vec4(ratio, 1.0);

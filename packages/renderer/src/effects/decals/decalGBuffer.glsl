@@ -1,4 +1,4 @@
-// Writes a decal's colour, normal, roughness and metalness over those of the surface, by its opacity.
+// Blends a decal's colour with that of the surface, and writes its normal, roughness and metalness over the surface's.
 // Farol
 #include "decalSurface"
 layout(location = 0) out highp vec4 farol_albedo;
@@ -8,9 +8,7 @@ layout(location = 2) out highp vec4 farol_material;
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 FarolDecal decal;
 if (!farol_findDecal(pixel, decal)) discard;
-// what is stored is a square root, and blended as such: this makes the albedo itself be mixed
-vec3 mixed = sqrt(mix(decal.albedo, decal.color, decal.opacity));
-farol_albedo = vec4((mixed - (1.0 - decal.opacity) * sqrt(decal.albedo)) / decal.opacity, decal.opacity);
+farol_albedo = vec4(sqrt(decal.blended), 1.0);
 farol_normal = vec4(0.0);
 if (farol_decalValues.z < 1e8) {
   mat2 linear = mat2(farol_decalNormalMapTransform);
@@ -23,4 +21,5 @@ if (farol_decalValues.z < 1e8) {
   farol_normal = vec4(farol_encodeNormal(normalize(mix(decal.normal, normal, decal.opacity))), 0.0, 1.0);
 }
 // standard surfaces alone have a roughness; 0.2: square root of the usual reflectance at normal incidence
-farol_material = (decal.flags & 3) == 1 ? vec4(farol_decalValues.xy, 0.2, decal.opacity) : vec4(0.0);
+bool covers = farol_decalBlending == 1 && (decal.flags & 3) == 1;
+farol_material = covers ? vec4(farol_decalValues.xy, 0.2, decal.opacity) : vec4(0.0);

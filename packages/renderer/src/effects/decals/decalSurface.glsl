@@ -13,13 +13,15 @@ uniform vec4 farol_decalColor; // linear, opacity
 uniform mat3 farol_decalMapTransform;
 uniform mat3 farol_decalNormalMapTransform;
 uniform vec4 farol_decalValues; // roughness, metalness, normal scale x, y; scale x above 1e8: no normal map
+uniform int farol_decalBlending; // three's constant, 1 to 4: normal, additive, subtractive, multiply
 uniform float farol_decalFacing; // cosine of the largest angle to the decal's axis
 
 struct FarolDecal {
   vec3 color; // linear
-  float opacity;
+  float opacity; // above 0
+  vec3 blended; // what comes of the surface's albedo, linear, 0 to 1
   vec3 normal; // of the surface, view space
-  vec3 albedo; // of the surface, linear
+  vec3 albedo; // of the surface and what lies on it already, linear
   int flags; // of the surface
   vec2 uv;
   vec2 across; // change of uv to the next pixel
@@ -35,6 +37,14 @@ vec3 farol_inDecal(const in ivec2 pixel) {
 
 vec2 farol_smaller(const in vec3 a, const in vec3 b) {
   return dot(a, a) < dot(b, b) ? a.xy : b.xy;
+}
+
+// as three blends what has premultiplied alpha
+vec3 farol_blend(const in vec3 below, const in vec3 color, const in float opacity) {
+  if (farol_decalBlending == 2) return below + color;
+  if (farol_decalBlending == 3) return below * (1.0 - color);
+  if (farol_decalBlending == 4) return below * (color + 1.0 - opacity);
+  return color + below * (1.0 - opacity);
 }
 
 // false where the decal does not reach
@@ -54,6 +64,7 @@ bool farol_findDecal(const in ivec2 pixel, out FarolDecal decal) {
   decal.opacity = color.a;
   vec4 albedo = texelFetch(farol_surfaceAlbedo, pixel, 0);
   decal.albedo = albedo.rgb * albedo.rgb;
+  decal.blended = clamp(farol_blend(decal.albedo, color.rgb * color.a, color.a), 0.0, 1.0);
   decal.flags = int(albedo.a * 255.0 + 0.5);
   return decal.opacity > 0.0;
 }

@@ -1,0 +1,95 @@
+import { HalfFloatType, type Matrix4, NearestFilter, RGFormat, Vector4, type WebGLRenderTarget } from 'three';
+import type { Frame } from '../../Frame';
+import type { GBuffer } from '../../gbuffer/GBuffer';
+import { EffectTarget } from '../EffectTarget';
+import { boxRectangle } from './boxRectangle';
+
+const NEAREST = { minFilter: NearestFilter, magFilter: NearestFilter } as const;
+
+/** Copies of a G-buffer's normals and albedo, which are read while the G-buffer itself is written. */
+export class SurfaceCopies {
+  private readonly normalTarget = new EffectTarget({ format: RGFormat, type: HalfFloatType, ...NEAREST }, 4);
+  private readonly albedoTarget = new EffectTarget({ ...NEAREST }, 4);
+  private gbuffer!: WebGLRenderTarget;
+  private normals!: WebGLRenderTarget;
+  private albedos!: WebGLRenderTarget;
+  /** Pixels that were written since `take`: x, y, width, height of each box. */
+  private readonly written: Vector4[] = [];
+  private boxes = 0;
+
+  get bytes(): number {
+    return this.normalTarget.bytes + this.albedoTarget.bytes;
+  }
+
+  /** Normals of the surfaces below all decals. */
+  get normal() {
+    return this.normals.texture;
+  }
+
+  /** Albedo of what is below the next decal. */
+  get albedo() {
+    return this.albedos.texture;
+  }
+
+  /** Copies all of a G-buffer; another target is bound then. */
+  take(frame: Frame, { target }: GBuffer): void {
+    const { width, height } = target;
+    this.gbuffer = target;
+    this.normals = this.normalTarget.of(width, height);
+    this.albedos = this.albedoTarget.of(width, height);
+    this.boxes = 0;
+    const whole = this.rectangle(0).set(0, 0, width, height);
+    frame.bind(this.normals); // made by then
+    copyAttachment(frame, target, 1, this.normals, whole);
+    frame.bind(this.albedos);
+    copyAttachment(frame, target, 2, this.albedos, whole);
+  }
+
+  /**
+   * Brings the albedo up to date where the next decal may lie over earlier ones; another framebuffer is bound then.
+   * @param modelView from the decal's box to view space
+   */
+  follow(frame: Frame, modelView: Matrix4): void {
+    const rectangle = this.rectangle(this.boxes);
+    boxRectangle(modelView, frame.camera.projectionMatrix, this.gbuffer, rectangle);
+    for (let i = 0; i < this.boxes; i++) {
+      if (!overlap(rectangle, this.written[i])) continue;
+      copyAttachment(frame, this.gbuffer, 2, this.albedos, rectangle);
+      break;
+    }
+    this.boxes++;
+  }
+
+  dispose(): void {
+    this.normalTarget.dispose();
+    this.albedoTarget.dispose();
+  }
+
+  private rectangle(index: number): Vector4 {
+    return (this.written[index] ??= new Vector4());
+  }
+}
+
+function overlap(a: Vector4, b: Vector4): boolean {
+  return a.x < b.x + b.z && b.x < a.x + a.z && a.y < b.y + b.w && b.y < a.y + a.w;
+}
+
+function copyAttachment(
+  frame: Frame,
+  from: WebGLRenderTarget,
+  attachment: number,
+  to: WebGLRenderTarget,
+  { x, y, z, w }: Vector4,
+): void {
+  if (z === 0 || w === 0) return;
+  const { gl } = frame;
+  const { properties, state } = frame.webgl;
+  const framebuffer = (target: WebGLRenderTarget) =>
+    (properties.get(target) as { __webglFramebuffer: WebGLFramebuffer }).__webglFramebuffer;
+  state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, framebuffer(to));
+  state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer(from));
+  gl.readBuffer(gl.COLOR_ATTACHMENT0 + attachment);
+  gl.blitFramebuffer(x, y, x + z, y + w, x, y, x + z, y + w, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+  gl.readBuffer(gl.COLOR_ATTACHMENT0);
+  state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+}
