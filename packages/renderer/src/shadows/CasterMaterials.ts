@@ -15,6 +15,11 @@ import {
 
 const SHADOW_SIDES: Record<Side, Side> = { [FrontSide]: BackSide, [BackSide]: FrontSide, [DoubleSide]: DoubleSide };
 
+/** The sides of a material that cast its shadow; `bothSides` as for `CasterMaterials.get`. */
+export function shadowSideOf({ side, shadowSide }: Material, bothSides: boolean): Side {
+  return shadowSide ?? (bothSides ? side : SHADOW_SIDES[side]);
+}
+
 type AnyMaterial = MeshStandardMaterial & { isMeshDistanceMaterial?: boolean };
 type AnyMesh = Mesh & Partial<InstancedMesh> & { isSkinnedMesh?: boolean; isBatchedMesh?: boolean };
 
@@ -40,7 +45,7 @@ export class CasterMaterials {
     const m = source as AnyMaterial;
     result.visible = m.visible;
     result.wireframe = m.wireframe;
-    result.side = m.shadowSide ?? (bothSides ? m.side : SHADOW_SIDES[m.side]);
+    result.side = shadowSideOf(m, bothSides);
     result.alphaMap = m.alphaMap;
     result.alphaTest = m.alphaToCoverage ? 0.5 : m.alphaTest;
     result.map = m.map;

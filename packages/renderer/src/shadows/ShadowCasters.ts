@@ -2,6 +2,7 @@ import { type Camera, type LOD, type Mesh, type Object3D, Sphere } from 'three';
 import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
 import { boxOutsidePlanes, casterBox } from './casterBox';
 import { casterSignature, isAnimatedCaster } from './casterSignature';
+import type { MergedCaster } from './merged';
 import type { ShadowFace } from './ShadowFace';
 import type { ShadowSlot } from './ShadowSlot';
 
@@ -21,9 +22,12 @@ export interface Caster {
   frame: number;
   /** What three is given to bring its buffers up to date, see SceneView. */
   stand: Object3D | null;
-  /** Boxes of its clusters along the world's axes, as `triangleClusters` has them, and whether they are where it is now. */
-  clusters: Float64Array | null;
-  clustersPlaced: boolean;
+  /** Counts the places that it was in, and the looks that it had. */
+  place: number;
+  look: number;
+  /** Among the merged casters; and the look that it was last to be merged with, -1 for none. */
+  merged: MergedCaster | null;
+  waits: number;
   /** The frame for which `stand` was handed out. */
   prepared: number;
 }
@@ -42,7 +46,8 @@ export class ShadowCasters {
   changed = 0;
   private readonly known = new WeakMap<Object3D, Caster>();
   private previous: Caster[] = [];
-  private frame = 0;
+  /** Counts the updates. */
+  frame = 0;
   private receiversCast = false;
 
   /**
@@ -98,8 +103,9 @@ export class ShadowCasters {
       if (caster.frame === this.frame - 1) this.addChange(caster);
       findSphere(object, caster);
       caster.hasBox = caster.radius !== Infinity && casterBox(object, caster.box);
+      if (signature !== caster.signature) caster.look++;
       caster.signature = signature;
-      caster.clustersPlaced = false;
+      caster.place++;
       this.addChange(caster);
     }
     caster.frame = this.frame;
@@ -134,8 +140,10 @@ function makeCaster(object: Object3D): Caster {
     signature: 0,
     frame: -1,
     stand: null,
-    clusters: null,
-    clustersPlaced: false,
+    place: 0,
+    look: 0,
+    merged: null,
+    waits: -1,
     prepared: -1,
   };
 }

@@ -1,4 +1,5 @@
 import { Frustum, Matrix4, PerspectiveCamera, Vector3, WebGLCoordinateSystem, type Camera } from 'three';
+import { TriangleRuns } from './merged/TriangleRuns';
 import type { Caster } from './ShadowCasters';
 
 const frustum = new Frustum();
@@ -11,10 +12,9 @@ const back = new Vector3();
 export class ShadowFace {
   /** The six planes of its view in world space, as `viewFrustumPlanes` has them. */
   readonly planes = new Float64Array(24);
-  /** What it draws in this frame; of each the first vertex (or index), -1 for all of it, and their number. */
+  /** What it draws in this frame by itself. */
   readonly casters: Caster[] = [];
-  readonly starts: number[] = [];
-  readonly counts: number[] = [];
+  private readonly merged: TriangleRuns[] = [];
   /** Part of the atlas that it draws to (texels). */
   x = 0;
   y = 0;
@@ -23,15 +23,14 @@ export class ShadowFace {
 
   constructor(readonly camera: Camera) {}
 
-  /** Has it draw a caster, or a run of its vertices (or indices). */
-  add(caster: Caster, start = -1, count = Infinity): void {
-    this.casters.push(caster);
-    this.starts.push(start);
-    this.counts.push(count);
+  /** What it draws of a page of the merged casters, of those of which one side is seen (three's `Side`). */
+  runs(page: number, side: number): TriangleRuns {
+    return (this.merged[page * 3 + side] ??= new TriangleRuns());
   }
 
   clear(): void {
-    this.casters.length = this.starts.length = this.counts.length = 0;
+    this.casters.length = 0;
+    for (const runs of this.merged) runs.clear();
   }
 
   /** Takes the planes from the camera's matrices. */

@@ -9,10 +9,11 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
+import type { MicroShaderRegistry } from '../microshaders';
 import type { GeometryGroup } from '../RenderItem';
 import { CasterMaterials } from './CasterMaterials';
-import { CasterRuns } from './CasterRuns';
 import { casterStand } from './casterStand';
+import { MergedCasters } from './merged';
 import { type Caster, isReached, isSeen, type ShadowCasters } from './ShadowCasters';
 import type { ShadowFace } from './ShadowFace';
 import type { ShadowSlot } from './ShadowSlot';
@@ -37,10 +38,11 @@ type ShadowCallback = (
   group: GeometryGroup | null,
 ) => void;
 
+/** Frames for which the merged casters of a scene that is not drawn are kept. */
+const KEPT_FRAMES = 600;
+
 const rectangle = new Vector4();
 const depth = new Float32Array(1);
-/** What is drawn of a caster. */
-const run: GeometryGroup = { start: -1, count: Infinity };
 
 /** Draws casters into the tiles of shadow maps as three's WebGLShadowMap would. Call inside three's `render`. */
 export class ShadowMapDraws {
@@ -49,13 +51,18 @@ export class ShadowMapDraws {
   private readonly materials: CasterMaterials;
   private readonly draw: Draw;
   private readonly gl: WebGL2RenderingContext;
-  private readonly runs = new CasterRuns();
+  private readonly merged = new Map<ShadowCasters, MergedCasters>();
+  private mergedCasters: MergedCasters | null = null;
+  private hasMerged = false;
   private casters: ShadowCasters | null = null;
   private camera: Camera | null = null;
   private bothSides = false;
   private frame = 0;
 
-  constructor(private readonly webgl: WebGLRenderer) {
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly microshaders: MicroShaderRegistry,
+  ) {
     this.materials = new CasterMaterials(webgl);
     this.draw = webgl.renderBufferDirect as unknown as Draw;
     this.gl = webgl.getContext() as WebGL2RenderingContext;
@@ -71,26 +78,37 @@ export class ShadowMapDraws {
     this.bothSides = bothSides;
     this.frame++;
     this.stands.length = 0;
+    this.mergedCasters = this.mergedOf(casters);
+    this.hasMerged = false;
   }
 
   /** Finds what each face of a light's map will draw, and has three bring its buffers up to date. */
   prepare(slot: ShadowSlot): void {
     const { list, count } = this.casters!;
+    const merged = this.beginMerged();
     for (const face of slot.faces) face.clear();
     for (let i = 0; i < count; i++) {
       const caster = list[i];
       if (!isReached(caster, slot)) continue;
-      const inRuns = this.runs.begin(caster, slot);
+      const held = merged?.find(caster) ?? null;
+      if (held !== null) {
+        merged!.addTo(slot, held, this.bothSides);
+        continue;
+      }
       for (const face of slot.faces) {
         if (!isSeen(caster, face)) continue;
-        if (!inRuns) face.add(caster);
-        else if (!this.runs.addTo(face, caster)) continue;
+        face.casters.push(caster);
         if (caster.prepared === this.frame) continue;
         caster.prepared = this.frame;
         caster.stand ??= casterStand(caster.object);
         this.stands.push(caster.stand);
       }
     }
+  }
+
+  /** Sends what the draws of a frame need. */
+  send(): void {
+    this.mergedCasters?.prepare();
   }
 
   /** Has the sampler of an atlas of depths compare as the depth buffer is kept. */
@@ -111,24 +129,49 @@ export class ShadowMapDraws {
     state.buffers.depth.setMask(true);
     depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
     this.gl.clearBufferfv(this.gl.DEPTH, 0, depth);
-    const { casters, starts, counts } = face;
-    for (let i = 0; i < casters.length; i++) {
-      run.start = starts[i];
-      run.count = counts[i];
-      this.drawCaster(casters[i], slot, face);
-    }
+    for (const caster of face.casters) this.drawCaster(caster, slot, face);
+    this.mergedCasters?.draw(face);
     state.setScissorTest(false);
   }
 
   dispose(): void {
     this.materials.dispose();
+    for (const merged of this.merged.values()) merged.dispose();
+    this.merged.clear();
+  }
+
+  /** Those of a scene; none where depth is logarithmic, which three's own materials write. */
+  private mergedOf(casters: ShadowCasters): MergedCasters | null {
+    if (this.webgl.capabilities.logarithmicDepthBuffer) return null;
+    let merged = this.merged.get(casters);
+    if (merged === undefined) {
+      merged = new MergedCasters(this.webgl, this.microshaders);
+      this.merged.set(casters, merged);
+    }
+    merged.used = this.frame;
+    for (const [scene, other] of this.merged) {
+      if (this.frame - other.used < KEPT_FRAMES) continue;
+      other.dispose();
+      this.merged.delete(scene);
+    }
+    return merged;
+  }
+
+  /** Has them ready, once a frame that draws maps. */
+  private beginMerged(): MergedCasters | null {
+    const merged = this.mergedCasters;
+    if (merged === null || this.hasMerged) return merged;
+    this.hasMerged = true;
+    merged.begin(this.camera!, this.casters!);
+    merged.addStands(this.stands);
+    return merged;
   }
 
   private drawCaster({ object }: Caster, slot: ShadowSlot, face: ShadowFace): void {
     const { geometry, material } = object as Mesh;
     object.modelViewMatrix.multiplyMatrices(face.camera.matrixWorldInverse, object.matrixWorld);
     if (!Array.isArray(material)) {
-      if (material.visible) this.drawPart(object, geometry, material, run.start < 0 ? null : run, slot, face);
+      if (material.visible) this.drawPart(object, geometry, material, null, slot, face);
       return;
     }
     for (const group of geometry.groups) {

@@ -82,7 +82,7 @@ export class ShadowMaps implements LightMasks {
     const { maxTextureSize } = webgl.capabilities;
     this.depths = new TileAtlas(Math.min(limit, maxTextureSize), 5, depthTarget);
     this.colours = new TileAtlas(Math.min(LARGEST_COLOURS, maxTextureSize), 8, colourTarget);
-    this.draws = new ShadowMapDraws(webgl);
+    this.draws = new ShadowMapDraws(webgl, microshaders);
     this.moments = new MomentDraws(webgl, microshaders, this.draws);
     this.images = new CookieDraws(webgl, microshaders);
   }
@@ -171,6 +171,7 @@ export class ShadowMaps implements LightMasks {
     const face = webgl.getActiveCubeFace();
     const level = webgl.getActiveMipmapLevel();
     this.draws.setComparison(depths);
+    this.draws.send();
     if (stale.length > 0 && this.type !== VSMShadowMap) webgl.setRenderTarget(depths.target);
     for (const slot of stale) {
       if (this.type === VSMShadowMap) this.moments.render(slot, colours);

@@ -168,6 +168,11 @@ export class ShadowSlot implements AtlasTenant {
     return squaredDistanceToBox(box, e[12], e[13], e[14]) <= range * range;
   }
 
+  /** Tangent of half the angle that a face of a cube sees: what lies beside it too, as wide as its border. */
+  get widening(): number {
+    return (this.faceWidth + 2 * CUBE_BORDER) / this.faceWidth;
+  }
+
   /** Takes a place in the atlas; the map is to be drawn anew. */
   place(tile: Tile, faceWidth: number, faceHeight: number): void {
     this.tile = tile;
@@ -239,8 +244,7 @@ export class ShadowSlot implements AtlasTenant {
   private aimFaces(): void {
     const { elements } = this.matrix;
     position.set(-elements[12], -elements[13], -elements[14]);
-    const widening = (this.faceWidth + 2 * CUBE_BORDER) / this.faceWidth;
-    for (let i = 0; i < 6; i++) aimCubeFace(this.faces[i], i, position, this.near, this.far, widening);
+    for (let i = 0; i < 6; i++) aimCubeFace(this.faces[i], i, position, this.near, this.far, this.widening);
   }
 
   private define(name: string, value: unknown): void {

@@ -6,6 +6,7 @@ import lightMaskLayers from './lightMaskLayers.glsl?raw';
 import lightMaskOn from './lightMaskOn.glsl?raw';
 import lightShadow from './lightShadow.glsl?raw';
 import maskKinds from './maskKinds.glsl?raw';
+import { mergedCaster, mergedCasterDepth } from './merged';
 import { ShadowMaps } from './ShadowMaps';
 import shadowMask from './shadowMask.glsl?raw';
 import { shadowMaskTwin, showsShadowMask } from './shadowMaskTwin';
@@ -19,6 +20,8 @@ export const microShaders = {
   lightMaskOn,
   lightShadow,
   maskKinds,
+  mergedCaster,
+  mergedCasterDepth,
   shadowMask,
   shadowMoments,
 };

@@ -1,0 +1,117 @@
+import type { BufferAttribute, BufferGeometry } from 'three';
+import { CLUSTER_TRIANGLES, ClusterOrder } from './ClusterOrder';
+
+/**
+ * The triangles of a geometry as shadow maps draw them: positions alone, in clusters that lie close together, see
+ * `ClusterOrder`. Made in parts, by `step`.
+ */
+export class CasterGeometry {
+  /** Positions (own space, m), 3 numbers each, of the vertices that triangles have. */
+  positions = new Float32Array(0);
+  /** Three vertices a triangle, cluster after cluster. */
+  index = new Uint32Array(0);
+  /** Box of each cluster: centre and half sizes (m), 6 numbers. */
+  boxes = new Float32Array(0);
+  isDone = false;
+  /** False where a position is not a number: it cannot be taken apart. */
+  isSound = true;
+  private readonly position: BufferAttribute;
+  private readonly source: BufferAttribute | null;
+  private readonly positionVersion: number;
+  private readonly indexVersion: number;
+  private clusters: ClusterOrder | null = null;
+
+  constructor(private readonly geometry: BufferGeometry) {
+    this.position = geometry.attributes.position as BufferAttribute;
+    this.source = geometry.index;
+    this.positionVersion = this.position.version;
+    this.indexVersion = this.source?.version ?? 0;
+  }
+
+  get triangles(): number {
+    return Math.floor((this.source ?? this.position).count / 3);
+  }
+
+  /** False once positions or index are others than they were. */
+  get isCurrent(): boolean {
+    const { attributes, index } = this.geometry;
+    const same = attributes.position === this.position && index === this.source;
+    return same && this.position.version === this.positionVersion && (index?.version ?? 0) === this.indexVersion;
+  }
+
+  /**
+   * Goes on with the making.
+   * @param budget triangles to look at, roughly
+   * @returns how many were looked at
+   */
+  step(budget: number): number {
+    if (this.clusters === null) {
+      this.clusters = new ClusterOrder(this.centres());
+      return this.triangles;
+    }
+    const seen = this.clusters.step(budget);
+    if (!this.clusters.isDone) return seen;
+    this.finish(this.clusters.order);
+    return seen + this.triangles;
+  }
+
+  private vertexOf(corner: number): number {
+    return this.source === null ? corner : this.source.getX(corner);
+  }
+
+  private centres(): Float32Array {
+    const { position } = this;
+    const centres = new Float32Array(this.triangles * 3);
+    for (let corner = 0; corner < this.triangles * 3; corner++) {
+      const vertex = this.vertexOf(corner);
+      const at = Math.floor(corner / 3) * 3;
+      for (let axis = 0; axis < 3; axis++) centres[at + axis] += position.getComponent(vertex, axis) / 3;
+    }
+    this.isSound = centres.every(Number.isFinite);
+    if (!this.isSound) centres.fill(0);
+    return centres;
+  }
+
+  private finish(order: Uint32Array): void {
+    const { position } = this;
+    const known = new Int32Array(position.count).fill(-1);
+    this.index = new Uint32Array(order.length * 3);
+    // in a cluster as they came, so that they share vertices with those before
+    for (let i = 0; i < order.length; i += CLUSTER_TRIANGLES) order.subarray(i, i + CLUSTER_TRIANGLES).sort();
+    let vertices = 0;
+    for (let i = 0; i < this.index.length; i++) {
+      const vertex = this.vertexOf(order[Math.floor(i / 3)] * 3 + (i % 3));
+      if (known[vertex] < 0) known[vertex] = vertices++;
+      this.index[i] = known[vertex];
+    }
+    this.positions = new Float32Array(vertices * 3);
+    for (let vertex = 0; vertex < position.count; vertex++) {
+      const at = known[vertex] * 3;
+      if (at < 0) continue;
+      for (let axis = 0; axis < 3; axis++) this.positions[at + axis] = position.getComponent(vertex, axis);
+    }
+    this.findBoxes();
+    this.clusters = null;
+    this.isDone = true;
+  }
+
+  private findBoxes(): void {
+    const { index, positions } = this;
+    const perCluster = CLUSTER_TRIANGLES * 3;
+    this.boxes = new Float32Array(Math.ceil(index.length / perCluster) * 6);
+    for (let first = 0, at = 0; first < index.length; first += perCluster, at += 6) {
+      const end = Math.min(index.length, first + perCluster);
+      for (let axis = 0; axis < 3; axis++) {
+        let low = Infinity;
+        let high = -Infinity;
+        for (let i = first; i < end; i++) {
+          const value = positions[index[i] * 3 + axis];
+          if (value < low) low = value;
+          if (value > high) high = value;
+        }
+        this.boxes[at + axis] = 0.5 * (low + high);
+        this.boxes[at + 3 + axis] = 0.5 * (high - low);
+      }
+    }
+  }
+}

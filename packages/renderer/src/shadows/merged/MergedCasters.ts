@@ -1,0 +1,310 @@
+import {
+  BackSide,
+  type BufferGeometry,
+  Camera,
+  DoubleSide,
+  FrontSide,
+  type Material,
+  type Mesh,
+  NoBlending,
+  type Object3D,
+  type Side,
+  Vector3,
+  type WebGLRenderer,
+} from 'three';
+import type { MicroShaderRegistry } from '../../microshaders';
+import { PassMaterial } from '../../passes/PassMaterial';
+import { boxOutsidePlanes, squaredDistanceToBox } from '../casterBox';
+import { shadowSideOf } from '../CasterMaterials';
+import { moveBox } from '../moveBox';
+import type { Caster, ShadowCasters } from '../ShadowCasters';
+import type { Draw } from '../ShadowMapDraws';
+import type { ShadowFace } from '../ShadowFace';
+import type { ShadowSlot } from '../ShadowSlot';
+import { CasterGeometry } from './CasterGeometry';
+import { CasterMatrices } from './CasterMatrices';
+import { CLUSTER_TRIANGLES } from './ClusterOrder';
+import { cubeFacesOf } from './cubeFacesOf';
+import { isMergeable } from './isMergeable';
+import { MergedMesh } from './MergedMesh';
+import { TriangleRuns } from './TriangleRuns';
+
+const INDICES = CLUSTER_TRIANGLES * 3;
+/** Triangles merged at most: some 22 bytes each on the GPU, and as much beside it. */
+const MOST_TRIANGLES = 2_000_000;
+/** Triangles looked at a frame while casters are made ready, so that no frame is late. */
+const BUDGET = 150_000;
+/** Triangles of casters that are gone, below which they are kept. */
+const FEW_GONE = 65_536;
+/** Frames between looks at who is gone, and for which they are kept. */
+const SWEEP = 256;
+/** Spacing of the places that matrices count from (m): nearer ones keep more of their digits. */
+const GRID = 128;
+
+/** What three keeps of a material. */
+interface MaterialState {
+  __version?: number;
+  currentProgram?: { program: WebGLProgram };
+}
+
+const NOTHING = new TriangleRuns();
+const camera = new Camera();
+
+/** As many objects as a block of matrices holds. */
+interface Page {
+  readonly mesh: MergedMesh;
+  readonly matrices: CasterMatrices;
+  objects: number;
+}
+
+/** A caster among the merged ones. */
+export interface MergedCaster {
+  readonly caster: Caster;
+  readonly geometry: CasterGeometry;
+  /** Which page it is on, and its number there. */
+  readonly page: number;
+  readonly object: number;
+  /** Where its indices begin. */
+  readonly first: number;
+  /** What of the caster it was made of, see `Caster`. */
+  readonly look: number;
+  /** Boxes of its clusters along the world's axes, and the place of the caster that they are of. */
+  readonly boxes: Float64Array;
+  place: number;
+  isMirrored: boolean;
+}
+
+/**
+ * The casters of a scene whose triangles lie in one buffer, in small clusters, so that a face of a shadow map draws all that
+ * it sees of them in one call. Casters come to it in time, some a frame; those that it does not hold are drawn one by one.
+ */
+export class MergedCasters {
+  private readonly pages: Page[] = [];
+  private readonly capacity: number;
+  private readonly material: PassMaterial;
+  private readonly geometries = new WeakMap<BufferGeometry, CasterGeometry>();
+  /** The frame in which it was last used, as its owner counts them. */
+  used = 0;
+  private members: MergedCaster[] = [];
+  private readonly waiting: Caster[] = [];
+  private readonly origin = new Vector3();
+  private gone = 0;
+  private triangles = 0;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    registry: MicroShaderRegistry,
+  ) {
+    this.capacity = CasterMatrices.capacity(webgl);
+    this.material = new PassMaterial(registry, {
+      name: 'Farol shadow casters',
+      vertex: ['mergedCaster'],
+      fragment: ['mergedCasterDepth'],
+      uniforms: {},
+      defines: { FAROL_CASTERS: `${this.capacity}` },
+      blending: NoBlending,
+      depthTest: true,
+      depthWrite: true,
+    });
+    this.material.colorWrite = false;
+    this.addPage();
+  }
+
+  /** Adds what stands in for the triangles in three's traversal, so that they are sent. */
+  addStands(stands: Object3D[]): void {
+    for (const { mesh } of this.pages) stands.push(mesh.stand);
+  }
+
+  /**
+   * Begins a frame in which maps may be drawn: follows the camera, and takes up some of the casters that wait.
+   * @param casters of the scene
+   */
+  begin(view: Camera, { list, count, frame }: ShadowCasters): void {
+    this.moveOrigin(view);
+    if (frame % SWEEP === 0)
+      for (const { caster } of this.members) if (frame - caster.frame > SWEEP) this.letGo(caster);
+    if (this.gone > FEW_GONE && this.gone * 2 > this.triangles) this.startAnew();
+    for (let i = 0; i < count; i++) this.find(list[i]);
+    for (let left = BUDGET; left > 0 && this.waiting.length > 0;) {
+      const caster = this.waiting[this.waiting.length - 1];
+      left -= this.makeReady(caster);
+    }
+  }
+
+  /** A caster as it is held, null while it is not. */
+  find(caster: Caster): MergedCaster | null {
+    const { merged } = caster;
+    if (merged !== null && merged.look === caster.look && merged.geometry.isCurrent) return merged;
+    if (merged !== null) this.letGo(caster);
+    if (caster.waits === caster.look) return null;
+    caster.waits = caster.look;
+    if (caster.hasBox && isMergeable(caster.object)) this.waiting.push(caster);
+    return null;
+  }
+
+  private letGo(caster: Caster): void {
+    if (caster.merged === null) return;
+    this.gone += caster.merged.geometry.triangles;
+    caster.merged = null;
+    caster.waits = -1;
+  }
+
+  /** Has each face of a light's map draw the clusters that it sees. */
+  addTo(slot: ShadowSlot, merged: MergedCaster, bothSides: boolean): void {
+    this.follow(merged);
+    const { caster, boxes, first, geometry, page } = merged;
+    const side = seenSide(shadowSideOf((caster.object as Mesh).material as Material, bothSides), merged.isMirrored);
+    const { faces, isCube, widening } = slot;
+    const squaredRange = slot.range * slot.range;
+    const e = faces[0].camera.matrixWorld.elements;
+    const last = geometry.index.length;
+    for (let at = 0, start = 0; start < last; at += 6, start += INDICES) {
+      if (squaredDistanceToBox(boxes, e[12], e[13], e[14], at) > squaredRange) continue;
+      const count = Math.min(INDICES, last - start);
+      if (isCube) {
+        const seen = cubeFacesOf(boxes, at, e[12], e[13], e[14], widening);
+        for (let i = 0; i < 6; i++) if ((seen & (1 << i)) !== 0) faces[i].runs(page, side).add(first + start, count);
+      } else {
+        for (const face of faces) {
+          if (!boxOutsidePlanes(face.planes, boxes, at)) face.runs(page, side).add(first + start, count);
+        }
+      }
+    }
+  }
+
+  /** Sends what draws need, and has the program there that they are made with. */
+  prepare(): void {
+    const state = this.webgl.properties.get(this.material) as MaterialState;
+    if (state.__version !== this.material.version) {
+      // new, edited, or gone with a lost context
+      this.drawPage(this.pages[0], NOTHING, camera);
+      for (const { matrices } of this.pages) matrices.lose();
+      this.pages[0].matrices.attach(state.currentProgram!.program);
+    }
+    for (const { matrices } of this.pages) matrices.send();
+  }
+
+  /** Draws what a face sees into its part of the target. */
+  draw(face: ShadowFace): void {
+    for (let page = 0; page < this.pages.length; page++) {
+      let bound = false;
+      for (let side = 0; side < 3; side++) {
+        const runs = face.runs(page, side);
+        if (runs.count === 0) continue;
+        if (!bound) this.pages[page].matrices.bind();
+        bound = true;
+        this.material.side = side as Side;
+        this.drawPage(this.pages[page], runs, face.camera);
+      }
+    }
+  }
+
+  dispose(): void {
+    for (const { mesh, matrices } of this.pages) {
+      mesh.dispose();
+      matrices.dispose();
+    }
+    this.material.dispose();
+  }
+
+  private drawPage({ mesh }: Page, runs: TriangleRuns, from: Camera): void {
+    mesh.select(runs, from);
+    const { geometry, material } = mesh.mesh;
+    (this.webgl.renderBufferDirect as unknown as Draw)(from, null, geometry, material as Material, mesh.mesh, null);
+  }
+
+  private addPage(): Page {
+    const page = { mesh: new MergedMesh(this.material), matrices: new CasterMatrices(this.webgl), objects: 0 };
+    page.mesh.mesh.matrixWorld.setPosition(this.origin);
+    this.pages.push(page);
+    return page;
+  }
+
+  /** @returns triangles looked at */
+  private makeReady(caster: Caster): number {
+    if (caster.waits !== caster.look || caster.merged !== null) {
+      this.waiting.pop();
+      return 1;
+    }
+    const { geometry: source } = caster.object as Mesh;
+    let geometry = this.geometries.get(source);
+    if (geometry === undefined) this.geometries.set(source, (geometry = new CasterGeometry(source)));
+    const room = MOST_TRIANGLES - this.triangles;
+    if (!geometry.isCurrent || !geometry.isSound || geometry.triangles > room) {
+      this.waiting.pop(); // what changes is drawn by itself
+      return 1;
+    }
+    if (!geometry.isDone) return geometry.step(BUDGET);
+    this.waiting.pop();
+    this.add(caster, geometry);
+    return geometry.triangles;
+  }
+
+  private add(caster: Caster, geometry: CasterGeometry): void {
+    let page = this.pages.findIndex(({ objects }) => objects < this.capacity);
+    if (page < 0) {
+      page = this.pages.length;
+      this.addPage();
+    }
+    const { mesh, objects: object } = this.pages[page];
+    this.pages[page].objects++;
+    this.triangles += geometry.triangles;
+    const merged: MergedCaster = {
+      caster,
+      geometry,
+      page,
+      object,
+      first: mesh.add(geometry.positions, geometry.index, object),
+      look: caster.look,
+      boxes: new Float64Array(geometry.boxes.length),
+      place: -1,
+      isMirrored: false,
+    };
+    caster.merged = merged;
+    this.members.push(merged);
+  }
+
+  /** Moves the boxes, and the matrix in the table, to where the caster is. */
+  private follow(merged: MergedCaster): void {
+    const { caster, boxes, geometry, page, object } = merged;
+    if (merged.place === caster.place) return;
+    merged.place = caster.place;
+    const { matrixWorld } = caster.object;
+    for (let at = 0; at < boxes.length; at += 6) moveBox(geometry.boxes, at, matrixWorld, boxes, at);
+    merged.isMirrored = matrixWorld.determinantAffine() < 0;
+    this.pages[page].matrices.set(object, matrixWorld, this.origin);
+  }
+
+  /** Matrices count from a place near the camera, so that far from the world's origin they keep their digits. */
+  private moveOrigin(view: Camera): void {
+    const e = view.matrixWorld.elements;
+    const x = Math.round(e[12] / GRID) * GRID;
+    const y = Math.round(e[13] / GRID) * GRID;
+    const z = Math.round(e[14] / GRID) * GRID;
+    const { origin } = this;
+    if (origin.x === x && origin.y === y && origin.z === z) return;
+    origin.set(x, y, z);
+    for (const { mesh } of this.pages) mesh.mesh.matrixWorld.makeTranslation(x, y, z);
+    for (const member of this.members) member.place = -1;
+  }
+
+  /** Lets go of all; those that still cast shadows come again. */
+  private startAnew(): void {
+    for (const { caster } of this.members) {
+      caster.merged = null;
+      caster.waits = -1;
+    }
+    this.members = [];
+    for (const page of this.pages) {
+      page.mesh.clear();
+      page.objects = 0;
+    }
+    this.gone = this.triangles = 0;
+  }
+}
+
+/** A mirrored object's triangles turn the other way. */
+function seenSide(side: Side, isMirrored: boolean): Side {
+  if (side === DoubleSide || !isMirrored) return side;
+  return side === FrontSide ? BackSide : FrontSide;
+}

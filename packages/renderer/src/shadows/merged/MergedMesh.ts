@@ -1,0 +1,112 @@
+import { BufferAttribute, BufferGeometry, type Camera, DynamicDrawUsage, type Material, Mesh, Sphere } from 'three';
+import { casterStand } from '../casterStand';
+import type { TriangleRuns } from './TriangleRuns';
+
+/** Vertices, and indices, of the smallest buffers. */
+const SMALLEST = 4096;
+
+/**
+ * One mesh that holds the triangles of many: what is added stays where it is put. It draws runs of its indices in one call,
+ * by what three has for its own batched meshes.
+ */
+export class MergedMesh {
+  /** What three draws: a mesh that passes for a batched one without textures of its own. */
+  readonly mesh: Mesh;
+  /** Stands in for it in three's traversal, so that its buffers are sent. */
+  readonly stand: Mesh;
+  vertices = 0;
+  indices = 0;
+  private geometry: BufferGeometry;
+  private readonly batch = {
+    isBatchedMesh: true,
+    _colorsTexture: null,
+    _matricesTexture: null,
+    _indirectTexture: null,
+    _multiDrawStarts: new Int32Array(0),
+    _multiDrawCounts: new Int32Array(0),
+    _multiDrawCount: 0,
+  };
+
+  constructor(material: Material) {
+    this.geometry = makeGeometry(SMALLEST, SMALLEST);
+    this.mesh = new Mesh(this.geometry, material);
+    this.mesh.matrixAutoUpdate = this.mesh.matrixWorldAutoUpdate = false;
+    Object.assign(this.mesh, this.batch);
+    this.stand = casterStand(this.mesh) as Mesh;
+  }
+
+  /**
+   * Adds triangles.
+   * @param positions 3 numbers each
+   * @param index of vertices among those
+   * @param object number of the object, kept with each vertex
+   * @returns the first of their indices
+   */
+  add(positions: Float32Array, index: Uint32Array, object: number): number {
+    const count = positions.length / 3;
+    const first = this.indices;
+    this.reserve(this.vertices + count, first + index.length);
+    const position = this.geometry.attributes.position as BufferAttribute;
+    const own = this.geometry.index!;
+    const corners = position.array;
+    for (let i = 0, at = this.vertices * 4; i < count; i++, at += 4) {
+      corners[at] = positions[i * 3];
+      corners[at + 1] = positions[i * 3 + 1];
+      corners[at + 2] = positions[i * 3 + 2];
+      corners[at + 3] = object;
+    }
+    for (let i = 0; i < index.length; i++) own.array[first + i] = index[i] + this.vertices;
+    position.addUpdateRange(this.vertices * 4, count * 4);
+    own.addUpdateRange(first, index.length);
+    position.needsUpdate = own.needsUpdate = true;
+    this.vertices += count;
+    this.indices += index.length;
+    return first;
+  }
+
+  /** Lets go of all triangles; the buffers stay. */
+  clear(): void {
+    this.vertices = this.indices = 0;
+  }
+
+  /** Says what the next draw draws for a camera. */
+  select(runs: TriangleRuns, camera: Camera): void {
+    const batch = this.mesh as unknown as MergedMesh['batch'];
+    batch._multiDrawStarts = runs.starts;
+    batch._multiDrawCounts = runs.counts;
+    batch._multiDrawCount = runs.count;
+    this.mesh.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, this.mesh.matrixWorld);
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+  }
+
+  private reserve(vertices: number, indices: number): void {
+    const before = this.geometry;
+    const position = before.attributes.position as BufferAttribute;
+    const own = before.index!;
+    if (vertices <= position.count && indices <= own.count) return;
+    const made = makeGeometry(atLeast(position.count, vertices), atLeast(own.count, indices));
+    (made.attributes.position as BufferAttribute).array.set(position.array);
+    made.index!.array.set(own.array);
+    before.dispose();
+    this.geometry = this.mesh.geometry = made;
+  }
+}
+
+function atLeast(size: number, wanted: number): number {
+  while (size < wanted) size *= 2;
+  return size;
+}
+
+function makeGeometry(vertices: number, indices: number): BufferGeometry {
+  const geometry = new BufferGeometry();
+  const position = new BufferAttribute(new Float32Array(vertices * 4), 4);
+  const index = new BufferAttribute(new Uint32Array(indices), 1);
+  position.usage = index.usage = DynamicDrawUsage;
+  geometry.setAttribute('position', position);
+  geometry.setIndex(index);
+  geometry.boundingSphere = new Sphere(); // three asks for it when it sorts
+  return geometry;
+}

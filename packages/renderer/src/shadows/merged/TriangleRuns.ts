@@ -1,0 +1,37 @@
+const BYTES_PER_INDEX = Uint32Array.BYTES_PER_ELEMENT;
+
+/** Runs of indices that one call draws, as WEBGL_multi_draw takes them; those that follow one another are joined. */
+export class TriangleRuns {
+  /** Byte offset of the first index of each. */
+  starts = new Int32Array(16);
+  /** Indices of each. */
+  counts = new Int32Array(16);
+  count = 0;
+
+  clear(): void {
+    this.count = 0;
+  }
+
+  /** @param first index */
+  add(first: number, indices: number): void {
+    const { starts, counts, count } = this;
+    const start = first * BYTES_PER_INDEX;
+    if (count > 0 && starts[count - 1] + counts[count - 1] * BYTES_PER_INDEX === start) {
+      counts[count - 1] += indices;
+      return;
+    }
+    if (count === starts.length) this.grow();
+    this.starts[count] = start;
+    this.counts[count] = indices;
+    this.count++;
+  }
+
+  private grow(): void {
+    const starts = new Int32Array(this.starts.length * 2);
+    const counts = new Int32Array(this.starts.length * 2);
+    starts.set(this.starts);
+    counts.set(this.counts);
+    this.starts = starts;
+    this.counts = counts;
+  }
+}

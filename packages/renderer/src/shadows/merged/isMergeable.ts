@@ -1,0 +1,20 @@
+import { type BufferAttribute, type Material, type Mesh, type MeshStandardMaterial, Object3D } from 'three';
+
+/**
+ * True for casters that a shadow map shows as plain triangles that stand where their matrix says: nothing discards, bends,
+ * clips or watches them. To be asked of those that have a box alone, see `casterBox`: not of what is animated.
+ */
+export function isMergeable(object: Object3D): boolean {
+  const { isMesh, geometry, material } = object as Mesh;
+  if (!isMesh || Array.isArray(material) || !isPlain(material as MeshStandardMaterial)) return false;
+  if (object.onAfterShadow !== Object3D.prototype.onAfterShadow) return false;
+  const { start, count } = geometry.drawRange;
+  if (start !== 0 || count !== Infinity) return false;
+  const position = geometry.attributes.position as BufferAttribute;
+  return position.getX !== undefined && position.itemSize === 3;
+}
+
+function isPlain(material: Material & Partial<MeshStandardMaterial>): boolean {
+  const discards = material.alphaTest > 0 || material.alphaToCoverage;
+  return material.visible && !material.wireframe && !discards;
+}

@@ -1,0 +1,4 @@
+// Writes nothing but depth.
+// Farol
+//# main
+;
