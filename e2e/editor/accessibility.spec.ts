@@ -72,6 +72,26 @@ async function useFingers(page: Page): Promise<void> {
   await page.keyboard.press('Escape');
   await expect(page.getByRole('menu')).toHaveCount(0);
 
+  // in the picture too, where it is then no drag and no click
+  const atRest = await view(page);
+  await fingers.press([light.x, light.y]);
+  await expect(page.getByRole('menuitem', { name: 'Duplicate' })).toBeVisible();
+  expect(await selected()).toEqual(['Spot light']);
+  await fingers.move([light.x + 90, light.y + 20]);
+  await fingers.lift();
+  await page.getByRole('menuitem', { name: 'Duplicate' }).click();
+  await expect(page.getByRole('treeitem', { name: 'Spot light' })).toHaveCount(2);
+  expect(await view(page)).toEqual(atRest);
+  await page.keyboard.press('Control+z');
+  await expect(page.getByRole('menu')).toHaveCount(0);
+  await fingers.press(at(0, -200));
+  await page.getByRole('menuitem', { name: 'Light' }).waitFor();
+  expect(await selected()).toEqual([]);
+  await fingers.lift();
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('menu')).toHaveCount(0);
+  await expect(page.locator('.viewport canvas')).toBeFocused();
+
   // the handles of what is selected would take the finger
   await page.evaluate(() => window.editor.document.selection.set([]));
   const start = await view(page);

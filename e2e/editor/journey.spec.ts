@@ -148,7 +148,7 @@ test('picks in the picture, moves by the gizmo in one step, deletes and brings b
   expect(await serialized(page)).toBe(before);
 });
 
-test('picks a light by its icon, and a decal', async ({ page }) => {
+test('picks a light by its icon, also for a menu, and a decal', async ({ page }) => {
   await openEditor(page, 'empty');
   await addObject(page, 'Light', 'Point light');
   await page.keyboard.press('Escape');
@@ -156,8 +156,14 @@ test('picks a light by its icon, and a decal', async ({ page }) => {
   await page.mouse.click(icon.x + 5, icon.y - 5);
   const selected = () => page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name));
   expect(await selected()).toEqual(['Point light']);
+  await page.mouse.click(icon.x + 80, icon.y + 60, { button: 'right' });
+  await expect(page.getByRole('menuitem', { name: 'Light' })).toBeVisible();
+  expect(await selected()).toEqual([]);
+  await page.keyboard.press('Escape');
+  await page.mouse.click(icon.x + 5, icon.y - 5, { button: 'right' });
+  await page.getByRole('menuitem', { name: 'Delete' }).click();
+  await expect(page.getByRole('treeitem', { name: 'Point light' })).toHaveCount(0);
 
-  await page.keyboard.press('Delete');
   await addObject(page, 'Decal');
   await page.mouse.move(icon.x, icon.y);
   await expect.poll(() => page.evaluate(() => window.editor.viewport.gizmo.isHot)).toBe(true);
@@ -324,6 +330,7 @@ test('flies while the right button is held, and only then', async ({ page }) => 
   await expect.poll(eye).not.toEqual(before);
   await page.keyboard.up('w');
   await page.mouse.up({ button: 'right' });
+  await expect(page.getByRole('menu'), 'it was no click').toHaveCount(0);
   expect(await page.evaluate(() => window.editor.viewport.mode)).toBe('scale');
   expect(await history(page)).toEqual([]);
 });

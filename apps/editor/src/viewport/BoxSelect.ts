@@ -86,7 +86,8 @@ export class BoxSelect {
     return new Box2().setFromPoints([inPicture(this.from), inPicture(this.to)]);
   }
 
-  private readonly cancel = (): void => {
+  /** Takes the box away; the press that is under way draws none. */
+  readonly cancel = (): void => {
     if (this.pointer === null) return;
     this.pointer = null;
     this.isOpen = false;

@@ -35,6 +35,8 @@ export class FlyControls {
   /** Metres a second. */
   speed = 6;
 
+  /** Whether keys were used, or the wheel, since the button went down last. */
+  flew = false;
   private pointer: number | null = null;
   private readonly held = new Set<string>();
   private fast = false;
@@ -116,7 +118,9 @@ export class FlyControls {
   }
 
   private readonly pointerDown = (event: PointerEvent): void => {
-    if (event.button !== 2 || this.isFlying || !this.isEnabled()) return;
+    if (event.button !== 2 || this.isFlying) return;
+    this.flew = false;
+    if (!this.isEnabled()) return;
     this.pointer = event.pointerId;
     this.canvas.setPointerCapture(event.pointerId);
     this.canvas.focus({ preventScroll: true });
@@ -137,6 +141,7 @@ export class FlyControls {
     if (!this.isFlying) return;
     event.preventDefault();
     event.stopImmediatePropagation();
+    this.flew = true;
     this.speed = Math.min(200, Math.max(0.2, this.speed * (event.deltaY < 0 ? 1.2 : 1 / 1.2)));
   };
 
@@ -145,6 +150,7 @@ export class FlyControls {
     if (!this.isFlying || !(event.code in directions)) return;
     event.preventDefault();
     event.stopImmediatePropagation();
+    this.flew = true;
     this.held.add(event.code);
   };
 

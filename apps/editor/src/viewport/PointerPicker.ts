@@ -1,3 +1,4 @@
+import type { GameObject } from '@farol/engine';
 import { Vector2 } from 'three';
 import type { Viewport } from './Viewport';
 
@@ -22,6 +23,18 @@ export class PointerPicker {
     canvas.removeEventListener('pointerup', this.pointerUp);
   }
 
+  /** What is seen at a point of the page (CSS pixels). */
+  objectAt(x: number, y: number): GameObject | null {
+    const { viewport } = this;
+    const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
+    return viewport.pick(this.point.set(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2));
+  }
+
+  /** The press that is under way is no click. */
+  cancel(): void {
+    this.pointer = null;
+  }
+
   private readonly pointerDown = (event: PointerEvent): void => {
     this.viewport.canvas.focus({ preventScroll: true });
     if (event.button !== 0 || this.viewport.gizmo.isHot) {
@@ -37,11 +50,8 @@ export class PointerPicker {
     if (event.pointerId !== this.pointer) return;
     this.pointer = null;
     if (this.from.distanceTo(this.point.set(event.clientX, event.clientY)) > CLICK_REACH) return;
-    const { viewport } = this;
-    const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
-    this.point.set(((event.clientX - left) / width) * 2 - 1, 1 - ((event.clientY - top) / height) * 2);
-    const object = viewport.pick(this.point);
-    const { selection } = viewport.document;
+    const object = this.objectAt(event.clientX, event.clientY);
+    const { selection } = this.viewport.document;
     if (event.ctrlKey || event.metaKey || event.shiftKey) {
       if (object) selection.toggle(object.id);
     } else selection.set(object ? [object.id] : []);

@@ -45,11 +45,11 @@ export class Viewport {
   readonly editorCamera: EditorCamera;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
+  readonly picker: PointerPicker;
+  readonly boxSelect: BoxSelect;
 
   private readonly effects: ViewportEffects;
   private readonly input: InputRouter;
-  private readonly picker: PointerPicker;
-  private readonly boxSelect: BoxSelect;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
   private hasStatistics = false;

@@ -4,16 +4,8 @@ import { AssistiveTreeDescription } from '@headless-tree/react';
 import { useVirtualizer } from '@tanstack/react-virtual';
 import { type KeyboardEvent, type MouseEvent, type ReactNode, useCallback, useRef, useState } from 'react';
 import { addEntries } from '../../actions/addEntries';
-import { copy, cut, paste, pasteBelow } from '../../actions/clipboard';
-import { duplicate } from '../../actions/duplicate';
-import { focus } from '../../actions/focus';
-import { group, ungroup } from '../../actions/group';
-import { hide } from '../../actions/hide';
-import { lock } from '../../actions/lock';
-import { makePrefab, unpackPrefab } from '../../actions/prefabs';
-import { remove } from '../../actions/remove';
-import { rename } from '../../actions/rename';
-import type { Action } from '../../actions/Action';
+import { paste } from '../../actions/clipboard';
+import { objectEntries } from '../../actions/objectEntries';
 import { useEditor } from '../../ui/EditorContext';
 import { LateItems, MenuButton } from '../../ui/MenuButton';
 import { actionEntry, type MenuEntry } from '../../ui/MenuEntry';
@@ -73,21 +65,8 @@ export function HierarchyPanel(): ReactNode {
     if (id === undefined) document.selection.clear();
     else if (!document.selection.has(id)) document.selection.set([id]);
   };
-  const menu = (): MenuEntry[] => {
-    const selected = document.selectedObjects.at(-1) ?? null;
-    const add: MenuEntry = {
-      label: selected ? 'Add below' : 'Add',
-      icon: 'add',
-      entries: addEntries(editor, selected),
-    };
-    const entries = (...actions: Action[]): MenuEntry[] => actions.map((action) => actionEntry(action, editor));
-    if (!selected) return [add, ...entries(paste)];
-    return [
-      ...[add, 'separator' as const, ...entries(cut, copy, paste, pasteBelow, duplicate)],
-      ...['separator' as const, ...entries(rename, group, ungroup, makePrefab, unpackPrefab, remove)],
-      ...['separator' as const, ...entries(hide, lock, focus)],
-    ];
-  };
+  const menu = (): readonly MenuEntry[] =>
+    objectEntries(editor) ?? [{ label: 'Add', icon: 'add', entries: addEntries(editor) }, actionEntry(paste, editor)];
 
   const searchKey = (event: KeyboardEvent<HTMLInputElement>): void => {
     if (event.key === 'Escape' && query !== '') setQuery('');

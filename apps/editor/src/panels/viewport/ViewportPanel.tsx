@@ -3,6 +3,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
 import { PreviewFrame } from './PreviewFrame';
 import { StatisticsOverlay } from './StatisticsOverlay';
+import { ViewportMenu } from './ViewportMenu';
 import { ViewportToolbar } from './ViewportToolbar';
 
 const PainterOverlay = lazy(async () => ({ default: (await import('../frame/PainterOverlay')).PainterOverlay }));
@@ -24,6 +25,7 @@ export function ViewportPanel(): ReactNode {
   return (
     <section className="panel viewport" aria-label="Viewport">
       <div ref={place} className="viewport-place" />
+      <ViewportMenu />
       {!isGrid && <ViewportToolbar />}
       {viewport.showStatistics && <StatisticsOverlay />}
       {!isGrid && <PreviewFrame />}

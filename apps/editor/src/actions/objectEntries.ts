@@ -1,0 +1,26 @@
+import type { Editor } from '../Editor';
+import { actionEntry, type MenuEntry } from '../ui/MenuEntry';
+import type { Action } from './Action';
+import { addEntries } from './addEntries';
+import { copy, cut, paste, pasteBelow } from './clipboard';
+import { duplicate } from './duplicate';
+import { focus } from './focus';
+import { group, ungroup } from './group';
+import { hide } from './hide';
+import { lock } from './lock';
+import { makePrefab, unpackPrefab } from './prefabs';
+import { remove } from './remove';
+import { rename } from './rename';
+
+/** The lines of the menu of what is selected; null when nothing is. */
+export function objectEntries(editor: Editor): MenuEntry[] | null {
+  const selected = editor.document.selectedObjects.at(-1);
+  if (!selected) return null;
+  const entries = (...actions: Action[]): MenuEntry[] => actions.map((action) => actionEntry(action, editor));
+  return [
+    { label: 'Add below', icon: 'add', entries: addEntries(editor, selected) },
+    ...['separator' as const, ...entries(cut, copy, paste, pasteBelow, duplicate)],
+    ...['separator' as const, ...entries(rename, group, ungroup, makePrefab, unpackPrefab, remove)],
+    ...['separator' as const, ...entries(hide, lock, focus)],
+  ];
+}

@@ -1,0 +1,38 @@
+import { Menu } from '@base-ui/react/menu';
+import { type ReactNode, useEffect, useMemo, useState } from 'react';
+import { addEntries } from '../../actions/addEntries';
+import { paste } from '../../actions/clipboard';
+import { objectEntries } from '../../actions/objectEntries';
+import { useEditor } from '../../ui/EditorContext';
+import { LateItems } from '../../ui/MenuButton';
+import { actionEntry, type MenuEntry } from '../../ui/MenuEntry';
+import { MenuPress } from '../../viewport/MenuPress';
+
+/** The menu of what is seen at a point of the picture; over nothing, what can be added. */
+export function ViewportMenu(): ReactNode {
+  const editor = useEditor();
+  const { viewport } = editor;
+  const [isOpen, setIsOpen] = useState(false);
+  const [point, setPoint] = useState({ x: 0, y: 0 });
+  useEffect(() => {
+    const press = new MenuPress(viewport, (x, y) => {
+      setPoint({ x, y });
+      setIsOpen(true);
+    });
+    return () => press.dispose();
+  }, [viewport]);
+  const anchor = useMemo(() => ({ getBoundingClientRect: () => DOMRect.fromRect(point) }), [point]);
+  const entries = (): readonly MenuEntry[] =>
+    objectEntries(editor) ?? [...addEntries(editor), 'separator', actionEntry(paste, editor)];
+  return (
+    <Menu.Root open={isOpen} onOpenChange={setIsOpen}>
+      <Menu.Portal>
+        <Menu.Positioner className="positioner" anchor={anchor} side="right" align="start" sideOffset={2}>
+          <Menu.Popup className="popup" finalFocus={() => viewport.canvas}>
+            <LateItems entries={entries} />
+          </Menu.Popup>
+        </Menu.Positioner>
+      </Menu.Portal>
+    </Menu.Root>
+  );
+}

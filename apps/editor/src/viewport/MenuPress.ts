@@ -1,0 +1,88 @@
+import { Vector2 } from 'three';
+import type { Viewport } from './Viewport';
+
+/** For so long a finger must rest (ms). */
+const LONG = 500;
+/** What moves farther than this meanwhile (CSS pixels) turns the camera, or drags. */
+const REACH = { mouse: 4, finger: 8 };
+
+/**
+ * Asks for the menu of the picture: where the right button is clicked, or a finger rests. What is seen there is selected,
+ * unless it is already. Not while the finger orbits, pans or drags a handle, while keys fly, or while input goes to the scene.
+ */
+export class MenuPress {
+  private readonly from = new Vector2();
+  private readonly to = new Vector2();
+  private pointer: number | null = null;
+  private reach = 0;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** @param open - opens the menu of what is selected, at a point of the page (CSS pixels) */
+  constructor(
+    private readonly viewport: Viewport,
+    private readonly open: (x: number, y: number) => void,
+  ) {
+    const { canvas } = viewport;
+    canvas.addEventListener('pointerdown', this.pointerDown);
+    canvas.addEventListener('pointermove', this.pointerMove);
+    canvas.addEventListener('pointerup', this.pointerUp);
+    canvas.addEventListener('pointercancel', this.cancel);
+  }
+
+  dispose(): void {
+    const { canvas } = this.viewport;
+    this.cancel();
+    canvas.removeEventListener('pointerdown', this.pointerDown);
+    canvas.removeEventListener('pointermove', this.pointerMove);
+    canvas.removeEventListener('pointerup', this.pointerUp);
+    canvas.removeEventListener('pointercancel', this.cancel);
+  }
+
+  private readonly pointerDown = (event: PointerEvent): void => {
+    this.cancel(); // also with a second finger
+    const isMouse = event.pointerType === 'mouse';
+    if (event.button !== (isMouse ? 2 : 0) || !event.isPrimary || this.viewport.sceneListens) return;
+    this.pointer = event.pointerId;
+    this.reach = isMouse ? REACH.mouse : REACH.finger;
+    this.from.set(event.clientX, event.clientY);
+    if (!isMouse) this.timer = setTimeout(this.rested, LONG);
+  };
+
+  private readonly pointerMove = (event: PointerEvent): void => {
+    if (event.pointerId !== this.pointer) return;
+    if (this.from.distanceTo(this.to.set(event.clientX, event.clientY)) > this.reach) this.cancel();
+  };
+
+  private readonly pointerUp = (event: PointerEvent): void => {
+    if (event.pointerId !== this.pointer) return;
+    const clicks = event.pointerType === 'mouse' && !this.viewport.editorCamera.fly.flew;
+    this.cancel();
+    if (clicks && !this.viewport.gizmo.isDragging) this.fire();
+  };
+
+  private readonly rested = (): void => {
+    this.cancel();
+    const { viewport } = this;
+    if (viewport.gizmo.isHot) return;
+    this.fire();
+    // nothing else comes of the finger, wherever it goes now
+    viewport.picker.cancel();
+    viewport.boxSelect.cancel();
+    viewport.editorCamera.enabled = false;
+    viewport.editorCamera.enabled = viewport.lookThrough === null;
+  };
+
+  private readonly cancel = (): void => {
+    clearTimeout(this.timer);
+    this.pointer = null;
+  };
+
+  private fire(): void {
+    const { selection } = this.viewport.document;
+    const { x, y } = this.from;
+    const object = this.viewport.picker.objectAt(x, y);
+    if (object === null) selection.clear();
+    else if (!selection.has(object.id)) selection.set([object.id]);
+    this.open(x, y);
+  }
+}
