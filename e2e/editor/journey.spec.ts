@@ -178,6 +178,9 @@ test('picks a light by its icon, also for a menu, and a decal', async ({ page })
     });
     await new Promise((resolve) => real(resolve));
   });
+  await page.evaluate(() => window.editor.document.selection.set([window.editor.document.scene.find('Sun')!.id]));
+  await page.mouse.click(icon.x, icon.y);
+  expect(await selected(), 'the handles are not yet where the sun is').toEqual(['Decal']);
   await page.keyboard.press('Escape');
   expect(await selected()).toEqual([]);
   await page.mouse.click(icon.x, icon.y);

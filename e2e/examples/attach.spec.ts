@@ -126,7 +126,8 @@ test('the gizmo takes the pointer from the controls of the page, which have it b
   const state = () =>
     page.evaluate(() => {
       const { scene, camera } = window.example;
-      return { knot: scene!.getObjectByName('knot')!.position.toArray(), camera: camera!.position.toArray() };
+      const placeOf = (name: string) => scene!.getObjectByName(name)!.position.toArray();
+      return { knot: placeOf('knot'), chest: placeOf('chest'), camera: camera!.position.toArray() };
     });
   const placeOf = (name: string) =>
     page.evaluate((name) => {
@@ -155,10 +156,26 @@ test('the gizmo takes the pointer from the controls of the page, which have it b
   expect(dragged.camera).toEqual(before.camera);
   await page.evaluate(() => window.example.editor!.history.undo());
   expect((await state()).knot).toEqual(before.knot);
+
+  // what was let go of has no handles, and what is selected has them where it is, though no frame has been drawn since
+  await page.evaluate(() => (window.requestAnimationFrame = () => 0));
+  await row(page, 'chest').click();
+  const place = (await state()).chest;
+  await drag(chest.x - 44, chest.y);
+  expect((await state()).chest[0]).toBeGreaterThan(place[0] + 0.2);
+  await page.evaluate(() => window.example.editor!.history.undo());
+  await drag(knot.x - 44, knot.y);
+  expect(await state()).toMatchObject({ knot: before.knot, chest: place });
+  expect((await state()).camera).not.toEqual(before.camera);
+  await page.evaluate(() => (window.example.editor!.selected = null));
+  await drag(knot.x - 44, knot.y);
+  expect(await state()).toMatchObject({ knot: before.knot, chest: place });
+
+  const turnedTo = (await state()).camera;
   await drag(60, 350);
   const turned = await state();
   expect(turned.knot).toEqual(before.knot);
-  expect(turned.camera).not.toEqual(before.camera);
+  expect(turned.camera).not.toEqual(turnedTo);
 });
 
 test('on React Three Fiber: what React adds is in the tree, edits are drawn', async ({ page, watch }) => {

@@ -99,10 +99,8 @@ export class Gizmo {
     this.three.add(this.proxy);
     window.addEventListener('keydown', this.keyChanged, true);
     window.addEventListener('keyup', this.keyChanged, true);
-    // not only with the next picture: a handle of what was let go of must not be taken
-    this.endSelection = document.selection.changed.subscribe(() => {
-      if (document.selection.ids.length === 0) this.letGo();
-    });
+    // not only with the next picture, which brings them back: a handle of what was let go of must not be taken
+    this.endSelection = document.selection.changed.subscribe(() => this.detach());
   }
 
   get mode(): GizmoMode {
@@ -220,10 +218,14 @@ export class Gizmo {
 
   /** Takes the handles away where there is nothing to move by them. @returns whether that is so */
   private letGo(): boolean {
-    const { controls } = this;
     if (this.targets().length > 0 && this.currentMode !== 'select') return false;
-    if (controls?.object && !controls.dragging) controls.detach();
+    this.detach();
     return true;
+  }
+
+  private detach(): void {
+    const { controls } = this;
+    if (controls?.object && !controls.dragging) controls.detach();
   }
 
   /** In the middle of the selection, turned as the one chosen last. */

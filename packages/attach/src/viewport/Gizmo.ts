@@ -60,6 +60,8 @@ export class Gizmo {
   /** Lights up the handle at a point of the picture. @returns whether there is one */
   hover(at: Vector2): boolean {
     if (!this.update()) return false;
+    // the handles are where the object is now, not where they were drawn last
+    this.controls.getHelper().updateMatrixWorld(true);
     this.controls.pointerHover(pointer(at, -1));
     return this.controls.axis !== null;
   }
