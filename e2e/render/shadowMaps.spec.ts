@@ -100,6 +100,77 @@ test('maps are kept until something that casts shadows changes in their reach, a
   expect(steps.consumed, 'needsUpdate is taken back').toBe(true);
 });
 
+test('while all moves, maps are drawn where they can be seen alone: as in stock three, also when the camera turns or all rests', async ({
+  page,
+}) => {
+  const frames = await page.evaluate(() => {
+    const { Bench, compareImages, three } = window.testPage;
+    const bench = new Bench(96, 64);
+    bench.webgl.shadowMap.enabled = true;
+    const scene = new three.Scene();
+    const camera = new three.PerspectiveCamera(60, 1.5, 0.1, 50);
+    const material = new three.MeshStandardMaterial();
+    const floor = new three.Mesh(new three.PlaneGeometry(24, 24, 20, 20), material);
+    floor.rotation.x = -Math.PI / 2;
+    floor.receiveShadow = floor.castShadow = true;
+    const knots = [-5, 0, 5].map((x) => {
+      const knot = new three.Mesh(new three.TorusKnotGeometry(0.8, 0.25, 96, 12), material);
+      knot.position.set(x, 1.5, 0);
+      knot.castShadow = knot.receiveShadow = true;
+      // a mirrored one turns its triangles the other way
+      if (x === 0) knot.scale.x = -1;
+      return knot;
+    });
+    const point = new three.PointLight(0xffffff, 60, 14);
+    const spot = new three.SpotLight(0xffffff, 200, 20, 0.5);
+    const sun = new three.DirectionalLight(0xffffff, 0.5);
+    sun.position.set(3, 8, 2);
+    spot.target.position.set(4, 0, 0);
+    for (const light of [point, spot, sun]) {
+      light.castShadow = true;
+      light.shadow.mapSize.set(256, 256);
+      light.shadow.bias = -0.005;
+      scene.add(light);
+    }
+    scene.add(floor, spot.target, ...knots);
+    const look = (x: number, z: number) => {
+      camera.position.set(0, 3, 9);
+      camera.lookAt(x, 0, z);
+    };
+    const frame = (name: string, time: number | null) => {
+      if (time !== null) {
+        knots.forEach((knot, i) => (knot.rotation.y = time + i));
+        point.position.set(-3 + time, 3, 1);
+        spot.position.set(5, 6 - time, 2);
+        sun.position.x = 3 + time;
+      }
+      const image = bench.byTechnique('forward-single-pass', scene, camera);
+      const { drawn, texels } = bench.farol.info.shadows;
+      return { name, drawn, texels, psnr: compareImages(bench.stock(scene, camera), image).psnr };
+    };
+    look(-4, 0);
+    const results = [frame('first', 0), frame('moves', 0.1), frame('goes on', 0.2), frame('still goes on', 0.3)];
+    look(4, 0);
+    results.push(frame('the camera turns', 0.4), frame('rests', null));
+    look(-8, -2);
+    results.push(frame('the camera turns at rest', null), frame('all rests', null));
+    for (let i = 0; i < 70; i++) bench.farol.render(scene, camera);
+    results.push(frame('for long', null));
+    look(8, 2);
+    results.push(frame('and the camera turns', null));
+    return results;
+  });
+  for (const { name, psnr } of frames) expect(psnr, name).toBeGreaterThanOrEqual(45);
+  const whole = 6 * 258 ** 2 + 2 * 256 ** 2;
+  expect(frames[0].texels).toBe(whole);
+  for (const { name, drawn, texels } of frames.slice(1, 5)) {
+    expect(drawn, name).toBe(3);
+    expect(texels, name).toBeLessThan(0.8 * whole);
+    expect(texels, name).toBeGreaterThan(0);
+  }
+  expect(frames.slice(5).map(({ drawn }) => drawn > 0)).toEqual([false, true, false, false, false]);
+});
+
 test('64 shadowed point and spot lights at once, also in an atlas too small for them; adding and removing compiles nothing', async ({
   page,
 }) => {

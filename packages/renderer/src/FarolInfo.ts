@@ -23,8 +23,11 @@ export interface FarolInfo {
   /** Sum of the passes (ms), or null. */
   gpuMs: number | null;
   lights: { total: number; visible: number };
-  /** Shadow maps drawn in this frame, maps of lit lights that were kept from earlier ones, and bytes of the atlases. */
-  shadows: { drawn: number; kept: number; bytes: number };
+  /**
+   * Shadow maps drawn in this frame and the texels that were drawn to for them, maps of lit lights that were kept from earlier
+   * ones, and bytes of the atlases.
+   */
+  shadows: { drawn: number; texels: number; kept: number; bytes: number };
   /** Programs alive in the WebGLRenderer. */
   programs: number;
   /** Bytes of render targets and light data that Farol holds on the GPU. */

@@ -41,6 +41,8 @@ const sphere = new Sphere();
 export class ShadowCasters {
   readonly list: Caster[] = [];
   count = 0;
+  /** What receives shadows but casts none. */
+  readonly receivers: Object3D[] = [];
   /** World-space spheres where something changed, 4 numbers each. */
   changes = new Float64Array(64);
   changed = 0;
@@ -59,7 +61,7 @@ export class ShadowCasters {
     const { list } = this;
     for (let i = 0; i < this.count; i++) this.previous[i] = list[i];
     const before = this.count;
-    this.count = this.changed = 0;
+    this.count = this.changed = this.receivers.length = 0;
     this.receiversCast = receiversCast;
     if (root.visible) this.visit(root, camera);
     list.length = this.count;
@@ -74,6 +76,7 @@ export class ShadowCasters {
     const mesh = object as Mesh & { isLine?: boolean; isPoints?: boolean; isLOD?: boolean };
     if (mesh.isMesh || mesh.isLine || mesh.isPoints) {
       if (object.castShadow || (this.receiversCast && object.receiveShadow)) this.see(object);
+      else if (object.receiveShadow) this.receivers.push(object);
     } else if (mesh.isLOD && (object as LOD).autoUpdate && object.layers.test(camera.layers)) {
       (object as LOD).update(camera);
     }
@@ -148,8 +151,8 @@ function makeCaster(object: Object3D): Caster {
   };
 }
 
-/** The sphere that three culls the object by, in world space. */
-function findSphere(object: Object3D, caster: Caster): void {
+/** The sphere that three culls the object by, in world space; radius Infinity where it does not. */
+export function findSphere(object: Object3D, caster: Pick<Caster, 'x' | 'y' | 'z' | 'radius'>): void {
   const mesh = object as Mesh & { boundingSphere?: Sphere | null; computeBoundingSphere?: () => void };
   if (!object.frustumCulled) {
     caster.radius = Infinity;

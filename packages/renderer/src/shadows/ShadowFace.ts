@@ -3,7 +3,7 @@ import { TriangleRuns } from './merged/TriangleRuns';
 import type { Caster } from './ShadowCasters';
 
 const frustum = new Frustum();
-const matrix = new Matrix4();
+const whole = new Matrix4();
 const right = new Vector3();
 const up = new Vector3();
 const back = new Vector3();
@@ -15,6 +15,11 @@ export class ShadowFace {
   /** What it draws in this frame by itself. */
   readonly casters: Caster[] = [];
   private readonly merged: TriangleRuns[] = [];
+  /** From world to clip space, where that was asked for. */
+  readonly matrix = new Matrix4();
+  /** The part of what it draws to that can be seen, and the part that is drawn (texels). */
+  readonly part = { left: 0, bottom: 0, right: 0, top: 0 };
+  readonly drawn = { left: 0, bottom: 0, right: 0, top: 0 };
   /** Part of the atlas that it draws to (texels). */
   x = 0;
   y = 0;
@@ -28,6 +33,29 @@ export class ShadowFace {
     return (this.merged[page * 3 + side] ??= new TriangleRuns());
   }
 
+  /** True when what can be seen is within what is drawn. */
+  get isCovered(): boolean {
+    const { part, drawn } = this;
+    if (part.left >= part.right || part.bottom >= part.top) return true;
+    const across = part.left >= drawn.left && part.right <= drawn.right;
+    return across && part.bottom >= drawn.bottom && part.top <= drawn.top;
+  }
+
+  /** Texels that it draws to. */
+  get texels(): number {
+    const { left, bottom, right, top } = this.drawn;
+    return Math.max(0, right - left) * Math.max(0, top - bottom);
+  }
+
+  /** Has it draw what can be seen alone, or all. */
+  draws(all: boolean): void {
+    const { drawn, part } = this;
+    drawn.left = all ? 0 : part.left;
+    drawn.bottom = all ? 0 : part.bottom;
+    drawn.right = all ? this.width : part.right;
+    drawn.top = all ? this.height : part.top;
+  }
+
   clear(): void {
     this.casters.length = 0;
     for (const runs of this.merged) runs.clear();
@@ -36,8 +64,8 @@ export class ShadowFace {
   /** Takes the planes from the camera's matrices. */
   update(): void {
     const { camera, planes } = this;
-    matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    frustum.setFromProjectionMatrix(matrix, WebGLCoordinateSystem, camera.reversedDepth);
+    whole.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    frustum.setFromProjectionMatrix(whole, WebGLCoordinateSystem, camera.reversedDepth);
     for (let i = 0; i < 6; i++) {
       const { normal, constant } = frustum.planes[i];
       planes[i * 4] = normal.x;

@@ -14,6 +14,7 @@ import type { GeometryGroup } from '../RenderItem';
 import { CasterMaterials } from './CasterMaterials';
 import { casterStand } from './casterStand';
 import { MergedCasters } from './merged';
+import { SeenReceivers } from './seen';
 import { type Caster, isReached, isSeen, type ShadowCasters } from './ShadowCasters';
 import type { ShadowFace } from './ShadowFace';
 import type { ShadowSlot } from './ShadowSlot';
@@ -41,6 +42,9 @@ type ShadowCallback = (
 /** Frames for which the merged casters of a scene that is not drawn are kept. */
 const KEPT_FRAMES = 600;
 
+/** Frames after which a map that holds only what could be seen is drawn whole, if nothing changes in it. */
+const REST = 60;
+
 const rectangle = new Vector4();
 const depth = new Float32Array(1);
 
@@ -54,6 +58,8 @@ export class ShadowMapDraws {
   private readonly merged = new Map<ShadowCasters, MergedCasters>();
   private mergedCasters: MergedCasters | null = null;
   private hasMerged = false;
+  private readonly seen = new SeenReceivers();
+  private hasSeen = false;
   private casters: ShadowCasters | null = null;
   private camera: Camera | null = null;
   private bothSides = false;
@@ -79,7 +85,7 @@ export class ShadowMapDraws {
     this.frame++;
     this.stands.length = 0;
     this.mergedCasters = this.mergedOf(casters);
-    this.hasMerged = false;
+    this.hasMerged = this.hasSeen = false;
   }
 
   /** Finds what each face of a light's map will draw, and has three bring its buffers up to date. */
@@ -106,6 +112,33 @@ export class ShadowMapDraws {
     }
   }
 
+  /**
+   * Whether a map that changes in frame after frame need hold no more than what can be seen of it, or one that has stopped to
+   * do so holds all of that. Finds the parts of its faces.
+   * @param may be drawn in this frame
+   */
+  isPart(slot: ShadowSlot, may: boolean, frame: number): boolean {
+    const { dirty, drawn, changed, isPartial } = slot;
+    if (dirty) slot.changed = frame;
+    if (this.bothSides || slot.tile === null) return false;
+    if (may && (dirty || !drawn)) {
+      const goesOn = drawn && changed === frame - 1;
+      return goesOn && slot.light.shadow.autoUpdate && this.cut(slot);
+    }
+    // at rest the whole is drawn some time, a few maps a frame
+    if (!isPartial || (may && frame - changed > REST + (slot.record & 7))) return false;
+    return this.cut(slot) && slot.faces.every((face) => face.isCovered);
+  }
+
+  /** Has each face of a light's map draw only what can be seen of it. @returns false where that is all */
+  private cut(slot: ShadowSlot): boolean {
+    this.beginMerged();
+    if (this.hasSeen) return this.seen.cut(slot);
+    this.hasSeen = true;
+    this.seen.find(this.casters!, this.camera!);
+    return this.seen.cut(slot);
+  }
+
   /** Sends what the draws of a frame need. */
   send(): void {
     this.mergedCasters?.prepare();
@@ -118,12 +151,13 @@ export class ShadowMapDraws {
     if (texture && texture.compareFunction !== wanted) texture.compareFunction = wanted;
   }
 
-  /** Draws one face into the bound target: clears its rectangle, then the casters that it sees. */
+  /** Draws one face into the bound target, as far as it is to be drawn: clears that part, then the casters that it sees. */
   drawFace(slot: ShadowSlot, face: ShadowFace, x: number, y: number): void {
     const { state } = this.webgl;
-    rectangle.set(x, y, face.width, face.height);
-    state.viewport(rectangle);
-    state.scissor(rectangle);
+    if (face.texels === 0) return;
+    const { left, bottom, right, top } = face.drawn;
+    state.viewport(rectangle.set(x, y, face.width, face.height));
+    state.scissor(rectangle.set(x + left, y + bottom, right - left, top - bottom));
     state.setScissorTest(true);
     state.buffers.depth.setTest(true);
     state.buffers.depth.setMask(true);

@@ -48,6 +48,8 @@ export class ShadowMaps implements LightMasks {
   /** Maps that this frame draws (a point light has one of six faces), and those that it lights with as they are. */
   drawn = 0;
   kept = 0;
+  /** Texels that are drawn to for that. */
+  texels = 0;
   private readonly slots = new Map<Light, ShadowSlot>();
   private readonly cookies = new Map<Texture, CookieSlot>();
   /** Lights that have no slot, but do not reach all layers, and their records. */
@@ -133,7 +135,7 @@ export class ShadowMaps implements LightMasks {
   update(root: Object3D, camera: Camera, lights: readonly Light[]): void {
     this.frame++;
     this.lit.length = this.stale.length = this.staleCookies.length = 0;
-    this.records = this.drawn = this.kept = 0;
+    this.records = this.drawn = this.kept = this.texels = 0;
     if (this.layered.size > 0) this.layered.clear();
     if (lights.length === 0 && this.slots.size === 0) return;
     const { shadowMap } = this.webgl;
@@ -319,9 +321,15 @@ export class ShadowMaps implements LightMasks {
       const may = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (slot.hadMap && !slot.drawn);
       // a light whose first map may not be drawn yet casts no shadow
       slot.shows = slot.casts && slot.tile !== null && (slot.drawn || may);
-      if (slot.shows && may && (slot.dirty || !slot.drawn)) {
+      const isPart = this.draws.isPart(slot, may, this.frame);
+      if (slot.shows && ((may && (slot.dirty || !slot.drawn)) || (slot.isPartial && !isPart))) {
         this.stale.push(slot);
         this.drawn++;
+        slot.isPartial = isPart;
+        for (const face of slot.faces) {
+          face.draws(!isPart);
+          this.texels += face.texels;
+        }
         this.draws.prepare(slot);
       } else if (slot.shows) this.kept++;
       const masked = slot.shows || slot.cookie !== null || this.layers.separates(slot.light);

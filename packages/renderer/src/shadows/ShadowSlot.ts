@@ -72,8 +72,12 @@ export class ShadowSlot implements AtlasTenant {
   coverage = 1;
   /** Something in reach changed since the tile was drawn. */
   dirty = true;
+  /** The frame in which that was last so. */
+  changed = 0;
   /** The tile holds a map. */
   drawn = false;
+  /** It holds that only where it could be seen. */
+  isPartial = false;
   /** There has been a map: if its tile was lost it is drawn anew, whatever its updates. */
   hadMap = false;
   /** Frame in which the light was last lit. */

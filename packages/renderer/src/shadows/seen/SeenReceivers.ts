@@ -1,0 +1,179 @@
+import { type Camera, Matrix4, type Object3D } from 'three';
+import { viewFrustumPlanes } from '../../lights/viewFrustumPlanes';
+import { boxOutsidePlanes, casterBox, squaredDistanceToBox } from '../casterBox';
+import { type Caster, findSphere, type ShadowCasters } from '../ShadowCasters';
+import type { ShadowFace } from '../ShadowFace';
+import type { ShadowSlot } from '../ShadowSlot';
+import { CUBE_BORDER } from '../TileAtlas';
+import { cubeFaceParts } from './cubeFaceParts';
+import { mapPart } from './mapPart';
+
+/** How much wider than the camera's the view is that counts: cameras that shake by a part of a pixel see no more. */
+const WIDER = 1.01;
+/** What bends in shaders may leave its sphere by as much. */
+const SPHERES = 2;
+/** Numbers of a group: its box, its first box and the one after its last. */
+const GROUP = 8;
+
+const matrix = new Matrix4();
+const planes = new Float64Array(24);
+const parts = new Float64Array(24);
+const sphere = { x: 0, y: 0, z: 0, radius: 0 };
+
+/**
+ * Where in the view of a camera shadows can be seen: boxes round what receives them. While something moves, a map is drawn
+ * only where that is, by `cut`.
+ */
+export class SeenReceivers {
+  /** Boxes along the world's axes: centre and half sizes (m), 6 numbers each. */
+  private boxes = new Float64Array(6 * 256);
+  private count = 0;
+  /** An object each, see `GROUP`. */
+  private groups = new Float64Array(GROUP * 64);
+  private objects = 0;
+  /** Something may be anywhere. */
+  private isUnbounded = false;
+
+  /** Finds them for a frame. Once the merged casters are ready. */
+  find({ list, count, receivers }: ShadowCasters, camera: Camera): void {
+    this.count = this.objects = 0;
+    this.isUnbounded = false;
+    matrix.copy(camera.projectionMatrix);
+    const e = matrix.elements;
+    for (let column = 0; column < 16; column += 4) {
+      e[column] /= WIDER;
+      e[column + 1] /= WIDER;
+    }
+    viewFrustumPlanes(matrix.multiply(camera.matrixWorldInverse).elements, planes);
+    for (let i = 0; i < count; i++) {
+      const { object } = list[i];
+      if (object.receiveShadow && object.layers.test(camera.layers)) this.addCaster(list[i]);
+    }
+    for (const object of receivers) if (object.layers.test(camera.layers)) this.addObject(object);
+  }
+
+  /**
+   * Finds which part of each face of a light's map can be seen, with what filters read beside it.
+   * @returns false where that is all, or not known
+   */
+  cut(slot: ShadowSlot): boolean {
+    if (this.isUnbounded) return false;
+    const { faces, isCube, light, faceWidth, faceHeight } = slot;
+    const { radius, normalBias } = light.shadow;
+    const texels = Math.ceil(2 * radius) + 2;
+    const range = slot.range + Math.abs(normalBias);
+    for (let i = 0; i < 24; i += 2) {
+      parts[i] = Infinity;
+      parts[i + 1] = -Infinity;
+    }
+    if (!isCube) {
+      for (const face of faces)
+        face.matrix.multiplyMatrices(face.camera.projectionMatrix, face.camera.matrixWorldInverse);
+    }
+    const place = faces[0].camera.matrixWorld.elements;
+    const x = place[12];
+    const y = place[13];
+    const z = place[14];
+    const squaredRange = range * range;
+    const { boxes, groups } = this;
+    for (let group = 0; group < this.objects * GROUP; group += GROUP) {
+      if (squaredDistanceToBox(groups, x, y, z, group) > squaredRange) continue;
+      for (let at = groups[group + 6] * 6; at < groups[group + 7] * 6; at += 6) {
+        if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
+        if (isCube) cubeFaceParts(parts, boxes, at, x, y, z, range, 1 + (2 * texels) / faceWidth);
+        else
+          for (let i = 0; i < faces.length; i++) mapPart(parts.subarray(i * 4, i * 4 + 4), boxes, at, faces[i].matrix);
+      }
+    }
+    const border = isCube ? CUBE_BORDER : 0;
+    let all = true;
+    for (let i = 0; i < faces.length; i++) {
+      setPart(faces[i], i * 4, faceWidth, faceHeight, border, texels);
+      all &&= isWhole(faces[i]);
+    }
+    return !all;
+  }
+
+  private addCaster({ merged, hasBox, box, x, y, z, radius }: Caster): void {
+    if (merged === null) {
+      if (hasBox) this.addBox(box);
+      else this.addSphere(x, y, z, radius);
+      return;
+    }
+    if (boxOutsidePlanes(planes, box)) return;
+    const first = this.count;
+    const { boxes } = merged;
+    for (let at = 0; at < boxes.length; at += 6) {
+      if (!boxOutsidePlanes(planes, boxes, at)) this.push(boxes, at);
+    }
+    if (this.count > first) this.addGroup(box, first);
+  }
+
+  private addObject(object: Object3D): void {
+    if (casterBox(object, own)) {
+      this.addBox(own);
+      return;
+    }
+    findSphere(object, sphere);
+    this.addSphere(sphere.x, sphere.y, sphere.z, sphere.radius);
+  }
+
+  private addSphere(x: number, y: number, z: number, radius: number): void {
+    if (!Number.isFinite(x + y + z + radius)) {
+      this.isUnbounded = true;
+      return;
+    }
+    own[0] = x;
+    own[1] = y;
+    own[2] = z;
+    own[3] = own[4] = own[5] = SPHERES * radius;
+    this.addBox(own);
+  }
+
+  private addBox(box: Float64Array): void {
+    if (boxOutsidePlanes(planes, box)) return;
+    this.push(box, 0);
+    this.addGroup(box, this.count - 1);
+  }
+
+  private push(boxes: Float64Array, at: number): void {
+    if ((this.count + 1) * 6 > this.boxes.length) this.boxes = grown(this.boxes);
+    for (let i = 0; i < 6; i++) this.boxes[this.count * 6 + i] = boxes[at + i];
+    this.count++;
+  }
+
+  private addGroup(box: Float64Array, first: number): void {
+    const at = this.objects * GROUP;
+    if (at + GROUP > this.groups.length) this.groups = grown(this.groups);
+    for (let i = 0; i < 6; i++) this.groups[at + i] = box[i];
+    this.groups[at + 6] = first;
+    this.groups[at + 7] = this.count;
+    this.objects++;
+  }
+}
+
+const own = new Float64Array(6);
+
+function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
+  const more = new Float64Array(numbers.length * 2);
+  more.set(numbers);
+  return more;
+}
+
+/** Sets a face's part, in texels of what it draws to, from `parts`. */
+function setPart(face: ShadowFace, at: number, width: number, height: number, border: number, texels: number): void {
+  const { part } = face;
+  const nothing = parts[at] > parts[at + 1];
+  part.left = nothing ? 0 : clamp(Math.floor((parts[at] * 0.5 + 0.5) * width) + border - texels, face.width);
+  part.right = nothing ? 0 : clamp(Math.ceil((parts[at + 1] * 0.5 + 0.5) * width) + border + texels, face.width);
+  part.bottom = nothing ? 0 : clamp(Math.floor((parts[at + 2] * 0.5 + 0.5) * height) + border - texels, face.height);
+  part.top = nothing ? 0 : clamp(Math.ceil((parts[at + 3] * 0.5 + 0.5) * height) + border + texels, face.height);
+}
+
+function clamp(texel: number, most: number): number {
+  return Math.min(most, Math.max(0, texel));
+}
+
+function isWhole({ part, width, height }: ShadowFace): boolean {
+  return part.left === 0 && part.bottom === 0 && part.right === width && part.top === height;
+}

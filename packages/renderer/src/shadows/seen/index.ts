@@ -1,0 +1,1 @@
+export { SeenReceivers } from './SeenReceivers';
