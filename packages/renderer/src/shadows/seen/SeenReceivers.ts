@@ -12,6 +12,8 @@ import { mapPart } from './mapPart';
 const WIDER = 1.01;
 /** What bends in shaders may leave its sphere by as much. */
 const SPHERES = 2;
+/** Clusters of merged casters that are taken as one: those that follow one another lie together. */
+const CLUSTERS = 8;
 /** Numbers of a group: its box, its first box and the one after its last. */
 const GROUP = 8;
 
@@ -81,8 +83,7 @@ export class SeenReceivers {
       for (let at = groups[group + 6] * 6; at < groups[group + 7] * 6; at += 6) {
         if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
         if (isCube) cubeFaceParts(parts, boxes, at, x, y, z, range, 1 + (2 * texels) / faceWidth);
-        else
-          for (let i = 0; i < faces.length; i++) mapPart(parts.subarray(i * 4, i * 4 + 4), boxes, at, faces[i].matrix);
+        else for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, faces[i].matrix);
       }
     }
     const border = isCube ? CUBE_BORDER : 0;
@@ -103,8 +104,9 @@ export class SeenReceivers {
     if (boxOutsidePlanes(planes, box)) return;
     const first = this.count;
     const { boxes } = merged;
-    for (let at = 0; at < boxes.length; at += 6) {
-      if (!boxOutsidePlanes(planes, boxes, at)) this.push(boxes, at);
+    for (let at = 0; at < boxes.length; at += 6 * CLUSTERS) {
+      unite(boxes, at, Math.min(boxes.length, at + 6 * CLUSTERS), own);
+      if (!boxOutsidePlanes(planes, own)) this.push(own, 0);
     }
     if (this.count > first) this.addGroup(box, first);
   }
@@ -153,6 +155,20 @@ export class SeenReceivers {
 }
 
 const own = new Float64Array(6);
+
+/** Has a box hold those from one index to another (exclusive). */
+function unite(boxes: Float64Array, from: number, to: number, out: Float64Array): void {
+  for (let axis = 0; axis < 3; axis++) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let at = from + axis; at < to; at += 6) {
+      low = Math.min(low, boxes[at] - boxes[at + 3]);
+      high = Math.max(high, boxes[at] + boxes[at + 3]);
+    }
+    out[axis] = 0.5 * (low + high);
+    out[axis + 3] = 0.5 * (high - low);
+  }
+}
 
 function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
   const more = new Float64Array(numbers.length * 2);

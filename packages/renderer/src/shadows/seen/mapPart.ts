@@ -2,28 +2,42 @@ import type { Matrix4 } from 'three';
 
 /**
  * Widens the part of a map so that it holds a box as a camera sees it.
- * @param part least and most across, least and most up, -1 to 1 in the map, 4 numbers
+ * @param part least and most across, least and most up, -1 to 1 in the map, 4 numbers from index `to` on
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
  * @param camera from world to clip space
  */
-export function mapPart(part: Float64Array, boxes: Float64Array, at: number, camera: Matrix4): void {
-  const e = camera.elements;
+export function mapPart(
+  part: Float64Array,
+  to: number,
+  boxes: Float64Array,
+  at: number,
+  { elements: e }: Matrix4,
+): void {
+  const x = boxes[at];
+  const y = boxes[at + 1];
+  const z = boxes[at + 2];
+  const a = boxes[at + 3];
+  const b = boxes[at + 4];
+  const c = boxes[at + 5];
+  const across = e[0] * x + e[4] * y + e[8] * z + e[12];
+  const up = e[1] * x + e[5] * y + e[9] * z + e[13];
+  const w = e[3] * x + e[7] * y + e[11] * z + e[15];
+  if (!(w - Math.abs(e[3]) * a - Math.abs(e[7]) * b - Math.abs(e[11]) * c > 1e-6)) {
+    // beside or behind the camera: it may be anywhere
+    part[to] = part[to + 2] = -Infinity;
+    part[to + 1] = part[to + 3] = Infinity;
+    return;
+  }
   for (let corner = 0; corner < 8; corner++) {
-    const x = boxes[at] + ((corner & 1) * 2 - 1) * boxes[at + 3];
-    const y = boxes[at + 1] + ((corner & 2) - 1) * boxes[at + 4];
-    const z = boxes[at + 2] + (((corner >> 1) & 2) - 1) * boxes[at + 5];
-    const w = e[3] * x + e[7] * y + e[11] * z + e[15];
-    if (!(w > 1e-6)) {
-      // beside or behind the camera: it may be anywhere
-      part[0] = part[2] = -Infinity;
-      part[1] = part[3] = Infinity;
-      return;
-    }
-    const across = (e[0] * x + e[4] * y + e[8] * z + e[12]) / w;
-    const up = (e[1] * x + e[5] * y + e[9] * z + e[13]) / w;
-    if (across < part[0]) part[0] = across;
-    if (across > part[1]) part[1] = across;
-    if (up < part[2]) part[2] = up;
-    if (up > part[3]) part[3] = up;
+    const i = (corner & 1) === 0 ? a : -a;
+    const j = (corner & 2) === 0 ? b : -b;
+    const k = (corner & 4) === 0 ? c : -c;
+    const scale = 1 / (w + e[3] * i + e[7] * j + e[11] * k);
+    const u = (across + e[0] * i + e[4] * j + e[8] * k) * scale;
+    const v = (up + e[1] * i + e[5] * j + e[9] * k) * scale;
+    if (u < part[to]) part[to] = u;
+    if (u > part[to + 1]) part[to + 1] = u;
+    if (v < part[to + 2]) part[to + 2] = v;
+    if (v > part[to + 3]) part[to + 3] = v;
   }
 }

@@ -77,7 +77,7 @@ describe('mapPart', () => {
       for (let run = 0; run < 100; run++) {
         const box = randomBox(next);
         const part = new Float64Array([Infinity, -Infinity, Infinity, -Infinity]);
-        mapPart(part, box, 0, matrix);
+        mapPart(part, 0, box, 0, matrix);
         for (let k = 0; k < 10; k++) {
           const { x, y } = pointIn(box, next).applyMatrix4(matrix);
           expect(x).toBeGreaterThanOrEqual(part[0] - 1e-9);
@@ -93,7 +93,7 @@ describe('mapPart', () => {
     const camera = new PerspectiveCamera(50, 1, 0.1, 20);
     const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     const part = new Float64Array([Infinity, -Infinity, Infinity, -Infinity]);
-    mapPart(part, new Float64Array([0, 0, -1, 1, 1, 2]), 0, matrix);
+    mapPart(part, 0, new Float64Array([0, 0, -1, 1, 1, 2]), 0, matrix);
     expect([...part]).toEqual([-Infinity, Infinity, -Infinity, Infinity]);
   });
 });
