@@ -12,9 +12,9 @@ import { mapPart } from './mapPart';
 const WIDER = 1.01;
 /** What bends in shaders may leave its sphere by as much. */
 const SPHERES = 2;
-/** Clusters of merged casters that are taken as one: those that follow one another lie together. */
+/** Clusters of merged casters in a group: those that follow one another lie together. */
 const CLUSTERS = 8;
-/** Numbers of a group: its box, its first box and the one after its last. */
+/** Numbers of a group: its box, the index of its first box and that after its last. */
 const GROUP = 8;
 
 const matrix = new Matrix4();
@@ -29,16 +29,16 @@ const sphere = { x: 0, y: 0, z: 0, radius: 0 };
 export class SeenReceivers {
   /** Boxes along the world's axes: centre and half sizes (m), 6 numbers each. */
   private boxes = new Float64Array(6 * 256);
-  private count = 0;
-  /** An object each, see `GROUP`. */
+  private used = 0;
+  /** Boxes that lie together, and the box round them, see `GROUP`. */
   private groups = new Float64Array(GROUP * 64);
-  private objects = 0;
+  private count = 0;
   /** Something may be anywhere. */
   private isUnbounded = false;
 
   /** Finds them for a frame. Once the merged casters are ready. */
   find({ list, count, receivers }: ShadowCasters, camera: Camera): void {
-    this.count = this.objects = 0;
+    this.used = this.count = 0;
     this.isUnbounded = false;
     matrix.copy(camera.projectionMatrix);
     const e = matrix.elements;
@@ -77,12 +77,18 @@ export class SeenReceivers {
     const y = place[13];
     const z = place[14];
     const squaredRange = range * range;
+    const widening = 1 + (2 * texels) / faceWidth;
     const { boxes, groups } = this;
-    for (let group = 0; group < this.objects * GROUP; group += GROUP) {
+    for (let group = 0; group < this.count * GROUP; group += GROUP) {
       if (squaredDistanceToBox(groups, x, y, z, group) > squaredRange) continue;
-      for (let at = groups[group + 6] * 6; at < groups[group + 7] * 6; at += 6) {
+      let widens = isCube && cubeFaceParts(parts, groups, group, x, y, z, range, widening, false);
+      for (let i = 0; i < faces.length && !isCube && !widens; i++) {
+        widens = mapPart(parts, i * 4, groups, group, faces[i].matrix, false);
+      }
+      if (!widens) continue;
+      for (let at = groups[group + 6]; at < groups[group + 7]; at += 6) {
         if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
-        if (isCube) cubeFaceParts(parts, boxes, at, x, y, z, range, 1 + (2 * texels) / faceWidth);
+        if (isCube) cubeFaceParts(parts, boxes, at, x, y, z, range, widening);
         else for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, faces[i].matrix);
       }
     }
@@ -102,13 +108,15 @@ export class SeenReceivers {
       return;
     }
     if (boxOutsidePlanes(planes, box)) return;
-    const first = this.count;
     const { boxes } = merged;
     for (let at = 0; at < boxes.length; at += 6 * CLUSTERS) {
-      unite(boxes, at, Math.min(boxes.length, at + 6 * CLUSTERS), own);
-      if (!boxOutsidePlanes(planes, own)) this.push(own, 0);
+      const end = Math.min(boxes.length, at + 6 * CLUSTERS);
+      const first = this.used;
+      for (let cluster = at; cluster < end; cluster += 6) {
+        if (!boxOutsidePlanes(planes, boxes, cluster)) this.push(boxes, cluster);
+      }
+      if (this.used > first) this.addGroup(first);
     }
-    if (this.count > first) this.addGroup(box, first);
   }
 
   private addObject(object: Object3D): void {
@@ -135,38 +143,39 @@ export class SeenReceivers {
   private addBox(box: Float64Array): void {
     if (boxOutsidePlanes(planes, box)) return;
     this.push(box, 0);
-    this.addGroup(box, this.count - 1);
+    this.addGroup(this.used - 6);
   }
 
   private push(boxes: Float64Array, at: number): void {
-    if ((this.count + 1) * 6 > this.boxes.length) this.boxes = grown(this.boxes);
-    for (let i = 0; i < 6; i++) this.boxes[this.count * 6 + i] = boxes[at + i];
-    this.count++;
+    if (this.used + 6 > this.boxes.length) this.boxes = grown(this.boxes);
+    for (let i = 0; i < 6; i++) this.boxes[this.used + i] = boxes[at + i];
+    this.used += 6;
   }
 
-  private addGroup(box: Float64Array, first: number): void {
-    const at = this.objects * GROUP;
+  /** @param first index of its first box; the others follow */
+  private addGroup(first: number): void {
+    const at = this.count * GROUP;
     if (at + GROUP > this.groups.length) this.groups = grown(this.groups);
-    for (let i = 0; i < 6; i++) this.groups[at + i] = box[i];
+    unite(this.boxes, first, this.used, this.groups, at);
     this.groups[at + 6] = first;
-    this.groups[at + 7] = this.count;
-    this.objects++;
+    this.groups[at + 7] = this.used;
+    this.count++;
   }
 }
 
 const own = new Float64Array(6);
 
 /** Has a box hold those from one index to another (exclusive). */
-function unite(boxes: Float64Array, from: number, to: number, out: Float64Array): void {
+function unite(boxes: Float64Array, from: number, to: number, out: Float64Array, at: number): void {
   for (let axis = 0; axis < 3; axis++) {
     let low = Infinity;
     let high = -Infinity;
-    for (let at = from + axis; at < to; at += 6) {
-      low = Math.min(low, boxes[at] - boxes[at + 3]);
-      high = Math.max(high, boxes[at] + boxes[at + 3]);
+    for (let i = from + axis; i < to; i += 6) {
+      low = Math.min(low, boxes[i] - boxes[i + 3]);
+      high = Math.max(high, boxes[i] + boxes[i + 3]);
     }
-    out[axis] = 0.5 * (low + high);
-    out[axis + 3] = 0.5 * (high - low);
+    out[at + axis] = 0.5 * (low + high);
+    out[at + axis + 3] = 0.5 * (high - low);
   }
 }
 

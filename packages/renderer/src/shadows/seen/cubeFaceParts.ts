@@ -18,6 +18,8 @@ const high = new Float64Array(3);
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
  * @param range what lies farther from the point along an axis does not count (m)
  * @param widening how far a face reaches across, at least 1
+ * @param writes false to leave the parts as they are
+ * @returns whether they had to be widened
  */
 export function cubeFaceParts(
   parts: Float64Array,
@@ -28,7 +30,9 @@ export function cubeFaceParts(
   z: number,
   range: number,
   widening: number,
-): void {
+  writes = true,
+): boolean {
+  let widens = false;
   for (let i = 0; i < 3; i++) {
     const from = i === 0 ? x : i === 1 ? y : z;
     low[i] = Math.max(boxes[at + i] - boxes[at + 3 + i] - from, -range);
@@ -42,9 +46,12 @@ export function cubeFaceParts(
     const aside = Math.max(low[across], -high[across], low[up], -high[up], 0);
     const nearest = Math.max(side > 0 ? low[axis] : -high[axis], aside / widening, 1e-6 * farthest);
     if (nearest > farthest) continue;
-    widen(parts, i * 4, low[across], high[across], acrossSide, nearest, farthest, widening);
-    widen(parts, i * 4 + 2, low[up], high[up], upSide, nearest, farthest, widening);
+    const wider = widen(parts, i * 4, low[across], high[across], acrossSide, nearest, farthest, widening, writes);
+    const higher = widen(parts, i * 4 + 2, low[up], high[up], upSide, nearest, farthest, widening, writes);
+    widens ||= wider || higher;
+    if (widens && !writes) return true;
   }
+  return widens;
 }
 
 function widen(
@@ -56,12 +63,16 @@ function widen(
   nearest: number,
   farthest: number,
   widening: number,
-): void {
+  writes: boolean,
+): boolean {
   const from = side > 0 ? least : -most;
   const to = side > 0 ? most : -least;
   // towards the middle what is farthest counts, away from it what is nearest
   const start = Math.max(-widening, from / (from > 0 ? farthest : nearest));
   const end = Math.min(widening, to / (to < 0 ? farthest : nearest));
-  if (start < parts[at]) parts[at] = start;
-  if (end > parts[at + 1]) parts[at + 1] = end;
+  const widens = start < parts[at] || end > parts[at + 1];
+  if (!widens || !writes) return widens;
+  parts[at] = Math.min(parts[at], start);
+  parts[at + 1] = Math.max(parts[at + 1], end);
+  return true;
 }
