@@ -50,6 +50,45 @@ test('forward techniques in a multisampled target are as stock three there', asy
   }
 });
 
+test('where a target is multisampled too, forward-plus shades nothing of what is hidden', async ({ page }) => {
+  const shaded = await page.evaluate(async () => {
+    const { Bench, three } = window.testPage;
+    const bench = new Bench(64, 64, { samples: 4 });
+    const gl = bench.webgl.getContext() as WebGL2RenderingContext;
+    const camera = new three.PerspectiveCamera(45, 1, 0.1, 50);
+    camera.position.z = 5;
+    const scene = new three.Scene();
+    scene.add(new three.PointLight(0xffffff, 20));
+    const queries = new Map<string, WebGLQuery>();
+    // of one material each, they are drawn in this order
+    for (const [name, z, radius] of [
+      ['hidden', -3, 0.5],
+      ['before it', 0, 1],
+    ] as const) {
+      const mesh = new three.Mesh(new three.SphereGeometry(radius), new three.MeshStandardMaterial());
+      mesh.position.z = z;
+      mesh.onBeforeRender = () => {
+        queries.set(name, gl.createQuery()); // of the last draw in the frame: the one that shades
+        gl.beginQuery(gl.ANY_SAMPLES_PASSED, queries.get(name)!);
+      };
+      mesh.onAfterRender = () => gl.endQuery(gl.ANY_SAMPLES_PASSED);
+      scene.add(mesh);
+    }
+    const results: Record<string, string[]> = {};
+    for (const technique of ['tiled-forward', 'forward-plus'] as const) {
+      bench.byTechnique(technique, scene, camera);
+      const all = [...queries.values()];
+      const ready = () => all.every((query) => gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE));
+      while (!ready()) await new Promise(requestAnimationFrame);
+      results[technique] = [...queries.keys()].filter((name) =>
+        gl.getQueryParameter(queries.get(name)!, gl.QUERY_RESULT),
+      );
+    }
+    return results;
+  });
+  expect(shaded).toEqual({ 'tiled-forward': ['hidden', 'before it'], 'forward-plus': ['before it'] });
+});
+
 test('forward techniques on a canvas with antialias are as stock three there', async ({ page }) => {
   const worst = await page.evaluate(
     ([width, height, techniques]) => {

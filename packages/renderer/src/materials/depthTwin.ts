@@ -19,6 +19,12 @@ export const depthTwin: TwinKind = {
   },
 };
 
+/** The same, some rounding steps farther, so that what is then drawn at these depths is not hidden by them. */
+export const depthBehindTwin: TwinKind = {
+  ...depthTwin,
+  properties: { colorWrite: false, polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: 4 },
+};
+
 /** True for materials of which the depth twin can be made. */
 export function hasDepthTwin(material: Material): boolean {
   const m = material as Material & { isShaderMaterial?: boolean };

@@ -1,6 +1,6 @@
 import { DepthTexture, FloatType, NearestFilter, Vector2, WebGLRenderTarget, type IUniform, type Texture } from 'three';
 import type { Frame } from '../Frame';
-import { depthTwin, hasDepthTwin } from '../materials/depthTwin';
+import { depthBehindTwin, depthTwin, hasDepthTwin } from '../materials/depthTwin';
 import { FullscreenMesh } from './FullscreenMesh';
 import type { Pass } from './Pass';
 import { OutputMaterial } from './PassMaterial';
@@ -8,7 +8,8 @@ import { setDepthMode } from './unprojectUniforms';
 
 /**
  * Draws the depth of the opaque lit items first: into a texture for the light lists, and from there into the host's target,
- * so that what is hidden is not shaded (but not where that is multisampled: depths of pixels are not those of samples).
+ * so that what is hidden is not shaded. Where that is multisampled the items are drawn into it once more: depths of pixels
+ * are not those of samples.
  * @see Harada, McKee and Yang 2012, Forward+: Bringing Deferred Lighting to the Next Level
  */
 export class DepthPrepass implements Pass {
@@ -39,8 +40,8 @@ export class DepthPrepass implements Pass {
     for (const item of frame.queue.opaque) {
       if (item.splits && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
     }
-    // one depth a pixel would hide samples of slopes
     if (frame.samples === 0) this.show(frame);
+    else this.drawSamples(frame);
   }
 
   dispose(): void {
@@ -48,6 +49,17 @@ export class DepthPrepass implements Pass {
     this.target?.dispose();
     this.material?.dispose();
     this.target = this.material = null;
+  }
+
+  private drawSamples(frame: Frame): void {
+    // depth that the shader writes spares no shading
+    if (frame.webgl.capabilities.logarithmicDepthBuffer) return;
+    frame.bindTarget();
+    for (const item of frame.queue.opaque) {
+      const { material } = item;
+      if (!item.splits || !hasDepthTwin(material) || material.polygonOffset || material.alphaToCoverage) continue;
+      frame.drawTwin(item, depthBehindTwin);
+    }
   }
 
   private show(frame: Frame): void {
