@@ -23,7 +23,6 @@ import type { ShadowFace } from '../ShadowFace';
 import type { ShadowSlot } from '../ShadowSlot';
 import { CasterGeometry } from './CasterGeometry';
 import { CasterMatrices } from './CasterMatrices';
-import { CasterPlacement } from './CasterPlacement';
 import { CLUSTER_TRIANGLES } from './ClusterOrder';
 import { cubeFacesOf } from './cubeFacesOf';
 import { isMergeable } from './isMergeable';
@@ -42,6 +41,12 @@ const SWEEP = 256;
 /** Spacing of the places that matrices count from (m): nearer ones keep more of their digits. */
 const GRID = 128;
 
+/** What three keeps of a material. */
+interface MaterialState {
+  __version?: number;
+  currentProgram?: { program: WebGLProgram };
+}
+
 const NOTHING = new TriangleRuns();
 const camera = new Camera();
 
@@ -59,9 +64,8 @@ export interface MergedCaster {
   /** Which page it is on, and its number there. */
   readonly page: number;
   readonly object: number;
-  /** Where its indices and vertices begin. */
+  /** Where its indices begin. */
   readonly first: number;
-  readonly firstVertex: number;
   /** What of the caster it was made of, see `Caster`. */
   readonly look: number;
   /** Boxes of its clusters along the world's axes, and the place of the caster that they are of. */
@@ -77,7 +81,6 @@ export interface MergedCaster {
 export class MergedCasters {
   private readonly pages: Page[] = [];
   private readonly capacity: number;
-  private readonly placement: CasterPlacement;
   private readonly material: PassMaterial;
   private readonly geometries = new WeakMap<BufferGeometry, CasterGeometry>();
   /** The frame in which it was last used, as its owner counts them. */
@@ -87,19 +90,18 @@ export class MergedCasters {
   private readonly origin = new Vector3();
   private gone = 0;
   private triangles = 0;
-  private isCompiled = false;
 
   constructor(
     private readonly webgl: WebGLRenderer,
     registry: MicroShaderRegistry,
   ) {
     this.capacity = CasterMatrices.capacity(webgl);
-    this.placement = new CasterPlacement(webgl, this.capacity);
     this.material = new PassMaterial(registry, {
       name: 'Farol shadow casters',
       vertex: ['mergedCaster'],
       fragment: ['mergedCasterDepth'],
       uniforms: {},
+      defines: { FAROL_CASTERS: `${this.capacity}` },
       blending: NoBlending,
       depthTest: true,
       depthWrite: true,
@@ -118,7 +120,6 @@ export class MergedCasters {
    * @param casters of the scene
    */
   begin(view: Camera, { list, count, frame }: ShadowCasters): void {
-    this.followContext();
     this.moveOrigin(view);
     if (frame % SWEEP === 0)
       for (const { caster } of this.members) if (frame - caster.frame > SWEEP) this.letGo(caster);
@@ -171,23 +172,27 @@ export class MergedCasters {
     }
   }
 
-  /** Has all where it is to be for the draws of the frame. */
+  /** Sends what draws need, and has the program there that they are made with. */
   prepare(): void {
-    for (const { mesh, matrices } of this.pages) {
-      matrices.send();
-      mesh.place(matrices);
+    const state = this.webgl.properties.get(this.material) as MaterialState;
+    if (state.__version !== this.material.version) {
+      // new, edited, or gone with a lost context
+      this.drawPage(this.pages[0], NOTHING, camera);
+      for (const { matrices } of this.pages) matrices.lose();
+      this.pages[0].matrices.attach(state.currentProgram!.program);
     }
-    if (this.isCompiled) return;
-    this.isCompiled = true;
-    this.drawPage(this.pages[0], NOTHING, camera);
+    for (const { matrices } of this.pages) matrices.send();
   }
 
   /** Draws what a face sees into its part of the target. */
   draw(face: ShadowFace): void {
     for (let page = 0; page < this.pages.length; page++) {
+      let bound = false;
       for (let side = 0; side < 3; side++) {
         const runs = face.runs(page, side);
         if (runs.count === 0) continue;
+        if (!bound) this.pages[page].matrices.bind();
+        bound = true;
         this.material.side = side as Side;
         this.drawPage(this.pages[page], runs, face.camera);
       }
@@ -200,7 +205,6 @@ export class MergedCasters {
       matrices.dispose();
     }
     this.material.dispose();
-    this.placement.dispose();
   }
 
   private drawPage({ mesh }: Page, runs: TriangleRuns, from: Camera): void {
@@ -210,11 +214,7 @@ export class MergedCasters {
   }
 
   private addPage(): Page {
-    const page = {
-      mesh: new MergedMesh(this.webgl, this.placement, this.material),
-      matrices: new CasterMatrices(this.webgl),
-      objects: 0,
-    };
+    const page = { mesh: new MergedMesh(this.material), matrices: new CasterMatrices(this.webgl), objects: 0 };
     page.mesh.mesh.matrixWorld.setPosition(this.origin);
     this.pages.push(page);
     return page;
@@ -254,7 +254,6 @@ export class MergedCasters {
       geometry,
       page,
       object,
-      firstVertex: mesh.vertices,
       first: mesh.add(geometry.positions, geometry.index, object),
       look: caster.look,
       boxes: new Float64Array(geometry.boxes.length),
@@ -263,22 +262,6 @@ export class MergedCasters {
     };
     caster.merged = merged;
     this.members.push(merged);
-  }
-
-  /** What a lost context has taken is made anew. */
-  private followContext(): void {
-    // three forgets what it keeps of objects with the context
-    const kept = this.webgl.properties.get(this) as { isAlive?: boolean };
-    if (kept.isAlive) return;
-    kept.isAlive = true;
-    if (!this.isCompiled) return;
-    this.isCompiled = false;
-    this.placement.lose();
-    for (const { mesh, matrices } of this.pages) {
-      mesh.lose();
-      matrices.lose();
-    }
-    for (const member of this.members) member.place = -1;
   }
 
   /** Moves the boxes, and the matrix in the table, to where the caster is. */
@@ -290,7 +273,6 @@ export class MergedCasters {
     for (let at = 0; at < boxes.length; at += 6) moveBox(geometry.boxes, at, matrixWorld, boxes, at);
     merged.isMirrored = matrixWorld.determinantAffine() < 0;
     this.pages[page].matrices.set(object, matrixWorld, this.origin);
-    this.pages[page].mesh.move(merged.firstVertex, geometry.positions.length / 3);
   }
 
   /** Matrices count from a place near the camera, so that far from the world's origin they keep their digits. */

@@ -1,17 +1,5 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  type Camera,
-  DynamicDrawUsage,
-  GLBufferAttribute,
-  type Material,
-  Mesh,
-  Sphere,
-  type WebGLRenderer,
-} from 'three';
+import { BufferAttribute, BufferGeometry, type Camera, DynamicDrawUsage, type Material, Mesh, Sphere } from 'three';
 import { casterStand } from '../casterStand';
-import type { CasterMatrices } from './CasterMatrices';
-import type { CasterPlacement } from './CasterPlacement';
 import type { TriangleRuns } from './TriangleRuns';
 
 /** Vertices, and indices, of the smallest buffers. */
@@ -28,13 +16,7 @@ export class MergedMesh {
   readonly stand: Mesh;
   vertices = 0;
   indices = 0;
-  /** Own space of their objects, and which object. */
-  private corners = new Float32Array(SMALLEST * 4);
-  private buffers: ReturnType<CasterPlacement['makeBuffers']>;
-  /** Vertices that have been sent, and range of those that are to be placed anew. */
-  private sent = 0;
-  private firstMoved = Infinity;
-  private lastMoved = -1;
+  private geometry: BufferGeometry;
   private readonly batch = {
     isBatchedMesh: true,
     _colorsTexture: null,
@@ -45,13 +27,9 @@ export class MergedMesh {
     _multiDrawCount: 0,
   };
 
-  constructor(
-    private readonly webgl: WebGLRenderer,
-    private readonly placement: CasterPlacement,
-    material: Material,
-  ) {
-    this.buffers = placement.makeBuffers(SMALLEST);
-    this.mesh = new Mesh(this.makeGeometry(new Uint32Array(SMALLEST)), material);
+  constructor(material: Material) {
+    this.geometry = makeGeometry(SMALLEST, SMALLEST);
+    this.mesh = new Mesh(this.geometry, material);
     this.mesh.matrixAutoUpdate = this.mesh.matrixWorldAutoUpdate = false;
     Object.assign(this.mesh, this.batch);
     this.stand = casterStand(this.mesh) as Mesh;
@@ -68,48 +46,27 @@ export class MergedMesh {
     const count = positions.length / 3;
     const first = this.indices;
     this.reserve(this.vertices + count, first + index.length);
-    const { corners } = this;
+    const position = this.geometry.attributes.position as BufferAttribute;
+    const own = this.geometry.index!;
+    const corners = position.array;
     for (let i = 0, at = this.vertices * 4; i < count; i++, at += 4) {
       corners[at] = positions[i * 3];
       corners[at + 1] = positions[i * 3 + 1];
       corners[at + 2] = positions[i * 3 + 2];
       corners[at + 3] = object;
     }
-    const own = this.mesh.geometry.index!;
     for (let i = 0; i < index.length; i++) own.array[first + i] = index[i] + this.vertices;
+    position.addUpdateRange(this.vertices * 4, count * 4);
     own.addUpdateRange(first, index.length);
-    own.needsUpdate = true;
+    position.needsUpdate = own.needsUpdate = true;
     this.vertices += count;
     this.indices += index.length;
     return first;
   }
 
-  /** Says that vertices are to be placed anew. */
-  move(first: number, count: number): void {
-    this.firstMoved = Math.min(this.firstMoved, first);
-    this.lastMoved = Math.max(this.lastMoved, first + count);
-  }
-
-  /** Places what was moved. Call inside a frame, once the matrices are sent. */
-  place(matrices: CasterMatrices): void {
-    const { buffers, placement, sent, vertices, firstMoved, lastMoved } = this;
-    if (vertices > sent) placement.send(buffers.from, this.corners, sent, vertices - sent);
-    this.sent = vertices;
-    if (lastMoved > firstMoved) placement.run(buffers.array, buffers.to, matrices, firstMoved, lastMoved - firstMoved);
-    this.firstMoved = Infinity;
-    this.lastMoved = -1;
-  }
-
   /** Lets go of all triangles; the buffers stay. */
   clear(): void {
-    this.vertices = this.indices = this.sent = 0;
-    this.firstMoved = Infinity;
-    this.lastMoved = -1;
-  }
-
-  /** Makes new buffers, since the context has lost those that were. All is to be moved. */
-  lose(): void {
-    this.remake(this.corners.length / 4, this.mesh.geometry.index!.count);
+    this.vertices = this.indices = 0;
   }
 
   /** Says what the next draw draws for a camera. */
@@ -122,56 +79,34 @@ export class MergedMesh {
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.letGo();
+    this.geometry.dispose();
   }
 
   private reserve(vertices: number, indices: number): void {
-    const mostVertices = this.corners.length / 4;
-    const mostIndices = this.mesh.geometry.index!.count;
-    if (vertices <= mostVertices && indices <= mostIndices) return;
-    this.remake(atLeast(mostVertices, vertices), atLeast(mostIndices, indices));
-  }
-
-  private remake(vertices: number, indices: number): void {
-    const before = this.mesh.geometry;
-    const index = new Uint32Array(indices);
-    index.set(before.index!.array);
-    if (vertices * 4 > this.corners.length) {
-      const corners = new Float32Array(vertices * 4);
-      corners.set(this.corners);
-      this.corners = corners;
-    }
+    const before = this.geometry;
+    const position = before.attributes.position as BufferAttribute;
+    const own = before.index!;
+    if (vertices <= position.count && indices <= own.count) return;
+    const made = makeGeometry(atLeast(position.count, vertices), atLeast(own.count, indices));
+    (made.attributes.position as BufferAttribute).array.set(position.array);
+    made.index!.array.set(own.array);
     before.dispose();
-    this.letGo();
-    this.buffers = this.placement.makeBuffers(vertices);
-    this.mesh.geometry = this.makeGeometry(index);
-    this.sent = 0;
-    this.move(0, this.vertices);
-  }
-
-  private letGo(): void {
-    const gl = this.webgl.getContext() as WebGL2RenderingContext;
-    gl.deleteBuffer(this.buffers.from);
-    gl.deleteBuffer(this.buffers.to);
-    gl.deleteVertexArray(this.buffers.array);
-  }
-
-  private makeGeometry(indices: Uint32Array): BufferGeometry {
-    const { FLOAT } = this.webgl.getContext();
-    const geometry = new BufferGeometry();
-    const count = this.corners.length / 4;
-    const position = new GLBufferAttribute(this.buffers.to, FLOAT, 3, 4, count);
-    geometry.setAttribute('position', position as unknown as BufferAttribute);
-    const index = new BufferAttribute(indices, 1);
-    index.usage = DynamicDrawUsage;
-    geometry.setIndex(index);
-    geometry.boundingSphere = new Sphere(); // three asks for it when it sorts
-    return geometry;
+    this.geometry = this.mesh.geometry = made;
   }
 }
 
 function atLeast(size: number, wanted: number): number {
   while (size < wanted) size *= 2;
   return size;
+}
+
+function makeGeometry(vertices: number, indices: number): BufferGeometry {
+  const geometry = new BufferGeometry();
+  const position = new BufferAttribute(new Float32Array(vertices * 4), 4);
+  const index = new BufferAttribute(new Uint32Array(indices), 1);
+  position.usage = index.usage = DynamicDrawUsage;
+  geometry.setAttribute('position', position);
+  geometry.setIndex(index);
+  geometry.boundingSphere = new Sphere(); // three asks for it when it sorts
+  return geometry;
 }
