@@ -5,7 +5,7 @@ const FLOATS = 12;
 /** Objects at most, where the device would take more. */
 const MOST = 1365;
 
-/** Matrices of objects in a uniform block: vertex shaders read it faster than a texture, by a fifth of a shadow pass. */
+/** Matrices of objects in a uniform block. */
 export class CasterMatrices {
   private readonly rows: Float32Array;
   private readonly gl: WebGL2RenderingContext;

@@ -82,7 +82,7 @@ export class SeenReceivers {
     for (let group = 0; group < this.count * GROUP; group += GROUP) {
       if (squaredDistanceToBox(groups, x, y, z, group) > squaredRange) continue;
       let widens = isCube && cubeFaceParts(parts, groups, group, x, y, z, range, widening, false);
-      for (let i = 0; i < faces.length && !isCube && !widens; i++) {
+      for (let i = isCube ? 6 : 0; i < faces.length && !widens; i++) {
         widens = mapPart(parts, i * 4, groups, group, faces[i].matrix, false);
       }
       if (!widens) continue;
