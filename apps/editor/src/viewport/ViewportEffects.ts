@@ -16,7 +16,7 @@ export interface EffectChoice {
 }
 
 /** Still frames after which the picture of TAA changes no more. */
-const SETTLED = 32;
+const SETTLED = 40;
 
 /** Keeps `FarolRenderer.effects` at what is chosen; their code is fetched when the first of them is on. */
 export class ViewportEffects {

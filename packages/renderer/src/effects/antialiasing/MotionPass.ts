@@ -7,14 +7,16 @@ import { ObjectMotion } from './ObjectMotion';
 const clip = new Matrix4();
 
 /**
- * Draws how far each pixel of what moves by itself has moved since the last frame (x, y in pictures; alpha 1 where
- * something was drawn), under the depth of the finished picture: objects, skins, morphs, instances and batches. What
+ * Draws how far each pixel of what moves by itself has moved since the last frame (x, y in pictures; z how much farther it
+ * was, m; alpha 1 where something was drawn), under the depth of the finished picture: objects, skins, morphs, instances and batches. What
  * stands still moves by the camera alone, and is left out.
  */
 export class MotionPass {
   /** Whether something was drawn in this frame, and whether something has changed at all. */
   drawn = false;
   changed = false;
+  /** Whether it is known of everything where it was, and what moves has moved in the last frame too. */
+  known = true;
   target: WebGLRenderTarget | null = null;
   private readonly uniforms;
   private readonly twins;
@@ -52,6 +54,7 @@ export class MotionPass {
     picture: WebGLRenderTarget,
   ): void {
     this.drawn = this.changed = false;
+    this.known = true;
     this.objects.length = 0;
     this.draw(frame, frame.queue.opaque, motions, number, before, picture);
     this.draw(frame, frame.queue.transmissive, motions, number, before, picture);
@@ -81,11 +84,17 @@ export class MotionPass {
       const moved = !isNew && motion.hasMoved(object);
       if (!isNew && !moved) {
         motion.frame = number;
+        motion.moves = false;
         continue;
       }
       this.changed = true;
       this.objects.push(object);
-      if (isNew || !motion.isKnown(object) || !hasMotionTwin(item)) continue;
+      if (isNew || !motion.moves) this.known = false;
+      motion.moves = moved;
+      if (isNew || !motion.isKnown(object) || !hasMotionTwin(item)) {
+        this.known = false;
+        continue;
+      }
       this.bind(frame, picture);
       const { uniforms } = this;
       uniforms.farol_clipBefore.value.multiplyMatrices(before, clip.fromArray(motion.matrix));

@@ -17,6 +17,8 @@ const INSTANCES_PER_ROW = 512;
 export class ObjectMotion {
   /** Frame of the copies. */
   frame = -1;
+  /** Whether it stood otherwise then than in the frame before. */
+  moves = false;
   /** World matrix; of a skinned mesh times its bind matrix's inverse. */
   readonly matrix = new Float64Array(16);
   /** Bone matrices, or null. */

@@ -7,6 +7,7 @@ import {
   type Texture,
   Vector2,
   Vector4,
+  type WebGLRenderTarget,
 } from 'three';
 import type { Frame } from '../../Frame';
 import { FullscreenMesh } from '../../passes/FullscreenMesh';
@@ -15,10 +16,15 @@ import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import displayTransfer from '../displayTransfer.glsl?raw';
 import type { FarolEffect } from '../../FarolEffect';
 import { Picture } from '../Picture';
+import { cellWeights } from './cellWeights';
 import { halton } from './halton';
 import { jitterProjection } from './jitterProjection';
-import { looksOf } from './looksOf';
+import lanczosCross from './lanczosCross.glsl?raw';
+import { looksOf, surroundingsOf } from './looksOf';
 import { MotionPass } from './MotionPass';
+import taaDepth from './taaDepth.glsl?raw';
+import taaNear from './taaNear.glsl?raw';
+import taaPicture from './taaPicture.glsl?raw';
 import taaResolve from './taaResolve.glsl?raw';
 import { TemporalHistory } from './TemporalHistory';
 
@@ -28,27 +34,45 @@ const SAMPLES = 32;
 const HISTORIES = 4;
 /** Of `share`, in a pixel that does not move while others do. */
 const STILL = 0.5;
+/** Frames after a change of light or looks in which the past is nowhere believed as it is. */
+const RELIT = 8;
+/** Frames after something came, or began to move, in which what stands still is not taken for granted. */
+const MET = 2;
+/** Frames after any change until the mean of all frames is begun. */
+const SETTLED = 4;
+/** Frames that a picture counts as in which things have moved. */
+const MOVED = 3;
 /** A camera that turns by more than this from one frame to the next (cosine) shows another shot. */
 const CUT = 0.7;
+
+export interface TAAOptions {
+  /**
+   * Cells along a pixel's side that the past is kept in: 2 (default) is sharp also while things move, at 72 bytes a pixel; 1
+   * takes 24. Where a target of twice the picture's size is beyond the device, it is 1.
+   */
+  readonly cells?: 1 | 2;
+}
 
 /**
  * Temporal anti-aliasing. Each frame is drawn with the camera moved within the pixel, by a view of the host's camera whose
  * projection alone differs, and mixed with the frames before, looked up where what a pixel shows was then: by the camera's
- * motion and depth, and of what moves by itself (objects, skins, morphs, instances, batches) by a pass of motion. Of the
- * past, only what is like the present pixel's neighbours is believed (variance clipping in YCoCg). A picture in which
- * nothing changes becomes the mean of 32 places in each pixel. Works with every technique.
+ * motion and depth, and of what moves by itself (objects, skins, morphs, instances, batches) by a pass of motion. The past
+ * is kept in four cells a pixel, so that looking it up again and again does not blur it. It is believed as it is at the edges
+ * of what was in its place by depth too; else only as far as it is like the present pixel's neighbours (variance clipping in
+ * YCoCg). A picture in which nothing changes becomes the mean of 32 places in each pixel. Works with every technique.
  *
  * A change is seen in matrices, lights, and the colours and numbers of materials. Shaders and textures that move by
  * themselves are taken for changes always. Motion of what a shader of the host's moves is not known: it may ghost.
  * @see Karis 2014, High Quality Temporal Supersampling, https://advances.realtimerendering.com/s2014/
+ * @see Yang et al. 2009, Amortized Supersampling, https://doi.org/10.1145/1618452.1618481
  * @see Salvi 2016, An Excursion in Temporal Supersampling (GDC)
  */
 export class TAA implements FarolEffect {
   readonly name = 'TAA';
-  /** Share of the new frame in a pixel that moves, half of that in one that does not: above 0, at most 1. Default 0.3. */
-  share = 0.3;
-  /** Standard deviations of its neighbours to which a pixel's past is clipped unless nothing changes. Default 1.25, above 0. */
-  gamma = 1.25;
+  /** Share of a sample in a quarter of a pixel that it falls in, if that moves; half of it if not: above 0, at most 1. Default 0.7. */
+  share = 0.7;
+  /** Standard deviations of its neighbours to which a pixel's past is clipped where it may not be believed. Default 1.5, above 0. */
+  gamma = 1.5;
   private readonly histories: TemporalHistory[] = [];
   private history!: TemporalHistory;
   private readonly views = new WeakMap<Camera, Camera>();
@@ -64,13 +88,23 @@ export class TAA implements FarolEffect {
   private readonly projectZ = { value: new Vector4() };
   private readonly encoded = { value: false };
   private readonly hasMotion = { value: false };
+  private readonly reach: IUniform<Texture | null> = { value: null };
+  private readonly reachBefore: IUniform<Texture | null> = { value: null };
+  private readonly cells = { value: 2 };
+  private readonly weights = { value: new Vector4() };
   private readonly shareOfNew = { value: new Vector2(1, 1) };
   private readonly clip = { value: 0 };
+  private readonly belief = { value: 0 };
+  private readonly hasPast = { value: false };
   private readonly triangle = new FullscreenMesh();
-  private material: PassMaterial | null = null;
+  private near: PassMaterial | null = null;
+  private resolve: PassMaterial | null = null;
+  private average: PassMaterial | null = null;
   private shared: Picture | null = null;
   private frames = 0;
   private contextLists: unknown = null;
+
+  constructor(private readonly options: TAAOptions = {}) {}
 
   get bytes(): number {
     let bytes = this.motion.bytes + (this.shared?.bytes ?? 0);
@@ -100,28 +134,32 @@ export class TAA implements FarolEffect {
   }
 
   end(frame: Frame): void {
-    const { history, motion } = this;
+    const { history, motion, viewProjection } = this;
     const picture = this.shared!;
-    this.material ??= this.makeMaterial(frame);
-    const { viewProjection } = this;
-    const still = this.drawMotion(frame);
+    this.makeMaterials(frame);
+    this.drawMotion(frame);
     this.picture.value = picture.texture;
     this.depth.value = picture.target.depthTexture;
     this.past.value = history.texture;
+    this.reachBefore.value = history.reach;
     this.motionMap.value = motion.target?.texture ?? null;
     this.hasMotion.value = motion.drawn;
+    this.hasPast.value = !history.isEmpty;
     this.encoded.value = picture.encoded;
     this.setDepthKind(frame);
     this.reproject.value.copy(viewProjection).invert().premultiply(history.viewProjection);
-    const first = 1 / ((still ? history.still : history.count) + 1);
-    const least = still ? 1 / SAMPLES : this.share;
-    this.shareOfNew.value.set(Math.max(first, least), Math.max(first, still ? least : this.share * STILL));
-    this.clip.value = still ? 0 : this.gamma;
-    const target = history.next(frame.width, frame.height);
-    frame.bind(target);
-    frame.drawMesh(this.triangle, this.material);
+    this.setShares(frame);
+    const { next, nextReach } = history;
+    this.draw(frame, nextReach, this.near!);
+    this.reach.value = nextReach.texture;
+    this.draw(frame, next, this.resolve!);
     history.advance(viewProjection, frame.camera);
-    picture.texture = target.texture;
+    picture.texture = next.texture;
+    if (this.cells.value > 1) {
+      this.past.value = next.texture;
+      this.draw(frame, picture.target, this.average!);
+      picture.texture = picture.target.texture;
+    }
     picture.encoded = false;
     picture.end(frame);
   }
@@ -130,26 +168,59 @@ export class TAA implements FarolEffect {
     for (const history of this.histories) history.dispose();
     this.histories.length = 0;
     this.motion.dispose();
-    this.material?.dispose();
-    this.material = null;
+    for (const material of [this.near, this.resolve, this.average]) material?.dispose();
+    this.near = this.resolve = this.average = null;
     this.shared?.dispose();
   }
 
-  /** Draws the motion and tells whether nothing at all has changed. */
-  private drawMotion(frame: Frame): boolean {
+  /** Draws the motion and finds out what has changed. */
+  private drawMotion(frame: Frame): void {
     const { history, motion, viewProjection } = this;
     motion.render(frame, history.motions, history.frame + 1, history.viewProjection, this.shared!.target);
-    const looks = looksOf(frame.queue);
-    const still =
-      !history.isEmpty &&
-      !motion.changed &&
-      looks === history.looks &&
-      frame.lights.uploadedBytes === 0 &&
-      frame.shadowMapsDrawn === 0 &&
-      viewProjection.equals(history.viewProjection);
+    const looks = looksOf(frame.queue) + surroundingsOf(frame.lights, frame.scene) * 11;
+    const follows = !history.isEmpty;
+    const moved = !viewProjection.equals(history.viewProjection);
+    // lights are kept in view space, and a camera that moves sees other things: what it cannot tell is left to clipping
+    const relit = !moved && (frame.lights.uploadedBytes > 0 || looks !== history.looks);
     history.looks = looks;
-    history.still = still ? history.still + 1 : history.isEmpty ? 0 : 3;
-    return still;
+    const changed = moved || relit || motion.changed || frame.shadowMapsDrawn > 0;
+    history.sure = follows && relit ? 0 : history.sure + 1;
+    history.known = follows && !motion.known ? 0 : history.known + 1;
+    history.quiet = follows && changed ? 0 : history.quiet + 1;
+    const steady = follows && !moved && frame.shadowMapsDrawn === 0 && history.known > MET;
+    this.belief.value = history.sure > RELIT ? (steady ? 2 : 1) : moved ? 1 : 0;
+  }
+
+  /** Says how much this frame's samples count. */
+  private setShares(frame: Frame): void {
+    const { history, share } = this;
+    const { gathered } = history;
+    const still = !history.isEmpty && history.quiet > SETTLED;
+    const weights = this.weights.value;
+    const cells = this.cells.value;
+    const parts = cells * cells;
+    cellWeights(this.jitter.value, frame.width, frame.height, cells, still || history.isEmpty, weights);
+    this.clip.value = still ? 0 : this.gamma;
+    if (still) {
+      for (let i = 0; i < 4; i++) {
+        const weight = weights.getComponent(i);
+        const sum = gathered.getComponent(i) + weight;
+        weights.setComponent(i, sum > 0 ? weight / sum : 0);
+        gathered.setComponent(i, Math.min(sum, SAMPLES / parts - weight));
+      }
+      return;
+    }
+    if (history.isEmpty) gathered.copy(weights);
+    else gathered.setScalar(MOVED / parts);
+    const first = 1 / (1 + history.count / parts);
+    // in a cell that is a whole pixel, each frame has a sample
+    const least = 1 - (1 - share) ** (parts / 4);
+    this.shareOfNew.value.set(Math.max(first, least), Math.max(first, least * STILL));
+  }
+
+  private draw(frame: Frame, target: WebGLRenderTarget, material: PassMaterial): void {
+    frame.bind(target);
+    frame.drawMesh(this.triangle, material);
   }
 
   private setDepthKind(frame: Frame): void {
@@ -181,7 +252,10 @@ export class TAA implements FarolEffect {
       histories.push((history = new TemporalHistory(camera, scene as Object3D)));
     }
     history.usedAt = this.frames;
-    if (!history.hasSize(width, height)) history.reset();
+    const beyond = 2 * Math.max(width, height) > frame.webgl.capabilities.maxTextureSize;
+    const cells = (this.cells.value = beyond ? 1 : (this.options.cells ?? 2));
+    if (!history.hasSize(width, height, cells)) history.reset();
+    history.setSize(width, height, cells);
     return history;
   }
 
@@ -201,26 +275,36 @@ export class TAA implements FarolEffect {
     return view;
   }
 
-  private makeMaterial(frame: Frame): PassMaterial {
-    addMicroShaders(frame.microshaders, { displayTransfer, taaResolve });
-    return new PassMaterial(frame.microshaders, {
-      name: 'Farol TAA',
-      vertex: ['fullscreen'],
-      fragment: ['taaResolve'],
-      uniforms: {
-        farol_picture: this.picture,
-        farol_pictureDepth: this.depth,
-        farol_history: this.past,
-        farol_motionMap: this.motionMap,
-        farol_reproject: this.reproject,
-        farol_jitter: this.jitter,
-        farol_depthKind: this.depthKind,
-        farol_projectZ: this.projectZ,
-        farol_encoded: this.encoded,
-        farol_hasMotion: this.hasMotion,
-        farol_share: this.shareOfNew,
-        farol_gamma: this.clip,
-      },
+  private makeMaterials(frame: Frame): void {
+    if (this.resolve !== null) return;
+    const { microshaders } = frame;
+    addMicroShaders(microshaders, { displayTransfer, lanczosCross, taaDepth, taaNear, taaPicture, taaResolve });
+    const depth = {
+      farol_pictureDepth: this.depth,
+      farol_motionMap: this.motionMap,
+      farol_reproject: this.reproject,
+      farol_jitter: this.jitter,
+      farol_depthKind: this.depthKind,
+      farol_projectZ: this.projectZ,
+      farol_hasMotion: this.hasMotion,
+    };
+    const cells = { farol_history: this.past, farol_cells: this.cells };
+    const pass = (name: string, fragment: string, uniforms: Record<string, IUniform>) =>
+      new PassMaterial(microshaders, { name, vertex: ['fullscreen'], fragment: [fragment], uniforms });
+    this.near = pass('Farol TAA near', 'taaNear', depth);
+    this.average = pass('Farol TAA picture', 'taaPicture', cells);
+    this.resolve = pass('Farol TAA', 'taaResolve', {
+      ...depth,
+      ...cells,
+      farol_picture: this.picture,
+      farol_reach: this.reach,
+      farol_reachBefore: this.reachBefore,
+      farol_weights: this.weights,
+      farol_encoded: this.encoded,
+      farol_hasPast: this.hasPast,
+      farol_share: this.shareOfNew,
+      farol_gamma: this.clip,
+      farol_belief: this.belief,
     });
   }
 }

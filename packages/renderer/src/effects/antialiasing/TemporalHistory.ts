@@ -2,9 +2,12 @@ import {
   type Camera,
   HalfFloatType,
   Matrix4,
+  NearestFilter,
   type Object3D,
+  RGFormat,
   type Texture,
   Vector3,
+  Vector4,
   type WebGLRenderTarget,
 } from 'three';
 import { EffectTarget } from '../EffectTarget';
@@ -18,22 +21,33 @@ export class TemporalHistory {
   readonly viewProjection = new Matrix4();
   /** The camera's backward axis (world space) in the last frame. */
   readonly forward = new Vector3();
-  /** Frames since the last reset, and since anything changed. */
+  /** Frames since the last reset. */
   count = 0;
-  still = 0;
+  /** Frames since anything changed, since light or looks did, and since all motion was known; endless after a reset. */
+  quiet = Infinity;
+  sure = Infinity;
+  known = Infinity;
   /** Number of the last frame, never put back. */
   frame = 0;
   /** Of the last frame, by `looksOf`. */
   looks = 0;
+  /** Sum of the weights of the samples in each cell of a pixel, since anything changed. */
+  readonly gathered = new Vector4();
   /** When it was last drawn; the caller's count. */
   usedAt = 0;
   private readonly targets = [
     new EffectTarget({ type: HalfFloatType }, 8),
     new EffectTarget({ type: HalfFloatType }, 8),
   ];
+  private readonly reaches = [
+    new EffectTarget({ type: HalfFloatType, format: RGFormat, minFilter: NearestFilter, magFilter: NearestFilter }, 4),
+    new EffectTarget({ type: HalfFloatType, format: RGFormat, minFilter: NearestFilter, magFilter: NearestFilter }, 4),
+  ];
   private width = 0;
   private height = 0;
+  private cells = 1;
   private last: Texture | null = null;
+  private lastReach: Texture | null = null;
 
   constructor(
     readonly camera: Camera,
@@ -41,7 +55,7 @@ export class TemporalHistory {
   ) {}
 
   get bytes(): number {
-    return this.targets[0].bytes + this.targets[1].bytes;
+    return this.targets[0].bytes + this.targets[1].bytes + this.reaches[0].bytes + this.reaches[1].bytes;
   }
 
   /** True when there is no past to look at. */
@@ -49,25 +63,39 @@ export class TemporalHistory {
     return this.count === 0;
   }
 
-  /** The last frame's picture, linear. */
+  /** The last frame's cells, linear. */
   get texture(): Texture | null {
     return this.last;
   }
 
-  hasSize(width: number, height: number): boolean {
-    return this.width === width && this.height === height;
+  /** The last frame's distances, by taaNear.glsl. */
+  get reach(): Texture | null {
+    return this.lastReach;
   }
 
-  /** What this frame is to be drawn to. */
-  next(width: number, height: number): WebGLRenderTarget {
+  hasSize(width: number, height: number, cells: number): boolean {
+    return this.width === width && this.height === height && this.cells === cells;
+  }
+
+  /** Begins a frame of a size (pixels) and cells along a pixel's side; `next` and `nextReach` are what it is drawn to. */
+  setSize(width: number, height: number, cells: number): void {
     this.width = width;
     this.height = height;
-    return this.targets[this.frame & 1].of(width, height);
+    this.cells = cells;
+  }
+
+  get next(): WebGLRenderTarget {
+    return this.targets[this.frame & 1].of(this.width * this.cells, this.height * this.cells);
+  }
+
+  get nextReach(): WebGLRenderTarget {
+    return this.reaches[this.frame & 1].of(this.width, this.height);
   }
 
   /** Ends a frame: what was drawn is the past now. */
   advance(viewProjection: Matrix4, camera: Camera): void {
-    this.last = this.targets[this.frame & 1].of(this.width, this.height).texture;
+    this.last = this.next.texture;
+    this.lastReach = this.nextReach.texture;
     this.viewProjection.copy(viewProjection);
     this.forward.setFromMatrixColumn(camera.matrixWorld, 2).normalize();
     this.count++;
@@ -75,11 +103,12 @@ export class TemporalHistory {
   }
 
   reset(): void {
-    this.count = this.still = 0;
+    this.count = 0;
+    this.quiet = this.sure = this.known = Infinity;
   }
 
   dispose(): void {
-    for (const target of this.targets) target.dispose();
+    for (const target of [...this.targets, ...this.reaches]) target.dispose();
     this.motions = new WeakMap();
     this.reset();
   }

@@ -1,7 +1,7 @@
-import { Mesh, MeshStandardMaterial, type Object3D, ShaderMaterial } from 'three';
+import { Color, Mesh, MeshStandardMaterial, type Object3D, Scene, ShaderMaterial } from 'three';
 import { expect, it } from 'vitest';
 import { RenderQueue } from '../../RenderQueue';
-import { looksOf } from './looksOf';
+import { looksOf, surroundingsOf } from './looksOf';
 
 function queueOf(...meshes: Mesh[]): RenderQueue {
   const queue = new RenderQueue();
@@ -35,4 +35,22 @@ it('stays while nothing changes, and tells a change of any look', () => {
 it('takes a shader of the host for one that may change at any time', () => {
   const looks = looksOf(queueOf(new Mesh(undefined, new ShaderMaterial())));
   expect(looks === looks).toBe(false);
+});
+
+it('tells that a light has gone, that ambient light or the background has changed', () => {
+  const lights = { visible: 2, ambient: new Float32Array(16).fill(0.25) };
+  const scene = new Scene();
+  scene.background = new Color(0x112233);
+  const seen = new Set([surroundingsOf(lights, scene)]);
+  expect(seen.has(surroundingsOf(lights, scene))).toBe(true);
+  lights.visible = 1;
+  seen.add(surroundingsOf(lights, scene));
+  expect(seen.size).toBe(2);
+  lights.ambient[3] = 0.5;
+  seen.add(surroundingsOf(lights, scene));
+  scene.background.g += 0.1;
+  seen.add(surroundingsOf(lights, scene));
+  scene.environmentIntensity = 0.5;
+  seen.add(surroundingsOf(lights, scene));
+  expect(seen.size).toBe(5);
 });

@@ -1,4 +1,5 @@
-import { type Color, Material, type MeshStandardMaterial, type Texture } from 'three';
+import { type Color, Material, type MeshStandardMaterial, type Object3D, type Scene, type Texture } from 'three';
+import type { LightTable } from '../../lights/LightTable';
 import type { RenderQueue } from '../../RenderQueue';
 
 type AnyMaterial = MeshStandardMaterial & { isShaderMaterial?: boolean };
@@ -10,6 +11,15 @@ type MovingTexture = Texture & { isVideoTexture?: boolean };
  */
 export function looksOf(queue: RenderQueue): number {
   return looksOfList(queue.opaque) + looksOfList(queue.transmissive) * 3 + looksOfList(queue.transparent) * 7;
+}
+
+/** A number that stays as long as the lights that are kept are as many, and ambient light, environment and background the same. */
+export function surroundingsOf(lights: Pick<LightTable, 'visible' | 'ambient'>, scene: Object3D): number {
+  const { environmentIntensity, backgroundIntensity, background } = scene as Scene;
+  let sum = lights.visible + number(environmentIntensity) * 3 + number(backgroundIntensity) * 5;
+  for (let i = 0; i < lights.ambient.length; i++) sum += lights.ambient[i] * (i + 7);
+  if ((background as Color | null | undefined)?.isColor === true) sum += colour(background as Color) * 23;
+  return sum;
 }
 
 function looksOfList(items: RenderQueue['opaque']): number {

@@ -10,10 +10,10 @@ import motionVertex from './motionVertex.glsl?raw';
 const AFTER_TESTS = '#include <alphahash_fragment>';
 const VARYINGS = 'varying highp vec4 farol_now;\nvarying highp vec4 farol_before;\n';
 const WRITE =
-  'gl_FragColor = vec4(0.5 * (farol_now.xy / farol_now.w - farol_before.xy / farol_before.w), 0.0, 1.0);\nif (true) return;';
+  'gl_FragColor = vec4(0.5 * (farol_now.xy / farol_now.w - farol_before.xy / farol_before.w), farol_before.w - farol_now.w, 1.0);\nif (true) return;';
 
 /**
- * Writes how far a surface has moved over the picture since the last frame. Two kinds of one program, to be used in turns:
+ * Writes how far a surface has moved over the picture since the last frame, and how much farther it was. Two kinds of one program, to be used in turns:
  * three sends a material's uniforms only when the material changes.
  * @param uniforms of motionVertexHeader.glsl
  */
