@@ -14,8 +14,6 @@ import { lightAxis } from './lightAxis';
 import { lightRange } from './lightRange';
 import { FLOATS_PER_RECORD } from './lightRecord';
 
-/** Marks a point light's decay where its record holds its shadow map; as in incidentLight.glsl. */
-const OWN = -1000;
 const NO_DATA: FarolLightData = {};
 const axis = new Vector3();
 const colour = new Color();
@@ -26,8 +24,6 @@ export interface LightMasks {
   readonly records: number;
   /** Record of a light's mask, counted from the first mask; -1 when it has none. */
   recordOf(light: Light): number;
-  /** Writes a point light's shadow map into texels 2 and 3 of its own record, from a float on. @returns whether that was all */
-  writeOwn(table: DataTable, at: number, light: Light): boolean;
   /** Writes the records from `first` on. */
   write(table: DataTable, first: number, camera: Camera): void;
 }
@@ -78,9 +74,6 @@ export class LightRecords {
     const extension = this.writeExtension(light);
     const mask = this.maskOf(light);
     const plain = spot === null && extension === 0 && mask === 0;
-    const isPoint = spot === null && extension === 0 && mask > 0;
-    const keeps = OWN - Math.fround(OWN - point.decay) === point.decay;
-    const owns = isPoint && keeps && this.masks!.writeOwn(table, at + 8, light);
     const i = light.intensity;
     table.set4(at, x, y, z, lightRange(point));
     if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, -1 - point.decay);
@@ -90,14 +83,14 @@ export class LightRecords {
         light.color.r * i,
         light.color.g * i,
         light.color.b * i,
-        plain ? point.decay : (owns ? OWN : -1) - point.decay,
+        plain ? point.decay : -1 - point.decay,
       );
     if (spot !== null) {
       lightAxis(spot, view, axis);
       table.set4(at + 8, axis.x, axis.y, axis.z, Math.cos(spot.angle));
       const exponent = (spot.userData.farol as FarolLightData | undefined)?.spotExponent ?? -1;
       table.set4(at + 12, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, mask, extension);
-    } else if (!plain && !owns) {
+    } else if (!plain) {
       table.set4(at + 8, 0, 0, 1, -3);
       table.set4(at + 12, -2, -1, mask, extension);
     }

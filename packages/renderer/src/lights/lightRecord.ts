@@ -4,11 +4,9 @@
  * | texel | directional | local |
  * |---|---|---|
  * | 0 | direction to the light (view space), 0 | centre (view space, m), range (m, 0: none) |
- * | 1 | colour × intensity, 1 if extended or masked | colour × intensity, decay if a plain point light, -1000 - decay if one whose record holds its shadow map, else -1 - decay |
+ * | 1 | colour × intensity, 1 if extended or masked | colour × intensity, decay if a plain point light, else -1 - decay |
  * | 2 | – | axis from target to light (view space), cosine of the cutoff angle |
  * | 3 | –, –, mask record or 0, extension record or 0 | cosine of the penumbra (-2: a point light), spot exponent or -1, mask record or 0, extension record or 0 |
- *
- * Texels 2 and 3 of a point light that has nothing but a shadow map hold that, see shadows/maskRecord.ts.
  *
  * An extension record holds what only a light of the thesis has: 0 diffuse scale, 1 specular scale, 2 ambient colour,
  * 3 attenuation parameters (near, far | constant, linear, quadratic) and kind (0 physical, 1 near-far, 2 polynomial).

@@ -20,7 +20,7 @@ import { CookieDraws } from './CookieDraws';
 import { CookieSlot } from './CookieSlot';
 import { depthTarget } from './depthTarget';
 import { lightCoverage } from './lightCoverage';
-import { RECORDS_PER_MASK, shadowKinds, writeLayerMask, writeMask, writeOwnMask } from './maskRecord';
+import { RECORDS_PER_MASK, shadowKinds, writeLayerMask, writeMask } from './maskRecord';
 import { maskKindsChunk, maskKindsOf } from './maskKinds';
 import type { MaskUniforms } from './maskUniforms';
 import { MomentDraws } from './MomentDraws';
@@ -154,15 +154,6 @@ export class ShadowMaps implements LightMasks {
     const slot = this.slots.get(light);
     if (slot === undefined || slot.used !== this.frame) return this.layered.get(light) ?? -1;
     return slot.record;
-  }
-
-  writeOwn(table: DataTable, at: number, light: Light): boolean {
-    const slot = this.slots.get(light);
-    if (slot === undefined || !slot.shows || !slot.isCube || slot.cookie !== null || this.layers.separates(light)) {
-      return false;
-    }
-    const reversed = this.webgl.state.buffers.depth.getReversed();
-    return writeOwnMask(table, at, slot, this.kindOf(slot), reversed);
   }
 
   write(table: DataTable, first: number, camera: Camera): void {

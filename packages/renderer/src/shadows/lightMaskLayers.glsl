@@ -14,4 +14,4 @@ bool farol_sharesLayer(const in int mask) {
   uvec2 layers = uvec2(farol_lightTexel(mask + 2, 1).xy + 0.5);
   return layers == uvec2(0u) || (layers & uvec2(FAROL_OBJECT_LAYERS + 0.5)) != uvec2(0u);
 }
-#define FAROL_MASKED(color, mask, toLight, positionVS, shadowNormalVS, receives) ((mask) != 0 ? (mask) < 0 || farol_sharesLayer(mask) ? (color) * farol_lightMask(mask, toLight, positionVS, shadowNormalVS, receives) : vec3(0.0) : (color))
+#define FAROL_MASKED(color, mask, toLight, positionVS, shadowNormalVS, receives) ((mask) > 0 ? farol_sharesLayer(mask) ? (color) * farol_lightMask(mask, toLight, positionVS, shadowNormalVS, receives) : vec3(0.0) : (color))

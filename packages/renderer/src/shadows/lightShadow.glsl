@@ -171,15 +171,7 @@ struct FarolMask {
   vec4 filtering; // of a map: bias, reach across and down; of a cube: its depths, reach; intensity
 };
 
-// record: of the mask, or -1 - that of a point light that holds its shadow map itself
 FarolMask farol_readMask(const in int record) {
-#ifdef FAROL_SHADOW_CUBES
-  if (record < 0) {
-    vec4 held = farol_lightTexel(-1 - record, 2);
-    uvec2 bits = floatBitsToUint(held.xy);
-    return FarolMask(int(bits.y >> 14 & 7u), 0.0, false, vec3(bits.x & 16383u, bits.x >> 14 & 16383u, bits.y & 16383u), held.z, farol_lightTexel(-1 - record, 3));
-  }
-#endif
   vec4 place = farol_lightTexel(record + 1, 0);
   int bits = int(place.z);
   return FarolMask(bits >> 15 & 7, float(bits >> 18 & 3), (bits & 1 << 20) != 0, vec3(place.xy, bits & 32767), place.w, farol_lightTexel(record + 1, 1));

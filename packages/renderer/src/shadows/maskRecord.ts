@@ -44,7 +44,7 @@ export function writeMask(
   reversed: boolean,
   layers: number,
 ): void {
-  const { tile, cookie, isCube, faceWidth, faceHeight } = slot;
+  const { tile, cookie, isCube, near, far, faceWidth, faceHeight } = slot;
   const { shadow } = slot.light;
   const at = record * FLOATS_PER_RECORD;
   if (isCube) {
@@ -61,8 +61,11 @@ export function writeMask(
   table.set4(at + 16, tile?.x ?? 0, tile?.y ?? 0, bits, kind === shadowKinds.none ? 0 : shadow.normalBias);
   const bias = reversed ? -shadow.bias : shadow.bias;
   const { radius, mapSize, intensity } = shadow;
-  if (isCube) writeCubeFilter(table, at + 20, slot, reversed);
-  else table.set4(at + 20, bias, radius / mapSize.x, radius / mapSize.y, intensity);
+  const depthRange = far - near;
+  if (!isCube) table.set4(at + 20, bias, radius / mapSize.x, radius / mapSize.y, intensity);
+  else if (reversed) {
+    table.set4(at + 20, -near / depthRange + bias, (near * far) / depthRange, radius / mapSize.x, intensity);
+  } else table.set4(at + 20, far / depthRange + bias, (-near * far) / depthRange, radius / mapSize.x, intensity);
   table.set4(at + 24, height, slot.cascades, 0, 0);
   writeLayers(table, record, layers);
   const { cascades, fits } = slot;
@@ -76,37 +79,6 @@ export function writeMask(
     const size = cookie!.faceWidth;
     table.set4(at + 32, x, y, size, cookie!.faceHeight);
   }
-}
-
-/**
- * Writes what shaders need of a point light's shadow map into two texels: corner of the tile (14 bits each), width of a face
- * (14 bits) and kind of shadow (3 bits), as bits of floats of ordinary size; normal bias (m), –; then as texel 5 of a mask.
- * @returns false where they do not fit, and nothing is written
- */
-export function writeOwnMask(table: DataTable, at: number, slot: ShadowSlot, kind: number, reversed: boolean): boolean {
-  const { tile, faceWidth } = slot;
-  if (tile === null || Math.max(tile.x, tile.y, faceWidth) >= 1 << 14) return false;
-  const x = bitsAsFloat(tile.x | (tile.y << 14));
-  table.set4(at, x, bitsAsFloat(faceWidth | (kind << 14)), slot.light.shadow.normalBias, 0);
-  writeCubeFilter(table, at + 4, slot, reversed);
-  return true;
-}
-
-const bits = new Uint32Array(1);
-const asFloat = new Float32Array(bits.buffer);
-
-/** 28 bits as a float that is neither subnormal nor infinite, of which devices and browsers keep every bit. */
-function bitsAsFloat(value: number): number {
-  bits[0] = 0x40000000 | value;
-  return asFloat[0];
-}
-
-function writeCubeFilter(table: DataTable, at: number, { near, far, light }: ShadowSlot, reversed: boolean): void {
-  const { radius, mapSize, intensity } = light.shadow;
-  const bias = reversed ? -light.shadow.bias : light.shadow.bias;
-  const range = far - near;
-  const a = (reversed ? -near : far) / range + bias;
-  table.set4(at, a, ((reversed ? 1 : -1) * near * far) / range, radius / mapSize.x, intensity);
 }
 
 /** Writes the mask of a light that has neither shadow nor cookie, but does not reach all layers. */

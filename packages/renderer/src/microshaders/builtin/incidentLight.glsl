@@ -9,13 +9,8 @@ struct FarolLight {
   float distance; // to the light (m), 0 for a directional light
   float attenuation; // what the colour was multiplied by
   int extension; // record of the extension, 0 when there is none
-  int mask; // record of its shadow and cookie, 0 when there is none, -1 - record of the light if that holds them
+  int mask; // record of its shadow and cookie, 0 when there is none
 };
-
-// decay from the last number of a light's second texel: plain point lights, those whose record holds their shadow map, others
-float farol_decayOf(const in float w) {
-  return w >= 0.0 ? w : (w <= -1000.0 ? -1000.0 : -1.0) - w;
-}
 
 // exponent: of the thesis's spot light, -1 for three's penumbra
 float farol_angularAttenuation(const in float angleCosine, const in float cutoff, const in float penumbra, const in float exponent) {
@@ -54,9 +49,8 @@ FarolLight farol_localLight(const in int index, const in vec3 positionVS) {
   float lightDistance = light.distance = length(toLight);
   light.direction = normalize(toLight);
   light.extension = light.mask = 0;
-  if (color.w >= 0.0 || color.w <= -1000.0) { // a point light, plain or with a shadow map
-    if (color.w < 0.0) light.mask = -1 - index;
-    light.attenuation = farol_distanceAttenuation(lightDistance, centre.w, farol_decayOf(color.w));
+  if (color.w >= 0.0) { // a plain point light: w is its decay
+    light.attenuation = farol_distanceAttenuation(lightDistance, centre.w, color.w);
   } else { // a spot light, a light of the thesis or one with a mask: w is -1 - decay
     vec4 axis = farol_lightTexel(index, 2);
     vec4 cone = farol_lightTexel(index, 3);

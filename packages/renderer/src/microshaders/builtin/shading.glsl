@@ -98,13 +98,11 @@ void farol_addBounded(inout FarolShading s, const in int record) {
   if (ratio >= 1.0) return;
   vec4 color = farol_lightTexel(record, 1);
   vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
-  float decay = farol_decayOf(color.w);
+  float decay = color.w >= 0.0 ? color.w : -1.0 - color.w;
   float attenuation = farol_boundedAttenuation(distanceSquared, ratio, decay);
   vec3 specularScale = vec3(1.0);
-  int mask = color.w <= -1000.0 ? -1 - record : 0;
-  if (color.w < 0.0 && mask == 0) {
+  if (color.w < 0.0) {
     vec4 cone = farol_lightTexel(record, 3);
-    mask = int(cone.z);
     int extension = int(cone.w);
     vec3 ambient = vec3(0.0);
     if (extension > 0) {
@@ -121,10 +119,8 @@ void farol_addBounded(inout FarolShading s, const in int record) {
     }
     if (attenuation <= 0.0) return;
     s.diffuse += ambient * attenuation;
-  }
-  if (mask != 0) {
     if (dot(s.normalVS, direction) <= 0.0) return;
-    color.rgb = FAROL_MASKED_FOR(s, color.rgb, mask, toLight);
+    color.rgb = FAROL_MASKED_FOR(s, color.rgb, int(cone.z), toLight);
   }
   color.rgb *= attenuation;
   farol_addLight(s, direction, color.rgb, color.rgb * specularScale);

@@ -54,8 +54,7 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
   int last = int(clamp(slices.y, 0.0, 31.0));
   if ((tile.slices & farol_bitsFrom(0, max(first - 1, 0), min(last + 1, 31))) == 0u) return false;
 #endif
-  float w = farol_lightTexel(farol_tileRun.x + light, 1).w;
-  if (w < 0.0 && w > -1000.0) { // a cone against the sphere round the box
+  if (farol_lightTexel(farol_tileRun.x + light, 1).w < 0.0) { // a cone against the sphere round the box
     vec4 axis = farol_lightTexel(farol_tileRun.x + light, 2);
     if (axis.w > -1.0) {
       vec3 towards = 0.5 * (tile.low + tile.high) - sphere.xyz;
