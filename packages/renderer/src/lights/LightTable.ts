@@ -88,10 +88,11 @@ export class LightTable {
   shadows = false;
   /** Record of the first mask. */
   firstMask = 0;
-  private readonly directionals: DirectionalLight[] = [];
-  private readonly unboundeds: Light[] = [];
-  /** The lights with a range that are kept, and how many are of this frame. */
-  private readonly boundeds: Light[] = [];
+  /** The lights of the frame that are kept: directional ones, local ones without a range, and those with one. */
+  readonly directionals: DirectionalLight[] = [];
+  readonly unboundeds: Light[] = [];
+  readonly boundeds: Light[] = [];
+  /** How many of `boundeds` are of this frame. */
   private kept = 0;
   /** Of each of `boundeds`: colour times intensity and decay if a plain point light, else decay -1. */
   private plain = new Float64Array(64);

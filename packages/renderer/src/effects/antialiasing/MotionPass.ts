@@ -17,6 +17,8 @@ export class MotionPass {
   changed = false;
   /** Whether it is known of everything where it was, and what moves has moved in the last frame too. */
   known = true;
+  /** Whether something has moved that cannot be drawn here: transparent things, and those with shaders of the host's. */
+  undrawn = false;
   target: WebGLRenderTarget | null = null;
   private readonly uniforms;
   private readonly twins;
@@ -55,6 +57,7 @@ export class MotionPass {
   ): void {
     this.drawn = this.changed = false;
     this.known = true;
+    this.undrawn = false;
     this.objects.length = 0;
     this.draw(frame, frame.queue.opaque, motions, number, before, picture);
     this.draw(frame, frame.queue.transmissive, motions, number, before, picture);
@@ -93,6 +96,7 @@ export class MotionPass {
       motion.moves = moved;
       if (isNew || !motion.isKnown(object) || !hasMotionTwin(item)) {
         this.known = false;
+        if (!isNew) this.undrawn = true;
         continue;
       }
       this.bind(frame, picture);

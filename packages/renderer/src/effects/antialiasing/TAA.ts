@@ -69,10 +69,10 @@ export interface TAAOptions {
  */
 export class TAA implements FarolEffect {
   readonly name = 'TAA';
-  /** Share of a sample in a quarter of a pixel that it falls in, if that moves; half of it if not: above 0, at most 1. Default 0.7. */
-  share = 0.7;
-  /** Standard deviations of its neighbours to which a pixel's past is clipped where it may not be believed. Default 1.5, above 0. */
-  gamma = 1.5;
+  /** Share of a sample in a quarter of a pixel that it falls in, if that moves; half of it if not: above 0, at most 1. Default 0.65. */
+  share = 0.65;
+  /** Standard deviations of its neighbours to which a pixel's past is clipped where it may not be believed. Default 2, above 0. */
+  gamma = 2;
   private readonly histories: TemporalHistory[] = [];
   private history!: TemporalHistory;
   private readonly views = new WeakMap<Camera, Camera>();
@@ -180,15 +180,17 @@ export class TAA implements FarolEffect {
     const looks = looksOf(frame.queue) + surroundingsOf(frame.lights, frame.scene) * 11;
     const follows = !history.isEmpty;
     const moved = !viewProjection.equals(history.viewProjection);
-    // lights are kept in view space, and a camera that moves sees other things: what it cannot tell is left to clipping
-    const relit = !moved && (frame.lights.uploadedBytes > 0 || looks !== history.looks);
+    // a camera that moves sees other things; what of them has changed is left to clipping
+    const relit =
+      history.lights.changed(frame.lights) || (!moved && (frame.lights.uploadedBytes > 0 || looks !== history.looks));
     history.looks = looks;
     const changed = moved || relit || motion.changed || frame.shadowMapsDrawn > 0;
     history.sure = follows && relit ? 0 : history.sure + 1;
     history.known = follows && !motion.known ? 0 : history.known + 1;
     history.quiet = follows && changed ? 0 : history.quiet + 1;
-    const steady = follows && !moved && frame.shadowMapsDrawn === 0 && history.known > MET;
-    this.belief.value = history.sure > RELIT ? (steady ? 2 : 1) : moved ? 1 : 0;
+    const lit = history.sure > RELIT && frame.shadowMapsDrawn === 0 && !motion.undrawn;
+    if (!lit) this.belief.value = history.sure > RELIT || moved ? 1 : 0;
+    else this.belief.value = follows && !moved && history.known > MET ? 3 : 2;
   }
 
   /** Says how much this frame's samples count. */

@@ -11,12 +11,15 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import { EffectTarget } from '../EffectTarget';
+import { LightWatch } from './LightWatch';
 import type { ObjectMotion } from './ObjectMotion';
 
 /** What temporal anti-aliasing keeps of the frames of one camera and scene. */
 export class TemporalHistory {
   /** How objects stood in the last frame. */
   motions = new WeakMap<Object3D, ObjectMotion>();
+  /** How lights were. */
+  readonly lights = new LightWatch();
   /** Projection × view of the last frame, without jitter. */
   readonly viewProjection = new Matrix4();
   /** The camera's backward axis (world space) in the last frame. */

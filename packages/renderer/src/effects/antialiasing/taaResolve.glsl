@@ -14,13 +14,13 @@ uniform bool farol_encoded;
 uniform bool farol_hasPast;
 uniform highp vec2 farol_share; // of a sample of weight 1 in what moves, and in what does not
 uniform float farol_gamma; // standard deviations to which the past is clipped; 0: nothing has changed, it is not
-uniform int farol_belief; // 0: the light may have changed; 1: places are known; 2: nothing has changed but what the motion map knows
+uniform int farol_belief; // 0: the light has changed; 1: it may have; 2: it has not; 3: nor has what stands still gone
 layout(location = 0) out highp vec4 farol_color;
 
 /** Distances this much apart (ratio) belong to different surfaces. */
 const float FAROL_APART = 1.08;
-/** What is this much farther than the nearest is background. */
-const float FAROL_BEHIND = 1.4;
+/** From this much motion of the foreground over the background on (pixels a frame), what lay beside it is doubted. */
+const float FAROL_PASSES = 0.3;
 
 vec4 farol_pictureAt(const in ivec2 pixel) {
   vec4 color = texelFetch(farol_picture, farol_inPicture(pixel), 0);
@@ -37,20 +37,27 @@ vec3 farol_fromYCoCg(const in vec3 c) {
   return vec3(t + c.y, c.x + c.z, t - c.y);
 }
 
-// clipped to so many standard deviations of a pixel's 3x3 samples
+// clipped to so many standard deviations of a sample and the four beside it
 vec3 farol_likeNow(const in vec3 past, const in ivec2 pixel, const in float gamma) {
   vec3 sum = vec3(0.0);
   vec3 squares = vec3(0.0);
-  for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
-    vec3 c = farol_toYCoCg(farol_pictureAt(pixel + ivec2(x, y)).rgb);
+  for (int i = 0; i < 5; i++) {
+    ivec2 off = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
+    vec3 c = farol_toYCoCg(farol_pictureAt(pixel + off).rgb);
     sum += c;
     squares += c * c;
   }
-  vec3 mean = sum / 9.0;
-  vec3 reach = gamma * sqrt(max(squares / 9.0 - mean * mean, 0.0));
+  vec3 mean = sum / 5.0;
+  vec3 reach = gamma * sqrt(max(squares / 5.0 - mean * mean, 0.0));
   vec3 off = farol_toYCoCg(past) - mean;
   vec3 ratio = abs(off) / max(reach, 1e-5);
   return farol_fromYCoCg(mean + off / max(max(ratio.x, max(ratio.y, ratio.z)), 1.0));
+}
+
+// nearer to the mixtures of two colours, which are all that an edge between them can show
+vec3 farol_between(const in vec3 past, const in vec3 one, const in vec3 other) {
+  vec3 way = other - one;
+  return mix(past, one + way * clamp(dot(past - one, way) / max(dot(way, way), 1e-6), 0.0, 1.0), 0.5);
 }
 
 // of the samples round a pixel that are nearer than a distance (m), the one nearest to a place (in samples)
@@ -80,7 +87,7 @@ else if (farol_hasPast) {
   vec2 reach = texelFetch(farol_reach, pixel, 0).xy;
   float nearest = abs(reach.x);
   bool edge = reach.y > nearest * FAROL_APART;
-  float split = min(2.0 * nearest * reach.y / (nearest + reach.y), nearest * FAROL_BEHIND);
+  float split = 2.0 * nearest * reach.y / (nearest + reach.y);
   float away = farol_distanceAt(own);
   ivec2 shown = own;
   // beside an edge the past moves with the foreground, which covers part of it
@@ -97,13 +104,17 @@ else if (farol_hasPast) {
     float before = texelFetch(farol_reachBefore, farol_inPicture(ivec2(uv * size)), 0).x;
     float expected = nearest * way.z / shownDistance;
     bool same = abs(abs(before) - expected) < (FAROL_APART - 1.0) * expected;
-    bool stays = farol_belief == 2 && still && reach.x > 0.0 && (same || before > 0.0);
+    bool stays = farol_belief == 3 && still && reach.x > 0.0 && (same || before > 0.0);
     bool believed = stays || (farol_belief > 0 && edge && same);
-    if (!(believed && farol_belief == 2)) past.rgb = farol_likeNow(past.rgb, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
+    if (!believed || farol_belief < 2) past.rgb = farol_likeNow(past.rgb, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
     float share = weight * (still ? farol_share.y : farol_share.x);
     // where the past is of less worth, samples count in a wider reach
     if (edge && !believed) share = max(share, farol_share.x * pow(weight, 0.36));
-    if (beside && length((way.xy - ownWay.xy) * size) > 0.1) share = max(share, farol_share.x * pow(weight, 0.65));
+    if (beside) {
+      float passes = length((way.xy - ownWay.xy) * size);
+      if (passes > FAROL_PASSES) past.rgb = farol_between(past.rgb, farol_color.rgb, farol_pictureAt(shown).rgb);
+      if (passes > 0.3 * FAROL_PASSES) share = max(share, farol_share.x * pow(weight, 0.7));
+    }
     // a bright point that comes and goes counts less (Karis); light that the display can show counts whole
     float ofNew = share / max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
     float ofOld = (1.0 - share) / max(1.0, max(past.r, max(past.g, past.b)));

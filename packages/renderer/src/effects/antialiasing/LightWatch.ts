@@ -1,0 +1,48 @@
+import type { DirectionalLight, Light, SpotLight } from 'three';
+import type { LightTable } from '../../lights/LightTable';
+
+/** Lights that are looked at in a frame; of more, others each frame. */
+const LOOKS = 256;
+
+/** Tells that a light has changed or moved, also while the camera moves, in whose space the table of lights is. */
+export class LightWatch {
+  private readonly known = new WeakMap<Light, number>();
+  private next = 0;
+
+  /** Whether a light that has been seen before is otherwise now. Of many lights some are looked at only in later frames. */
+  changed(lights: Pick<LightTable, 'directionals' | 'unboundeds' | 'boundeds'>): boolean {
+    const { boundeds } = lights;
+    let changed = this.look(lights.directionals, 0, LOOKS);
+    changed = this.look(lights.unboundeds, 0, LOOKS) || changed;
+    if (this.next >= boundeds.length) this.next = 0;
+    changed = this.look(boundeds, this.next, LOOKS) || changed;
+    this.next += LOOKS;
+    return changed;
+  }
+
+  private look(lights: readonly Light[], from: number, count: number): boolean {
+    let changed = false;
+    const end = Math.min(lights.length, from + count);
+    for (let i = from; i < end; i++) {
+      const now = stateOf(lights[i]);
+      const before = this.known.get(lights[i]);
+      if (before === now) continue;
+      this.known.set(lights[i], now);
+      if (before !== undefined) changed = true;
+    }
+    return changed;
+  }
+}
+
+function stateOf(light: Light): number {
+  const { color, intensity, matrixWorld } = light;
+  const { distance = 0, angle = 0, penumbra = 0, target } = light as SpotLight;
+  const e = matrixWorld.elements;
+  let sum = intensity + color.r * 3 + color.g * 5 + color.b * 7 + distance * 11 + angle * 13 + penumbra * 17;
+  for (let i = 0; i < 15; i++) sum += e[i] * (i + 19);
+  if ((light as DirectionalLight).isDirectionalLight === true || target !== undefined) {
+    const t = target.matrixWorld.elements;
+    sum += t[12] * 37 + t[13] * 41 + t[14] * 43;
+  }
+  return sum;
+}
