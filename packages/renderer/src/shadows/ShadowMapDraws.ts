@@ -163,8 +163,13 @@ export class ShadowMapDraws {
     state.buffers.depth.setMask(true);
     depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
     this.gl.clearBufferfv(this.gl.DEPTH, 0, depth);
+    const { mergedCasters } = this;
+    if (mergedCasters !== null) {
+      if (this.bothSides) mergedCasters.interrupt(); // variance maps are blurred between
+      mergedCasters.draw(face);
+      if (face.casters.length > 0) mergedCasters.interrupt();
+    }
     for (const caster of face.casters) this.drawCaster(caster, slot, face);
-    this.mergedCasters?.draw(face);
     state.setScissorTest(false);
   }
 

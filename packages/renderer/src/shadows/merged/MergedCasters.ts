@@ -5,6 +5,7 @@ import {
   DoubleSide,
   FrontSide,
   type Material,
+  Matrix4,
   type Mesh,
   NoBlending,
   type Object3D,
@@ -25,11 +26,13 @@ import { CasterGeometry } from './CasterGeometry';
 import { CasterMatrices } from './CasterMatrices';
 import { CLUSTER_TRIANGLES } from './ClusterOrder';
 import { cubeFacesOf } from './cubeFacesOf';
+import { uniteBoxes } from '../uniteBoxes';
 import { isMergeable } from './isMergeable';
 import { MergedMesh } from './MergedMesh';
-import { TriangleRuns } from './TriangleRuns';
 
 const INDICES = CLUSTER_TRIANGLES * 3;
+/** Clusters in a group: those that follow one another lie together. */
+export const GROUP = 8;
 /** Triangles merged at most: some 22 bytes each on the GPU, and as much beside it. */
 const MOST_TRIANGLES = 2_000_000;
 /** Triangles looked at a frame while casters are made ready, so that no frame is late. */
@@ -47,7 +50,7 @@ interface MaterialState {
   currentProgram?: { program: WebGLProgram };
 }
 
-const NOTHING = new TriangleRuns();
+const view = new Matrix4();
 const camera = new Camera();
 
 /** As many objects as a block of matrices holds. */
@@ -70,6 +73,8 @@ export interface MergedCaster {
   readonly look: number;
   /** Boxes of its clusters along the world's axes, and the place of the caster that they are of. */
   readonly boxes: Float64Array;
+  /** The same round each `GROUP` that follow one another. */
+  readonly groups: Float64Array;
   place: number;
   isMirrored: boolean;
 }
@@ -88,6 +93,13 @@ export class MergedCasters {
   private members: MergedCaster[] = [];
   private readonly waiting: Caster[] = [];
   private readonly origin = new Vector3();
+  private readonly placed = new Matrix4();
+  private readonly gl: WebGL2RenderingContext;
+  private readonly multiDraw: WEBGL_multi_draw | null;
+  private readonly viewFloats = new Float32Array(16);
+  private viewLocation: WebGLUniformLocation | null = null;
+  /** Page and side that three has bound for draws, -1 if something else. */
+  private bound = -1;
   private gone = 0;
   private triangles = 0;
 
@@ -95,6 +107,8 @@ export class MergedCasters {
     private readonly webgl: WebGLRenderer,
     registry: MicroShaderRegistry,
   ) {
+    this.gl = webgl.getContext() as WebGL2RenderingContext;
+    this.multiDraw = (webgl.extensions.get('WEBGL_multi_draw') as WEBGL_multi_draw | null) ?? null;
     this.capacity = CasterMatrices.capacity(webgl);
     this.material = new PassMaterial(registry, {
       name: 'Farol shadow casters',
@@ -157,16 +171,26 @@ export class MergedCasters {
     const { faces, isCube, widening } = slot;
     const squaredRange = slot.range * slot.range;
     const e = faces[0].camera.matrixWorld.elements;
+    const { groups } = merged;
+    const x = e[12];
+    const y = e[13];
+    const z = e[14];
     const last = geometry.index.length;
-    for (let at = 0, start = 0; start < last; at += 6, start += INDICES) {
-      if (squaredDistanceToBox(boxes, e[12], e[13], e[14], at) > squaredRange) continue;
-      const count = Math.min(INDICES, last - start);
-      if (isCube) {
-        const seen = cubeFacesOf(boxes, at, e[12], e[13], e[14], widening);
-        for (let i = 0; i < 6; i++) if ((seen & (1 << i)) !== 0) faces[i].runs(page, side).add(first + start, count);
-      } else {
-        for (const face of faces) {
-          if (!boxOutsidePlanes(face.planes, boxes, at)) face.runs(page, side).add(first + start, count);
+    for (let group = 0, start = 0; start < last; group += 6, start += GROUP * INDICES) {
+      if (squaredDistanceToBox(groups, x, y, z, group) > squaredRange) continue;
+      const near = isCube ? cubeFacesOf(groups, group, x, y, z, widening) : 0;
+      const isOne = (near & (near - 1)) === 0;
+      const end = Math.min(last, start + GROUP * INDICES);
+      for (let from = start, at = group * GROUP; from < end; from += INDICES, at += 6) {
+        if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
+        const count = Math.min(INDICES, end - from);
+        if (isCube) {
+          const seen = isOne ? near : cubeFacesOf(boxes, at, x, y, z, widening);
+          for (let i = 0; i < 6; i++) if ((seen & (1 << i)) !== 0) faces[i].runs(page, side).add(first + from, count);
+        } else {
+          for (const face of faces) {
+            if (!boxOutsidePlanes(face.planes, boxes, at)) face.runs(page, side).add(first + from, count);
+          }
         }
       }
     }
@@ -174,27 +198,49 @@ export class MergedCasters {
 
   /** Sends what draws need, and has the program there that they are made with. */
   prepare(): void {
-    const state = this.webgl.properties.get(this.material) as MaterialState;
-    if (state.__version !== this.material.version) {
+    const { gl, pages, material } = this;
+    const state = this.webgl.properties.get(material) as MaterialState;
+    if (state.__version !== material.version) {
       // new, edited, or gone with a lost context
-      this.drawPage(this.pages[0], NOTHING, camera);
-      for (const { matrices } of this.pages) matrices.lose();
-      this.pages[0].matrices.attach(state.currentProgram!.program);
+      this.bind(0, BackSide);
+      for (const { matrices } of pages) matrices.lose();
+      const { program } = state.currentProgram!;
+      pages[0].matrices.attach(program);
+      this.viewLocation = gl.getUniformLocation(program, 'farol_casterView');
     }
-    for (const { matrices } of this.pages) matrices.send();
+    for (const { matrices } of pages) matrices.send();
+    this.interrupt();
+  }
+
+  /** Something else was drawn: what three has bound is not known any more. */
+  interrupt(): void {
+    this.bound = -1;
   }
 
   /** Draws what a face sees into its part of the target. */
   draw(face: ShadowFace): void {
+    const { gl, webgl, viewFloats } = this;
+    let viewed = false;
     for (let page = 0; page < this.pages.length; page++) {
-      let bound = false;
       for (let side = 0; side < 3; side++) {
-        const runs = face.runs(page, side);
-        if (runs.count === 0) continue;
-        if (!bound) this.pages[page].matrices.bind();
-        bound = true;
-        this.material.side = side as Side;
-        this.drawPage(this.pages[page], runs, face.camera);
+        const { count, starts, counts } = face.runs(page, side);
+        if (count === 0) continue;
+        if (this.bound !== page * 3 + side) this.bind(page, side as Side);
+        if (!viewed) {
+          const { projectionMatrix, matrixWorldInverse } = face.camera;
+          view.multiplyMatrices(projectionMatrix, matrixWorldInverse).multiply(this.placed);
+          viewFloats.set(view.elements);
+          gl.uniformMatrix4fv(this.viewLocation, false, viewFloats);
+          viewed = true;
+        }
+        let indices = 0;
+        for (let i = 0; i < count; i++) indices += counts[i];
+        if (this.multiDraw !== null) {
+          this.multiDraw.multiDrawElementsWEBGL(gl.TRIANGLES, counts, 0, gl.UNSIGNED_INT, starts, 0, count);
+        } else {
+          for (let i = 0; i < count; i++) gl.drawElements(gl.TRIANGLES, counts[i], gl.UNSIGNED_INT, starts[i]);
+        }
+        webgl.info.update(indices, gl.TRIANGLES, 1);
       }
     }
   }
@@ -207,15 +253,18 @@ export class MergedCasters {
     this.material.dispose();
   }
 
-  private drawPage({ mesh }: Page, runs: TriangleRuns, from: Camera): void {
-    mesh.select(runs, from);
-    const { geometry, material } = mesh.mesh;
-    (this.webgl.renderBufferDirect as unknown as Draw)(from, null, geometry, material as Material, mesh.mesh, null);
+  /** Has three bind all that draws of a page need; then they need but say what they draw. */
+  private bind(page: number, side: Side): void {
+    const { mesh, matrices } = this.pages[page];
+    const { mesh: nothing } = mesh;
+    this.material.side = side;
+    (this.webgl.renderBufferDirect as unknown as Draw)(camera, null, nothing.geometry, this.material, nothing, null);
+    matrices.bind();
+    this.bound = page * 3 + side;
   }
 
   private addPage(): Page {
     const page = { mesh: new MergedMesh(this.material), matrices: new CasterMatrices(this.webgl), objects: 0 };
-    page.mesh.mesh.matrixWorld.setPosition(this.origin);
     this.pages.push(page);
     return page;
   }
@@ -257,6 +306,7 @@ export class MergedCasters {
       first: mesh.add(geometry.positions, geometry.index, object),
       look: caster.look,
       boxes: new Float64Array(geometry.boxes.length),
+      groups: new Float64Array(Math.ceil(geometry.boxes.length / 6 / GROUP) * 6),
       place: -1,
       isMirrored: false,
     };
@@ -271,6 +321,9 @@ export class MergedCasters {
     merged.place = caster.place;
     const { matrixWorld } = caster.object;
     for (let at = 0; at < boxes.length; at += 6) moveBox(geometry.boxes, at, matrixWorld, boxes, at);
+    for (let group = 0; group < merged.groups.length; group += 6) {
+      uniteBoxes(boxes, group * GROUP, Math.min(boxes.length, (group + 6) * GROUP), merged.groups, group);
+    }
     merged.isMirrored = matrixWorld.determinantAffine() < 0;
     this.pages[page].matrices.set(object, matrixWorld, this.origin);
   }
@@ -284,7 +337,7 @@ export class MergedCasters {
     const { origin } = this;
     if (origin.x === x && origin.y === y && origin.z === z) return;
     origin.set(x, y, z);
-    for (const { mesh } of this.pages) mesh.mesh.matrixWorld.makeTranslation(x, y, z);
+    this.placed.makeTranslation(x, y, z);
     for (const member of this.members) member.place = -1;
   }
 

@@ -1,16 +1,14 @@
-import { BufferAttribute, BufferGeometry, type Camera, DynamicDrawUsage, type Material, Mesh, Sphere } from 'three';
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, type Material, Mesh, Sphere } from 'three';
 import { casterStand } from '../casterStand';
-import type { TriangleRuns } from './TriangleRuns';
 
 /** Vertices, and indices, of the smallest buffers. */
 const SMALLEST = 4096;
 
 /**
- * One mesh that holds the triangles of many: what is added stays where it is put. It draws runs of its indices in one call,
- * by what three has for its own batched meshes.
+ * One mesh that holds the triangles of many: what is added stays where it is put. For three it passes for a batched mesh of
+ * which nothing is drawn, so that it binds all that draws need.
  */
 export class MergedMesh {
-  /** What three draws: a mesh that passes for a batched one without textures of its own. */
   readonly mesh: Mesh;
   /** Stands in for it in three's traversal, so that its buffers are sent. */
   readonly stand: Mesh;
@@ -67,15 +65,6 @@ export class MergedMesh {
   /** Lets go of all triangles; the buffers stay. */
   clear(): void {
     this.vertices = this.indices = 0;
-  }
-
-  /** Says what the next draw draws for a camera. */
-  select(runs: TriangleRuns, camera: Camera): void {
-    const batch = this.mesh as unknown as MergedMesh['batch'];
-    batch._multiDrawStarts = runs.starts;
-    batch._multiDrawCounts = runs.counts;
-    batch._multiDrawCount = runs.count;
-    this.mesh.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, this.mesh.matrixWorld);
   }
 
   dispose(): void {

@@ -5,6 +5,7 @@ import { type Caster, findSphere, type ShadowCasters } from '../ShadowCasters';
 import type { ShadowFace } from '../ShadowFace';
 import type { ShadowSlot } from '../ShadowSlot';
 import { CUBE_BORDER } from '../TileAtlas';
+import { uniteBoxes } from '../uniteBoxes';
 import { cubeFaceParts } from './cubeFaceParts';
 import { mapPart } from './mapPart';
 
@@ -12,8 +13,8 @@ import { mapPart } from './mapPart';
 const WIDER = 1.01;
 /** What bends in shaders may leave its sphere by as much. */
 const SPHERES = 2;
-/** Clusters of merged casters in a group: those that follow one another lie together. */
-const CLUSTERS = 8;
+/** Boxes in a group at most, of the clusters of a merged caster: those that follow one another lie together. */
+const BOXES = 8;
 /** Numbers of a group: its box, the index of its first box and that after its last. */
 const GROUP = 8;
 
@@ -109,8 +110,8 @@ export class SeenReceivers {
     }
     if (boxOutsidePlanes(planes, box)) return;
     const { boxes } = merged;
-    for (let at = 0; at < boxes.length; at += 6 * CLUSTERS) {
-      const end = Math.min(boxes.length, at + 6 * CLUSTERS);
+    for (let at = 0; at < boxes.length; at += 6 * BOXES) {
+      const end = Math.min(boxes.length, at + 6 * BOXES);
       const first = this.used;
       for (let cluster = at; cluster < end; cluster += 6) {
         if (!boxOutsidePlanes(planes, boxes, cluster)) this.push(boxes, cluster);
@@ -156,7 +157,7 @@ export class SeenReceivers {
   private addGroup(first: number): void {
     const at = this.count * GROUP;
     if (at + GROUP > this.groups.length) this.groups = grown(this.groups);
-    unite(this.boxes, first, this.used, this.groups, at);
+    uniteBoxes(this.boxes, first, this.used, this.groups, at);
     this.groups[at + 6] = first;
     this.groups[at + 7] = this.used;
     this.count++;
@@ -164,20 +165,6 @@ export class SeenReceivers {
 }
 
 const own = new Float64Array(6);
-
-/** Has a box hold those from one index to another (exclusive). */
-function unite(boxes: Float64Array, from: number, to: number, out: Float64Array, at: number): void {
-  for (let axis = 0; axis < 3; axis++) {
-    let low = Infinity;
-    let high = -Infinity;
-    for (let i = from + axis; i < to; i += 6) {
-      low = Math.min(low, boxes[i] - boxes[i + 3]);
-      high = Math.max(high, boxes[i] + boxes[i + 3]);
-    }
-    out[at + axis] = 0.5 * (low + high);
-    out[at + axis + 3] = 0.5 * (high - low);
-  }
-}
 
 function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
   const more = new Float64Array(numbers.length * 2);

@@ -1,12 +1,13 @@
 /** Of each face, +x, -x, +y, -y, +z, -z: its axis and side, and the axes and sides across and up, as farol_cubeFace has them. */
-const FACES = [
-  [0, 1, 2, 1, 1, 1],
-  [0, -1, 2, -1, 1, 1],
-  [1, 1, 0, 1, 2, 1],
-  [1, -1, 0, -1, 2, 1],
-  [2, 1, 0, -1, 1, 1],
-  [2, -1, 0, 1, 1, 1],
-] as const;
+// prettier-ignore
+const FACES = new Int8Array([
+  0, 1, 2, 1, 1, 1,
+  0, -1, 2, -1, 1, 1,
+  1, 1, 0, 1, 2, 1,
+  1, -1, 0, -1, 2, 1,
+  2, 1, 0, -1, 1, 1,
+  2, -1, 0, 1, 1, 1,
+]);
 
 const low = new Float64Array(3);
 const high = new Float64Array(3);
@@ -39,15 +40,19 @@ export function cubeFaceParts(
     high[i] = Math.min(boxes[at + i] + boxes[at + 3 + i] - from, range);
   }
   for (let i = 0; i < 6; i++) {
-    const [axis, side, across, acrossSide, up, upSide] = FACES[i];
+    const face = i * 6;
+    const axis = FACES[face];
+    const side = FACES[face + 1];
     // nearest and farthest along the axis of what the face sees of the box
     const farthest = side > 0 ? high[axis] : -low[axis];
     if (farthest <= 0) continue;
+    const across = FACES[face + 2];
+    const up = FACES[face + 4];
     const aside = Math.max(low[across], -high[across], low[up], -high[up], 0);
     const nearest = Math.max(side > 0 ? low[axis] : -high[axis], aside / widening, 1e-6 * farthest);
     if (nearest > farthest) continue;
-    const wider = widen(parts, i * 4, low[across], high[across], acrossSide, nearest, farthest, widening, writes);
-    const higher = widen(parts, i * 4 + 2, low[up], high[up], upSide, nearest, farthest, widening, writes);
+    const wider = widen(parts, i * 4, low[across], high[across], FACES[face + 3], nearest, farthest, widening, writes);
+    const higher = widen(parts, i * 4 + 2, low[up], high[up], FACES[face + 5], nearest, farthest, widening, writes);
     widens ||= wider || higher;
     if (widens && !writes) return true;
   }

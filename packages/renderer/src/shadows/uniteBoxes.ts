@@ -1,0 +1,18 @@
+/**
+ * The box round several; all as centre and half sizes (m), 6 numbers each.
+ * @param from index of the first in `boxes`
+ * @param end index after the last
+ * @param to where to write it in `out`
+ */
+export function uniteBoxes(boxes: Float64Array, from: number, end: number, out: Float64Array, to: number): void {
+  for (let axis = 0; axis < 3; axis++) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let i = from + axis; i < end; i += 6) {
+      low = Math.min(low, boxes[i] - boxes[i + 3]);
+      high = Math.max(high, boxes[i] + boxes[i + 3]);
+    }
+    out[to + axis] = 0.5 * (low + high);
+    out[to + axis + 3] = 0.5 * (high - low);
+  }
+}
