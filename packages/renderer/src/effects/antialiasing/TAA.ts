@@ -42,13 +42,15 @@ const MET = 2;
 const SETTLED = 4;
 /** Frames that a picture counts as in which things have moved. */
 const MOVED = 3;
+/** Pixels from which on a picture gets one cell a pixel unless asked for more. */
+const LARGE = 4e6;
 /** A camera that turns by more than this from one frame to the next (cosine) shows another shot. */
 const CUT = 0.7;
 
 export interface TAAOptions {
   /**
-   * Cells along a pixel's side that the past is kept in: 2 (default) is sharp also while things move, at 72 bytes a pixel; 1
-   * takes 24. Where a target of twice the picture's size is beyond the device, it is 1.
+   * Cells along a pixel's side that the past is kept in: 2 is sharp also while things move, at 72 bytes a pixel; 1 takes 24.
+   * Default 2, from 4 million pixels on 1. Where a target of twice the picture's size is beyond the device, it is 1.
    */
   readonly cells?: 1 | 2;
 }
@@ -255,7 +257,8 @@ export class TAA implements FarolEffect {
     }
     history.usedAt = this.frames;
     const beyond = 2 * Math.max(width, height) > frame.webgl.capabilities.maxTextureSize;
-    const cells = (this.cells.value = beyond ? 1 : (this.options.cells ?? 2));
+    const wanted = this.options.cells ?? (width * height < LARGE ? 2 : 1);
+    const cells = (this.cells.value = beyond ? 1 : wanted);
     if (!history.hasSize(width, height, cells)) history.reset();
     history.setSize(width, height, cells);
     return history;
