@@ -13,6 +13,7 @@ import {
   Vector3,
   type WebGLRenderer,
 } from 'three';
+import type { GeometryGroup } from '../../RenderItem';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { PassMaterial } from '../../passes/PassMaterial';
 import { boxOutsidePlanes, squaredDistanceToBox } from '../casterBox';
@@ -52,6 +53,9 @@ interface MaterialState {
 
 const view = new Matrix4();
 const camera = new Camera();
+/** None of the indices, and so that three does no more than compile. */
+const NOTHING: GeometryGroup = { start: 0, count: 0 };
+const NOT_EVEN_A_DRAW: GeometryGroup = { start: 1, count: -1 };
 
 /** As many objects as a block of matrices holds. */
 interface Page {
@@ -95,7 +99,7 @@ export class MergedCasters {
   private readonly origin = new Vector3();
   private readonly placed = new Matrix4();
   private readonly gl: WebGL2RenderingContext;
-  private readonly multiDraw: WEBGL_multi_draw | null;
+  private multiDraw: WEBGL_multi_draw | null = null;
   private readonly viewFloats = new Float32Array(16);
   private viewLocation: WebGLUniformLocation | null = null;
   /** Page and side that three has bound for draws, -1 if something else. */
@@ -108,7 +112,6 @@ export class MergedCasters {
     registry: MicroShaderRegistry,
   ) {
     this.gl = webgl.getContext() as WebGL2RenderingContext;
-    this.multiDraw = (webgl.extensions.get('WEBGL_multi_draw') as WEBGL_multi_draw | null) ?? null;
     this.capacity = CasterMatrices.capacity(webgl);
     this.material = new PassMaterial(registry, {
       name: 'Farol shadow casters',
@@ -202,8 +205,11 @@ export class MergedCasters {
     const state = this.webgl.properties.get(material) as MaterialState;
     if (state.__version !== material.version) {
       // new, edited, or gone with a lost context
-      this.bind(0, BackSide);
       for (const { matrices } of pages) matrices.lose();
+      this.show(pages[0].mesh, NOT_EVEN_A_DRAW);
+      const { extensions } = this.webgl;
+      const name = 'WEBGL_multi_draw';
+      this.multiDraw = extensions.has(name) ? (extensions.get(name) as unknown as WEBGL_multi_draw) : null;
       const { program } = state.currentProgram!;
       pages[0].matrices.attach(program);
       this.viewLocation = gl.getUniformLocation(program, 'farol_casterView');
@@ -256,11 +262,14 @@ export class MergedCasters {
   /** Has three bind all that draws of a page need; then they need but say what they draw. */
   private bind(page: number, side: Side): void {
     const { mesh, matrices } = this.pages[page];
-    const { mesh: nothing } = mesh;
-    this.material.side = side;
-    (this.webgl.renderBufferDirect as unknown as Draw)(camera, null, nothing.geometry, this.material, nothing, null);
     matrices.bind();
+    this.material.side = side;
+    this.show(mesh, NOTHING);
     this.bound = page * 3 + side;
+  }
+
+  private show({ mesh }: MergedMesh, part: GeometryGroup): void {
+    (this.webgl.renderBufferDirect as unknown as Draw)(camera, null, mesh.geometry, this.material, mesh, part);
   }
 
   private addPage(): Page {

@@ -5,8 +5,7 @@ import { casterStand } from '../casterStand';
 const SMALLEST = 4096;
 
 /**
- * One mesh that holds the triangles of many: what is added stays where it is put. For three it passes for a batched mesh of
- * which nothing is drawn, so that it binds all that draws need.
+ * One mesh that holds the triangles of many: what is added stays where it is put. Three binds it; its runs are drawn without.
  */
 export class MergedMesh {
   readonly mesh: Mesh;
@@ -15,21 +14,11 @@ export class MergedMesh {
   vertices = 0;
   indices = 0;
   private geometry: BufferGeometry;
-  private readonly batch = {
-    isBatchedMesh: true,
-    _colorsTexture: null,
-    _matricesTexture: null,
-    _indirectTexture: null,
-    _multiDrawStarts: new Int32Array(0),
-    _multiDrawCounts: new Int32Array(0),
-    _multiDrawCount: 0,
-  };
 
   constructor(material: Material) {
     this.geometry = makeGeometry(SMALLEST, SMALLEST);
     this.mesh = new Mesh(this.geometry, material);
     this.mesh.matrixAutoUpdate = this.mesh.matrixWorldAutoUpdate = false;
-    Object.assign(this.mesh, this.batch);
     this.stand = casterStand(this.mesh) as Mesh;
   }
 
