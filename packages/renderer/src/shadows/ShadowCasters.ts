@@ -22,9 +22,10 @@ export interface Caster {
   frame: number;
   /** What three is given to bring its buffers up to date, see SceneView. */
   stand: Object3D | null;
-  /** Counts the places that it was in, and the looks that it had. */
+  /** Counts the places that it was in, and the looks that it had; and the frame since which it has the last. */
   place: number;
   look: number;
+  looked: number;
   /** Among the merged casters; and the look that it was last to be merged with, -1 for none. */
   merged: MergedCaster | null;
   waits: number;
@@ -106,7 +107,10 @@ export class ShadowCasters {
       if (caster.frame === this.frame - 1) this.addChange(caster);
       findSphere(object, caster);
       caster.hasBox = caster.radius !== Infinity && casterBox(object, caster.box);
-      if (signature !== caster.signature) caster.look++;
+      if (signature !== caster.signature) {
+        caster.look++;
+        caster.looked = this.frame;
+      }
       caster.signature = signature;
       caster.place++;
       this.addChange(caster);
@@ -145,6 +149,7 @@ function makeCaster(object: Object3D): Caster {
     stand: null,
     place: 0,
     look: 0,
+    looked: 0,
     merged: null,
     waits: -1,
     prepared: -1,

@@ -32,6 +32,10 @@ export class CasterGeometry {
     return Math.floor((this.source ?? this.position).count / 3);
   }
 
+  isOf(geometry: BufferGeometry): boolean {
+    return geometry === this.geometry;
+  }
+
   /** False once positions or index are others than they were. */
   get isCurrent(): boolean {
     const { attributes, index } = this.geometry;

@@ -32,6 +32,8 @@ import { isMergeable } from './isMergeable';
 import { MergedMesh } from './MergedMesh';
 
 const INDICES = CLUSTER_TRIANGLES * 3;
+/** Frames for which a caster that came to look otherwise is not merged. */
+const SETTLED = 30;
 /** Clusters in a group: those that follow one another lie together. */
 export const GROUP = 8;
 /** Triangles merged at most: some 22 bytes each on the GPU, and as much beside it. */
@@ -74,7 +76,7 @@ export interface MergedCaster {
   /** Where its indices begin. */
   readonly first: number;
   /** What of the caster it was made of, see `Caster`. */
-  readonly look: number;
+  look: number;
   /** Boxes of its clusters along the world's axes, and the place of the caster that they are of. */
   readonly boxes: Float64Array;
   /** The same round each `GROUP` that follow one another. */
@@ -151,12 +153,23 @@ export class MergedCasters {
   /** A caster as it is held, null while it is not. */
   find(caster: Caster): MergedCaster | null {
     const { merged } = caster;
-    if (merged !== null && merged.look === caster.look && merged.geometry.isCurrent) return merged;
+    if (merged !== null && (merged.look === caster.look || this.stays(merged)) && merged.geometry.isCurrent)
+      return merged;
     if (merged !== null) this.letGo(caster);
     if (caster.waits === caster.look) return null;
+    // what changes in frame after frame is drawn by itself
+    if (caster.look > 1 && caster.frame - caster.looked < SETTLED) return null;
     caster.waits = caster.look;
     if (caster.hasBox && isMergeable(caster.object)) this.waiting.push(caster);
     return null;
+  }
+
+  /** A caster that looks otherwise, by its material say, may have the same triangles. */
+  private stays(merged: MergedCaster): boolean {
+    const { caster, geometry } = merged;
+    if (!caster.hasBox || !geometry.isOf((caster.object as Mesh).geometry) || !isMergeable(caster.object)) return false;
+    merged.look = caster.look;
+    return true;
   }
 
   private letGo(caster: Caster): void {
