@@ -51,6 +51,20 @@ export class Bench {
     return this.draw(() => this.farol.render(scene, camera));
   }
 
+  /** Loses the context and has it restored; a test has to forgive the messages of that. */
+  async loseContext(): Promise<void> {
+    const canvas = this.webgl.domElement;
+    const extension = this.webgl.getContext().getExtension('WEBGL_lose_context')!;
+    const event = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+    const lost = event('webglcontextlost');
+    extension.loseContext();
+    await lost;
+    const restored = event('webglcontextrestored');
+    // the browser takes back only what it has told of
+    setTimeout(() => extension.restoreContext());
+    await restored;
+  }
+
   /** Linked programs of the renderer. */
   get programs(): number {
     return this.webgl.info.programs?.length ?? 0;

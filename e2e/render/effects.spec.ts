@@ -144,17 +144,7 @@ test('every effect draws again after a lost context, as before it', async ({ pag
       return image;
     };
     const before = draw();
-    const gl = bench.webgl.getContext();
-    const extension = gl.getExtension('WEBGL_lose_context')!;
-    const canvas = bench.webgl.domElement;
-    const event = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
-    const lost = event('webglcontextlost');
-    extension.loseContext();
-    await lost;
-    const restored = event('webglcontextrestored');
-    // the browser takes back only what it has told of
-    setTimeout(() => extension.restoreContext());
-    await restored;
+    await bench.loseContext();
     return compareImages(before, draw()).psnr;
   });
   expect(apart).toBeGreaterThan(50);

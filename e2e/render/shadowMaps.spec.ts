@@ -376,16 +376,7 @@ test('maps of a device without multiple draws in a call, and after a lost contex
     WebGL2RenderingContext.prototype.getExtension = getExtension;
     const { bench, turned } = begin();
     const before = [0, 1, 2].map(turned);
-    const extension = bench.webgl.getContext().getExtension('WEBGL_lose_context')!;
-    const canvas = bench.webgl.domElement;
-    const event = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
-    const lost = event('webglcontextlost');
-    extension.loseContext();
-    await lost;
-    const restored = event('webglcontextrestored');
-    // the browser takes back only what it has told of
-    setTimeout(() => extension.restoreContext());
-    await restored;
+    await bench.loseContext();
     return { one, before, after: [2, 3, 4].map(turned) };
   });
   expect(results.one).toEqual(results.before);
