@@ -54,6 +54,10 @@ test('maps are kept until something that casts shadows changes in their reach, a
       step('the camera moves', () => camera.position.setX(0.5)),
       step('one box moves', () => boxes[0].position.setY(1.4)),
       step('its geometry', () => (boxes[0].geometry = new three.BoxGeometry(0.6, 0.6, 2))),
+      step('its positions', () => {
+        boxes[0].geometry.scale(1.8, 1, 0.4);
+        boxes[0].geometry.computeBoundingSphere();
+      }),
       step('it turns, in a light of its own', () => boxes[2].rotation.set(0, 1, 0.5)),
       step('it is hidden', () => (boxes[1].visible = false)),
       step('it comes back', () => (boxes[1].visible = true)),
@@ -79,6 +83,7 @@ test('maps are kept until something that casts shadows changes in their reach, a
     'the camera moves: 0 drawn, 3 kept',
     'one box moves: 1 drawn, 2 kept',
     'its geometry: 1 drawn, 2 kept',
+    'its positions: 1 drawn, 2 kept',
     'it turns, in a light of its own: 1 drawn, 2 kept',
     'it is hidden: 1 drawn, 2 kept',
     'it comes back: 1 drawn, 2 kept',
@@ -158,6 +163,22 @@ test('while all moves, maps are drawn where they can be seen alone: as in stock 
     results.push(frame('for long', null));
     look(8, 2);
     results.push(frame('and the camera turns', null));
+    // what receives shadows is not where it was
+    look(0, 0);
+    floor.receiveShadow = false;
+    results.push(frame('the floor receives none', 0.5), frame('all moves again', 0.6));
+    knots[2].position.set(-1.5, 2.6, 1.8);
+    results.push(frame('one jumps', 0.7));
+    for (const { shadow } of [point, spot, sun]) shadow.normalBias = 0.8;
+    results.push(frame('shadows are looked up beside what they fall on', 0.8));
+    // merged until now
+    const depths = new three.MeshDistanceMaterial();
+    depths.onBeforeCompile = (shader) => {
+      const { vertexShader } = shader;
+      shader.vertexShader = vertexShader.replace('#include <begin_vertex>', 'vec3 transformed = 1.6 * position;');
+    };
+    knots[2].customDistanceMaterial = depths;
+    results.push(frame('one has depths of its own', 0.9));
     return results;
   });
   for (const { name, psnr } of frames) expect(psnr, name).toBeGreaterThanOrEqual(45);
@@ -168,7 +189,7 @@ test('while all moves, maps are drawn where they can be seen alone: as in stock 
     expect(texels, name).toBeLessThan(0.8 * whole);
     expect(texels, name).toBeGreaterThan(0);
   }
-  expect(frames.slice(5).map(({ drawn }) => drawn > 0)).toEqual([false, true, false, false, false]);
+  expect(frames.slice(5, 10).map(({ drawn }) => drawn > 0)).toEqual([false, true, false, false, false]);
 });
 
 test('64 shadowed point and spot lights at once, also in an atlas too small for them; adding and removing compiles nothing', async ({

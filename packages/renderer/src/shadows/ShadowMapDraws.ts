@@ -48,6 +48,8 @@ const REST = 60;
 const rectangle = new Vector4();
 const depth = new Float32Array(1);
 
+const isCovered = (face: ShadowFace) => face.isCovered;
+
 /** Draws casters into the tiles of shadow maps as three's WebGLShadowMap would. Call inside three's `render`. */
 export class ShadowMapDraws {
   /** Stand-ins of the casters that are drawn this frame, for three to bring their buffers up to date. */
@@ -127,15 +129,15 @@ export class ShadowMapDraws {
     }
     // at rest the whole is drawn some time, a few maps a frame
     if (!isPartial || (may && frame - changed > REST + (slot.record & 7))) return false;
-    return this.cut(slot) && slot.faces.every((face) => face.isCovered);
+    return this.cut(slot) && slot.faces.every(isCovered);
   }
 
   /** Has each face of a light's map draw only what can be seen of it. @returns false where that is all */
   private cut(slot: ShadowSlot): boolean {
-    this.beginMerged();
-    if (this.hasSeen) return this.seen.cut(slot);
-    this.hasSeen = true;
-    this.seen.find(this.casters!, this.camera!);
+    if (!this.hasSeen) {
+      this.hasSeen = true;
+      this.seen.find(this.casters!, this.beginMerged(), this.camera!);
+    }
     return this.seen.cut(slot);
   }
 
@@ -188,6 +190,7 @@ export class ShadowMapDraws {
       this.merged.set(casters, merged);
     }
     merged.used = this.frame;
+    if (this.merged.size === 1) return merged;
     for (const [scene, other] of this.merged) {
       if (this.frame - other.used < KEPT_FRAMES) continue;
       other.dispose();

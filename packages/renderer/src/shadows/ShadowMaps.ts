@@ -321,7 +321,7 @@ export class ShadowMaps implements LightMasks {
       const may = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (slot.hadMap && !slot.drawn);
       // a light whose first map may not be drawn yet casts no shadow
       slot.shows = slot.casts && slot.tile !== null && (slot.drawn || may);
-      const isPart = this.draws.isPart(slot, may, this.frame);
+      const isPart = slot.shows && this.draws.isPart(slot, may, this.frame);
       if (slot.shows && ((may && (slot.dirty || !slot.drawn)) || (slot.isPartial && !isPart))) {
         this.stale.push(slot);
         this.drawn++;

@@ -11,6 +11,7 @@ import type {
   Texture,
 } from 'three';
 import { Object3D as AnyObject } from 'three';
+import { attributeVersion } from './attributeVersion';
 
 type Caster = Mesh & Partial<InstancedMesh> & Partial<BatchedMesh> & { isSkinnedMesh?: boolean };
 type CasterMaterial = Material & Partial<MeshStandardMaterial>;
@@ -30,9 +31,7 @@ function mixTexture(texture: Texture | null | undefined): void {
 }
 
 function mixAttribute(attribute: BufferAttribute | InterleavedBufferAttribute | undefined): void {
-  if (attribute === undefined) return;
-  const interleaved = attribute as InterleavedBufferAttribute;
-  mix(interleaved.isInterleavedBufferAttribute ? interleaved.data.version : (attribute as BufferAttribute).version);
+  if (attribute !== undefined) mix(attributeVersion(attribute));
 }
 
 function mixGeometry(geometry: BufferGeometry): void {

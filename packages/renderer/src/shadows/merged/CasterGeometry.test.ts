@@ -1,4 +1,11 @@
-import { BoxGeometry, BufferAttribute, SphereGeometry } from 'three';
+import {
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  InterleavedBuffer,
+  InterleavedBufferAttribute,
+  SphereGeometry,
+} from 'three';
 import { describe, expect, it } from 'vitest';
 import { CasterGeometry } from './CasterGeometry';
 import { CLUSTER_TRIANGLES } from './ClusterOrder';
@@ -59,6 +66,12 @@ describe('CasterGeometry', () => {
     expect(result.isCurrent).toBe(true);
     changing.attributes.position.needsUpdate = true;
     expect(result.isCurrent).toBe(false);
+    const shared = new InterleavedBuffer(new Float32Array(18), 6);
+    const interleaved = new BufferGeometry().setAttribute('position', new InterleavedBufferAttribute(shared, 3, 0));
+    const part = made(interleaved);
+    expect(part.isCurrent).toBe(true);
+    shared.needsUpdate = true;
+    expect(part.isCurrent).toBe(false);
     const other = new BoxGeometry();
     const replaced = made(other);
     other.setIndex(new BufferAttribute(new Uint16Array([0, 1, 2]), 1));

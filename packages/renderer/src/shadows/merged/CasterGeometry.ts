@@ -1,4 +1,5 @@
 import type { BufferAttribute, BufferGeometry } from 'three';
+import { attributeVersion } from '../attributeVersion';
 import { CLUSTER_TRIANGLES, ClusterOrder } from './ClusterOrder';
 
 /**
@@ -24,7 +25,7 @@ export class CasterGeometry {
   constructor(private readonly geometry: BufferGeometry) {
     this.position = geometry.attributes.position as BufferAttribute;
     this.source = geometry.index;
-    this.positionVersion = this.position.version;
+    this.positionVersion = attributeVersion(this.position);
     this.indexVersion = this.source?.version ?? 0;
   }
 
@@ -40,7 +41,9 @@ export class CasterGeometry {
   get isCurrent(): boolean {
     const { attributes, index } = this.geometry;
     const same = attributes.position === this.position && index === this.source;
-    return same && this.position.version === this.positionVersion && (index?.version ?? 0) === this.indexVersion;
+    return (
+      same && attributeVersion(this.position) === this.positionVersion && (index?.version ?? 0) === this.indexVersion
+    );
   }
 
   /**

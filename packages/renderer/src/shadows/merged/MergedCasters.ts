@@ -8,7 +8,7 @@ import {
   Matrix4,
   type Mesh,
   NoBlending,
-  type Object3D,
+  Object3D,
   type Side,
   Vector3,
   type WebGLRenderer,
@@ -35,7 +35,7 @@ const INDICES = CLUSTER_TRIANGLES * 3;
 /** Frames for which a caster that came to look otherwise is not merged. */
 const SETTLED = 30;
 /** Clusters in a group: those that follow one another lie together. */
-export const GROUP = 8;
+export const CLUSTERS_PER_GROUP = 8;
 /** Triangles merged at most: some 22 bytes each on the GPU, and as much beside it. */
 const MOST_TRIANGLES = 2_000_000;
 /** Triangles looked at a frame while casters are made ready, so that no frame is late. */
@@ -79,7 +79,7 @@ export interface MergedCaster {
   look: number;
   /** Boxes of its clusters along the world's axes, and the place of the caster that they are of. */
   readonly boxes: Float64Array;
-  /** The same round each `GROUP` that follow one another. */
+  /** The same round each `CLUSTERS_PER_GROUP` that follow one another. */
   readonly groups: Float64Array;
   place: number;
   isMirrored: boolean;
@@ -153,8 +153,7 @@ export class MergedCasters {
   /** A caster as it is held, null while it is not. */
   find(caster: Caster): MergedCaster | null {
     const { merged } = caster;
-    if (merged !== null && (merged.look === caster.look || this.stays(merged)) && merged.geometry.isCurrent)
-      return merged;
+    if (merged !== null && this.isSame(merged)) return merged;
     if (merged !== null) this.letGo(caster);
     if (caster.waits === caster.look) return null;
     // what changes in frame after frame is drawn by itself
@@ -164,11 +163,14 @@ export class MergedCasters {
     return null;
   }
 
-  /** A caster that looks otherwise, by its material say, may have the same triangles. */
-  private stays(merged: MergedCaster): boolean {
+  /** Whether a caster is still what was merged: one that looks otherwise, by its material say, may have the same triangles. */
+  private isSame(merged: MergedCaster): boolean {
     const { caster, geometry } = merged;
-    if (!caster.hasBox || !geometry.isOf((caster.object as Mesh).geometry) || !isMergeable(caster.object)) return false;
-    merged.look = caster.look;
+    const { object, hasBox, look } = caster;
+    if (!hasBox || !geometry.isCurrent || object.onAfterShadow !== Object3D.prototype.onAfterShadow) return false;
+    if (merged.look === look) return true;
+    if (!geometry.isOf((object as Mesh).geometry) || !isMergeable(object)) return false;
+    merged.look = look;
     return true;
   }
 
@@ -192,12 +194,12 @@ export class MergedCasters {
     const y = e[13];
     const z = e[14];
     const last = geometry.index.length;
-    for (let group = 0, start = 0; start < last; group += 6, start += GROUP * INDICES) {
+    for (let group = 0, start = 0; start < last; group += 6, start += CLUSTERS_PER_GROUP * INDICES) {
       if (squaredDistanceToBox(groups, x, y, z, group) > squaredRange) continue;
       const near = isCube ? cubeFacesOf(groups, group, x, y, z, widening) : 0;
       const isOne = (near & (near - 1)) === 0;
-      const end = Math.min(last, start + GROUP * INDICES);
-      for (let from = start, at = group * GROUP; from < end; from += INDICES, at += 6) {
+      const end = Math.min(last, start + CLUSTERS_PER_GROUP * INDICES);
+      for (let from = start, at = group * CLUSTERS_PER_GROUP; from < end; from += INDICES, at += 6) {
         if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
         const count = Math.min(INDICES, end - from);
         if (isCube) {
@@ -328,7 +330,7 @@ export class MergedCasters {
       first: mesh.add(geometry.positions, geometry.index, object),
       look: caster.look,
       boxes: new Float64Array(geometry.boxes.length),
-      groups: new Float64Array(Math.ceil(geometry.boxes.length / 6 / GROUP) * 6),
+      groups: new Float64Array(Math.ceil(geometry.boxes.length / 6 / CLUSTERS_PER_GROUP) * 6),
       place: -1,
       isMirrored: false,
     };
@@ -336,15 +338,21 @@ export class MergedCasters {
     this.members.push(merged);
   }
 
-  /** Moves the boxes, and the matrix in the table, to where the caster is. */
-  private follow(merged: MergedCaster): void {
+  /** Moves the boxes, and the matrix in the block, to where the caster is. */
+  follow(merged: MergedCaster): void {
     const { caster, boxes, geometry, page, object } = merged;
     if (merged.place === caster.place) return;
     merged.place = caster.place;
     const { matrixWorld } = caster.object;
     for (let at = 0; at < boxes.length; at += 6) moveBox(geometry.boxes, at, matrixWorld, boxes, at);
     for (let group = 0; group < merged.groups.length; group += 6) {
-      uniteBoxes(boxes, group * GROUP, Math.min(boxes.length, (group + 6) * GROUP), merged.groups, group);
+      uniteBoxes(
+        boxes,
+        group * CLUSTERS_PER_GROUP,
+        Math.min(boxes.length, (group + 6) * CLUSTERS_PER_GROUP),
+        merged.groups,
+        group,
+      );
     }
     merged.isMirrored = matrixWorld.determinantAffine() < 0;
     this.pages[page].matrices.set(object, matrixWorld, this.origin);

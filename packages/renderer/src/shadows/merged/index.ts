@@ -1,5 +1,5 @@
 import mergedCaster from './mergedCaster.glsl?raw';
 import mergedCasterDepth from './mergedCasterDepth.glsl?raw';
 
-export { MergedCasters, type MergedCaster } from './MergedCasters';
+export { CLUSTERS_PER_GROUP, MergedCasters, type MergedCaster } from './MergedCasters';
 export { mergedCaster, mergedCasterDepth };

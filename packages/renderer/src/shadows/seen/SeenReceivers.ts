@@ -1,11 +1,11 @@
 import { type Camera, Matrix4, type Object3D } from 'three';
 import { viewFrustumPlanes } from '../../lights/viewFrustumPlanes';
 import { boxOutsidePlanes, casterBox, squaredDistanceToBox } from '../casterBox';
+import { CLUSTERS_PER_GROUP, type MergedCasters } from '../merged';
 import { type Caster, findSphere, type ShadowCasters } from '../ShadowCasters';
 import type { ShadowFace } from '../ShadowFace';
 import type { ShadowSlot } from '../ShadowSlot';
 import { CUBE_BORDER } from '../TileAtlas';
-import { uniteBoxes } from '../uniteBoxes';
 import { cubeFaceParts } from './cubeFaceParts';
 import { mapPart } from './mapPart';
 
@@ -13,8 +13,6 @@ import { mapPart } from './mapPart';
 const WIDER = 1.01;
 /** What bends in shaders may leave its sphere by as much. */
 const SPHERES = 2;
-/** Boxes in a group at most, of the clusters of a merged caster: those that follow one another lie together. */
-const BOXES = 8;
 /** Numbers of a group: its box, the index of its first box and that after its last. */
 const GROUP = 8;
 
@@ -37,8 +35,11 @@ export class SeenReceivers {
   /** Something may be anywhere. */
   private isUnbounded = false;
 
-  /** Finds them for a frame. Once the merged casters are ready. */
-  find({ list, count, receivers }: ShadowCasters, camera: Camera): void {
+  /**
+   * Finds them for a frame.
+   * @param merged those of the casters, ready for the frame
+   */
+  find({ list, count, receivers }: ShadowCasters, merged: MergedCasters | null, camera: Camera): void {
     this.used = this.count = 0;
     this.isUnbounded = false;
     matrix.copy(camera.projectionMatrix);
@@ -50,7 +51,7 @@ export class SeenReceivers {
     viewFrustumPlanes(matrix.multiply(camera.matrixWorldInverse).elements, planes);
     for (let i = 0; i < count; i++) {
       const { object } = list[i];
-      if (object.receiveShadow && object.layers.test(camera.layers)) this.addCaster(list[i]);
+      if (object.receiveShadow && object.layers.test(camera.layers)) this.addCaster(list[i], merged);
     }
     for (const object of receivers) if (object.layers.test(camera.layers)) this.addObject(object);
   }
@@ -64,7 +65,9 @@ export class SeenReceivers {
     const { faces, isCube, light, faceWidth, faceHeight } = slot;
     const { radius, normalBias } = light.shadow;
     const texels = Math.ceil(2 * radius) + 2;
-    const range = slot.range + Math.abs(normalBias);
+    // along its normal, a surface looks up the map that far from where it is
+    const shift = Math.abs(normalBias);
+    const range = slot.range + shift;
     for (let i = 0; i < 24; i += 2) {
       parts[i] = Infinity;
       parts[i + 1] = -Infinity;
@@ -82,15 +85,15 @@ export class SeenReceivers {
     const { boxes, groups } = this;
     for (let group = 0; group < this.count * GROUP; group += GROUP) {
       if (squaredDistanceToBox(groups, x, y, z, group) > squaredRange) continue;
-      let widens = isCube && cubeFaceParts(parts, groups, group, x, y, z, range, widening, false);
+      let widens = isCube && cubeFaceParts(parts, groups, group, shift, x, y, z, range, widening, false);
       for (let i = isCube ? 6 : 0; i < faces.length && !widens; i++) {
-        widens = mapPart(parts, i * 4, groups, group, faces[i].matrix, false);
+        widens = mapPart(parts, i * 4, groups, group, shift, faces[i].matrix, false);
       }
       if (!widens) continue;
       for (let at = groups[group + 6]; at < groups[group + 7]; at += 6) {
         if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
-        if (isCube) cubeFaceParts(parts, boxes, at, x, y, z, range, widening);
-        else for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, faces[i].matrix);
+        if (isCube) cubeFaceParts(parts, boxes, at, shift, x, y, z, range, widening);
+        else for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, shift, faces[i].matrix);
       }
     }
     const border = isCube ? CUBE_BORDER : 0;
@@ -102,21 +105,23 @@ export class SeenReceivers {
     return !all;
   }
 
-  private addCaster({ merged, hasBox, box, x, y, z, radius }: Caster): void {
+  private addCaster({ merged, hasBox, box, x, y, z, radius }: Caster, all: MergedCasters | null): void {
     if (merged === null) {
       if (hasBox) this.addBox(box);
       else this.addSphere(x, y, z, radius);
       return;
     }
     if (boxOutsidePlanes(planes, box)) return;
-    const { boxes } = merged;
-    for (let at = 0; at < boxes.length; at += 6 * BOXES) {
-      const end = Math.min(boxes.length, at + 6 * BOXES);
+    all!.follow(merged);
+    const { boxes, groups } = merged;
+    for (let group = 0; group < groups.length; group += 6) {
+      if (boxOutsidePlanes(planes, groups, group)) continue;
       const first = this.used;
-      for (let cluster = at; cluster < end; cluster += 6) {
-        if (!boxOutsidePlanes(planes, boxes, cluster)) this.push(boxes, cluster);
+      const end = Math.min(boxes.length, (group + 6) * CLUSTERS_PER_GROUP);
+      for (let at = group * CLUSTERS_PER_GROUP; at < end; at += 6) {
+        if (!boxOutsidePlanes(planes, boxes, at)) this.push(boxes, at);
       }
-      if (this.used > first) this.addGroup(first);
+      if (this.used > first) this.addGroup(first, groups, group);
     }
   }
 
@@ -144,7 +149,7 @@ export class SeenReceivers {
   private addBox(box: Float64Array): void {
     if (boxOutsidePlanes(planes, box)) return;
     this.push(box, 0);
-    this.addGroup(this.used - 6);
+    this.addGroup(this.used - 6, box, 0);
   }
 
   private push(boxes: Float64Array, at: number): void {
@@ -153,11 +158,14 @@ export class SeenReceivers {
     this.used += 6;
   }
 
-  /** @param first index of its first box; the others follow */
-  private addGroup(first: number): void {
+  /**
+   * @param first index of its first box; the others follow
+   * @param round box round them, in it from index `from` on
+   */
+  private addGroup(first: number, round: Float64Array, from: number): void {
     const at = this.count * GROUP;
     if (at + GROUP > this.groups.length) this.groups = grown(this.groups);
-    uniteBoxes(this.boxes, first, this.used, this.groups, at);
+    for (let i = 0; i < 6; i++) this.groups[at + i] = round[from + i];
     this.groups[at + 6] = first;
     this.groups[at + 7] = this.used;
     this.count++;

@@ -17,6 +17,7 @@ const high = new Float64Array(3);
  * @param parts of the six faces: least and most across, least and most up, as parts of the axis (-1 to 1 in a face), 4 numbers
  * each; nothing where least is more than most
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
+ * @param wider by which they are wider to all sides (m)
  * @param range what lies farther from the point along an axis does not count (m)
  * @param widening how far a face reaches across, at least 1
  * @param writes false to leave the parts as they are
@@ -26,6 +27,7 @@ export function cubeFaceParts(
   parts: Float64Array,
   boxes: Float64Array,
   at: number,
+  wider: number,
   x: number,
   y: number,
   z: number,
@@ -36,8 +38,8 @@ export function cubeFaceParts(
   let widens = false;
   for (let i = 0; i < 3; i++) {
     const from = i === 0 ? x : i === 1 ? y : z;
-    low[i] = Math.max(boxes[at + i] - boxes[at + 3 + i] - from, -range);
-    high[i] = Math.min(boxes[at + i] + boxes[at + 3 + i] - from, range);
+    low[i] = Math.max(boxes[at + i] - boxes[at + 3 + i] - wider - from, -range);
+    high[i] = Math.min(boxes[at + i] + boxes[at + 3 + i] + wider - from, range);
   }
   for (let i = 0; i < 6; i++) {
     const face = i * 6;
@@ -51,9 +53,19 @@ export function cubeFaceParts(
     const aside = Math.max(low[across], -high[across], low[up], -high[up], 0);
     const nearest = Math.max(side > 0 ? low[axis] : -high[axis], aside / widening, 1e-6 * farthest);
     if (nearest > farthest) continue;
-    const wider = widen(parts, i * 4, low[across], high[across], FACES[face + 3], nearest, farthest, widening, writes);
-    const higher = widen(parts, i * 4 + 2, low[up], high[up], FACES[face + 5], nearest, farthest, widening, writes);
-    widens ||= wider || higher;
+    const moreAcross = widen(
+      parts,
+      i * 4,
+      low[across],
+      high[across],
+      FACES[face + 3],
+      nearest,
+      farthest,
+      widening,
+      writes,
+    );
+    const moreUp = widen(parts, i * 4 + 2, low[up], high[up], FACES[face + 5], nearest, farthest, widening, writes);
+    widens ||= moreAcross || moreUp;
     if (widens && !writes) return true;
   }
   return widens;

@@ -4,6 +4,7 @@ import type { Matrix4 } from 'three';
  * Widens the part of a map so that it holds a box as a camera sees it.
  * @param part least and most across, least and most up, -1 to 1 in the map, 4 numbers from index `to` on
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
+ * @param wider by which they are wider to all sides (m)
  * @param camera from world to clip space
  * @param writes false to leave the part as it is
  * @returns whether it had to be widened
@@ -13,15 +14,16 @@ export function mapPart(
   to: number,
   boxes: Float64Array,
   at: number,
+  wider: number,
   { elements: e }: Matrix4,
   writes = true,
 ): boolean {
   const x = boxes[at];
   const y = boxes[at + 1];
   const z = boxes[at + 2];
-  const a = boxes[at + 3];
-  const b = boxes[at + 4];
-  const c = boxes[at + 5];
+  const a = boxes[at + 3] + wider;
+  const b = boxes[at + 4] + wider;
+  const c = boxes[at + 5] + wider;
   const across = e[0] * x + e[4] * y + e[8] * z + e[12];
   const up = e[1] * x + e[5] * y + e[9] * z + e[13];
   const w = e[3] * x + e[7] * y + e[11] * z + e[15];
