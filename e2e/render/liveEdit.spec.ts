@@ -8,7 +8,7 @@ test.beforeEach(async ({ page, pagesURL }) => {
 test('a microshader replaced while the scene runs changes the picture of every technique; a broken edit changes nothing', async ({
   page,
 }) => {
-  const results = await page.evaluate(() => {
+  const { results, both } = await page.evaluate(() => {
     const { Bench, compareImages, farol, three } = window.testPage;
     const bench = new Bench(80, 60);
     const scene = new three.Scene();
@@ -23,7 +23,7 @@ test('a microshader replaced while the scene runs changes the picture of every t
     const good = microshaders.get(name)!;
     const half = { ...good, header: good.header.replaceAll('return falloff;', 'return 0.5 * falloff;') };
     const broken = { ...good, header: good.header.replace('return falloff;', 'return fallof;') };
-    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
+    const results = (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
       const before = bench.byTechnique(technique, scene, camera);
       let error: unknown = null;
       try {
@@ -45,6 +45,14 @@ test('a microshader replaced while the scene runs changes the picture of every t
         good: compareImages(before, afterGood).largest,
       };
     });
+    // two edits before the next frame, the second of which needs the first
+    const before = bench.byTechnique('tiled-deferred', scene, camera);
+    const user = microshaders.get('shading')!;
+    microshaders.replace(name, { ...good, header: `${good.header}\nfloat farol_half() { return 0.5; }\n` });
+    const halved = user.header.replaceAll('= farol_bounded', '= farol_half() * farol_bounded');
+    microshaders.replace('shading', { ...user, header: halved });
+    const both = compareImages(before, bench.byTechnique('tiled-deferred', scene, camera)).largest;
+    return { results, both };
   });
   for (const { technique, named, message, broken, half, good } of results) {
     expect(named?.chunk, message).toBe('lightAttenuation');
@@ -53,4 +61,5 @@ test('a microshader replaced while the scene runs changes the picture of every t
     expect(half, `${technique}: half the light`).toBeGreaterThan(0.05);
     expect(good, `${technique}: the first text again`).toBe(0);
   }
+  expect(both, 'two edits at once').toBeGreaterThan(0.05);
 });

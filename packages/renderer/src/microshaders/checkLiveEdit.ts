@@ -18,10 +18,14 @@ const THREE_INCLUDE = /^[ \t]*#include +<([\w./]+)>/gm;
  */
 export function checkLiveEdit(webgl: WebGLRenderer, registry: MicroShaderRegistry, names: readonly string[]): void {
   const gl = webgl.getContext() as WebGL2RenderingContext;
+  // what was replaced before and is not drawn with yet
+  const edited = registry.names().filter((name) => registry.get(name) !== registry.original(name));
+  const all = [...new Set([...edited, ...names])];
   for (const program of (webgl.info.programs ?? []) as unknown as Program[]) {
     for (const stage of ['vertex', 'fragment'] as const) {
       const before = gl.getShaderSource(program[`${stage}Shader`]) ?? '';
-      const after = withNewText(before, registry, names);
+      if (!names.some((name) => before.includes(`// <${name}>`))) continue;
+      const after = withNewText(before, registry, all);
       if (after === before) continue;
       const shader = gl.createShader(stage === 'vertex' ? gl.VERTEX_SHADER : gl.FRAGMENT_SHADER);
       if (shader === null) return; // the context is lost: three compiles anew when it is back

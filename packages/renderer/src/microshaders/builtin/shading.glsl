@@ -27,7 +27,7 @@ struct FarolShading {
 #else
   #define FAROL_SHADOW_NORMAL_OF(s) s.normalVS
 #endif
-#define FAROL_MASKED_FOR(s, color, mask, toLight) FAROL_MASKED(color, mask, toLight, s.positionVS, FAROL_SHADOW_NORMAL_OF(s), (s.flags & 16) != 0)
+#define FAROL_LOOKUP_OF(s) s.positionVS, FAROL_SHADOW_NORMAL_OF(s), (s.flags & 16) != 0
 
 bool farol_isPhysical(const in FarolShading s) {
   return (s.flags & 3) == 1;
@@ -85,8 +85,15 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
     s.diffuse += farol_lightTexel(light.extension, 2).rgb * light.attenuation;
   }
   if (dot(s.normalVS, light.direction) <= 0.0) return; // masks cost more than the light
-  vec3 color = FAROL_MASKED_FOR(s, light.color, light.mask, light.direction * light.distance);
-  farol_addLight(s, light.direction, color * diffuseScale, color * specularScale);
+#ifdef FAROL_HAS_MASKS
+  // a call of its own, so that nothing has to wait for the shadow before it is needed
+  if (light.mask > 0) {
+    vec3 color = light.color * FAROL_MASK(light.mask, light.direction * light.distance, FAROL_LOOKUP_OF(s));
+    farol_addLight(s, light.direction, color * diffuseScale, color * specularScale);
+    return;
+  }
+#endif
+  farol_addLight(s, light.direction, light.color * diffuseScale, light.color * specularScale);
 }
 
 // a light with a range: point lights of three, most of all lights, take the short way
@@ -120,7 +127,13 @@ void farol_addBounded(inout FarolShading s, const in int record) {
     if (attenuation <= 0.0) return;
     s.diffuse += ambient * attenuation;
     if (dot(s.normalVS, direction) <= 0.0) return;
-    color.rgb = FAROL_MASKED_FOR(s, color.rgb, int(cone.z), toLight);
+#ifdef FAROL_HAS_MASKS
+    if (cone.z > 0.0) {
+      color.rgb *= attenuation * FAROL_MASK(int(cone.z), toLight, FAROL_LOOKUP_OF(s));
+      farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
+      return;
+    }
+#endif
   }
   color.rgb *= attenuation;
   farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
