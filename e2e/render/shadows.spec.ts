@@ -2,7 +2,7 @@ import { expect, test } from '../support/test';
 
 /**
  * Shadows against stock three, in linear float. Forward techniques run three's own filters: what differs are the seams of
- * point lights' cube maps, which three filters across its own faces and Farol across a border of one texel. Techniques with
+ * point lights' cube maps, which three filters across its own faces and Farol across a border round each. Techniques with
  * a G-buffer rebuild positions, so that pixels at the edge of a texel may fall on its other side (`basic` has hard edges);
  * inferred lighting smooths what changes from pixel to pixel.
  */
@@ -25,10 +25,17 @@ for (const type of Object.keys(types) as (keyof typeof types)[]) {
         const bench = new Bench(width, height);
         bench.webgl.shadowMap.enabled = true;
         bench.webgl.shadowMap.type = type;
-        return (['spot', 'point', 'directional'] as const)
-          .filter((caster) => type !== 3 || caster !== 'point')
-          .map((caster) => {
-            const { scene, camera, lights } = shadowScene(width, height, { caster });
+        const cases = [
+          { name: 'spot', caster: 'spot' },
+          { name: 'point', caster: 'point' },
+          // wide enough to cross the edges of the cube's faces
+          { name: 'point, radius 6', caster: 'point', settings: { radius: 6 } },
+          { name: 'directional', caster: 'directional' },
+        ] as const;
+        return cases
+          .filter(({ name, caster }) => (type !== 3 || caster !== 'point') && (type === 1 || !name.includes('radius')))
+          .map(({ name, ...options }) => {
+            const { scene, camera, lights } = shadowScene(width, height, options);
             // Farol comes first: three's first frame brings the cameras of shadows up to date
             const drawn = (['forward-single-pass', 'deferred'] as const).map((technique) => ({
               technique,
@@ -38,7 +45,7 @@ for (const type of Object.keys(types) as (keyof typeof types)[]) {
             for (const light of lights) light.castShadow = false;
             const without = bench.byTechnique('forward-single-pass', scene, camera);
             return {
-              caster,
+              caster: name,
               matters: compareImages(stock, without).psnr,
               pairs: drawn.map(({ technique, image }) => ({ technique, ...compareImages(stock, image) })),
             };

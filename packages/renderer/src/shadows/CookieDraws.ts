@@ -2,9 +2,9 @@ import { Camera, type CubeTexture, type IUniform, NoBlending, type Texture, Vect
 import type { MicroShaderRegistry } from '../microshaders';
 import { FullscreenMesh } from '../passes/FullscreenMesh';
 import { PassMaterial } from '../passes/PassMaterial';
-import type { CookieSlot } from './CookieSlot';
+import { COOKIE_BORDER, type CookieSlot } from './CookieSlot';
 import type { Draw } from './ShadowMapDraws';
-import { CUBE_BORDER, type TileAtlas } from './TileAtlas';
+import type { TileAtlas } from './TileAtlas';
 
 const rectangle = new Vector4();
 const camera = new Camera();
@@ -36,7 +36,7 @@ export class CookieDraws {
       x,
       y,
       isCube ? faceWidth : width,
-      isCube ? faceWidth + 2 * CUBE_BORDER : height,
+      isCube ? faceWidth + 2 * COOKIE_BORDER : height,
     );
     // three keeps cube textures mirrored, but those that were drawn
     uniforms.farol_cookieFlip.value = (texture as CubeTexture).isRenderTargetTexture ? 1 : -1;

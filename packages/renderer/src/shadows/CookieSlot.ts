@@ -5,6 +5,9 @@ import type { Tile } from './TilePacker';
 /** Texels a side that an image has in the atlas at most. */
 const LARGEST = 1024;
 
+/** Texels round each face of a cube; as in lightShadow.glsl. */
+export const COOKIE_BORDER = 1;
+
 type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight?: number };
 
 /** An image that lights throw, in the atlas of colours: one for all lights that share the texture. */
@@ -40,6 +43,10 @@ export class CookieSlot implements AtlasTenant {
     const isLive = (texture as Texture & { isVideoTexture?: boolean }).isVideoTexture || texture.isRenderTargetTexture;
     if (isLive || this.version !== texture.version) this.drawn = false;
     this.version = texture.version;
+  }
+
+  borderOf(): number {
+    return COOKIE_BORDER;
   }
 
   place(tile: Tile, faceWidth: number, faceHeight: number): void {

@@ -21,7 +21,7 @@ import { CookieSlot } from './CookieSlot';
 import { depthTarget } from './depthTarget';
 import { lightCoverage } from './lightCoverage';
 import { RECORDS_PER_MASK, shadowKinds, writeLayerMask, writeMask } from './maskRecord';
-import { maskKindsChunk, maskKindsOf } from './maskKinds';
+import { maskKinds, maskKindsChunk, maskKindsOf } from './maskKinds';
 import type { MaskUniforms } from './maskUniforms';
 import { MomentDraws } from './MomentDraws';
 import { ShadowCasters } from './ShadowCasters';
@@ -336,7 +336,9 @@ export class ShadowMaps implements LightMasks {
       slot.record = masked ? this.records : -1;
       if (slot.record >= 0) this.records += RECORDS_PER_MASK;
       if (slot.shows || slot.cookie !== null) this.neededKinds |= maskKindsOf(slot, this.type);
+      else if (masked) this.neededKinds |= maskKinds.unshadowed;
     }
+    if (this.layered.size > 0) this.neededKinds |= maskKinds.unshadowed;
     for (const light of this.layered.keys()) {
       this.layered.set(light, this.records);
       this.records += RECORDS_PER_MASK;

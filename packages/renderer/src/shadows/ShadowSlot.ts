@@ -16,7 +16,7 @@ import { squaredDistanceToBox } from './casterBox';
 import { fitCascade } from './fitCascade';
 import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { CookieSlot } from './CookieSlot';
-import { type AtlasTenant, CUBE_BORDER } from './TileAtlas';
+import type { AtlasTenant } from './TileAtlas';
 import type { Tile } from './TilePacker';
 
 /** Lights that three lets cast shadows. */
@@ -27,6 +27,11 @@ export type ShadowLight = (PointLight | SpotLight | DirectionalLight) & {
 
 type ShadowCamera = PerspectiveCamera & OrthographicCamera & { _reversedDepth: boolean };
 type OwnShadow = LightShadow & { updateMatrices(light: ShadowLight): void; _frustum: Frustum };
+
+/** How far a sample of a filter lies across a face at most (radii): at a corner, by the plane's slant. */
+const FARTHEST = 1.17;
+/** Texels; as a power of two it takes three bits of a mask. */
+const LARGEST_BORDER = 128;
 
 const CAMERA_NUMBERS = ['near', 'zoom', 'left', 'right', 'top', 'bottom'] as const;
 const position = new Vector3();
@@ -64,6 +69,8 @@ export class ShadowSlot implements AtlasTenant {
   /** Texels a side of a face that the tile was made for. */
   faceWidth = 0;
   faceHeight = 0;
+  /** Texels round each face, of a cube. */
+  border = 0;
   /** How often the size that the light asks for is halved, since the atlas is full. */
   halvings = 0;
   /** The same before the last look at who is to be halved. */
@@ -174,7 +181,22 @@ export class ShadowSlot implements AtlasTenant {
 
   /** Tangent of half the angle that a face of a cube sees: what lies beside it too, as wide as its border. */
   get widening(): number {
-    return (this.faceWidth + 2 * CUBE_BORDER) / this.faceWidth;
+    return (this.faceWidth + 2 * this.border) / this.faceWidth;
+  }
+
+  /** Radius of the filter (texels of a map of the size that the light asks for); of a cube no more than its border holds. */
+  get filterRadius(): number {
+    const { radius } = this.shadow;
+    if (!this.isCube) return radius;
+    const most = ((LARGEST_BORDER - 0.5) / FARTHEST) * (this.wantedWidth / this.faceWidth);
+    return Math.max(-most, Math.min(most, radius));
+  }
+
+  /** Texels round a face of a cube that its filter reaches at most, a power of two. */
+  borderOf(faceWidth: number): number {
+    if (!this.isCube) return 0;
+    const reach = Math.abs(this.shadow.radius * faceWidth) / this.wantedWidth || 0;
+    return 2 ** Math.ceil(Math.log2(Math.max(1, Math.min(FARTHEST * reach + 0.5, LARGEST_BORDER))));
   }
 
   /** Takes a place in the atlas; the map is to be drawn anew. */
@@ -184,8 +206,9 @@ export class ShadowSlot implements AtlasTenant {
     this.faceHeight = faceHeight;
     this.dirty = true;
     this.drawn = false;
-    const width = this.isCube ? faceWidth + 2 * CUBE_BORDER : faceWidth;
-    const height = this.isCube ? faceHeight + 2 * CUBE_BORDER : faceHeight;
+    this.border = this.borderOf(faceWidth);
+    const width = faceWidth + 2 * this.border;
+    const height = faceHeight + 2 * this.border;
     this.faces.forEach((face, i) => {
       const columns = this.isCube ? 3 : this.side;
       face.x = tile.x + (i % columns) * width;

@@ -1,6 +1,6 @@
 import { WebGLRenderTarget } from 'three';
 import { describe, expect, test } from 'vitest';
-import { type AtlasTenant, CUBE_BORDER, TileAtlas } from './TileAtlas';
+import { type AtlasTenant, TileAtlas } from './TileAtlas';
 import type { Tile } from './TilePacker';
 
 class Tenant implements AtlasTenant {
@@ -11,6 +11,7 @@ class Tenant implements AtlasTenant {
   halved = 0;
   drawn = false;
   placed = 0;
+  border = 1;
 
   constructor(
     readonly wantedWidth: number,
@@ -20,6 +21,10 @@ class Tenant implements AtlasTenant {
 
   get wantedHeight(): number {
     return this.wantedWidth;
+  }
+
+  borderOf(): number {
+    return this.isCube ? this.border : 0;
   }
 
   place(tile: Tile, faceWidth: number, faceHeight: number): void {
@@ -48,11 +53,25 @@ describe('TileAtlas', () => {
     atlas.arrange(tenants, [], true);
     for (const tenant of tenants) {
       expect([tenant.faceWidth, tenant.faceHeight]).toEqual([tenant.wantedWidth, tenant.wantedWidth]);
-      const border = tenant.isCube ? 2 * CUBE_BORDER : 0;
+      const border = tenant.isCube ? 2 * tenant.border : 0;
       expect(tenant.tile!.width).toBe((tenant.wantedWidth + border) * (tenant.isCube ? 3 : 1));
     }
     expectApart(tenants, atlas.target!.width);
     expect(atlas.target!.width).toBeLessThanOrEqual(2048);
+  });
+
+  test('a cube whose border changes is placed anew, once, with room for it', () => {
+    const atlas = atlasOf(2048);
+    const tenants = [new Tenant(128, true), new Tenant(128, true), new Tenant(100)];
+    atlas.arrange(tenants, [], true);
+    tenants[0].border = 4;
+    atlas.arrange(tenants, [], true);
+    const placed = tenants.map((tenant) => tenant.placed);
+    expect(placed[0]).toBeGreaterThan(1);
+    atlas.arrange(tenants, [], true);
+    expect(tenants.map((tenant) => tenant.placed)).toEqual(placed);
+    expect(tenants[0].tile).toMatchObject({ width: 3 * 136, height: 2 * 136 });
+    expectApart(tenants, atlas.target!.width);
   });
 
   test('nothing moves while nothing changes, and one that comes or goes leaves the others where they are', () => {

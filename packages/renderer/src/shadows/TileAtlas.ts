@@ -1,12 +1,11 @@
 import type { Texture, WebGLRenderTarget } from 'three';
 import { TilePacker, type Tile } from './TilePacker';
 
-/** Texels round each face of a cube, from what lies beside it, so that filters cross its edges; as in lightShadow.glsl. */
-export const CUBE_BORDER = 1;
-
 /** What has a tile in an atlas: a map, or the six faces of a cube, three by two, with borders. */
 export interface AtlasTenant {
   readonly isCube: boolean;
+  /** Texels round each face of a cube of this size, from what lies beside it, so that filters cross its edges. */
+  borderOf(faceWidth: number): number;
   /** Maps a side of a square of several; 1 when absent. */
   readonly side?: number;
   /** Texels a side that are asked for. */
@@ -83,7 +82,7 @@ export class TileAtlas {
     for (const tenant of tenants) {
       const width = mapWidth(tenant, this.limit);
       const height = mapHeight(tenant, this.limit);
-      if (tenant.tile !== null && tenant.faceWidth === width && tenant.faceHeight === height) continue;
+      if (isPlaced(tenant, width, height)) continue;
       this.release(tenant);
       if (this.tryPlace(tenant, width, height)) continue;
       this.repack(tenants, kept);
@@ -193,6 +192,12 @@ export class TileAtlas {
   }
 }
 
+/** True when a tenant has a tile for faces of this size, with the border that it needs now. */
+function isPlaced(tenant: AtlasTenant, width: number, height: number): boolean {
+  const { tile, faceWidth, faceHeight } = tenant;
+  return tile !== null && faceWidth === width && faceHeight === height && tile.width === blockWidth(tenant, width);
+}
+
 function mapWidth(tenant: AtlasTenant, limit: number): number {
   return sideOf(tenant.wantedWidth, tenant, limit);
 }
@@ -203,16 +208,19 @@ function mapHeight(tenant: AtlasTenant, limit: number): number {
 
 /** Texels a side of a face: as the light asks, but no more than fit alone, halved as there is need. */
 function sideOf(wanted: number, tenant: AtlasTenant, limit: number): number {
-  const most = tenant.isCube ? Math.floor(limit / 3) - 2 * CUBE_BORDER : Math.floor(limit / (tenant.side ?? 1));
+  const third = Math.floor(limit / 3);
+  const most = tenant.isCube
+    ? third - 2 * tenant.borderOf(Math.min(wanted, third))
+    : Math.floor(limit / (tenant.side ?? 1));
   return Math.max(1, Math.min(wanted, most) >> tenant.halvings);
 }
 
 function blockWidth(tenant: AtlasTenant, face: number): number {
-  return tenant.isCube ? 3 * (face + 2 * CUBE_BORDER) : face * (tenant.side ?? 1);
+  return tenant.isCube ? 3 * (face + 2 * tenant.borderOf(face)) : face * (tenant.side ?? 1);
 }
 
 function blockHeight(tenant: AtlasTenant, face: number): number {
-  return tenant.isCube ? 2 * (face + 2 * CUBE_BORDER) : face * (tenant.side ?? 1);
+  return tenant.isCube ? 2 * (face + 2 * tenant.borderOf(face)) : face * (tenant.side ?? 1);
 }
 
 function areaOf(tenant: AtlasTenant, limit: number): number {

@@ -2,4 +2,5 @@
 // Farol
 #include "lightShadow"
 #define FAROL_HAS_MASKS
-#define FAROL_MASKED(color, mask, toLight, positionVS, shadowNormalVS, receives) ((mask) > 0 ? (color) * farol_lightMask(mask, toLight, positionVS, shadowNormalVS, receives) : (color))
+#define FAROL_MASK farol_lightMask
+#define FAROL_MASKED(color, mask, toLight, positionVS, shadowNormalVS, receives) ((mask) > 0 ? (color) * FAROL_MASK(mask, toLight, positionVS, shadowNormalVS, receives) : (color))

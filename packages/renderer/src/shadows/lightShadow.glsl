@@ -21,12 +21,12 @@ vec3 farol_cubeFace(const in vec3 direction) {
   return vec3(vec2(-side.z * direction.x, direction.y) / size.z * 0.5 + 0.5, 4.5 - 0.5 * side.z);
 }
 
-// texels of an atlas; tile: corner of the first face, texels a side of a face without its border of one texel
-vec2 farol_cubeTexel(const in vec3 tile, const in vec3 face, const in bool nearest) {
+// texels of an atlas; tile: corner of the first face, texels a side of a face without its border; border: texels
+vec2 farol_cubeTexel(const in vec3 tile, const in float border, const in vec3 face, const in bool nearest) {
   vec2 cell = vec2(mod(face.z, 3.0), floor(face.z / 3.0 + 0.01));
   vec2 texel = face.xy * tile.z;
   if (nearest) texel = min(floor(texel), tile.z - 1.0) + 0.5;
-  return tile.xy + cell * (tile.z + 2.0) + 1.0 + texel;
+  return tile.xy + cell * (tile.z + 2.0 * border) + border + texel;
 }
 
 float farol_shadowTap(const in vec2 texel, const in float depth) {
@@ -39,126 +39,92 @@ vec2 farol_diskTurn() {
   return vec2(cos(angle), sin(angle));
 }
 
-// tile: corner and size (texels); coord: across the map 0..1, and depth; reach: radius of the filter, as part of the map
-float farol_mapShadow(const in int kind, const in vec4 tile, const in vec3 coord, const in vec2 reach) {
-  vec2 texel = tile.xy + coord.xy * tile.zw;
-  vec2 first = tile.xy + 0.5;
-  vec2 last = tile.xy + tile.zw - 0.5;
-#ifdef FAROL_BASIC_SHADOWS
-  if (kind == 1) return farol_shadowTap(clamp(floor(texel) + 0.5, first, last), coord.z);
+// The samples of a disk: where its middle is in the atlas (0..1), with the depth there; how both change along the disk's axes.
+struct FarolDisk {
+  vec3 middle;
+  vec3 alongX;
+  vec3 alongY;
+  vec4 bounds; // least and most x and y of samples
+};
+
+// one way for all, without branches, so that lighting goes on while the samples come
+float farol_diskShadow(const in FarolDisk disk) {
+  float lit = 0.0;
+  for (int i = 0; i < 5; i++) {
+    vec3 at = disk.middle + FAROL_DISK[i].x * disk.alongX + FAROL_DISK[i].y * disk.alongY;
+#ifdef FAROL_SHADOW_MAPS
+    at.xy = clamp(at.xy, disk.bounds.xy, disk.bounds.zw);
 #endif
-#ifdef FAROL_PCF_SHADOWS
-  if (kind == 2) {
-    vec2 size = 1.0 / vec2(textureSize(farol_shadowAtlas, 0));
-    texel *= size;
-    first *= size;
-    last *= size;
-    vec2 turn = farol_diskTurn();
-    vec2 radius = reach * tile.zw * size;
-    vec2 turnedX = turn * radius;
-    vec2 turnedY = vec2(-turn.y, turn.x) * radius;
-    float lit = 0.0;
-    for (int i = 0; i < 5; i++) {
-      vec2 at = clamp(texel + FAROL_DISK[i].x * turnedX + FAROL_DISK[i].y * turnedY, first, last);
-      lit += textureLod(farol_shadowAtlas, vec3(at, coord.z), 0.0);
-    }
-    return lit * 0.2;
+    lit += textureLod(farol_shadowAtlas, at, 0.0);
   }
-#endif
-#ifdef FAROL_VARIANCE_SHADOWS
-  vec2 moments = textureLod(farol_lightAtlas, clamp(texel, first, last) / vec2(textureSize(farol_lightAtlas, 0)), 0.0).rg;
-  if (coord.z <= moments.x) return 1.0;
-  float variance = max(moments.y * moments.y, 0.0000001);
-  float beyond = coord.z - moments.x;
-  return clamp((variance / (variance + beyond * beyond) - 0.3) / 0.65, 0.0, 1.0);
-#else
-  return 1.0;
-#endif
+  return lit * 0.2;
 }
 
-// the same in the first map that holds the place, of a directional light that has nearer maps, two a row
-float farol_cascadeShadow(const in int record, const in int kind, const in vec4 tile, const in vec3 coord, const in vec2 reach, const in int nearer) {
-  vec3 across = coord;
+// tile: corner and size (texels); coord: across the map 0..1, and depth; reach: radius of the filter, as part of the map
+FarolDisk farol_mapDisk(const in vec4 tile, const in vec3 coord, const in vec2 reach) {
+  vec2 texel = 1.0 / vec2(textureSize(farol_shadowAtlas, 0));
+  vec2 turn = farol_diskTurn();
+  vec2 radius = reach * tile.zw * texel;
+  return FarolDisk(vec3((tile.xy + coord.xy * tile.zw) * texel, coord.z), vec3(turn * radius, 0.0), vec3(vec2(-turn.y, turn.x) * radius, 0.0),
+    vec4(tile.xy + 0.5, tile.xy + tile.zw - 0.5) * texel.xyxy);
+}
+
+// of the first map that holds the place, of a directional light that has nearer maps, two a row
+vec4 farol_cascadeTile(const in int record, const in vec4 tile, inout vec3 coord, const in int nearer) {
   int map = nearer;
 #ifdef FAROL_SHADOW_CASCADES
   for (int i = 0; i < nearer; i++) {
     vec4 fit = farol_lightTexel(record + 2, i == 2 ? 0 : i + 2);
     vec2 there = coord.xy * fit.xz + fit.yw;
     if (max(abs(there.x - 0.5), abs(there.y - 0.5)) > 0.48) continue;
-    across.xy = there;
+    coord.xy = there;
     map = i;
     break;
   }
 #endif
-  return farol_mapShadow(kind, vec4(tile.xy + vec2(map & 1, map >> 1) * tile.zw, tile.zw), across, reach);
+  return vec4(tile.xy + vec2(map & 1, map >> 1) * tile.zw, tile.zw);
 }
 
-// a vector in world axes as a face of a cube has it: x and y across, z along its axis, for that which a direction of these sizes and sides meets
-vec3 farol_acrossFace(const in vec3 v, const in vec3 size, const in vec3 side) {
-  if (size.x >= size.y && size.x >= size.z) return vec3(side.x * v.z, v.y, side.x * v.x);
-  if (size.y >= size.z) return vec3(side.y * v.x, v.z, side.y * v.y);
-  return vec3(-side.z * v.x, v.y, side.z * v.z);
+float farol_varianceShadow(const in vec4 tile, const in vec3 coord) {
+  vec2 texel = clamp(tile.xy + coord.xy * tile.zw, tile.xy + 0.5, tile.xy + tile.zw - 0.5);
+  vec2 moments = textureLod(farol_lightAtlas, texel / vec2(textureSize(farol_lightAtlas, 0)), 0.0).rg;
+  if (coord.z <= moments.x) return 1.0;
+  float variance = max(moments.y * moments.y, 0.0000001);
+  float beyond = coord.z - moments.x;
+  return clamp((variance / (variance + beyond * beyond) - 0.3) / 0.65, 0.0, 1.0);
 }
 
-// the samples of a disk round a direction, each in the face that it meets
-float farol_cubeDisk(const in vec3 tile, const in vec3 direction, const in vec3 turnedX, const in vec3 turnedY, const in vec2 depths) {
-  float lit = 0.0;
-  for (int i = 0; i < 5; i++) {
-    vec3 towards = direction + FAROL_DISK[i].x * turnedX + FAROL_DISK[i].y * turnedY;
-    vec3 size = abs(towards);
-    float depth = depths.x + depths.y / max(max(size.x, size.y), size.z);
-    lit += farol_shadowTap(farol_cubeTexel(tile, farol_cubeFace(towards), false), depth);
-  }
-  return lit;
-}
-
-// the same where all of them meet one face
-float farol_faceDisk(const in vec3 tile, const in float cell, const in vec3 direction, const in vec3 turnedX, const in vec3 turnedY, const in vec2 depths) {
-  vec2 texel = 1.0 / vec2(textureSize(farol_shadowAtlas, 0));
-  vec2 cellOf = vec2(mod(cell, 3.0), floor(cell / 3.0 + 0.01));
-  vec2 centre = (tile.xy + (cellOf + 0.5) * (tile.z + 2.0)) * texel;
-  vec2 halfSize = 0.5 * tile.z * texel;
-  float lit = 0.0;
-  for (int i = 0; i < 5; i++) {
-    vec3 towards = direction + FAROL_DISK[i].x * turnedX + FAROL_DISK[i].y * turnedY;
-    vec3 scaled = vec3(halfSize * towards.xy, depths.y) / towards.z;
-    lit += textureLod(farol_shadowAtlas, vec3(centre, depths.x) + scaled, 0.0);
-  }
-  return lit;
-}
-
+// Three's disk at right angles to the direction, in the plane of the face that it meets, to first order. With (p, q) where the
+// direction meets the face (-1..1), l² = 1 + p² + q² and the disk's tangent t and bitangent b as three has them, the plane is met
+// at (p, q) + l (t.xy - (p, q) t.z) and likewise for b. What lies beyond the face is in its border.
 // depths: a and b of a face's depth a + b / distance along its axis; reach: radius of the filter, as part of a face
-float farol_cubeShadow(const in int kind, const in vec3 tile, const in vec3 fromLight, const in vec2 depths, const in float reach) {
+FarolDisk farol_cubeDisk(const in vec3 tile, const in float border, const in vec3 fromLight, const in vec2 depths, const in float reach) {
   vec3 size = abs(fromLight);
-  float along = max(max(size.x, size.y), size.z);
-  float depthAlong = depths.x + depths.y / along;
-  if (depthAlong < 0.0 || depthAlong > 1.0) return 1.0; // before the nearest or beyond the farthest
-#ifdef FAROL_BASIC_SHADOWS
-  if (kind == 3) return farol_shadowTap(farol_cubeTexel(tile, farol_cubeFace(fromLight), true), depthAlong);
-#endif
-#ifdef FAROL_PCF_SHADOWS
-  float scale = inversesqrt(dot(fromLight, fromLight));
-  vec3 direction = fromLight * scale;
-  size *= scale;
-  vec2 faceDepths = vec2(depths.x, depths.y * scale);
-  vec3 tangent = size.x > size.z ? vec3(-direction.z, 0.0, direction.x) : vec3(0.0, direction.z, -direction.y);
-  tangent *= inversesqrt(dot(tangent, tangent));
-  vec3 bitangent = cross(direction, tangent);
-  vec2 turn = farol_diskTurn() * reach;
-  vec3 turnedX = tangent * turn.x + bitangent * turn.y;
-  vec3 turnedY = bitangent * turn.x - tangent * turn.y;
-  along *= scale;
-  float second = size.x + size.y + size.z - along - min(min(size.x, size.y), size.z);
-  if (second + 2.0 * reach > along) return farol_cubeDisk(tile, direction, turnedX, turnedY, faceDepths) * 0.2;
-  vec3 side = vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0, direction.z < 0.0 ? -1.0 : 1.0);
+  vec3 side = vec3(fromLight.x < 0.0 ? -1.0 : 1.0, fromLight.y < 0.0 ? -1.0 : 1.0, fromLight.z < 0.0 ? -1.0 : 1.0);
+  bool byX = size.x > size.z; // three's tangent is at right angles to y then, else to x
   bool isX = size.x >= size.y && size.x >= size.z;
-  bool isY = size.y >= size.z;
-  float cell = isX ? 0.5 - 0.5 * side.x : isY ? 2.5 - 0.5 * side.y : 4.5 - 0.5 * side.z;
-  return 0.2 * farol_faceDisk(tile, cell, farol_acrossFace(direction, size, side), farol_acrossFace(turnedX, size, side),
-    farol_acrossFace(turnedY, size, side), faceDepths);
-#else
-  return 1.0;
-#endif
+  bool isY = size.y >= size.z && !isX;
+  float face = isX ? 0.5 - 0.5 * side.x : isY ? 2.5 - 0.5 * side.y : 4.5 - 0.5 * side.z;
+  float away = 1.0 / (isX ? size.x : isY ? size.y : size.z);
+  vec2 p = (isX ? vec2(side.x * fromLight.z, fromLight.y) : isY ? vec2(side.y * fromLight.x, fromLight.z) : vec2(-side.z * fromLight.x, fromLight.y)) * away;
+  vec2 pp = p * p;
+  float lengthSquared = 1.0 + pp.x + pp.y;
+  float depth = depths.y * away;
+  bool isRound = isY && byX;
+  float tangentSquared = max(isRound ? pp.x + pp.y : 1.0 + (isX ? pp.x : pp.y), 1e-20);
+  float across = p.x * p.y;
+  vec3 tangent = isRound ? vec3(-p.y, p.x, 0.0) : isX ? vec3(tangentSquared, across, depth * p.x) : vec3(across, tangentSquared, depth * p.y);
+  vec3 bitangent = isRound ? vec3(lengthSquared * p, depth * tangentSquared) : isX ? vec3(0.0, -lengthSquared, -depth * p.y) : vec3(lengthSquared, 0.0, depth * p.x);
+  float scale = inversesqrt(tangentSquared) * (isX ? reach : isY ? (byX ? side.y : -side.y) * reach : side.z * reach);
+  tangent *= scale * sqrt(lengthSquared);
+  bitangent *= scale;
+  vec2 turn = farol_diskTurn();
+  vec2 texel = 1.0 / vec2(textureSize(farol_shadowAtlas, 0));
+  vec3 unit = vec3(0.5 * tile.z * texel, 1.0);
+  float row = face >= 3.0 ? 1.0 : 0.0;
+  vec2 centre = (tile.xy + (vec2(face - 3.0 * row, row) + 0.5) * (tile.z + 2.0 * border)) * texel;
+  return FarolDisk(vec3(centre, depths.x) + vec3(p, depth) * unit, (tangent * turn.x + bitangent * turn.y) * unit, (bitangent * turn.x - tangent * turn.y) * unit,
+    vec4(0.0, 0.0, 1.0, 1.0));
 }
 
 // What a mask has beside where a point is: few texels, since they are fetched by every pixel for every light.
@@ -167,6 +133,7 @@ struct FarolMask {
   float cookie; // 0 none, 1 a map, 2 a cube
   bool extended; // the sixth texel counts
   vec3 tile; // corner, width (texels)
+  float border; // round a face of a cube (texels)
   float normalBias; // m
   vec4 filtering; // of a map: bias, reach across and down; of a cube: its depths, reach; intensity
 };
@@ -174,7 +141,7 @@ struct FarolMask {
 FarolMask farol_readMask(const in int record) {
   vec4 place = farol_lightTexel(record + 1, 0);
   int bits = int(place.z);
-  return FarolMask(bits >> 15 & 7, float(bits >> 18 & 3), (bits & 1 << 20) != 0, vec3(place.xy, bits & 32767), place.w, farol_lightTexel(record + 1, 1));
+  return FarolMask(bits >> 15 & 7, float(bits >> 18 & 3), (bits & 1 << 20) != 0, vec3(place.xy, bits & 32767), float(1 << (bits >> 21)), place.w, farol_lightTexel(record + 1, 1));
 }
 
 bool farol_isCube(const in FarolMask mask) {
@@ -194,25 +161,50 @@ vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in vec3
   return mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2), farol_lightTexel(record, 3)) * vec4(positionVS + shift, 1.0);
 }
 
-// 1 in the light, 0 in full shadow
+// 1 in the light, 0 in full shadow; PCF without branches, as far as only kinds of it have been met
 float farol_litAt(const in int record, const in FarolMask mask, const in vec4 coord) {
+#ifdef FAROL_UNSHADOWED_MASKS
   if (mask.kind == 0) return 1.0;
+#endif
+  bool inside;
   float lit = 1.0;
+  FarolDisk disk;
   if (farol_isCube(mask)) {
 #ifdef FAROL_SHADOW_CUBES
-    lit = farol_cubeShadow(mask.kind, mask.tile, coord.xyz, mask.filtering.xy, mask.filtering.z);
+    float depth = mask.filtering.x + mask.filtering.y / max(max(abs(coord.x), abs(coord.y)), abs(coord.z));
+    inside = depth >= 0.0 && depth <= 1.0; // neither before the nearest nor beyond the farthest
+#ifdef FAROL_BASIC_SHADOWS
+    if (mask.kind == 3) lit = farol_shadowTap(farol_cubeTexel(mask.tile, mask.border, farol_cubeFace(coord.xyz), true), depth);
+#endif
+#ifdef FAROL_PCF_SHADOWS
+    disk = farol_cubeDisk(mask.tile, mask.border, coord.xyz, mask.filtering.xy, mask.filtering.z);
+#endif
 #endif
   } else {
 #ifdef FAROL_SHADOW_MAPS
     vec3 across = coord.xyz / coord.w + vec3(0.0, 0.0, mask.filtering.x);
-    bool inside = all(greaterThanEqual(across.xy, vec2(0.0))) && all(lessThanEqual(across, vec3(1.0)));
-    if (inside) {
-      vec2 more = mask.extended ? farol_lightTexel(record + 1, 2).xy : vec2(mask.tile.z, 0.0); // height, nearer maps
-      lit = farol_cascadeShadow(record, mask.kind, vec4(mask.tile, more.x), across, mask.filtering.yz, int(more.y));
-    }
+    inside = all(greaterThanEqual(across.xy, vec2(0.0))) && all(lessThanEqual(across, vec3(1.0)));
+    vec2 more = vec2(mask.tile.z, 0.0);
+    if (mask.extended) more = farol_lightTexel(record + 1, 2).xy; // height, nearer maps
+    vec4 tile = farol_cascadeTile(record, vec4(mask.tile, more.x), across, int(more.y));
+#ifdef FAROL_BASIC_SHADOWS
+    if (mask.kind == 1) lit = farol_shadowTap(clamp(floor(tile.xy + across.xy * tile.zw) + 0.5, tile.xy + 0.5, tile.xy + tile.zw - 0.5), across.z);
+#endif
+#ifdef FAROL_VARIANCE_SHADOWS
+    if (mask.kind == 5) lit = farol_varianceShadow(tile, across);
+#endif
+#ifdef FAROL_PCF_SHADOWS
+    disk = farol_mapDisk(tile, across, mask.filtering.yz);
+#endif
 #endif
   }
-  return mix(1.0, lit, mask.filtering.w);
+#ifdef FAROL_PCF_SHADOWS
+#if defined( FAROL_BASIC_SHADOWS ) || defined( FAROL_VARIANCE_SHADOWS )
+  if (mask.kind == 2 || mask.kind == 4)
+#endif
+  lit = farol_diskShadow(disk);
+#endif
+  return inside ? mix(1.0, lit, mask.filtering.w) : 1.0;
 }
 
 // of a mask whose light is not at hand
@@ -230,7 +222,7 @@ vec3 farol_cookieAt(const in int record, const in vec4 coord, const in float kin
     vec3 across = coord.xyz / coord.w;
     if (any(greaterThanEqual(abs(across * 2.0 - 1.0), vec3(1.0)))) return vec3(1.0);
     texel = clamp(tile.xy + across.xy * tile.zw, tile.xy + 0.5, tile.xy + tile.zw - 0.5);
-  } else texel = farol_cubeTexel(tile.xyz, farol_cubeFace(coord.xyz), false);
+  } else texel = farol_cubeTexel(tile.xyz, 1.0, farol_cubeFace(coord.xyz), false);
   return textureLod(farol_lightAtlas, texel / vec2(textureSize(farol_lightAtlas, 0)), 0.0).rgb;
 }
 
@@ -242,6 +234,6 @@ vec3 farol_lightMask(const in int record, const in vec3 toLight, const in vec3 p
 #ifdef FAROL_LIGHT_COOKIES
   if (mask.cookie > 0.0) passed = farol_cookieAt(record, coord, mask.cookie);
 #endif
-  if (receives) passed *= farol_litAt(record, mask, coord);
-  return passed;
+  float lit = farol_litAt(record, mask, coord);
+  return receives ? passed * lit : passed;
 }

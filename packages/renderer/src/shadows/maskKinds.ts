@@ -10,6 +10,7 @@ export const maskKinds = {
   pcf: 16,
   variance: 32,
   cookies: 64,
+  unshadowed: 128,
 } as const;
 
 const defines: Record<keyof typeof maskKinds, string> = {
@@ -20,6 +21,7 @@ const defines: Record<keyof typeof maskKinds, string> = {
   pcf: 'FAROL_PCF_SHADOWS',
   variance: 'FAROL_VARIANCE_SHADOWS',
   cookies: 'FAROL_LIGHT_COOKIES',
+  unshadowed: 'FAROL_UNSHADOWED_MASKS',
 };
 
 /** What shaders must know for a light. @param type of shadow maps, as `WebGLRenderer.shadowMap.type` has it */
@@ -27,7 +29,7 @@ export function maskKindsOf({ shows, isCube, cascades, cookie }: ShadowSlot, typ
   let kinds: number = isCube ? maskKinds.cubes : maskKinds.maps;
   if (cascades > 0) kinds |= maskKinds.cascades;
   if (cookie !== null) kinds |= maskKinds.cookies;
-  if (!shows) return kinds;
+  if (!shows) return kinds | maskKinds.unshadowed;
   if (type === VSMShadowMap) return kinds | maskKinds.variance;
   return kinds | (type === BasicShadowMap ? maskKinds.basic : maskKinds.pcf);
 }

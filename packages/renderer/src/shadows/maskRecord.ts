@@ -9,7 +9,7 @@ import type { ShadowSlot } from './ShadowSlot';
  * | texel | holds |
  * |---|---|
  * | 0–3 | columns of the matrix from view space to the map (0 to 1, depth 0 to 1); of a cube: position of the light in view space (m), 1, and nothing |
- * | 4 | corner of the tile of the shadow map (texels); width of a face, kind of shadow (`shadowKinds`), kind of cookie (0 none, 1 map, 2 cube) and whether texel 6 counts, as bits 0–14, 15–17, 18–19 and 20; normal bias (m) |
+ * | 4 | corner of the tile of the shadow map (texels); width of a face, kind of shadow (`shadowKinds`), kind of cookie (0 none, 1 map, 2 cube), whether texel 6 counts and the power of two of a cube's border, as bits 0–14, 15–17, 18–19, 20 and 21–23; normal bias (m) |
  * | 5 | of a map: bias (with the sign of the depth buffer), radius of the filter as part of the width, of the height; of a cube: a and b of depth = a + b / distance along an axis, radius of the filter as part of a face; intensity |
  * | 6 | of a map: its height (texels), how many nearer maps there are; –, – |
  * | 7 | – |
@@ -57,10 +57,11 @@ export function writeMask(
   const height = isCube ? faceWidth : faceHeight;
   const cookieKind = cookie === null || cookie.tile === null ? 0 : cookie.isCube ? 2 : 1;
   const extended = !isCube && (height !== faceWidth || slot.cascades > 0);
-  const bits = packMask(faceWidth, kind, cookieKind, extended);
+  const bits = packMask(faceWidth, kind, cookieKind, extended, slot.border);
   table.set4(at + 16, tile?.x ?? 0, tile?.y ?? 0, bits, kind === shadowKinds.none ? 0 : shadow.normalBias);
   const bias = reversed ? -shadow.bias : shadow.bias;
-  const { radius, mapSize, intensity } = shadow;
+  const { mapSize, intensity } = shadow;
+  const radius = slot.filterRadius;
   const depthRange = far - near;
   if (!isCube) table.set4(at + 20, bias, radius / mapSize.x, radius / mapSize.y, intensity);
   else if (reversed) {
@@ -83,13 +84,13 @@ export function writeMask(
 
 /** Writes the mask of a light that has neither shadow nor cookie, but does not reach all layers. */
 export function writeLayerMask(table: DataTable, record: number, layers: number): void {
-  table.set4(record * FLOATS_PER_RECORD + 16, 0, 0, packMask(0, shadowKinds.none, 0, false), 0);
+  table.set4(record * FLOATS_PER_RECORD + 16, 0, 0, packMask(0, shadowKinds.none, 0, false, 1), 0);
   table.set4(record * FLOATS_PER_RECORD + 20, 0, 0, 0, 0);
   writeLayers(table, record, layers);
 }
 
-function packMask(width: number, kind: number, cookie: number, extended: boolean): number {
-  return width + (kind << 15) + (cookie << 18) + (extended ? 1 << 20 : 0);
+function packMask(width: number, kind: number, cookie: number, extended: boolean, border: number): number {
+  return width + (kind << 15) + (cookie << 18) + (extended ? 1 << 20 : 0) + ((31 - Math.clz32(border | 1)) << 21);
 }
 
 function writeLayers(table: DataTable, record: number, layers: number): void {

@@ -5,7 +5,6 @@ import { CLUSTERS_PER_GROUP, type MergedCasters } from '../merged';
 import { type Caster, findSphere, type ShadowCasters } from '../ShadowCasters';
 import type { ShadowFace } from '../ShadowFace';
 import type { ShadowSlot } from '../ShadowSlot';
-import { CUBE_BORDER } from '../TileAtlas';
 import { cubeFaceParts } from './cubeFaceParts';
 import { mapPart } from './mapPart';
 
@@ -96,10 +95,9 @@ export class SeenReceivers {
         else for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, shift, faces[i].matrix);
       }
     }
-    const border = isCube ? CUBE_BORDER : 0;
     let all = true;
     for (let i = 0; i < faces.length; i++) {
-      setPart(faces[i], i * 4, faceWidth, faceHeight, border, texels);
+      setPart(faces[i], i * 4, faceWidth, faceHeight, slot.border, texels);
       all &&= isWhole(faces[i]);
     }
     return !all;
