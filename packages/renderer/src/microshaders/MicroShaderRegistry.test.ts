@@ -308,6 +308,31 @@ describe('removing', () => {
     expect(() => registry.remove('a')).toThrow(/as it was/);
   });
 
+  it('swaps what was added or is as the parent has it, what is edited once that is taken back', () => {
+    const { registry } = layered();
+    registry.loadGLSL('late', 'float late;');
+    registry.loadGLSL('on', 'float on;');
+    const changes: (readonly string[])[] = [];
+    registry.onChange((names) => changes.push(names));
+    registry.swap('late', 'on');
+    registry.swap('a', 'on');
+    expect(registry.get('late')).toMatchObject({ name: 'late', header: 'float on;' });
+    expect(registry.get('a')).toMatchObject({ name: 'a', header: 'float on;' });
+    expect(changes).toEqual([['late'], ['a', 'b']]);
+    expect(() => registry.remove('late')).toThrow(/as it was/);
+    registry.replace('late', 'float edited;');
+    registry.swap('late', { ...chunk('late'), header: 'float more;' });
+    expect(registry.get('late')!.header).toBe('float edited;');
+    registry.remove('late');
+    expect(registry.get('late')!.header).toBe('float more;');
+    // what is put back as it was is not edited
+    const before = registry.get('a')!;
+    registry.replace('a', 'float edited;');
+    registry.replace('a', before);
+    registry.swap('a', 'late');
+    expect(registry.get('a')!.header).toBe('float more;');
+  });
+
   it('takes out a chunk of its own that nothing needs, and keeps one that is needed', () => {
     const { registry, shader } = layered();
     registry.loadGLSL('own', 'float own;');

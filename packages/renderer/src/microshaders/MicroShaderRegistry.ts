@@ -23,7 +23,9 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   private readonly shaders: ShaderCache<Program>;
   private readonly listeners = new Set<MicroShaderListener>();
   private readonly checks = new Set<MicroShaderListener>();
-  private readonly swapped = new Set<string>();
+  /** What `replace` put others in the place of (undefined: the parent's), and what `swap` put in, by name. */
+  private readonly edited = new Map<string, MicroShader | undefined>();
+  private readonly swapped = new Map<string, MicroShader>();
   private replacements = 0;
   /** Chunk to the number of its last replacement, its own and with its dependencies. */
   private readonly replacedAt = new Map<string, number>();
@@ -153,7 +155,10 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     const chunk = typeof content === 'string' ? parseMicroShader(name, content) : completeMicroShader(content);
     if (chunk.name !== name) throw new Error(`Microshader "${name}" cannot be replaced by one named "${chunk.name}".`);
     dependencyOrder([name], this);
+    const before = this.edited.has(name) ? this.edited.get(name) : this.own.get(name);
     this.put(name, chunk);
+    if (content === (this.swapped.get(name) ?? before)) this.edited.delete(name);
+    else this.edited.set(name, before);
   }
 
   /**
@@ -162,10 +167,13 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
    * @throws Error when there is no such chunk of its own, or another one or a shader needs it
    */
   remove(name: string): void {
-    if (!this.own.has(name)) throw new Error(`Microshader "${name}" is as it was; there is nothing to take back.`);
-    const user = this.original(name) ? undefined : this.usersOf(name).find((other) => other !== name);
+    const before = this.swapped.get(name);
+    if (!this.own.has(name) || (before && !this.edited.has(name)))
+      throw new Error(`Microshader "${name}" is as it was; there is nothing to take back.`);
+    const user = before || this.original(name) ? undefined : this.usersOf(name).find((other) => other !== name);
     if (user) throw new Error(`Microshader "${name}" is needed by "${user}"; change that one first.`);
-    this.put(name, undefined);
+    this.put(name, before);
+    this.edited.delete(name);
   }
 
   /** A chunk and all that depend on it, directly or not. */
@@ -174,14 +182,16 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Puts the content of another chunk, known to be good, in the place of one that nobody has replaced (or that was swapped); what is drawn
-   * with it compiles anew when it is next drawn. No check runs.
+   * Puts the content of another chunk, known to be good, in the place of one, unless that is edited: then once the edit is
+   * taken back. What is drawn with it compiles anew when it is next drawn. No check runs.
    */
   swap(name: string, other: string | MicroShader): void {
     const content = typeof other === 'string' ? this.get(other) : other;
-    if (content === undefined || (this.own.has(name) && !this.swapped.has(name))) return;
-    this.swapped.add(name);
-    this.own.set(name, { ...content, name });
+    if (content === undefined) return;
+    const chunk = { ...content, name };
+    this.swapped.set(name, chunk);
+    if (this.edited.has(name)) return;
+    this.own.set(name, chunk);
     const affected = this.names().filter((used) => this.withDependencies([used]).has(name));
     this.replacedAt.set(name, ++this.replacements);
     this.revisions.clear();

@@ -21,7 +21,7 @@ import { CookieSlot } from './CookieSlot';
 import { depthTarget } from './depthTarget';
 import { lightCoverage } from './lightCoverage';
 import { RECORDS_PER_MASK, shadowKinds, writeLayerMask, writeMask } from './maskRecord';
-import { maskKinds, maskKindsChunk, maskKindsOf } from './maskKinds';
+import { maskKinds, maskKindsChunk, maskKindsOf, maskLoopOf } from './maskKinds';
 import type { MaskUniforms } from './maskUniforms';
 import { MomentDraws } from './MomentDraws';
 import { ShadowCasters } from './ShadowCasters';
@@ -335,11 +335,10 @@ export class ShadowMaps implements LightMasks {
       const masked = slot.shows || slot.cookie !== null || this.layers.separates(slot.light);
       slot.record = masked ? this.records : -1;
       if (slot.record >= 0) this.records += RECORDS_PER_MASK;
-      if (slot.shows || slot.cookie !== null) this.neededKinds |= maskKindsOf(slot, this.type);
-      else if (masked) this.neededKinds |= maskKinds.unshadowed;
+      if (masked) this.neededKinds |= maskKindsOf(slot, this.type);
     }
-    if (this.layered.size > 0) this.neededKinds |= maskKinds.unshadowed;
     for (const light of this.layered.keys()) {
+      this.neededKinds |= maskKinds.unshadowed | maskLoopOf(light);
       this.layered.set(light, this.records);
       this.records += RECORDS_PER_MASK;
     }

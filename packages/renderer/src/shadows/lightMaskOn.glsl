@@ -3,4 +3,4 @@
 #include "lightShadow"
 #define FAROL_HAS_MASKS
 #define FAROL_MASK farol_lightMask
-#define FAROL_MASKED(color, mask, toLight, positionVS, shadowNormalVS, receives) ((mask) > 0 ? (color) * FAROL_MASK(mask, toLight, positionVS, shadowNormalVS, receives) : (color))
+#define FAROL_MASKED(color, mask, toLight, positionVS, shadowNormalVS, receives) ((mask) > 0 ? (color) * FAROL_MASK(mask, false, toLight, positionVS, shadowNormalVS, receives) : (color))

@@ -144,7 +144,9 @@ FarolMask farol_readMask(const in int record) {
   return FarolMask(bits >> 15 & 7, float(bits >> 18 & 3), (bits & 1 << 20) != 0, vec3(place.xy, bits & 32767), float(1 << (bits >> 21)), place.w, farol_lightTexel(record + 1, 1));
 }
 
-bool farol_isCube(const in FarolMask mask) {
+// isPoint: that is known
+bool farol_isCube(const in FarolMask mask, const in bool isPoint) {
+  if (isPoint) return true;
 #if defined( FAROL_SHADOW_CUBES ) && defined( FAROL_SHADOW_MAPS )
   return mask.kind == 3 || mask.kind == 4 || mask.cookie == 2.0;
 #elif defined( FAROL_SHADOW_CUBES )
@@ -155,21 +157,21 @@ bool farol_isCube(const in FarolMask mask) {
 }
 
 // where a point is in a map (homogeneous, 0..1), or from a point light (m, world axes); toLight: from it to the light (m)
-vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in vec3 toLight, const in vec3 positionVS, const in vec3 shadowNormalVS) {
+vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS, const in vec3 shadowNormalVS) {
   vec3 shift = shadowNormalVS * mask.normalBias;
-  if (farol_isCube(mask)) return vec4(farol_worldAxes * (shift - toLight), 1.0);
+  if (farol_isCube(mask, isPoint)) return vec4(farol_worldAxes * (shift - toLight), 1.0);
   return mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2), farol_lightTexel(record, 3)) * vec4(positionVS + shift, 1.0);
 }
 
 // 1 in the light, 0 in full shadow; PCF without branches, as far as only kinds of it have been met
-float farol_litAt(const in int record, const in FarolMask mask, const in vec4 coord) {
+float farol_litAt(const in int record, const in FarolMask mask, const in bool isPoint, const in vec4 coord) {
 #ifdef FAROL_UNSHADOWED_MASKS
   if (mask.kind == 0) return 1.0;
 #endif
   bool inside;
   float lit = 1.0;
   FarolDisk disk;
-  if (farol_isCube(mask)) {
+  if (farol_isCube(mask, isPoint)) {
 #ifdef FAROL_SHADOW_CUBES
     float depth = mask.filtering.x + mask.filtering.y / max(max(abs(coord.x), abs(coord.y)), abs(coord.z));
     inside = depth >= 0.0 && depth <= 1.0; // neither before the nearest nor beyond the farthest
@@ -211,7 +213,7 @@ float farol_litAt(const in int record, const in FarolMask mask, const in vec4 co
 float farol_lightLit(const in int record, const in vec3 positionVS, const in vec3 shadowNormalVS) {
   FarolMask mask = farol_readMask(record);
   vec3 toLight = farol_lightTexel(record, 0).xyz - positionVS;
-  return farol_litAt(record, mask, farol_maskCoord(record, mask, toLight, positionVS, shadowNormalVS));
+  return farol_litAt(record, mask, false, farol_maskCoord(record, mask, false, toLight, positionVS, shadowNormalVS));
 }
 
 // what the image of a light has there; kind: 1 a map, 2 a cube
@@ -226,14 +228,15 @@ vec3 farol_cookieAt(const in int record, const in vec4 coord, const in float kin
   return textureLod(farol_lightAtlas, texel / vec2(textureSize(farol_lightAtlas, 0)), 0.0).rgb;
 }
 
-// how much of the light a mask lets through to a point, by colour; receives: false where shadows do not count
-vec3 farol_lightMask(const in int record, const in vec3 toLight, const in vec3 positionVS, const in vec3 shadowNormalVS, const in bool receives) {
+// how much of the light a mask lets through to a point, by colour; isPoint: a point light's, for certain; receives: false where
+// shadows do not count
+vec3 farol_lightMask(const in int record, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS, const in vec3 shadowNormalVS, const in bool receives) {
   FarolMask mask = farol_readMask(record);
-  vec4 coord = farol_maskCoord(record, mask, toLight, positionVS, shadowNormalVS);
+  vec4 coord = farol_maskCoord(record, mask, isPoint, toLight, positionVS, shadowNormalVS);
   vec3 passed = vec3(1.0);
 #ifdef FAROL_LIGHT_COOKIES
   if (mask.cookie > 0.0) passed = farol_cookieAt(record, coord, mask.cookie);
 #endif
-  float lit = farol_litAt(record, mask, coord);
+  float lit = farol_litAt(record, mask, isPoint, coord);
   return receives ? passed * lit : passed;
 }

@@ -1,4 +1,4 @@
-// Which kinds of shadow maps and cookies shaders have code for: all of them here, but only those that have been met once lights have masks.
+// Which kinds of shadow maps and cookies shaders have code for, and of which lights: all of them here, but only those that have been met once lights have masks.
 // Farol
 #define FAROL_SHADOW_MAPS
 #define FAROL_SHADOW_CUBES
@@ -8,3 +8,6 @@
 #define FAROL_VARIANCE_SHADOWS
 #define FAROL_LIGHT_COOKIES
 #define FAROL_UNSHADOWED_MASKS
+#define FAROL_UNBOUNDED_MASKS
+#define FAROL_BOUNDED_MASKS
+#define FAROL_POINT_MASKS

@@ -1,4 +1,5 @@
-import { BasicShadowMap, VSMShadowMap } from 'three';
+import { BasicShadowMap, type Light, type PointLight, VSMShadowMap } from 'three';
+import { lightRange } from '../lights/lightRange';
 import type { ShadowSlot } from './ShadowSlot';
 
 /** Bits of what shaders can know of masks, and the definition of each in maskKinds.glsl. */
@@ -11,6 +12,9 @@ export const maskKinds = {
   variance: 32,
   cookies: 64,
   unshadowed: 128,
+  unbounded: 256,
+  bounded: 512,
+  point: 1024,
 } as const;
 
 const defines: Record<keyof typeof maskKinds, string> = {
@@ -22,11 +26,23 @@ const defines: Record<keyof typeof maskKinds, string> = {
   variance: 'FAROL_VARIANCE_SHADOWS',
   cookies: 'FAROL_LIGHT_COOKIES',
   unshadowed: 'FAROL_UNSHADOWED_MASKS',
+  unbounded: 'FAROL_UNBOUNDED_MASKS',
+  bounded: 'FAROL_BOUNDED_MASKS',
+  point: 'FAROL_POINT_MASKS',
 };
 
+/** Which loop over lights must know of the mask of one; as in shading.glsl. */
+export function maskLoopOf(light: Light): number {
+  const point = light as PointLight & { isDirectionalLight?: boolean };
+  if (point.isDirectionalLight === true || !(lightRange(point) > 0)) return maskKinds.unbounded;
+  return point.isPointLight && point.userData.farol === undefined ? maskKinds.point : maskKinds.bounded;
+}
+
 /** What shaders must know for a light. @param type of shadow maps, as `WebGLRenderer.shadowMap.type` has it */
-export function maskKindsOf({ shows, isCube, cascades, cookie }: ShadowSlot, type: number): number {
-  let kinds: number = isCube ? maskKinds.cubes : maskKinds.maps;
+export function maskKindsOf({ shows, isCube, cascades, cookie, light }: ShadowSlot, type: number): number {
+  let kinds = maskLoopOf(light);
+  if (!shows && cookie === null) return kinds | maskKinds.unshadowed;
+  kinds |= isCube ? maskKinds.cubes : maskKinds.maps;
   if (cascades > 0) kinds |= maskKinds.cascades;
   if (cookie !== null) kinds |= maskKinds.cookies;
   if (!shows) return kinds | maskKinds.unshadowed;

@@ -85,10 +85,10 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
     s.diffuse += farol_lightTexel(light.extension, 2).rgb * light.attenuation;
   }
   if (dot(s.normalVS, light.direction) <= 0.0) return; // masks cost more than the light
-#ifdef FAROL_HAS_MASKS
+#ifdef FAROL_UNBOUNDED_MASKS
   // a call of its own, so that nothing has to wait for the shadow before it is needed
   if (light.mask > 0) {
-    vec3 color = light.color * FAROL_MASK(light.mask, light.direction * light.distance, FAROL_LOOKUP_OF(s));
+    vec3 color = light.color * FAROL_MASK(light.mask, false, light.direction * light.distance, FAROL_LOOKUP_OF(s));
     farol_addLight(s, light.direction, color * diffuseScale, color * specularScale);
     return;
   }
@@ -96,20 +96,26 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   farol_addLight(s, light.direction, light.color * diffuseScale, light.color * specularScale);
 }
 
-// a light with a range: point lights of three, most of all lights, take the short way
-void farol_addBounded(inout FarolShading s, const in int record) {
-  vec4 centre = farol_lightTexel(record, 0);
+// a light with a range, its first two texels; point lights of three, most of all lights, take the short way
+void farol_addRead(inout FarolShading s, const in int record, const in vec4 centre, vec4 color) {
   vec3 toLight = centre.xyz - s.positionVS;
   float distanceSquared = dot(toLight, toLight);
   float ratio = distanceSquared / (centre.w * centre.w);
   if (ratio >= 1.0) return;
-  vec4 color = farol_lightTexel(record, 1);
   vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
   float decay = color.w >= 0.0 ? color.w : -1.0 - color.w;
   float attenuation = farol_boundedAttenuation(distanceSquared, ratio, decay);
   vec3 specularScale = vec3(1.0);
   if (color.w < 0.0) {
     vec4 cone = farol_lightTexel(record, 3);
+#ifdef FAROL_POINT_MASKS
+    if (cone.x < -1.0 && cone.w == 0.0) { // a point light of three with a mask
+      if (dot(s.normalVS, direction) <= 0.0) return;
+      color.rgb *= attenuation * FAROL_MASK(int(cone.z), true, toLight, FAROL_LOOKUP_OF(s));
+      farol_addLight(s, direction, color.rgb, color.rgb);
+      return;
+    }
+#endif
     int extension = int(cone.w);
     vec3 ambient = vec3(0.0);
     if (extension > 0) {
@@ -127,9 +133,9 @@ void farol_addBounded(inout FarolShading s, const in int record) {
     if (attenuation <= 0.0) return;
     s.diffuse += ambient * attenuation;
     if (dot(s.normalVS, direction) <= 0.0) return;
-#ifdef FAROL_HAS_MASKS
+#ifdef FAROL_BOUNDED_MASKS
     if (cone.z > 0.0) {
-      color.rgb *= attenuation * FAROL_MASK(int(cone.z), toLight, FAROL_LOOKUP_OF(s));
+      color.rgb *= attenuation * FAROL_MASK(int(cone.z), false, toLight, FAROL_LOOKUP_OF(s));
       farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
       return;
     }
@@ -139,9 +145,15 @@ void farol_addBounded(inout FarolShading s, const in int record) {
   farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
 }
 
-// the same, for all but point lights of three
+void farol_addBounded(inout FarolShading s, const in int record) {
+  farol_addRead(s, record, farol_lightTexel(record, 0), farol_lightTexel(record, 1));
+}
+
+// the same, for all but point lights of three; both texels are asked for before either is looked at
 void farol_addOther(inout FarolShading s, const in int record) {
-  if (farol_lightTexel(record, 1).w < 0.0) farol_addBounded(s, record);
+  vec4 centre = farol_lightTexel(record, 0);
+  vec4 color = farol_lightTexel(record, 1);
+  if (color.w < 0.0) farol_addRead(s, record, centre, color);
 }
 
 // a point light of three; others are left out
