@@ -184,8 +184,10 @@ export function isReached(caster: Caster, slot: ShadowSlot): boolean {
   return slot.reaches(x, y, z, radius) && (!hasBox || slot.reachesBox(box));
 }
 
-/** True when a face of the maps may see a caster that is reached. */
-export function isSeen({ x, y, z, radius, hasBox, box }: Caster, { planes }: ShadowFace): boolean {
+/** True when a face of the maps may see a caster that is reached, in the part of it that is drawn. */
+export function isSeen({ x, y, z, radius, hasBox, box }: Caster, face: ShadowFace): boolean {
+  if (face.texels === 0) return false;
   if (radius === Infinity) return true;
+  const planes = face.drawnPlanes;
   return !sphereOutsidePlanes(planes, x, y, z, radius) && !(hasBox && boxOutsidePlanes(planes, box));
 }

@@ -12,6 +12,8 @@ const back = new Vector3();
 export class ShadowFace {
   /** The six planes of its view in world space, as `viewFrustumPlanes` has them. */
   readonly planes = new Float64Array(24);
+  /** The same of the part of it that is drawn. */
+  readonly drawnPlanes = new Float64Array(24);
   /** What it draws in this frame by itself. */
   readonly casters: Caster[] = [];
   private readonly merged: TriangleRuns[] = [];
@@ -49,11 +51,34 @@ export class ShadowFace {
 
   /** Has it draw what can be seen alone, or all. */
   draws(all: boolean): void {
-    const { drawn, part } = this;
+    const { drawn, part, planes, drawnPlanes } = this;
     drawn.left = all ? 0 : part.left;
     drawn.bottom = all ? 0 : part.bottom;
     drawn.right = all ? this.width : part.right;
     drawn.top = all ? this.height : part.top;
+    drawnPlanes.set(planes);
+    if (!all && this.texels > 0) this.narrowPlanes();
+  }
+
+  /** Puts those of what is drawn in the place of the sides' planes. */
+  private narrowPlanes(): void {
+    const { camera, drawn, width, height, drawnPlanes } = this;
+    const e = whole.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
+    for (let i = 0; i < 4; i++) {
+      // a point is within where side * (x - bound * w) >= 0, in clip space
+      const side = i & 1 ? -1 : 1;
+      const row = i >> 1;
+      const texel = row === 0 ? (i & 1 ? drawn.right : drawn.left) : i & 1 ? drawn.top : drawn.bottom;
+      const bound = (texel / (row === 0 ? width : height)) * 2 - 1;
+      const a = side * (e[row] - bound * e[3]);
+      const b = side * (e[row + 4] - bound * e[7]);
+      const c = side * (e[row + 8] - bound * e[11]);
+      const scale = 1 / Math.hypot(a, b, c);
+      drawnPlanes[i * 4] = a * scale;
+      drawnPlanes[i * 4 + 1] = b * scale;
+      drawnPlanes[i * 4 + 2] = c * scale;
+      drawnPlanes[i * 4 + 3] = side * (e[row + 12] - bound * e[15]) * scale;
+    }
   }
 
   clear(): void {

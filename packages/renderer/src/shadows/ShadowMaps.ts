@@ -325,11 +325,7 @@ export class ShadowMaps implements LightMasks {
       if (slot.shows && ((may && (slot.dirty || !slot.drawn)) || (slot.isPartial && !isPart))) {
         this.stale.push(slot);
         this.drawn++;
-        slot.isPartial = isPart;
-        for (const face of slot.faces) {
-          face.draws(!isPart);
-          this.texels += face.texels;
-        }
+        this.texels += slot.draws(isPart);
         this.draws.prepare(slot);
       } else if (slot.shows) this.kept++;
       const masked = slot.shows || slot.cookie !== null || this.layers.separates(slot.light);

@@ -17,6 +17,7 @@ import type { GeometryGroup } from '../../RenderItem';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { PassMaterial } from '../../passes/PassMaterial';
 import { boxOutsidePlanes, squaredDistanceToBox } from '../casterBox';
+import { cubeFacesDrawn } from '../seen/cubeFacesDrawn';
 import { shadowSideOf } from '../CasterMaterials';
 import { moveBox } from '../moveBox';
 import type { Caster, ShadowCasters } from '../ShadowCasters';
@@ -181,12 +182,12 @@ export class MergedCasters {
     caster.waits = -1;
   }
 
-  /** Has each face of a light's map draw the clusters that it sees. */
+  /** Has each face of a light's map draw the clusters that it sees, in the part of it that is drawn. */
   addTo(slot: ShadowSlot, merged: MergedCaster, bothSides: boolean): void {
     this.follow(merged);
     const { caster, boxes, first, geometry, page } = merged;
     const side = seenSide(shadowSideOf((caster.object as Mesh).material as Material, bothSides), merged.isMirrored);
-    const { faces, isCube, widening } = slot;
+    const { faces, isCube, widening, isPartial, drawnFaces, drawnParts } = slot;
     const squaredRange = slot.range * slot.range;
     const e = faces[0].camera.matrixWorld.elements;
     const { groups } = merged;
@@ -196,18 +197,24 @@ export class MergedCasters {
     const last = geometry.index.length;
     for (let group = 0, start = 0; start < last; group += 6, start += CLUSTERS_PER_GROUP * INDICES) {
       if (squaredDistanceToBox(groups, x, y, z, group) > squaredRange) continue;
-      const near = isCube ? cubeFacesOf(groups, group, x, y, z, widening) : 0;
+      let near = drawnFaces;
+      if (isCube) {
+        near &= cubeFacesOf(groups, group, x, y, z, widening);
+        if (isPartial) near = cubeFacesDrawn(near, drawnParts, groups, group, x, y, z);
+        if (near === 0) continue;
+      } else if (!isSeenByAny(faces, groups, group)) continue;
       const isOne = (near & (near - 1)) === 0;
       const end = Math.min(last, start + CLUSTERS_PER_GROUP * INDICES);
       for (let from = start, at = group * CLUSTERS_PER_GROUP; from < end; from += INDICES, at += 6) {
         if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
         const count = Math.min(INDICES, end - from);
         if (isCube) {
-          const seen = isOne ? near : cubeFacesOf(boxes, at, x, y, z, widening);
+          let seen = isOne ? near : near & cubeFacesOf(boxes, at, x, y, z, widening);
+          if (isPartial) seen = cubeFacesDrawn(seen, drawnParts, boxes, at, x, y, z);
           for (let i = 0; i < 6; i++) if ((seen & (1 << i)) !== 0) faces[i].runs(page, side).add(first + from, count);
         } else {
           for (const face of faces) {
-            if (!boxOutsidePlanes(face.planes, boxes, at)) face.runs(page, side).add(first + from, count);
+            if (!boxOutsidePlanes(face.drawnPlanes, boxes, at)) face.runs(page, side).add(first + from, count);
           }
         }
       }
@@ -384,6 +391,12 @@ export class MergedCasters {
     }
     this.gone = this.triangles = 0;
   }
+}
+
+/** True when one of the faces may see some of a box, from index `at` on, in the part of it that is drawn. */
+function isSeenByAny(faces: readonly ShadowFace[], boxes: Float64Array, at: number): boolean {
+  for (const face of faces) if (!boxOutsidePlanes(face.drawnPlanes, boxes, at)) return true;
+  return false;
 }
 
 /** A mirrored object's triangles turn the other way. */
