@@ -23,8 +23,8 @@ export class Bench {
   private madeEnvironment: THREE.Texture | null = null;
 
   constructor(
-    readonly width: number,
-    readonly height: number,
+    public width: number,
+    public height: number,
     { samples = 0, renderer = {}, target = {} }: BenchOptions = {},
   ) {
     this.webgl = new THREE.WebGLRenderer({ antialias: false, ...renderer });
@@ -37,7 +37,15 @@ export class Bench {
     });
   }
 
-  /** An environment map made of a blue room with orange walls; small, since filtering it costs more than what it lights. */
+  /** Draws pictures of another size from now on. */
+  setSize(width: number, height: number): void {
+    this.width = width;
+    this.height = height;
+    this.webgl.setSize(width, height, false);
+    this.target.setSize(width, height);
+  }
+
+  /** An environment map made of a blue room with orange walls; made when first asked for, since filtering it takes seconds. */
   environment(): THREE.Texture {
     return (this.madeEnvironment ??= this.makeEnvironment());
   }

@@ -48,27 +48,25 @@ function check({ technique, flat, difference }: Pair, name: string, hardEdge = f
 }
 
 // Ten techniques on a software rasteriser that other tests share.
-test.describe.configure({ timeout: 180_000 });
-
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
-test('all lit materials and meshes under 24 lights of mixed kinds, with an environment', async ({ page }) => {
-  for (const pair of await drawAll(page, {}, true)) check(pair, 'mixed');
-  for (const pair of await drawAll(page, { onlyDeferred: true }, true)) check(pair, 'only what a G-buffer holds');
-});
-
-test('fog', async ({ page }) => {
-  for (const pair of await drawAll(page, { fog: true }, false)) check(pair, 'fog');
-});
+test.describe.configure({ timeout: 480_000 });
 
 const mixes: LightMix[] = ['point', 'spot', 'directional', 'hemisphere', 'unbounded'];
 
-test('lights of one kind; an orthographic camera', async ({ page }) => {
-  for (const mix of mixes) for (const pair of await drawAll(page, { mix }, false)) check(pair, mix);
-  for (const pair of await drawAll(page, { orthographic: true }, false)) check(pair, 'orthographic');
-  // only the edge may differ where a position is rebuilt
-  for (const pair of await drawAll(page, { mix: 'spot', penumbra: 0 }, false)) check(pair, 'hard edges', true);
+// one page: what its scenes have in common is compiled once
+test('all lit materials and meshes, as in stock three', async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+  await test.step('under 24 lights of mixed kinds, with an environment', async () => {
+    for (const pair of await drawAll(page, {}, true)) check(pair, 'mixed');
+    for (const pair of await drawAll(page, { onlyDeferred: true }, true)) check(pair, 'only what a G-buffer holds');
+    for (const pair of await drawAll(page, { orthographic: true }, true)) check(pair, 'orthographic');
+  });
+  await test.step('in fog', async () => {
+    for (const pair of await drawAll(page, { fog: true }, false)) check(pair, 'fog');
+  });
+  await test.step('under lights of one kind', async () => {
+    for (const mix of mixes) for (const pair of await drawAll(page, { mix }, false)) check(pair, mix);
+    // only the edge may differ where a position is rebuilt
+    for (const pair of await drawAll(page, { mix: 'spot', penumbra: 0 }, false)) check(pair, 'hard edges', true);
+  });
 });

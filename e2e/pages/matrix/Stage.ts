@@ -1,5 +1,6 @@
 import type { FarolRenderer } from '@farol/renderer';
 import * as THREE from 'three';
+import type { Bench } from '../Bench';
 import { addSheetLights } from './Sheet';
 import { colourMap, normalMap } from './textures';
 
@@ -12,10 +13,9 @@ export class Stage {
   readonly things: THREE.Mesh[];
 
   constructor(
-    readonly webgl: THREE.WebGLRenderer,
+    private readonly bench: Bench,
     readonly width: number,
     readonly height: number,
-    readonly environment: THREE.Texture,
   ) {
     const { scene } = this;
     scene.background = new THREE.Color(0x203040);
@@ -36,6 +36,15 @@ export class Stage {
     this.camera = new THREE.PerspectiveCamera(40, width / height, 0.5, 40);
     this.camera.position.set(0.5, 0.3, 7);
     this.camera.lookAt(0, 0, 0);
+  }
+
+  get webgl(): THREE.WebGLRenderer {
+    return this.bench.webgl;
+  }
+
+  /** A filtered room, which takes seconds to make. */
+  get environment(): THREE.Texture {
+    return this.bench.environment();
   }
 }
 

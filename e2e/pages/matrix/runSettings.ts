@@ -39,20 +39,19 @@ export function runSettings(
   names: readonly string[] = Object.keys(settings),
   only: (setting: number) => readonly TechniqueName[] = byTurns,
 ): CaseResult[] {
-  const benches = new Map<string, { bench: Bench; environment: ReturnType<Bench['environment']> }>();
+  const benches = new Map<string, Bench>();
   return names.flatMap((name, index) => {
     const setting: Setting = settings[name];
     const key = JSON.stringify(setting.renderer ?? {});
-    let made = benches.get(key);
-    if (made === undefined) {
-      const bench = new Bench(WIDTH, HEIGHT, setting.renderer ? { renderer: setting.renderer } : {});
+    let bench = benches.get(key);
+    if (bench === undefined) {
+      bench = new Bench(WIDTH, HEIGHT, setting.renderer ? { renderer: setting.renderer } : {});
       bench.farol.inferredScale = 1;
-      benches.set(key, (made = { bench, environment: bench.environment() }));
+      benches.set(key, bench);
     }
-    const { bench, environment } = made;
     const { webgl, farol } = bench;
     const target = setting.target ? new WebGLRenderTarget(WIDTH, HEIGHT, setting.target) : bench.target;
-    const stage = new Stage(webgl, WIDTH, HEIGHT, environment);
+    const stage = new Stage(bench, WIDTH, HEIGHT);
     setting.prepare?.(stage);
     const draw = setting.draw ?? (({ scene, camera }: Stage, render: Render) => render(scene, camera));
     const picture = (technique: TechniqueName | null) => {

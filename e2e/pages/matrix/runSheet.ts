@@ -35,6 +35,16 @@ export interface SheetResult {
 /** The techniques of the matrix: 'auto' is one of the others. */
 export const drawn = (Object.keys(techniques) as TechniqueName[]).filter((name) => name !== 'auto');
 
+/** Of all sheets of a page: what is compiled for one of them need not be for the next. */
+let sharedBench: Bench | null = null;
+
+function makeBench(): Bench {
+  const made = new Bench(1, 1, { target: { stencilBuffer: true }, renderer: { stencil: true } });
+  made.webgl.localClippingEnabled = true;
+  made.farol.inferredScale = 1;
+  return made;
+}
+
 /** Draws all cases of a sheet by stock three and by each technique. */
 export async function runSheet(
   name: keyof typeof sheets,
@@ -43,9 +53,8 @@ export async function runSheet(
   const listed: Cases | (() => Promise<Cases>) = sheets[name];
   const cases = typeof listed === 'function' ? await listed() : listed;
   const { width, height } = sheetSize(cases);
-  const bench = new Bench(width, height, { target: { stencilBuffer: true }, renderer: { stencil: true } });
-  bench.webgl.localClippingEnabled = true;
-  bench.farol.inferredScale = 1;
+  const bench = (sharedBench ??= makeBench());
+  bench.setSize(width, height);
   const kit = { environment: bench.environment() };
   const empty = new Sheet(Object.fromEntries(Object.keys(cases).map((key) => [key, () => new Group()])), kit);
   const sheet = new Sheet(cases, kit);
@@ -57,7 +66,5 @@ export async function runSheet(
       .compare(stock, bench.byTechnique(technique, sheet.scene, sheet.camera))
       .map(({ name: key, ...difference }) => ({ sheet: name, case: key, technique, ...difference })),
   );
-  bench.farol.dispose();
-  bench.webgl.dispose();
   return { results, unseen: unseen.map(({ name: key }) => key) };
 }
