@@ -1,0 +1,123 @@
+import type { Page } from '@playwright/test';
+import { checkAgreement } from '../support/agreement';
+import { compareImages, isFlat } from '../support/images';
+import { expect, test, type Watch } from '../support/test';
+import { openViewer, readImage, still } from '../support/viewer';
+
+/** Views that are rightly one colour where a scene has nothing of the kind: no glow, no metal, one roughness. */
+const mayBeFlat = new Set(['emissive', 'metalness', 'roughness']);
+
+/** Views that each technique draws in its own way; the others show the surface, the same whatever the technique. */
+const ofTechnique = new Set(['final', 'lighting', 'light-count', 'overdraw', 'grid']);
+
+/** Kinds of light that an engine scene may have, with the share of its intensity that keeps the picture exposed. */
+const kinds = { point: 1, spot: 1, directional: 0.02, hemisphere: 0.02, ambient: 0.02 };
+/** Of the lights of a scene, how many shine when it is compared with stock three. */
+const COMPARED_LIGHTS = 8;
+/** Of surfaces at one depth stock three shows the last drawn; one pass a light adds light to the first. */
+const exceptions: Record<string, { largest: number } | undefined> = { 'dragons, forward': { largest: 1e-3 } };
+
+/** Of the picture (pixels). */
+const WIDTH = 96;
+const HEIGHT = 54;
+
+/** Few lights and objects, of the scenes that let one choose. */
+const few = { lights: 12, n: 4, m: 4 };
+
+/** Gives the intensities of the scene's lights. */
+const load = (page: Page, scene: string): Promise<number[]> =>
+  page.evaluate(
+    async ([name, few]) => {
+      const { parameters } = window.viewer.known.scenes[name];
+      const values = Object.entries(few).filter(([parameter]) => parameter in parameters);
+      await window.viewer.loadScene(name, Object.fromEntries(values));
+      return window.viewer.engineScene.lights.map(({ intensity }) => intensity);
+    },
+    [scene, few] as const,
+  );
+
+/** Every technique draws something in every view without a word from the console; views of the surface by turns. */
+async function checkViews(page: Page, watch: Watch, scene: string): Promise<void> {
+  const { techniques, views } = await page.evaluate(() => {
+    const { techniques, views } = window.viewer.known;
+    return { techniques: [...techniques], views: [...views] };
+  });
+  expect(techniques.length * views.length).toBeGreaterThan(0);
+  const surfaces = views.filter((view) => !ofTechnique.has(view));
+  for (const [turn, technique] of techniques.entries()) {
+    // To the canvas once, then each view to a float target; past the viewer, which would draw to the canvas too.
+    await page.evaluate((name) => window.viewer.setTechnique(name), technique);
+    const flat: string[] = [];
+    for (const view of [...views.filter((view) => ofTechnique.has(view)), surfaces[turn % surfaces.length]]) {
+      await page.evaluate((name) => void (window.viewer.farol.view = name as 'final'), view);
+      const image = await readImage(page);
+      expect(image.width * image.height, 'pixels').toBe(WIDTH * HEIGHT);
+      if (isFlat(image) && !mayBeFlat.has(view)) flat.push(view);
+      expect(watch.problems, `${scene}, ${technique}, ${view}`).toEqual([]);
+    }
+    expect(flat, `views of ${scene} by ${technique} that show one colour only, or NaN`).toEqual([]);
+    await page.evaluate(() => void (window.viewer.farol.view = 'final'));
+  }
+}
+
+/** Every technique under each kind of light draws as stock three does, in linear float. */
+async function checkKinds(page: Page, scene: string, intensities: readonly number[]): Promise<void> {
+  const techniques = await page.evaluate(() => [...window.viewer.known.techniques]);
+  expect(intensities.length * techniques.length, `lights of ${scene}, techniques`).toBeGreaterThan(0);
+  for (const [kind, scale] of Object.entries(kinds)) {
+    await page.evaluate(
+      ([kind, scale, intensities, count]) => {
+        const { lights } = window.viewer.engineScene;
+        lights.forEach((light, index) => {
+          light.enabled = index < count;
+          // what three's lights have not, stock three cannot show
+          Object.assign(light, {
+            type: kind,
+            attenuation: 'physical',
+            ambient: [0, 0, 0],
+            ownSpecular: false,
+            exponent: 0,
+          });
+          light.intensity = intensities[index] * scale;
+        });
+      },
+      [kind, scale, intensities, COMPARED_LIGHTS] as const,
+    );
+    const stock = await readImage(page, 'three');
+    expect(isFlat(stock), `${scene} under ${kind} lights, by stock three, shows one colour`).toBe(false);
+    for (const technique of techniques) {
+      // past the viewer, which would draw to the canvas too
+      await page.evaluate((name) => void (window.viewer.farol.technique = name as 'auto'), technique);
+      const family = technique === 'inferred' ? 'light-prepass' : technique;
+      const name = `${scene}, ${kind}, ${technique}`;
+      checkAgreement(family, compareImages(stock, await readImage(page)), name, exceptions[`${scene}, ${technique}`]);
+    }
+  }
+}
+
+/**
+ * Every scene by every technique: each view, then each kind of light. The names are read from the page's registries, so
+ * that a new scene, technique or view is in. Two tests share the scenes, for two workers.
+ */
+for (const half of [0, 1]) {
+  test(`every scene by every technique, in every view and under each kind of light, half ${half + 1}`, async ({
+    page,
+    watch,
+  }) => {
+    test.setTimeout(480_000);
+    await openViewer(page, { ...still, width: WIDTH, height: HEIGHT });
+    const { scenes, inferredScale } = await page.evaluate(() => ({
+      scenes: Object.keys(window.viewer.known.scenes),
+      inferredScale: window.viewer.farol.inferredScale,
+    }));
+    expect(scenes.length).toBeGreaterThan(1);
+    for (const scene of scenes.filter((_, index) => index % 2 === half)) {
+      const intensities = await load(page, scene);
+      await checkViews(page, watch, scene);
+      // at half of so few pixels lighting has nothing to go by; what half costs, agreement.spec.ts says
+      await page.evaluate(() => void (window.viewer.farol.inferredScale = 1));
+      await checkKinds(page, scene, intensities);
+      await page.evaluate((scale) => void (window.viewer.farol.inferredScale = scale), inferredScale);
+    }
+  });
+}
