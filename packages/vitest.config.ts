@@ -1,12 +1,15 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 
+const include = ['packages/*/**/*.test.ts', 'apps/*/src/**/*.test.{ts,tsx}', 'e2e/support/*.test.ts'];
+const exclude = ['**/node_modules/**', '**/dist/**'];
+/** Files that replace modules, or need modules that nothing has used before. */
+const alone = ['packages/engine/src/app/App.test.ts', 'packages/engine/src/components/Decal.test.ts'];
+
 /** One run over the unit tests of all workspaces, in Node. */
 export default defineConfig({
   root: fileURLToPath(new URL('..', import.meta.url)),
   test: {
-    include: ['packages/*/**/*.test.ts', 'apps/*/src/**/*.test.{ts,tsx}', 'e2e/support/*.test.ts'],
-    exclude: ['**/node_modules/**', '**/dist/**'],
     environment: 'node',
     // a process for each file costs more than a thread for each
     pool: 'threads',
@@ -14,5 +17,10 @@ export default defineConfig({
     // a scene is made in about two seconds, on a machine that does other things in ten
     testTimeout: 30_000,
     hookTimeout: 30_000,
+    projects: [
+      // most of the time would go to loading three and our packages anew for each file
+      { extends: true, test: { name: 'together', include, exclude: [...exclude, ...alone], isolate: false } },
+      { extends: true, test: { name: 'alone', include: alone, exclude, isolate: true } },
+    ],
   },
 });
