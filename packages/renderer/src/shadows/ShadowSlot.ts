@@ -99,9 +99,8 @@ export class ShadowSlot implements AtlasTenant {
   cookie: CookieSlot | null = null;
   /** Place of its mask record in the frame, -1 for none. */
   record = -1;
-  /** The faces of a cube that draw anything, as bits, and the part of each that is drawn, as `cubeFacesDrawn` has it. */
+  /** The faces that draw anything, as bits. */
   drawnFaces = 63;
-  readonly drawnParts = new Float64Array(24);
   private readonly own: OwnShadow;
   private readonly before = new Float64Array(18);
 
@@ -224,20 +223,13 @@ export class ShadowSlot implements AtlasTenant {
 
   /** Has its faces draw what can be seen alone, or all. @returns texels that they draw to */
   draws(isPart: boolean): number {
-    const { faces, drawnParts, widening } = this;
     let texels = 0;
     this.isPartial = isPart;
     this.drawnFaces = 0;
-    faces.forEach((face, i) => {
+    this.faces.forEach((face, i) => {
       face.draws(!isPart);
       texels += face.texels;
       if (face.texels > 0) this.drawnFaces |= 1 << i;
-      if (!this.isCube) return;
-      const { drawn, width, height } = face;
-      drawnParts[i * 4] = ((drawn.left / width) * 2 - 1) * widening;
-      drawnParts[i * 4 + 1] = ((drawn.right / width) * 2 - 1) * widening;
-      drawnParts[i * 4 + 2] = ((drawn.bottom / height) * 2 - 1) * widening;
-      drawnParts[i * 4 + 3] = ((drawn.top / height) * 2 - 1) * widening;
     });
     return texels;
   }

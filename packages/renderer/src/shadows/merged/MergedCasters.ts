@@ -17,7 +17,6 @@ import type { GeometryGroup } from '../../RenderItem';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { PassMaterial } from '../../passes/PassMaterial';
 import { boxOutsidePlanes, squaredDistanceToBox } from '../casterBox';
-import { cubeFacesDrawn } from '../seen/cubeFacesDrawn';
 import { shadowSideOf } from '../CasterMaterials';
 import { moveBox } from '../moveBox';
 import type { Caster, ShadowCasters } from '../ShadowCasters';
@@ -187,7 +186,7 @@ export class MergedCasters {
     this.follow(merged);
     const { caster, boxes, first, geometry, page } = merged;
     const side = seenSide(shadowSideOf((caster.object as Mesh).material as Material, bothSides), merged.isMirrored);
-    const { faces, isCube, widening, isPartial, drawnFaces, drawnParts } = slot;
+    const { faces, isCube, widening, drawnFaces } = slot;
     const squaredRange = slot.range * slot.range;
     const e = faces[0].camera.matrixWorld.elements;
     const { groups } = merged;
@@ -200,7 +199,6 @@ export class MergedCasters {
       let near = drawnFaces;
       if (isCube) {
         near &= cubeFacesOf(groups, group, x, y, z, widening);
-        if (isPartial) near = cubeFacesDrawn(near, drawnParts, groups, group, x, y, z);
         if (near === 0) continue;
       } else if (!isSeenByAny(faces, groups, group)) continue;
       const isOne = (near & (near - 1)) === 0;
@@ -209,8 +207,7 @@ export class MergedCasters {
         if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
         const count = Math.min(INDICES, end - from);
         if (isCube) {
-          let seen = isOne ? near : near & cubeFacesOf(boxes, at, x, y, z, widening);
-          if (isPartial) seen = cubeFacesDrawn(seen, drawnParts, boxes, at, x, y, z);
+          const seen = isOne ? near : near & cubeFacesOf(boxes, at, x, y, z, widening);
           for (let i = 0; i < 6; i++) if ((seen & (1 << i)) !== 0) faces[i].runs(page, side).add(first + from, count);
         } else {
           for (const face of faces) {

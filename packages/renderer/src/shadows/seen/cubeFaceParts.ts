@@ -1,6 +1,6 @@
 /** Of each face, +x, -x, +y, -y, +z, -z: its axis and side, and the axes and sides across and up, as farol_cubeFace has them. */
 // prettier-ignore
-export const FACES = new Int8Array([
+const FACES = new Int8Array([
   0, 1, 2, 1, 1, 1,
   0, -1, 2, -1, 1, 1,
   1, 1, 0, 1, 2, 1,

@@ -1,9 +1,7 @@
 import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { aimCubeFace, makeCubeFaces } from '../ShadowFace';
-import { cubeFacesOf } from '../merged/cubeFacesOf';
 import { cubeFaceParts } from './cubeFaceParts';
-import { cubeFacesDrawn } from './cubeFacesDrawn';
 import { mapPart } from './mapPart';
 
 function random(seed: number): () => number {
@@ -23,44 +21,6 @@ function pointIn(box: Float64Array, next: () => number): Vector3 {
 function noParts(): Float64Array {
   return Float64Array.from({ length: 24 }, (_, i) => (i % 2 === 0 ? Infinity : -Infinity));
 }
-
-describe('cubeFacesDrawn', () => {
-  it('keeps each face that sees a point of the box in its part, and few that do not', () => {
-    const next = random(11);
-    const position = new Vector3(-0.4, 0.1, 0.2);
-    const { x, y, z } = position;
-    const faces = makeCubeFaces();
-    faces.forEach((face, i) => aimCubeFace(face, i, position, 0.1, 10, 1));
-    let seen = 0;
-    let kept = 0;
-    let met = 0;
-    for (let run = 0; run < 400; run++) {
-      const box = randomBox(next);
-      for (let i = 3; i < 6; i++) box[i] *= 0.3;
-      const parts = Float64Array.from({ length: 24 }, (_, i) => (i % 2 === 0 ? -next() : next()));
-      const bits = cubeFacesDrawn(63, parts, box, 0, x, y, z) & cubeFacesOf(box, 0, x, y, z, 1);
-      let bitsMet = 0;
-      for (let k = 0; k < 200; k++) {
-        const point = pointIn(box, next);
-        faces.forEach(({ camera }, i) => {
-          const clip = point.clone().applyMatrix4(camera.matrixWorldInverse);
-          const [across, up] = [clip.x / -clip.z, clip.y / -clip.z];
-          const [left, right, bottom, top] = parts.subarray(i * 4);
-          if (clip.z >= 0 || across < left || across > right || up < bottom || up > top) return;
-          seen++;
-          bitsMet |= 1 << i;
-        });
-      }
-      expect(bitsMet & ~bits).toBe(0);
-      for (let i = 0; i < 6; i++) {
-        kept += (bits >> i) & 1;
-        met += (bitsMet >> i) & 1;
-      }
-    }
-    expect(seen).toBeGreaterThan(10_000);
-    expect(kept).toBeLessThan(1.2 * met);
-  });
-});
 
 describe('cubeFaceParts', () => {
   it('holds every point of the box within the range, where the faces that draw see it', () => {
