@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
-import { axeProblems } from './axe';
+import { axeProblems } from '../support/axeProblems';
 import { addObject, openEditor, pointOf } from './editor';
 import { makeFingers, type Point } from './fingers';
 

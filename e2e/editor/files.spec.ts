@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
-import { axeProblems } from './axe';
+import { axeProblems } from '../support/axeProblems';
 import { addObject, fieldOf, history, inspectorFollows, serialized, waitUntilReady } from './editor';
 
 test.use({ viewport: { width: 1000, height: 600 }, reducedMotion: 'reduce' });

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
-import { axeProblems } from './axe';
+import { axeProblems } from '../support/axeProblems';
 import { addObject, openEditor } from './editor';
 
 test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });

@@ -1,7 +1,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { readFile } from 'node:fs/promises';
 import { expect, test } from '../support/test';
-import { axeProblems } from './axe';
+import { axeProblems } from '../support/axeProblems';
 import { addObject, history, openEditor, serialized } from './editor';
 
 test.use({ viewport: { width: 1200, height: 640 }, reducedMotion: 'reduce' });

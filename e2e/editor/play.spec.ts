@@ -1,5 +1,5 @@
 import { expect, test } from '../support/test';
-import { axeProblems } from './axe';
+import { axeProblems } from '../support/axeProblems';
 import { fieldOf, history, openEditor, serialized } from './editor';
 
 test.use({ viewport: { width: 1100, height: 600 }, reducedMotion: 'reduce' });

@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 import type { Download, Page } from '@playwright/test';
 import { expect, test } from '../support/test';
-import { axeProblems } from './axe';
+import { axeProblems } from '../support/axeProblems';
 import { addObject, serialized, waitUntilReady } from './editor';
 import { dropFiles, redBox } from './models';
 

@@ -1,16 +1,8 @@
-import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import type { Mesh, MeshStandardMaterial, PointLight } from 'three';
+import { axeProblems } from '../support/axeProblems';
 import { openExample } from '../support/example';
 import { expect, test } from '../support/test';
-
-/** What axe finds serious or critical. */
-async function problems(page: Page): Promise<string[]> {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  return violations
-    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
-    .flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html}\n${failureSummary}`));
-}
 
 async function open(page: Page, name: string): Promise<void> {
   await openExample(page, name);
@@ -91,7 +83,7 @@ test('on a page that knows nothing of Farol: select, edit, undo, draw by Farol',
   ]);
   await page.getByRole('button', { name: 'Undo' }).click();
   expect(await positions()).toEqual([one, two]);
-  expect(await problems(page)).toEqual([]);
+  expect(await axeProblems(page)).toEqual([]);
 
   // copies and deletion
   const count = (name: string) =>
@@ -114,7 +106,7 @@ test('on a page that knows nothing of Farol: select, edit, undo, draw by Farol',
   await expect(page.getByRole('cell', { name: 'g-buffer' })).toBeVisible();
   await page.getByLabel('View').selectOption('albedo');
   expect(await page.evaluate(() => window.example.farol.view)).toBe('albedo');
-  expect(await problems(page)).toEqual([]);
+  expect(await axeProblems(page)).toEqual([]);
   await page.getByLabel('Technique').selectOption('three');
   expect(await page.evaluate(() => window.example.editor!.farol)).toBe(null);
 });
@@ -190,7 +182,7 @@ test('on React Three Fiber: what React adds is in the tree, edits are drawn', as
   expect((await picture(page)).equals(before)).toBe(false);
   await page.getByRole('button', { name: 'Undo' }).click();
   expect((await picture(page)).equals(before)).toBe(true);
-  expect(await problems(page)).toEqual([]);
+  expect(await axeProblems(page)).toEqual([]);
   watch.forgive(clockOfR3F);
 });
 
