@@ -19,7 +19,6 @@ import { type Caster, isReached, isSeen, type ShadowCasters } from './ShadowCast
 import type { ShadowFace } from './ShadowFace';
 import type { ShadowSlot } from './ShadowSlot';
 import type { TileAtlas } from './TileAtlas';
-import { TileClears } from './TileClears';
 
 export type Draw = (
   camera: Camera,
@@ -56,8 +55,6 @@ export class ShadowMapDraws {
   /** Stand-ins of the casters that are drawn this frame, for three to bring their buffers up to date. */
   readonly stands: Object3D[] = [];
   private readonly materials: CasterMaterials;
-  private readonly clears: TileClears;
-  private hasClears = false;
   private readonly draw: Draw;
   private readonly gl: WebGL2RenderingContext;
   private readonly merged = new Map<ShadowCasters, MergedCasters>();
@@ -75,7 +72,6 @@ export class ShadowMapDraws {
     private readonly microshaders: MicroShaderRegistry,
   ) {
     this.materials = new CasterMaterials(webgl);
-    this.clears = new TileClears(webgl, microshaders);
     this.draw = webgl.renderBufferDirect as unknown as Draw;
     this.gl = webgl.getContext() as WebGL2RenderingContext;
   }
@@ -90,17 +86,12 @@ export class ShadowMapDraws {
     this.bothSides = bothSides;
     this.frame++;
     this.stands.length = 0;
-    this.clears.begin();
-    this.hasClears = false;
     this.mergedCasters = this.mergedOf(casters);
     this.hasMerged = this.hasSeen = false;
   }
 
-  /** Finds what each face of a light's map will draw, and has three bring its buffers up to date. @param atlas of the tile */
-  prepare(slot: ShadowSlot, { target }: TileAtlas): void {
-    if (!this.bothSides) for (const face of slot.faces) this.clears.add(face, target!.width);
-    if (!this.bothSides && !this.hasClears) this.stands.push(this.clears.stand);
-    this.hasClears = true;
+  /** Finds what each face of a light's map will draw, and has three bring its buffers up to date. */
+  prepare(slot: ShadowSlot): void {
     const { list, count } = this.casters!;
     const merged = this.beginMerged();
     for (const face of slot.faces) face.clear();
@@ -162,15 +153,7 @@ export class ShadowMapDraws {
     if (texture && texture.compareFunction !== wanted) texture.compareFunction = wanted;
   }
 
-  /** Clears all that faces are to be drawn to, in the atlas that is bound. */
-  clear({ target }: TileAtlas): void {
-    this.clears.draw(target!.width);
-  }
-
-  /**
-   * Draws one face into the bound target, as far as it is to be drawn: the casters that it sees. That part is to be clear; of
-   * variance maps it is cleared here.
-   */
+  /** Draws one face into the bound target, as far as it is to be drawn: clears that part, then the casters that it sees. */
   drawFace(slot: ShadowSlot, face: ShadowFace, x: number, y: number): void {
     const { state } = this.webgl;
     if (face.texels === 0) return;
@@ -180,13 +163,11 @@ export class ShadowMapDraws {
     state.setScissorTest(true);
     state.buffers.depth.setTest(true);
     state.buffers.depth.setMask(true);
+    depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
+    this.gl.clearBufferfv(this.gl.DEPTH, 0, depth);
     const { mergedCasters } = this;
-    if (this.bothSides) {
-      depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
-      this.gl.clearBufferfv(this.gl.DEPTH, 0, depth);
-      mergedCasters?.interrupt(); // variance maps are blurred between
-    }
     if (mergedCasters !== null) {
+      if (this.bothSides) mergedCasters.interrupt(); // variance maps are blurred between
       mergedCasters.draw(face);
       if (face.casters.length > 0) mergedCasters.interrupt();
     }
@@ -196,7 +177,6 @@ export class ShadowMapDraws {
 
   dispose(): void {
     this.materials.dispose();
-    this.clears.dispose();
     for (const merged of this.merged.values()) merged.dispose();
     this.merged.clear();
   }

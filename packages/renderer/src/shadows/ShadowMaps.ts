@@ -173,11 +173,8 @@ export class ShadowMaps implements LightMasks {
     const face = webgl.getActiveCubeFace();
     const level = webgl.getActiveMipmapLevel();
     this.draws.setComparison(depths);
-    if (stale.length > 0 && this.type !== VSMShadowMap) {
-      webgl.setRenderTarget(depths.target);
-      this.draws.clear(depths);
-    }
     this.draws.send();
+    if (stale.length > 0 && this.type !== VSMShadowMap) webgl.setRenderTarget(depths.target);
     for (const slot of stale) {
       if (this.type === VSMShadowMap) this.moments.render(slot, colours);
       else for (const tile of slot.faces) this.draws.drawFace(slot, tile, tile.x, tile.y);
@@ -329,7 +326,7 @@ export class ShadowMaps implements LightMasks {
         this.stale.push(slot);
         this.drawn++;
         this.texels += slot.draws(isPart);
-        this.draws.prepare(slot, this.type === VSMShadowMap ? this.colours : this.depths);
+        this.draws.prepare(slot);
       } else if (slot.shows) this.kept++;
       const masked = slot.shows || slot.cookie !== null || this.layers.separates(slot.light);
       slot.record = masked ? this.records : -1;

@@ -11,7 +11,6 @@ import { ShadowMaps } from './ShadowMaps';
 import shadowMask from './shadowMask.glsl?raw';
 import { shadowMaskTwin, showsShadowMask } from './shadowMaskTwin';
 import shadowMoments from './shadowMoments.glsl?raw';
-import tileClear from './tileClear.glsl?raw';
 import type { WebGLRenderer } from 'three';
 
 /** Its chunks, by name. */
@@ -25,7 +24,6 @@ export const microShaders = {
   mergedCasterDepth,
   shadowMask,
   shadowMoments,
-  tileClear,
 };
 
 /** Of materials that show nothing but shadows. */
