@@ -73,7 +73,7 @@ export class ShadowFace {
       const a = side * (e[row] - bound * e[3]);
       const b = side * (e[row + 4] - bound * e[7]);
       const c = side * (e[row + 8] - bound * e[11]);
-      const scale = 1 / Math.hypot(a, b, c);
+      const scale = 1 / Math.sqrt(a * a + b * b + c * c);
       drawnPlanes[i * 4] = a * scale;
       drawnPlanes[i * 4 + 1] = b * scale;
       drawnPlanes[i * 4 + 2] = c * scale;

@@ -12,11 +12,11 @@ import {
   Vector3,
 } from 'three';
 import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
-import { squaredDistanceToBox } from './casterBox';
 import { fitCascade } from './fitCascade';
 import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { CookieSlot } from './CookieSlot';
 import type { AtlasTenant } from './TileAtlas';
+import { isBeyond, makeReach, setReach } from './reach';
 import type { Tile } from './TilePacker';
 
 /** Lights that three lets cast shadows. */
@@ -99,6 +99,8 @@ export class ShadowSlot implements AtlasTenant {
   cookie: CookieSlot | null = null;
   /** Place of its mask record in the frame, -1 for none. */
   record = -1;
+  /** What its faces look at, once `draws` is called. */
+  readonly reach = makeReach();
   /** The faces that draw anything, as bits. */
   drawnFaces = 63;
   private readonly own: OwnShadow;
@@ -175,10 +177,7 @@ export class ShadowSlot implements AtlasTenant {
 
   /** False when no part of a box (as `casterBox` gives it) is within the range of the light. */
   reachesBox(box: Float64Array): boolean {
-    const { range } = this;
-    if (range === Infinity) return true;
-    const e = this.faces[0].camera.matrixWorld.elements;
-    return squaredDistanceToBox(box, e[12], e[13], e[14]) <= range * range;
+    return !isBeyond(this.reach, box, 0);
   }
 
   /** Tangent of half the angle that a face of a cube sees: what lies beside it too, as wide as its border. */
@@ -226,6 +225,7 @@ export class ShadowSlot implements AtlasTenant {
     let texels = 0;
     this.isPartial = isPart;
     this.drawnFaces = 0;
+    setReach(this.reach, this.faces[0].camera.matrixWorld.elements, this.range, this.widening, 0);
     this.faces.forEach((face, i) => {
       face.draws(!isPart);
       texels += face.texels;

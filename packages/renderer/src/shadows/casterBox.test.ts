@@ -1,7 +1,8 @@
 import { BoxGeometry, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { viewFrustumPlanes } from '../lights/viewFrustumPlanes';
-import { boxOutsidePlanes, casterBox, squaredDistanceToBox } from './casterBox';
+import { boxOutsidePlanes, casterBox } from './casterBox';
+import { isBeyond, makeReach } from './reach';
 
 function random(seed: number): () => number {
   return () => {
@@ -26,7 +27,7 @@ describe('casterBox', () => {
       const farthest = [0, 0, 0];
       for (let i = 0; i < position.count; i++) {
         point.fromBufferAttribute(position, i).applyMatrix4(mesh.matrixWorld);
-        expect(squaredDistanceToBox(box, point.x, point.y, point.z)).toBeLessThan(1e-12);
+        expect(isBeyond(makeReach(point.x, point.y, point.z, 1e-6), box, 0)).toBe(false);
         point.toArray().forEach((value, axis) => {
           farthest[axis] = Math.max(farthest[axis], value - box[axis]);
         });

@@ -66,11 +66,3 @@ export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0
   }
   return false;
 }
-
-/** Square of the distance from a point to a box, from index `at` on; 0 inside (m²). */
-export function squaredDistanceToBox(box: Float64Array, x: number, y: number, z: number, at = 0): number {
-  const dx = Math.max(0, Math.abs(x - box[at]) - box[at + 3]);
-  const dy = Math.max(0, Math.abs(y - box[at + 1]) - box[at + 4]);
-  const dz = Math.max(0, Math.abs(z - box[at + 2]) - box[at + 5]);
-  return dx * dx + dy * dy + dz * dz;
-}

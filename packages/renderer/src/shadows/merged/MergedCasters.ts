@@ -16,9 +16,10 @@ import {
 import type { GeometryGroup } from '../../RenderItem';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { PassMaterial } from '../../passes/PassMaterial';
-import { boxOutsidePlanes, squaredDistanceToBox } from '../casterBox';
+import { boxOutsidePlanes } from '../casterBox';
 import { shadowSideOf } from '../CasterMaterials';
 import { moveBox } from '../moveBox';
+import { isBeyond } from '../reach';
 import type { Caster, ShadowCasters } from '../ShadowCasters';
 import type { Draw } from '../ShadowMapDraws';
 import type { ShadowFace } from '../ShadowFace';
@@ -186,28 +187,23 @@ export class MergedCasters {
     this.follow(merged);
     const { caster, boxes, first, geometry, page } = merged;
     const side = seenSide(shadowSideOf((caster.object as Mesh).material as Material, bothSides), merged.isMirrored);
-    const { faces, isCube, widening, drawnFaces } = slot;
-    const squaredRange = slot.range * slot.range;
-    const e = faces[0].camera.matrixWorld.elements;
+    const { faces, isCube, reach, drawnFaces } = slot;
     const { groups } = merged;
-    const x = e[12];
-    const y = e[13];
-    const z = e[14];
     const last = geometry.index.length;
     for (let group = 0, start = 0; start < last; group += 6, start += CLUSTERS_PER_GROUP * INDICES) {
-      if (squaredDistanceToBox(groups, x, y, z, group) > squaredRange) continue;
+      if (isBeyond(reach, groups, group)) continue;
       let near = drawnFaces;
       if (isCube) {
-        near &= cubeFacesOf(groups, group, x, y, z, widening);
+        near &= cubeFacesOf(groups, group, reach);
         if (near === 0) continue;
       } else if (!isSeenByAny(faces, groups, group)) continue;
       const isOne = (near & (near - 1)) === 0;
       const end = Math.min(last, start + CLUSTERS_PER_GROUP * INDICES);
       for (let from = start, at = group * CLUSTERS_PER_GROUP; from < end; from += INDICES, at += 6) {
-        if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
+        if (isBeyond(reach, boxes, at)) continue;
         const count = Math.min(INDICES, end - from);
         if (isCube) {
-          const seen = isOne ? near : near & cubeFacesOf(boxes, at, x, y, z, widening);
+          const seen = isOne ? near : near & cubeFacesOf(boxes, at, reach);
           for (let i = 0; i < 6; i++) if ((seen & (1 << i)) !== 0) faces[i].runs(page, side).add(first + from, count);
         } else {
           for (const face of faces) {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { makeReach } from '../reach';
 import { cubeFacesOf } from './cubeFacesOf';
 
 function random(seed: number): () => number {
@@ -24,7 +25,7 @@ describe('cubeFacesOf', () => {
       const box = Float64Array.from({ length: 6 }, (_, i) => (i < 3 ? next() * 8 - 4 : next() * 2));
       const widening = 1 + next() * 0.1;
       const [x, y, z] = [next() - 0.5, next() - 0.5, next() - 0.5];
-      const seen = cubeFacesOf(box, 0, x, y, z, widening);
+      const seen = cubeFacesOf(box, 0, makeReach(x, y, z, Infinity, widening));
       for (let point = 0; point < 20; point++) {
         // the corners first, which decide
         const place = (axis: number) => (point < 8 ? ((point >> axis) & 1) * 2 - 1 : next() * 2 - 1);
@@ -36,10 +37,10 @@ describe('cubeFacesOf', () => {
 
   it('leaves out the faces that a box is far from', () => {
     const box = new Float64Array([5, 0, 0, 1, 1, 1]);
-    expect(cubeFacesOf(box, 0, 0, 0, 0, 1)).toBe(1);
-    expect(cubeFacesOf(box, 0, 10, 0, 0, 1)).toBe(2);
-    expect(cubeFacesOf(new Float64Array([0, 0, -7, 2, 2, 2]), 0, 0, 0, 0, 1)).toBe(32);
-    expect(cubeFacesOf(new Float64Array([3, 3, 0, 1, 1, 1]), 0, 0, 0, 0, 1)).toBe(1 | 4);
-    expect(cubeFacesOf(new Float64Array([0, 0, 0, 1, 1, 1]), 0, 0, 0, 0, 1)).toBe(63);
+    expect(cubeFacesOf(box, 0, makeReach(0, 0, 0))).toBe(1);
+    expect(cubeFacesOf(box, 0, makeReach(10, 0, 0))).toBe(2);
+    expect(cubeFacesOf(new Float64Array([0, 0, -7, 2, 2, 2]), 0, makeReach(0, 0, 0))).toBe(32);
+    expect(cubeFacesOf(new Float64Array([3, 3, 0, 1, 1, 1]), 0, makeReach(0, 0, 0))).toBe(1 | 4);
+    expect(cubeFacesOf(new Float64Array([0, 0, 0, 1, 1, 1]), 0, makeReach(0, 0, 0))).toBe(63);
   });
 });

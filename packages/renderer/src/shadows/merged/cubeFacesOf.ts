@@ -1,19 +1,15 @@
+import type { Reach } from '../reach';
+
 /**
  * Which faces of a cube map round a point see some of a box: bits 0 to 5 for +x, -x, +y, -y, +z, -z.
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
- * @param widening tangent of half the angle that a face sees, at least 1
+ * @param reach of the map: the point, and how far a face sees across
  */
-export function cubeFacesOf(
-  boxes: Float64Array,
-  at: number,
-  x: number,
-  y: number,
-  z: number,
-  widening: number,
-): number {
-  const dx = boxes[at] - x;
-  const dy = boxes[at + 1] - y;
-  const dz = boxes[at + 2] - z;
+export function cubeFacesOf(boxes: Float64Array, at: number, reach: Reach): number {
+  const dx = boxes[at] - reach[0];
+  const dy = boxes[at + 1] - reach[1];
+  const dz = boxes[at + 2] - reach[2];
+  const widening = reach[4];
   const hx = boxes[at + 3];
   const hy = boxes[at + 4];
   const hz = boxes[at + 5];

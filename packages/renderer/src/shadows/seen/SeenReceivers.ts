@@ -1,8 +1,9 @@
 import { type Camera, Matrix4, type Object3D } from 'three';
 import { viewFrustumPlanes } from '../../lights/viewFrustumPlanes';
-import { boxOutsidePlanes, casterBox, squaredDistanceToBox } from '../casterBox';
+import { boxOutsidePlanes, casterBox } from '../casterBox';
 import { CLUSTERS_PER_GROUP, type MergedCasters } from '../merged';
 import { type Caster, findSphere, type ShadowCasters } from '../ShadowCasters';
+import { isBeyond, makeReach, setReach } from '../reach';
 import type { ShadowFace } from '../ShadowFace';
 import type { ShadowSlot } from '../ShadowSlot';
 import { cubeFaceParts } from './cubeFaceParts';
@@ -18,6 +19,7 @@ const GROUP = 8;
 const matrix = new Matrix4();
 const planes = new Float64Array(24);
 const parts = new Float64Array(24);
+const reach = makeReach();
 const sphere = { x: 0, y: 0, z: 0, radius: 0 };
 
 /**
@@ -66,7 +68,6 @@ export class SeenReceivers {
     const texels = Math.ceil(2 * radius) + 2;
     // along its normal, a surface looks up the map that far from where it is
     const shift = Math.abs(normalBias);
-    const range = slot.range + shift;
     for (let i = 0; i < 24; i += 2) {
       parts[i] = Infinity;
       parts[i + 1] = -Infinity;
@@ -76,23 +77,19 @@ export class SeenReceivers {
         face.matrix.multiplyMatrices(face.camera.projectionMatrix, face.camera.matrixWorldInverse);
     }
     const place = faces[0].camera.matrixWorld.elements;
-    const x = place[12];
-    const y = place[13];
-    const z = place[14];
-    const squaredRange = range * range;
-    const widening = 1 + (2 * texels) / faceWidth;
+    setReach(reach, place, slot.range + shift, 1 + (2 * texels) / faceWidth, shift);
     const { boxes, groups } = this;
     for (let group = 0; group < this.count * GROUP; group += GROUP) {
-      if (squaredDistanceToBox(groups, x, y, z, group) > squaredRange) continue;
-      let widens = isCube && cubeFaceParts(parts, groups, group, shift, x, y, z, range, widening, false);
+      if (isBeyond(reach, groups, group)) continue;
+      let widens = isCube && cubeFaceParts(parts, groups, group, reach, false);
       for (let i = isCube ? 6 : 0; i < faces.length && !widens; i++) {
-        widens = mapPart(parts, i * 4, groups, group, shift, faces[i].matrix, false);
+        widens = mapPart(parts, i * 4, groups, group, reach, faces[i].matrix, false);
       }
       if (!widens) continue;
       for (let at = groups[group + 6]; at < groups[group + 7]; at += 6) {
-        if (squaredDistanceToBox(boxes, x, y, z, at) > squaredRange) continue;
-        if (isCube) cubeFaceParts(parts, boxes, at, shift, x, y, z, range, widening);
-        else for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, shift, faces[i].matrix);
+        if (isBeyond(reach, boxes, at)) continue;
+        if (isCube) cubeFaceParts(parts, boxes, at, reach);
+        else for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, reach, faces[i].matrix);
       }
     }
     let all = true;

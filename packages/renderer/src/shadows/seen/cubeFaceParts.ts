@@ -1,3 +1,5 @@
+import type { Reach } from '../reach';
+
 /** Of each face, +x, -x, +y, -y, +z, -z: its axis and side, and the axes and sides across and up, as farol_cubeFace has them. */
 // prettier-ignore
 const FACES = new Int8Array([
@@ -11,15 +13,15 @@ const FACES = new Int8Array([
 
 const low = new Float64Array(3);
 const high = new Float64Array(3);
+/** Nearest and farthest along the axis of what a face sees of a box. */
+const along = new Float64Array(2);
 
 /**
  * Widens the parts of a cube map's faces so that they hold all directions from a point to a box.
  * @param parts of the six faces: least and most across, least and most up, as parts of the axis (-1 to 1 in a face), 4 numbers
  * each; nothing where least is more than most
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
- * @param wider by which they are wider to all sides (m)
- * @param range what lies farther from the point along an axis does not count (m)
- * @param widening how far a face reaches across, at least 1
+ * @param reach of the map; what lies farther from the point along an axis than its range does not count
  * @param writes false to leave the parts as they are
  * @returns whether they had to be widened
  */
@@ -27,25 +29,21 @@ export function cubeFaceParts(
   parts: Float64Array,
   boxes: Float64Array,
   at: number,
-  wider: number,
-  x: number,
-  y: number,
-  z: number,
-  range: number,
-  widening: number,
+  reach: Reach,
   writes = true,
 ): boolean {
-  let widens = false;
+  const range = reach[3];
+  const widening = reach[4];
+  const wider = reach[5];
   for (let i = 0; i < 3; i++) {
-    const from = i === 0 ? x : i === 1 ? y : z;
-    low[i] = Math.max(boxes[at + i] - boxes[at + 3 + i] - wider - from, -range);
-    high[i] = Math.min(boxes[at + i] + boxes[at + 3 + i] + wider - from, range);
+    low[i] = Math.max(boxes[at + i] - boxes[at + 3 + i] - wider - reach[i], -range);
+    high[i] = Math.min(boxes[at + i] + boxes[at + 3 + i] + wider - reach[i], range);
   }
+  let widens = false;
   for (let i = 0; i < 6; i++) {
     const face = i * 6;
     const axis = FACES[face];
     const side = FACES[face + 1];
-    // nearest and farthest along the axis of what the face sees of the box
     const farthest = side > 0 ? high[axis] : -low[axis];
     if (farthest <= 0) continue;
     const across = FACES[face + 2];
@@ -53,40 +51,27 @@ export function cubeFaceParts(
     const aside = Math.max(low[across], -high[across], low[up], -high[up], 0);
     const nearest = Math.max(side > 0 ? low[axis] : -high[axis], aside / widening, 1e-6 * farthest);
     if (nearest > farthest) continue;
-    const moreAcross = widen(
-      parts,
-      i * 4,
-      low[across],
-      high[across],
-      FACES[face + 3],
-      nearest,
-      farthest,
-      widening,
-      writes,
-    );
-    const moreUp = widen(parts, i * 4 + 2, low[up], high[up], FACES[face + 5], nearest, farthest, widening, writes);
+    along[0] = nearest;
+    along[1] = farthest;
+    const moreAcross = widen(parts, i * 4, across, FACES[face + 3], reach, writes);
+    const moreUp = widen(parts, i * 4 + 2, up, FACES[face + 5], reach, writes);
     widens ||= moreAcross || moreUp;
     if (widens && !writes) return true;
   }
   return widens;
 }
 
-function widen(
-  parts: Float64Array,
-  at: number,
-  least: number,
-  most: number,
-  side: number,
-  nearest: number,
-  farthest: number,
-  widening: number,
-  writes: boolean,
-): boolean {
-  const from = side > 0 ? least : -most;
-  const to = side > 0 ? most : -least;
+/**
+ * @param axis of the box that lies across, or up
+ * @param side which way
+ */
+function widen(parts: Float64Array, at: number, axis: number, side: number, reach: Reach, writes: boolean): boolean {
+  const from = side > 0 ? low[axis] : -high[axis];
+  const to = side > 0 ? high[axis] : -low[axis];
+  const widening = reach[4];
   // towards the middle what is farthest counts, away from it what is nearest
-  const start = Math.max(-widening, from / (from > 0 ? farthest : nearest));
-  const end = Math.min(widening, to / (to < 0 ? farthest : nearest));
+  const start = Math.max(-widening, from / (from > 0 ? along[1] : along[0]));
+  const end = Math.min(widening, to / (to < 0 ? along[1] : along[0]));
   const widens = start < parts[at] || end > parts[at + 1];
   if (!widens || !writes) return widens;
   parts[at] = Math.min(parts[at], start);

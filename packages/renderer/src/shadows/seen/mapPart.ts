@@ -1,10 +1,11 @@
 import type { Matrix4 } from 'three';
+import type { Reach } from '../reach';
 
 /**
  * Widens the part of a map so that it holds a box as a camera sees it.
  * @param part least and most across, least and most up, -1 to 1 in the map, 4 numbers from index `to` on
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
- * @param wider by which they are wider to all sides (m)
+ * @param reach of the map, for what boxes are wider by
  * @param camera from world to clip space
  * @param writes false to leave the part as it is
  * @returns whether it had to be widened
@@ -14,13 +15,14 @@ export function mapPart(
   to: number,
   boxes: Float64Array,
   at: number,
-  wider: number,
+  reach: Reach,
   { elements: e }: Matrix4,
   writes = true,
 ): boolean {
   const x = boxes[at];
   const y = boxes[at + 1];
   const z = boxes[at + 2];
+  const wider = reach[5];
   const a = boxes[at + 3] + wider;
   const b = boxes[at + 4] + wider;
   const c = boxes[at + 5] + wider;

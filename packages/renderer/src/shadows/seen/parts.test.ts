@@ -1,5 +1,6 @@
 import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { makeReach } from '../reach';
 import { aimCubeFace, makeCubeFaces } from '../ShadowFace';
 import { cubeFaceParts } from './cubeFaceParts';
 import { mapPart } from './mapPart';
@@ -33,7 +34,7 @@ describe('cubeFaceParts', () => {
     for (let run = 0; run < 300; run++) {
       const box = randomBox(next);
       const parts = noParts();
-      cubeFaceParts(parts, box, 0, 0, position.x, position.y, position.z, 4, widening);
+      cubeFaceParts(parts, box, 0, makeReach(position.x, position.y, position.z, 4, widening));
       for (let k = 0; k < 20; k++) {
         const point = pointIn(box, next);
         if (point.distanceTo(position) > 4) continue;
@@ -54,12 +55,12 @@ describe('cubeFaceParts', () => {
 
   it('is tight: a floor below fills half of the faces at its sides, a small box little of one', () => {
     const floor = noParts();
-    cubeFaceParts(floor, new Float64Array([0, -1, 0, 50, 0, 50]), 0, 0, 0, 0, 0, 4, 1);
+    cubeFaceParts(floor, new Float64Array([0, -1, 0, 50, 0, 50]), 0, makeReach(0, 0, 0, 4));
     expect([...floor.subarray(0, 4)]).toEqual([-1, 1, -1, -0.25]);
     expect([...floor.subarray(12, 16)]).toEqual([-1, 1, -1, 1]);
     expect(floor[8]).toBe(Infinity);
     const small = noParts();
-    cubeFaceParts(small, new Float64Array([3, 0, 0, 1, 0.25, 0.25]), 0, 0.25, 0, 0, 0, 10, 1);
+    cubeFaceParts(small, new Float64Array([3, 0, 0, 1, 0.25, 0.25]), 0, makeReach(0, 0, 0, 10, 1, 0.25));
     expect([...small.subarray(0, 4)]).toEqual([-0.5 / 1.75, 0.5 / 1.75, -0.5 / 1.75, 0.5 / 1.75]);
     expect([...small.subarray(4)]).toEqual([...noParts().subarray(4)]);
   });
@@ -78,7 +79,7 @@ describe('mapPart', () => {
         const box = randomBox(next);
         const part = new Float64Array([Infinity, -Infinity, Infinity, -Infinity]);
         const shrunk = box.map((value, i) => (i < 3 ? value : value - 0.1));
-        mapPart(part, 0, shrunk, 0, 0.1, matrix);
+        mapPart(part, 0, shrunk, 0, makeReach(0, 0, 0, Infinity, 1, 0.1), matrix);
         for (let k = 0; k < 10; k++) {
           const { x, y } = pointIn(box, next).applyMatrix4(matrix);
           expect(x).toBeGreaterThanOrEqual(part[0] - 1e-9);
@@ -94,7 +95,7 @@ describe('mapPart', () => {
     const camera = new PerspectiveCamera(50, 1, 0.1, 20);
     const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     const part = new Float64Array([Infinity, -Infinity, Infinity, -Infinity]);
-    mapPart(part, 0, new Float64Array([0, 0, -1, 1, 1, 2]), 0, 0, matrix);
+    mapPart(part, 0, new Float64Array([0, 0, -1, 1, 1, 2]), 0, makeReach(), matrix);
     expect([...part]).toEqual([-Infinity, Infinity, -Infinity, Infinity]);
   });
 });
