@@ -17,10 +17,12 @@ function note(figures: Figures): void {
   test.info().annotations.push({ type: 'anti-aliasing', description: text.join(', ') });
 }
 
-test('forward techniques in a multisampled target are as stock three there', async ({ page }) => {
-  const { figures, apart } = await page.evaluate(
+test('as stock three with 4 samples are the forward techniques in a multisampled target, and deferred shading by MultisampledEdges', async ({
+  page,
+}) => {
+  const { figures, apart, stays, green } = await page.evaluate(
     ([width, height, techniques]) => {
-      const { Bench, compareImages, edgeScene, supersampled } = window.testPage;
+      const { Bench, compareImages, edgeScene, effects, supersampled, three } = window.testPage;
       const { scene, camera } = edgeScene(width, height);
       const wanted = supersampled(width, height, scene, camera);
       const multi = new Bench(width, height, { samples: 4 });
@@ -35,12 +37,45 @@ test('forward techniques in a multisampled target are as stock three there', asy
         figures[technique] = compareImages(wanted, image).psnr;
         apart[technique] = compareImages(stock, image);
       }
-      return { figures, apart };
+      const bench = new Bench(width, height);
+      const edges = new effects.MultisampledEdges();
+      const deferred = (name: string) => {
+        bench.farol.effects = [edges];
+        const image = bench.byTechnique('deferred', scene, camera);
+        figures[name] = compareImages(wanted, image).psnr;
+        apart[name] = compareImages(stock, image);
+      };
+      deferred('edges');
+      edges.shadedLights = 0;
+      deferred('edges, colours of pixels nearby');
+      // what is not drawn anew stays as it is: a shader of the host's, and glass with what is seen through it
+      const fragmentShader = 'void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }';
+      const own = new three.Mesh(new three.SphereGeometry(0.7), new three.ShaderMaterial({ fragmentShader }));
+      const glass = new three.MeshStandardMaterial({ transparent: true, opacity: 0.5 });
+      own.position.set(0.5, 0.5, 2);
+      const pane = new three.Mesh(new three.BoxGeometry(1.5, 1.5, 0.2), glass);
+      pane.position.set(-2, -0.5, 2.5);
+      scene.add(own, pane);
+      bench.farol.effects = [];
+      const plain = bench.byTechnique('deferred', scene, camera);
+      bench.farol.effects = [edges];
+      const left = bench.byTechnique('deferred', scene, camera);
+      const at = (x: number, y: number) => ((height >> 1) + y) * width * 4 + ((width >> 1) + x) * 4;
+      const kept = [at(14, 1), at(14, 12), at(-64, -36), at(-50, -30)];
+      const stays = Math.max(...kept.map((i) => Math.abs(left.data[i] - plain.data[i])));
+      const green = plain.data[kept[0] + 1];
+      return { figures, apart, stays, green };
     },
     [WIDTH, HEIGHT, FORWARD] as const,
   );
   note(figures);
   expect(figures.stock, 'the scene has edges to smooth').toBeGreaterThan(figures.none + 6);
+  expect(figures.edges).toBeGreaterThan(figures.stock - 0.2);
+  // but where an edge lies within rounding of a pixel's middle: there it may be the other side's
+  expect(apart.edges.psnr).toBeGreaterThan(54);
+  expect(figures['edges, colours of pixels nearby']).toBeGreaterThan(figures.stock - 0.5);
+  expect(green).toBe(1);
+  expect(stays).toBeLessThan(1e-3);
   for (const technique of FORWARD) {
     expect(figures[technique], technique).toBeGreaterThan(figures.stock - 0.1);
     // Half floats, in which forward adds light by light. The lists of forward-plus are for the depths at pixel centres: a
@@ -89,12 +124,15 @@ test('where a target is multisampled too, forward-plus shades nothing of what is
   expect(shaded).toEqual({ 'tiled-forward': ['hidden', 'before it'], 'forward-plus': ['before it'] });
 });
 
-test('forward techniques on a canvas with antialias are as stock three there', async ({ page }) => {
+test('on a canvas with antialias, forward techniques are as stock three there, and deferred shading by MultisampledEdges', async ({
+  page,
+}) => {
   const worst = await page.evaluate(
     ([width, height, techniques]) => {
-      const { edgeScene, farol, three } = window.testPage;
+      const { edgeScene, effects, farol, three } = window.testPage;
       const { scene, camera } = edgeScene(width, height);
-      const webgl = new three.WebGLRenderer({ antialias: true });
+      scene.background = null;
+      const webgl = new three.WebGLRenderer({ antialias: true, alpha: true });
       webgl.setSize(width, height, false);
       webgl.toneMapping = three.NeutralToneMapping;
       const gl = webgl.getContext();
@@ -108,12 +146,13 @@ test('forward techniques on a canvas with antialias are as stock three there', a
       const stock = read(() => webgl.render(scene, camera));
       return techniques.map((technique) => {
         renderer.technique = technique;
+        renderer.effects = technique === 'deferred' ? [new effects.MultisampledEdges()] : [];
         const image = read(() => renderer.render(scene, camera));
         return [technique, image.filter((value, i) => Math.abs(value - stock[i]) > 2).length / image.length] as const;
       });
     },
     // the others draw as these do
-    [WIDTH, HEIGHT, ['forward', 'forward-single-pass', 'forward-plus']] as const,
+    [WIDTH, HEIGHT, ['forward', 'forward-single-pass', 'forward-plus', 'deferred']] as const,
   );
   for (const [technique, difference] of worst) {
     // multipass resolves linear light before it is tone mapped and encoded, stock three afterwards: edges differ a little
@@ -267,8 +306,8 @@ test('TAA forgets the past when the size changes and when the camera cuts, and l
 });
 
 for (const kind of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) {
-  test(`TAA follows the camera with ${kind}`, async ({ page }) => {
-    const { taa, without, has } = await page.evaluate(
+  test(`TAA follows the camera with ${kind}, and MultisampledEdges finds its surfaces`, async ({ page }) => {
+    const { taa, edges, without, has } = await page.evaluate(
       ([width, height, kind]) => {
         const { compareImages, edgeScene, effects, farol, supersampled, three } = window.testPage;
         const { scene, camera } = edgeScene(width, height);
@@ -291,11 +330,13 @@ for (const kind of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) {
           camera.position.x = 0.05 * left;
           taa = draw();
         }
-        return { taa, without, has: webgl.capabilities[kind] };
+        renderer.effects = [new effects.MultisampledEdges()];
+        return { taa, edges: draw(), without, has: webgl.capabilities[kind] };
       },
       [WIDTH, HEIGHT, kind] as const,
     );
-    test.info().annotations.push({ type: 'depth', description: `${has}: ${without} to ${taa} dB` });
+    test.info().annotations.push({ type: 'depth', description: `${has}: ${without} to ${taa}, ${edges} dB` });
     expect(taa).toBeGreaterThan(without + 5);
+    expect(edges).toBeGreaterThan(40.8);
   });
 }

@@ -6,7 +6,7 @@ export const switchedEffects = ['ambient-occlusion', 'order-independent-transpar
 export type SwitchedEffect = (typeof switchedEffects)[number];
 
 /** 'auto': the canvas's own multisampling where a technique draws to it, SMAA where it shades a G-buffer. */
-export const antialiasings = ['auto', 'none', 'smaa', 'taa'] as const;
+export const antialiasings = ['auto', 'none', 'smaa', 'edges', 'taa'] as const;
 export type Antialiasing = (typeof antialiasings)[number];
 
 /** What is chosen for the viewport's picture. */
@@ -83,7 +83,7 @@ export class ViewportEffects {
     const { antialiasing, on } = this.chosen;
     if (this.isSuspended) return [];
     const names: EffectName[] = switchedEffects.filter((name) => on.includes(name));
-    if (antialiasing === 'smaa' || antialiasing === 'taa') names.push(antialiasing);
+    if (antialiasing !== 'auto' && antialiasing !== 'none') names.push(antialiasing);
     if (antialiasing === 'auto' && passes.some(({ name }) => name === 'g-buffer')) names.push('smaa');
     return names;
   }

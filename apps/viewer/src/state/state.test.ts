@@ -25,7 +25,7 @@ const known: KnownNames = {
   techniques: ['auto', 'forward', 'deferred'],
   views: ['final', 'albedo'],
   dragons: ['low', 'high'],
-  antialiasing: ['none', 'smaa', 'taa'],
+  antialiasing: ['none', 'smaa', 'edges', 'taa'],
   defaults: {
     ...{
       scene: 'temple',
@@ -67,7 +67,7 @@ describe('readState', () => {
     ['width=12.5', /width=12.5 .* whole number from 1 to 8192/],
     ['dpr=', /dpr= .* number from 0.1 to 8/],
     ['dragon=huge', /dragon=huge .* low, high/],
-    ['aa=msaa', /aa=msaa .* none, smaa, taa/],
+    ['aa=msaa', /aa=msaa .* none, smaa, edges, taa/],
     ['ao=yes', /ao=yes .* 1 or 0/],
     ['gui=no', /gui=no .* 1 or 0/],
     ['lights=many', /lights=many .* whole number from 0 to 4096/],

@@ -1,6 +1,6 @@
 import type { FarolEffect } from '../FarolEffect';
 import { AmbientOcclusion } from './ambient-occlusion';
-import { SMAA, TAA } from './antialiasing';
+import { MultisampledEdges, SMAA, TAA } from './antialiasing';
 import { Decals } from './decals';
 import { WeightedBlendedOIT } from './transparency';
 
@@ -41,6 +41,12 @@ export const effects = {
     help: 'Smooths the edges of each picture by itself.',
     group: 'antialiasing',
     make: () => new SMAA(),
+  },
+  edges: {
+    label: 'Multisampled edges',
+    help: 'Draws the geometry once more, with 4 samples a pixel, and shades what edges hide: as antialias does.',
+    group: 'antialiasing',
+    make: () => new MultisampledEdges(),
   },
   taa: {
     label: 'TAA',

@@ -9,6 +9,7 @@ const antialiasings: readonly SelectOption<Antialiasing>[] = [
   { value: 'auto', label: 'Automatic', help: 'Multisampled where the technique can be, else SMAA.' },
   { value: 'none', label: 'Of the technique', help: 'Techniques with a G-buffer have none.' },
   { value: 'smaa', label: 'SMAA', help: 'Smooths the edges of each picture by itself.' },
+  { value: 'edges', label: 'Multisampled edges', help: 'Draws the geometry once more, with 4 samples a pixel.' },
   { value: 'taa', label: 'TAA', help: 'Gathers frames, each drawn a part of a pixel off.' },
 ];
 

@@ -1,2 +1,3 @@
+export { MultisampledEdges } from './MultisampledEdges';
 export { SMAA } from './SMAA';
 export { TAA } from './TAA';

@@ -1,0 +1,162 @@
+import { HalfFloatType, LessEqualDepth, NearestFilter, type IUniform, type Texture, WebGLRenderTarget } from 'three';
+import type { FarolEffect } from '../../FarolEffect';
+import type { Frame } from '../../Frame';
+import { gbufferLayout } from '../../gbuffer/gbufferLayout';
+import { forwardTwins } from '../../materials/forwardTwin';
+import { plainWhole } from '../../materials/plainTwins';
+import { addMicroShaders } from '../../microshaders/addMicroShaders';
+import { FullscreenMesh } from '../../passes/FullscreenMesh';
+import { PassMaterial } from '../../passes/PassMaterial';
+import type { RenderItem } from '../../RenderItem';
+import { EffectTarget } from '../EffectTarget';
+import { Picture } from '../Picture';
+import edgeBackground from './edgeBackground.glsl?raw';
+import edgeColor from './edgeColor.glsl?raw';
+import edgeResolve from './edgeResolve.glsl?raw';
+import { edgeTwin } from './edgeTwin';
+import { hasMotionTwin } from './motionTwin';
+
+const CHUNKS = { edgeColor, edgeBackground, edgeResolve };
+const SAMPLES = 4;
+
+/**
+ * Multisampled edges over any technique: the geometry is drawn once more, with 4 samples a pixel. A surface that the finished
+ * picture shows in its pixel has that colour; what a pixel shows besides is shaded there, as stock three does with
+ * `antialias: true`. It needs one picture only: it is the same whether things stand or move, and nothing ghosts.
+ *
+ * Shading goes through all lights. With more of them than `shadedLights`, with ambient occlusion or decals, or under things
+ * that are transparent and write no depth, the colour is that of a pixel nearby which shows the surface, if there is one.
+ * Left as they are: points, lines, sprites, what has a shader of the host's, stencil or a depth function of its own, and
+ * transparent things.
+ * @see Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing, https://doi.org/10.1145/1944745.1944748
+ */
+export class MultisampledEdges implements FarolEffect {
+  readonly name = 'Multisampled edges';
+  /** Lights up to which all edges are shaded anew. Default 32. */
+  shadedLights = 32;
+  private readonly picture: IUniform<Texture | null> = { value: null };
+  private readonly depth: IUniform<Texture | null> = { value: null };
+  private readonly samples: IUniform<Texture | null> = { value: null };
+  private readonly farthest = { value: 1 };
+  private readonly whole = { value: true };
+  private readonly reuse = { value: false };
+  private readonly uniforms = {
+    farol_picture: this.picture,
+    farol_pictureDepth: this.depth,
+    farol_reuse: this.reuse,
+  };
+  private readonly lit = edgeTwin(forwardTwins('lightLoopAll')('final').whole, this.uniforms);
+  private readonly unlit = edgeTwin(plainWhole, this.uniforms);
+  private readonly output = new EffectTarget({ type: HalfFloatType }, 8);
+  private readonly triangle = new FullscreenMesh();
+  private target: WebGLRenderTarget | null = null;
+  private background: PassMaterial | null = null;
+  private resolve: PassMaterial | null = null;
+  private shared: Picture | null = null;
+
+  get bytes(): number {
+    const { target } = this;
+    // of a sample 8 of colour and 4 of depth; and their mean
+    const own = target === null ? 0 : target.width * target.height * (SAMPLES * 12 + 8);
+    return own + this.output.bytes + (this.shared?.bytes ?? 0);
+  }
+
+  begin(frame: Frame): void {
+    this.shared = Picture.of(frame);
+    this.shared.begin(frame);
+  }
+
+  end(frame: Frame): void {
+    const picture = this.shared!;
+    if (this.background === null || this.resolve === null) this.makeMaterials(frame);
+    const target = this.targetLike(picture.target);
+    const output = this.output.of(target.width, target.height);
+    this.picture.value = picture.texture;
+    this.depth.value = picture.target.depthTexture;
+    this.samples.value = target.texture;
+    this.farthest.value = frame.webgl.state.buffers.depth.getReversed() ? 0 : 1;
+    this.setReuse(frame);
+    frame.bind(target);
+    frame.clear(0, true);
+    frame.drawMesh(this.triangle, this.background!);
+    for (const item of frame.queue.opaque) this.draw(frame, item);
+    average(frame, target);
+    frame.bind(output);
+    frame.drawMesh(this.triangle, this.resolve!);
+    picture.texture = output.texture;
+    picture.end(frame);
+  }
+
+  dispose(): void {
+    this.target?.dispose();
+    this.output.dispose();
+    this.background?.dispose();
+    this.resolve?.dispose();
+    this.target = this.background = this.resolve = null;
+    this.shared?.dispose();
+  }
+
+  /** What is laid over the picture, or changes its light, is not known to what is shaded here. */
+  private setReuse(frame: Frame): void {
+    const { queue, lights } = frame;
+    let laidOver = false;
+    this.whole.value = queue.transmissive.length === 0;
+    for (const { material } of queue.transparent) {
+      if (material.depthWrite) this.whole.value = false;
+      else laidOver = true;
+    }
+    const changed = frame.accumulation !== null || frame.gbufferLayout !== gbufferLayout;
+    this.reuse.value = laidOver || changed || lights.total > this.shadedLights;
+  }
+
+  private draw(frame: Frame, item: RenderItem): void {
+    const { depthTest, depthFunc, depthWrite, colorWrite, stencilWrite } = item.material;
+    const plain = depthTest && depthFunc === LessEqualDepth && colorWrite && !stencilWrite;
+    if (plain && hasMotionTwin(item)) frame.drawTwin(item, item.lit ? this.lit : this.unlit);
+    else if (depthWrite || stencilWrite) this.whole.value = false;
+  }
+
+  /** A multisampled target that is drawn to as the picture is. */
+  private targetLike(picture: WebGLRenderTarget): WebGLRenderTarget {
+    const { width, height, texture } = picture;
+    if (this.target?.texture.colorSpace !== texture.colorSpace) {
+      this.target?.dispose();
+      this.target = new WebGLRenderTarget(width, height, {
+        type: HalfFloatType,
+        colorSpace: texture.colorSpace as '',
+        samples: SAMPLES,
+        minFilter: NearestFilter,
+        magFilter: NearestFilter,
+      });
+      const { isXRRenderTarget = false } = picture as { isXRRenderTarget?: boolean };
+      Object.assign(this.target, { isXRRenderTarget });
+    }
+    const target = this.target!;
+    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    return target;
+  }
+
+  private makeMaterials(frame: Frame): void {
+    const { microshaders } = frame;
+    addMicroShaders(microshaders, CHUNKS);
+    const pass = (fragment: string, uniforms: Record<string, IUniform>) =>
+      new PassMaterial(microshaders, {
+        name: `Farol ${fragment}`,
+        vertex: ['fullscreen'],
+        fragment: [fragment],
+        uniforms: { farol_picture: this.picture, ...uniforms },
+      });
+    this.background = pass('edgeBackground', { farol_pictureDepth: this.depth, farol_farthest: this.farthest });
+    this.resolve = pass('edgeResolve', { farol_samples: this.samples, farol_whole: this.whole });
+  }
+}
+
+/** Brings the mean of a multisampled target's samples into its texture. */
+function average({ gl, webgl: { properties, state } }: Frame, target: WebGLRenderTarget): void {
+  const buffers = properties.get(target) as Record<string, WebGLFramebuffer>;
+  const { width, height } = target;
+  state.bindFramebuffer(gl.READ_FRAMEBUFFER, buffers.__webglMultisampledFramebuffer);
+  state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, buffers.__webglFramebuffer);
+  gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+  state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+}

@@ -1,0 +1,41 @@
+// The colour of a surface in a picture that shows one surface a pixel, by the depth that it has there: that of its own pixel, or of
+// the one round it whose depth lies nearest to the plane of the fragment's triangle.
+// Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
+uniform highp sampler2D farol_picture;
+uniform highp sampler2D farol_pictureDepth;
+
+/** Depth that rounding may change. */
+const float FAROL_ROUNDING = 2e-7;
+/** Added to the alpha of what its pixel shows: the mean of 4 samples still tells it, and has alpha besides. */
+const float FAROL_SHOWN = 8.0;
+
+/**
+ * Whether the picture shows the surface.
+ * @param slope of its depth from pixel to pixel
+ * @param fit how far off it may be: part of the slope
+ * @param round whether to look at the pixels round its own too
+ * @param color the picture's
+ * @param shown FAROL_SHOWN if it is what its own pixel shows, else 0
+ */
+bool farol_edgeColor(
+  const in ivec2 pixel, const in float depth, const in vec2 slope, const in float fit, const in bool round, out vec4 color, out float shown
+) {
+  float slopes = abs(slope.x) + abs(slope.y);
+  float least = abs(texelFetch(farol_pictureDepth, pixel, 0).r - depth);
+  float most = FAROL_ROUNDING + fit * slopes;
+  ivec2 found = pixel;
+  shown = least <= 2.0 * FAROL_ROUNDING + slopes ? FAROL_SHOWN : 0.0;
+  if (round && least > most) {
+    ivec2 last = textureSize(farol_pictureDepth, 0) - 1;
+    for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
+      ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
+      vec2 off = vec2(at - pixel);
+      // of two that fit, the nearer
+      float apart = abs(texelFetch(farol_pictureDepth, at, 0).r - depth - dot(slope, off)) + (FAROL_ROUNDING + 0.01 * slopes) * dot(off, off);
+      if (apart < least) { least = apart; found = at; }
+    }
+    most += (FAROL_ROUNDING + 0.01 * slopes) * 2.0;
+  }
+  color = texelFetch(farol_picture, found, 0);
+  return least <= most;
+}

@@ -1,0 +1,12 @@
+// The mean of the samples; the picture itself where none of them is what it shows there, but something that was not drawn anew.
+// Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
+uniform highp sampler2D farol_picture;
+uniform highp sampler2D farol_samples; // alpha is that of edgeColor.glsl
+uniform bool farol_whole; // everything was drawn anew
+layout(location = 0) out highp vec4 farol_color;
+//# main
+ivec2 pixel = ivec2(gl_FragCoord.xy);
+farol_color = texelFetch(farol_samples, pixel, 0);
+float shown = 2.0 * floor(0.5 * farol_color.a + 1e-3);
+farol_color.a -= shown;
+if (shown < 1.0 && !farol_whole) farol_color = texelFetch(farol_picture, pixel, 0);

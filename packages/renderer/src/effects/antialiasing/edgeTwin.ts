@@ -1,0 +1,32 @@
+import { NoBlending, type IUniform } from 'three';
+import { beforeLastBrace } from '../../materials/beforeLastBrace';
+import { replaceOnce } from '../../materials/replaceOnce';
+import type { TwinKind, TwinShader } from '../../materials/TwinKind';
+import edgeFragment from './edgeFragment.glsl?raw';
+
+const AFTER_TESTS = '#include <alphahash_fragment>';
+// of a multisampled fragment, gl_FragCoord.z may be that of a sample
+const VARYING = 'varying highp vec2 farol_edgeZW;\n';
+
+/**
+ * The kind of an opaque draw, which takes the colour that the finished picture has for the surface, and shades only where the
+ * picture does not show it.
+ * @param uniforms of edgeColor.glsl, and `farol_reuse`: whether the pixels round its own count too
+ */
+export function edgeTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {
+  return {
+    ...kind,
+    key: `${kind.key}-edges`,
+    chunks: (source) => [...kind.chunks(source), 'edgeColor'],
+    properties: { ...kind.properties, blending: NoBlending },
+    patch(shader: TwinShader, source, header) {
+      const where = `the fragment shader of material "${source.name || source.type}"`;
+      kind.patch(shader, source, header);
+      Object.assign(shader.uniforms, uniforms);
+      shader.vertexShader = VARYING + beforeLastBrace(shader.vertexShader, 'farol_edgeZW = gl_Position.zw;');
+      const text = replaceOnce(shader.fragmentShader, AFTER_TESTS, `${AFTER_TESTS}\n${edgeFragment}`, where);
+      const own = text.includes('bool farol_edgeColor') ? '' : `${header}\n`;
+      shader.fragmentShader = `${VARYING}uniform bool farol_reuse;\n${own}${beforeLastBrace(text, 'gl_FragColor.a += farol_shown;')}`;
+    },
+  };
+}
