@@ -57,7 +57,7 @@ export class ShadowMaps implements LightMasks {
   private readonly lit: ShadowSlot[] = [];
   private readonly stale: ShadowSlot[] = [];
   private readonly unlit: AtlasTenant[] = [];
-  private readonly mapped: AtlasTenant[] = [];
+  private readonly mapped: ShadowSlot[] = [];
   private readonly coloured: AtlasTenant[] = [];
   private readonly staleCookies: CookieSlot[] = [];
   private readonly casters = new WeakMap<Object3D, ShadowCasters>();
@@ -66,6 +66,8 @@ export class ShadowMaps implements LightMasks {
   private readonly draws: ShadowMapDraws;
   private readonly moments: MomentDraws;
   private readonly images: CookieDraws;
+  /** Depths have 24 bits, since a light that was met needs them; 16 before. */
+  private isFine = false;
   private type = -1;
   private frame = 0;
   private tenants = 0;
@@ -82,8 +84,12 @@ export class ShadowMaps implements LightMasks {
     limit: number,
   ) {
     const { maxTextureSize } = webgl.capabilities;
-    this.depths = new TileAtlas(Math.min(limit, maxTextureSize), 5, depthTarget);
-    this.colours = new TileAtlas(Math.min(LARGEST_COLOURS, maxTextureSize), 8, colourTarget);
+    this.depths = new TileAtlas(
+      Math.min(limit, maxTextureSize),
+      () => (this.isFine ? 5 : 3),
+      (size) => depthTarget(size, this.isFine),
+    );
+    this.colours = new TileAtlas(Math.min(LARGEST_COLOURS, maxTextureSize), () => 8, colourTarget);
     this.draws = new ShadowMapDraws(webgl, microshaders);
     this.moments = new MomentDraws(webgl, microshaders, this.draws);
     this.images = new CookieDraws(webgl, microshaders);
@@ -290,7 +296,7 @@ export class ShadowMaps implements LightMasks {
     mapped.length = coloured.length = unlit.length = 0;
     for (const slot of this.slots.values()) {
       if (slot.used === this.frame) {
-        if (slot.casts) (vsm ? coloured : mapped).push(slot);
+        if (slot.casts) (vsm ? (coloured as AtlasTenant[]) : mapped).push(slot);
         continue;
       }
       slot.record = -1;
@@ -303,6 +309,7 @@ export class ShadowMaps implements LightMasks {
     const count = mapped.length + coloured.length;
     const look = count !== this.tenants || this.frame % REBALANCE === 0;
     this.tenants = count;
+    if (!this.isFine && !vsm && mapped.some(isFine)) this.refine();
     this.depths.arrange(mapped, keptMaps, look);
     if (!vsm) unlit.length = 0;
     for (const cookie of this.cookies.values()) {
@@ -313,6 +320,13 @@ export class ShadowMaps implements LightMasks {
       } else unlit.push(cookie);
     }
     this.colours.arrange(coloured, unlit, look);
+  }
+
+  /** Depths of 24 bits from now on. */
+  private refine(): void {
+    this.isFine = true;
+    this.depths.remake();
+    for (const slot of this.slots.values()) slot.drawn = false;
   }
 
   private findStale(updates: boolean): void {
@@ -381,3 +395,7 @@ export class ShadowMaps implements LightMasks {
 }
 
 const NONE: readonly AtlasTenant[] = [];
+
+function isFine(slot: ShadowSlot): boolean {
+  return slot.needsFineDepth;
+}

@@ -17,6 +17,7 @@ import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { CookieSlot } from './CookieSlot';
 import type { AtlasTenant } from './TileAtlas';
 import { isBeyond, makeReach, setReach } from './reach';
+import { needsFineDepth } from './fineDepth';
 import type { Tile } from './TilePacker';
 
 /** Lights that three lets cast shadows. */
@@ -191,6 +192,15 @@ export class ShadowSlot implements AtlasTenant {
     if (!this.isCube) return radius;
     const most = ((LARGEST_BORDER - 0.5) / FARTHEST) * (this.wantedWidth / this.faceWidth);
     return Math.max(-most, Math.min(most, radius));
+  }
+
+  /** Whether depths of 16 bits are too coarse for it. */
+  get needsFineDepth(): boolean {
+    const { near, far, isCube, own, wantedWidth } = this;
+    const camera = own.camera as unknown as ShadowCamera;
+    const scale = isCube ? 1 : camera.projectionMatrix.elements[0];
+    const isPerspective = isCube || camera.isPerspectiveCamera === true;
+    return needsFineDepth(near, far, scale, wantedWidth, this.shadow.bias, isPerspective);
   }
 
   /** Texels round a face of a cube that its filter reaches at most, a power of two. */

@@ -33,7 +33,12 @@ class Tenant implements AtlasTenant {
   }
 }
 
-const atlasOf = (limit: number) => new TileAtlas(limit, 5, (size) => new WebGLRenderTarget(size, size));
+const atlasOf = (limit: number) =>
+  new TileAtlas(
+    limit,
+    () => 5,
+    (size) => new WebGLRenderTarget(size, size),
+  );
 
 function expectApart(tenants: readonly Tenant[], size: number): void {
   const tiles = tenants.map(({ tile }) => tile!);

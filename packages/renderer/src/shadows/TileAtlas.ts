@@ -53,7 +53,7 @@ export class TileAtlas {
    */
   constructor(
     public limit: number,
-    private readonly bytesPerTexel: number,
+    private readonly bytesPerTexel: () => number,
     private readonly make: (size: number) => WebGLRenderTarget,
   ) {}
 
@@ -63,7 +63,7 @@ export class TileAtlas {
   }
 
   get bytes(): number {
-    return this.target === null ? 0 : this.target.width * this.target.height * this.bytesPerTexel;
+    return this.target === null ? 0 : this.target.width * this.target.height * this.bytesPerTexel();
   }
 
   /**
@@ -96,6 +96,11 @@ export class TileAtlas {
     this.packer.release(tenant.tile);
     tenant.tile = null;
     tenant.drawn = false;
+  }
+
+  /** Makes its target anew, as `make` now does; what the tiles held is lost. */
+  remake(): void {
+    if (this.target !== null) this.resize(this.target.width);
   }
 
   dispose(): void {

@@ -1,8 +1,20 @@
-import { DepthTexture, LinearFilter, NearestFilter, RedFormat, UnsignedIntType, WebGLRenderTarget } from 'three';
+import {
+  DepthTexture,
+  LinearFilter,
+  NearestFilter,
+  RedFormat,
+  UnsignedIntType,
+  UnsignedShortType,
+  WebGLRenderTarget,
+} from 'three';
 
-/** What shadow maps are drawn to: depths, to be compared by the sampler. @param size texels a side */
-export function depthTarget(size: number): WebGLRenderTarget {
-  const depthTexture = new DepthTexture(size, size, UnsignedIntType);
+/**
+ * What shadow maps are drawn to: depths, to be compared by the sampler.
+ * @param size texels a side
+ * @param isFine depths have 24 bits, else 16
+ */
+export function depthTarget(size: number, isFine: boolean): WebGLRenderTarget {
+  const depthTexture = new DepthTexture(size, size, isFine ? UnsignedIntType : UnsignedShortType);
   depthTexture.name = 'Farol shadow maps';
   depthTexture.minFilter = depthTexture.magFilter = LinearFilter;
   return new WebGLRenderTarget(size, size, {
