@@ -192,7 +192,8 @@ export class TAA implements FarolEffect {
     history.quiet = follows && changed ? 0 : history.quiet + 1;
     const lit = history.sure > RELIT && frame.shadowMapsDrawn === 0 && !motion.undrawn;
     if (!lit) this.belief.value = history.sure > RELIT || moved ? 1 : 0;
-    else this.belief.value = follows && !moved && history.known > MET ? 3 : 2;
+    else if (!follows || history.known <= MET) this.belief.value = 2;
+    else this.belief.value = moved ? 4 : 3;
   }
 
   /** Says how much this frame's samples count. */

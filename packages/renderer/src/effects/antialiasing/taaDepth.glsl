@@ -43,3 +43,11 @@ vec3 farol_wayOf(const in ivec2 pixel, const in float away) {
   vec4 before = farol_reproject * vec4(now, farol_deviceZ(texelFetch(farol_pictureDepth, pixel, 0).r), 1.0);
   return vec3(0.5 * (now - before.xy / before.w), farol_distanceOf(before.z / before.w));
 }
+
+// how far what stands still would have come at a place (pictures) and distance (m)
+vec2 farol_wayAt(const in vec2 place, const in float away) {
+  float deviceZ = (farol_projectZ.y - away * farol_projectZ.x) / (farol_projectZ.w - away * farol_projectZ.z);
+  vec2 now = place * 2.0 - 1.0;
+  vec4 before = farol_reproject * vec4(now, deviceZ, 1.0);
+  return 0.5 * (now - before.xy / before.w);
+}

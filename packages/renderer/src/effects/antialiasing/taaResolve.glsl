@@ -14,13 +14,15 @@ uniform bool farol_encoded;
 uniform bool farol_hasPast;
 uniform highp vec2 farol_share; // of a sample of weight 1 in what moves, and in what does not
 uniform float farol_gamma; // standard deviations to which the past is clipped; 0: nothing has changed, it is not
-uniform int farol_belief; // 0: the light has changed; 1: it may have; 2: it has not; 3: nor has what stands still gone
+uniform int farol_belief; // 0: the light has changed; 1: it may have; 2: it has not; 3: nor has what stands still gone, nor the camera; 4: the camera has
 layout(location = 0) out highp vec4 farol_color;
 
 /** Distances this much apart (ratio) belong to different surfaces. */
 const float FAROL_APART = 1.08;
 /** From this much motion of the foreground over the background on (pixels a frame), what lay beside it is doubted. */
 const float FAROL_PASSES = 0.3;
+/** Up to this much of it (pixels a frame), what was there is still there, if nothing moves but the camera. */
+const float FAROL_ALONG = 0.2;
 
 vec4 farol_pictureAt(const in ivec2 pixel) {
   vec4 color = texelFetch(farol_picture, farol_inPicture(pixel), 0);
@@ -105,7 +107,10 @@ else if (farol_hasPast) {
     float expected = nearest * way.z / shownDistance;
     bool same = abs(abs(before) - expected) < (FAROL_APART - 1.0) * expected;
     bool stays = farol_belief == 3 && still && reach.x > 0.0 && (same || before > 0.0);
-    bool believed = stays || (farol_belief > 0 && edge && same);
+    // what is thinner than the way between two samples may have been missed
+    bool missed = farol_belief > 2 && !same && reach.x > 0.0 && before > 0.0 && before < expected
+      && length((farol_wayAt(place / size, before) - way.xy) * size) < FAROL_ALONG;
+    bool believed = stays || missed || (farol_belief > 0 && edge && same);
     if (!believed || farol_belief < 2) past.rgb = farol_likeNow(past.rgb, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
     float share = weight * (still ? farol_share.y : farol_share.x);
     // where the past is of less worth, samples count in a wider reach
