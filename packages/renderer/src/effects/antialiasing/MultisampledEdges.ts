@@ -27,7 +27,7 @@ const SAMPLES = 4;
  * Shading goes through all lights. With more of them than `shadedLights`, with ambient occlusion or decals, or under things
  * that are transparent and write no depth, the colour is that of a pixel nearby which shows the surface, if there is one.
  * Left as they are: points, lines, sprites, what has a shader of the host's, stencil or a depth function of its own, and
- * transparent things.
+ * transparent things. Not to be used together with `SMAA` or `TAA`, in whose pictures edges are smooth already.
  * @see Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing, https://doi.org/10.1145/1944745.1944748
  */
 export class MultisampledEdges implements FarolEffect {

@@ -13,19 +13,19 @@ const float FAROL_SHOWN = 8.0;
  * Whether the picture shows the surface.
  * @param slope of its depth from pixel to pixel
  * @param fit how far off it may be: part of the slope
- * @param round whether to look at the pixels round its own too
+ * @param nearby whether to look at the pixels round its own too
  * @param color the picture's
  * @param shown FAROL_SHOWN if it is what its own pixel shows, else 0
  */
 bool farol_edgeColor(
-  const in ivec2 pixel, const in float depth, const in vec2 slope, const in float fit, const in bool round, out vec4 color, out float shown
+  const in ivec2 pixel, const in float depth, const in vec2 slope, const in float fit, const in bool nearby, out vec4 color, out float shown
 ) {
   float slopes = abs(slope.x) + abs(slope.y);
   float least = abs(texelFetch(farol_pictureDepth, pixel, 0).r - depth);
   float most = FAROL_ROUNDING + fit * slopes;
   ivec2 found = pixel;
   shown = least <= 2.0 * FAROL_ROUNDING + slopes ? FAROL_SHOWN : 0.0;
-  if (round && least > most) {
+  if (nearby && least > most) {
     ivec2 last = textureSize(farol_pictureDepth, 0) - 1;
     for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
       ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
