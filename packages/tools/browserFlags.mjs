@@ -40,10 +40,12 @@ export const softwareFlags = [
   '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist',
   '--disable-gpu-rasterization',
+  // the page round the canvas is cheaper to put together without the rasteriser of WebGL
+  '--disable-gpu-compositing',
   `--disable-features=${disabledFeatures.join(',')}`,
   // else each program has a pipeline cache of its own, and the rasteriser compiles equal shaders anew
   '--enable-angle-features=preferGlobalPipelineCache',
 ];
 
 /** Flags for a machine with a GPU: the same, less what is for the software rasteriser. @type {readonly string[]} */
-export const gpuFlags = softwareFlags.filter((flag) => !/swiftshader|angle-features/.test(flag));
+export const gpuFlags = softwareFlags.filter((flag) => !/swiftshader|angle-features|gpu-compositing/.test(flag));
