@@ -63,6 +63,8 @@ export class ShadowMapDraws {
   private readonly seen = new SeenReceivers();
   private hasSeen = false;
   private casters: ShadowCasters | null = null;
+  /** Those of the frame that are drawn one by one. */
+  private readonly loose: Caster[] = [];
   private camera: Camera | null = null;
   private bothSides = false;
   private frame = 0;
@@ -92,17 +94,11 @@ export class ShadowMapDraws {
 
   /** Finds what each face of a light's map will draw, and has three bring its buffers up to date. */
   prepare(slot: ShadowSlot): void {
-    const { list, count } = this.casters!;
     const merged = this.beginMerged();
     for (const face of slot.faces) face.clear();
-    for (let i = 0; i < count; i++) {
-      const caster = list[i];
+    merged?.addTo(slot, this.bothSides);
+    for (const caster of this.loose) {
       if (!isReached(caster, slot)) continue;
-      const held = merged?.find(caster) ?? null;
-      if (held !== null) {
-        merged!.addTo(slot, held, this.bothSides);
-        continue;
-      }
       for (const face of slot.faces) {
         if (!isSeen(caster, face)) continue;
         face.casters.push(caster);
@@ -202,9 +198,15 @@ export class ShadowMapDraws {
   /** Has them ready, once a frame that draws maps. */
   private beginMerged(): MergedCasters | null {
     const merged = this.mergedCasters;
-    if (merged === null || this.hasMerged) return merged;
+    if (this.hasMerged) return merged;
     this.hasMerged = true;
-    merged.begin(this.camera!, this.casters!);
+    this.loose.length = 0;
+    if (merged === null) {
+      const { list, count } = this.casters!;
+      for (let i = 0; i < count; i++) this.loose.push(list[i]);
+      return null;
+    }
+    merged.begin(this.camera!, this.casters!, this.loose);
     merged.addStands(this.stands);
     return merged;
   }

@@ -98,6 +98,8 @@ export class MergedCasters {
   /** The frame in which it was last used, as its owner counts them. */
   used = 0;
   private members: MergedCaster[] = [];
+  /** Those that cast shadows in this frame. */
+  private readonly present: MergedCaster[] = [];
   private readonly waiting: Caster[] = [];
   private readonly origin = new Vector3();
   private readonly placed = new Matrix4();
@@ -138,8 +140,9 @@ export class MergedCasters {
   /**
    * Begins a frame in which maps may be drawn: follows the camera, and takes up some of the casters that wait.
    * @param casters of the scene
+   * @param loose gets those of them that it does not hold
    */
-  begin(view: Camera, { list, count, frame }: ShadowCasters): void {
+  begin(view: Camera, { list, count, frame }: ShadowCasters, loose: Caster[]): void {
     this.moveOrigin(view);
     if (frame % SWEEP === 0)
       for (const { caster } of this.members) if (frame - caster.frame > SWEEP) this.letGo(caster);
@@ -148,6 +151,12 @@ export class MergedCasters {
     for (let left = BUDGET; left > 0 && this.waiting.length > 0;) {
       const caster = this.waiting[this.waiting.length - 1];
       left -= this.makeReady(caster);
+    }
+    this.present.length = 0;
+    for (let i = 0; i < count; i++) {
+      const merged = this.find(list[i]);
+      if (merged !== null) this.present.push(merged);
+      else loose.push(list[i]);
     }
   }
 
@@ -183,7 +192,16 @@ export class MergedCasters {
   }
 
   /** Has each face of a light's map draw the clusters that it sees, in the part of it that is drawn. */
-  addTo(slot: ShadowSlot, merged: MergedCaster, bothSides: boolean): void {
+  addTo(slot: ShadowSlot, bothSides: boolean): void {
+    const { isCube, faces, reach, layers } = slot;
+    for (const merged of this.present) {
+      const { object, box } = merged.caster;
+      if ((object.layers.mask & layers) === 0 || isBeyond(reach, box, 0)) continue;
+      if (isCube || isSeenByAny(faces, box, 0)) this.addClusters(slot, merged, bothSides);
+    }
+  }
+
+  private addClusters(slot: ShadowSlot, merged: MergedCaster, bothSides: boolean): void {
     this.follow(merged);
     const { caster, boxes, first, geometry, page } = merged;
     const side = seenSide(shadowSideOf((caster.object as Mesh).material as Material, bothSides), merged.isMirrored);
