@@ -81,7 +81,9 @@ export class SeenReceivers {
     const { boxes, groups } = this;
     for (let group = 0; group < this.count * GROUP; group += GROUP) {
       if (isBeyond(reach, groups, group)) continue;
-      let widens = isCube && cubeFaceParts(parts, groups, group, reach, false);
+      const wide = isCube ? cubeFaceParts(parts, groups, group, reach, false) : 0;
+      if (wide === 1) cubeFaceParts(parts, groups, group, reach);
+      let widens = wide === 2;
       for (let i = isCube ? 6 : 0; i < faces.length && !widens; i++) {
         widens = mapPart(parts, i * 4, groups, group, reach, faces[i].matrix, false);
       }
