@@ -48,6 +48,9 @@ test('as stock three with 4 samples are the forward techniques in a multisampled
       deferred('edges');
       edges.shadedLights = 0;
       deferred('edges, colours of pixels nearby');
+      edges.mostLights = 0;
+      deferred('edges, nothing shaded');
+      edges.mostLights = 128;
       // what is not drawn anew stays as it is: a shader of the host's, and glass with what is seen through it
       const fragmentShader = 'void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }';
       const own = new three.Mesh(new three.SphereGeometry(0.7), new three.ShaderMaterial({ fragmentShader }));
@@ -74,6 +77,7 @@ test('as stock three with 4 samples are the forward techniques in a multisampled
   // but where an edge lies within rounding of a pixel's middle: there it may be the other side's
   expect(apart.edges.psnr).toBeGreaterThan(54);
   expect(figures['edges, colours of pixels nearby']).toBeGreaterThan(figures.stock - 0.5);
+  expect(figures['edges, nothing shaded']).toBeGreaterThan(figures.none + 6);
   expect(green).toBe(1);
   expect(stays).toBeLessThan(1e-3);
   for (const technique of FORWARD) {

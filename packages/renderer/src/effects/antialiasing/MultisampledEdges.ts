@@ -25,7 +25,8 @@ const SAMPLES = 4;
  * `antialias: true`. It needs one picture only: it is the same whether things stand or move, and nothing ghosts.
  *
  * Shading goes through all lights. With more of them than `shadedLights`, with ambient occlusion or decals, or under things
- * that are transparent and write no depth, the colour is that of a pixel nearby which shows the surface, if there is one.
+ * that are transparent and write no depth, the colour is that of a pixel nearby which shows the surface, if there is one;
+ * what none shows is shaded all the same, up to `mostLights`.
  * Left as they are: points, lines, sprites, what has a shader of the host's, stencil or a depth function of its own, and
  * transparent things. Not to be used together with `SMAA` or `TAA`, in whose pictures edges are smooth already.
  * @see Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing, https://doi.org/10.1145/1944745.1944748
@@ -34,16 +35,20 @@ export class MultisampledEdges implements FarolEffect {
   readonly name = 'Multisampled edges';
   /** Lights up to which all edges are shaded anew. Default 32. */
   shadedLights = 32;
+  /** Lights beyond which nothing is shaded: what no pixel nearby shows has edges as in the picture. Default 128. */
+  mostLights = 128;
   private readonly picture: IUniform<Texture | null> = { value: null };
   private readonly depth: IUniform<Texture | null> = { value: null };
   private readonly samples: IUniform<Texture | null> = { value: null };
   private readonly farthest = { value: 1 };
   private readonly whole = { value: true };
   private readonly reuse = { value: false };
+  private readonly shades = { value: true };
   private readonly uniforms = {
     farol_picture: this.picture,
     farol_pictureDepth: this.depth,
     farol_reuse: this.reuse,
+    farol_shades: this.shades,
   };
   private readonly lit = edgeTwin(forwardTwins('lightLoopAll')('final').whole, this.uniforms);
   private readonly unlit = edgeTwin(plainWhole, this.uniforms);
@@ -107,6 +112,7 @@ export class MultisampledEdges implements FarolEffect {
     }
     const changed = frame.accumulation !== null || frame.gbufferLayout !== gbufferLayout;
     this.reuse.value = laidOver || changed || lights.total > this.shadedLights;
+    this.shades.value = lights.total <= this.mostLights;
   }
 
   private draw(frame: Frame, item: RenderItem): void {

@@ -14,7 +14,7 @@ const float FAROL_SHOWN = 8.0;
  * @param slope of its depth from pixel to pixel
  * @param fit how far off it may be: part of the slope
  * @param nearby whether to look at the pixels round its own too
- * @param color the picture's
+ * @param color the picture's; of its own pixel, where it does not show the surface
  * @param shown FAROL_SHOWN if it is what its own pixel shows, else 0
  */
 bool farol_edgeColor(
@@ -36,6 +36,6 @@ bool farol_edgeColor(
     }
     most += (FAROL_ROUNDING + 0.01 * slopes) * 2.0;
   }
-  color = texelFetch(farol_picture, found, 0);
+  color = texelFetch(farol_picture, least <= most ? found : pixel, 0);
   return least <= most;
 }

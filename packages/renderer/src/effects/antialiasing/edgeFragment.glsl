@@ -11,9 +11,26 @@ float farol_fit = 0.005;
 // round things look alike on both sides of an edge between two triangles
 if (length(fwidth(vNormal)) > 1e-3) farol_fit = 0.2;
 #endif
+vec2 farol_slope = vec2(dFdx(farol_depth), dFdy(farol_depth));
 vec4 farol_seen;
 float farol_shown;
-if (farol_edgeColor(ivec2(gl_FragCoord.xy), farol_depth, vec2(dFdx(farol_depth), dFdy(farol_depth)), farol_fit, farol_reuse, farol_seen, farol_shown)) {
+bool farol_found = farol_edgeColor(ivec2(gl_FragCoord.xy), farol_depth, farol_slope, farol_fit, farol_reuse, farol_seen, farol_shown);
+if (farol_found || !farol_shades) {
 gl_FragColor = vec4(farol_seen.rgb, farol_seen.a + farol_shown);
+return;
+}
+// nearer surfaces in the pixels all round hide it, so that its colour does not matter
+bool farol_hidden = true;
+for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
+  ivec2 farol_at = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), textureSize(farol_pictureDepth, 0) - 1);
+  vec2 farol_off = vec2(farol_at) + 0.5 - gl_FragCoord.xy;
+  float farol_behind = farol_depth + dot(farol_slope, farol_off) - texelFetch(farol_pictureDepth, farol_at, 0).r;
+#ifdef USE_REVERSED_DEPTH_BUFFER
+  farol_behind = -farol_behind;
+#endif
+  farol_hidden = farol_hidden && farol_behind > 4.0 * FAROL_ROUNDING + abs(farol_slope.x) + abs(farol_slope.y);
+}
+if (farol_hidden) {
+gl_FragColor = vec4(farol_seen.rgb, farol_seen.a);
 return;
 }

@@ -11,7 +11,8 @@ const VARYING = 'varying highp vec2 farol_edgeZW;\n';
 /**
  * The kind of an opaque draw, which takes the colour that the finished picture has for the surface, and shades only where the
  * picture does not show it.
- * @param uniforms of edgeColor.glsl, and `farol_reuse`: whether the pixels round its own count too
+ * @param uniforms of edgeColor.glsl, and `farol_reuse`: whether the pixels round its own count too, `farol_shades`: whether what the
+ * picture does not show is shaded
  */
 export function edgeTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {
   return {
@@ -26,7 +27,7 @@ export function edgeTwin(kind: TwinKind, uniforms: Record<string, IUniform>): Tw
       shader.vertexShader = VARYING + beforeLastBrace(shader.vertexShader, 'farol_edgeZW = gl_Position.zw;');
       const text = replaceOnce(shader.fragmentShader, AFTER_TESTS, `${AFTER_TESTS}\n${edgeFragment}`, where);
       const own = text.includes('bool farol_edgeColor') ? '' : `${header}\n`;
-      shader.fragmentShader = `${VARYING}uniform bool farol_reuse;\n${own}${beforeLastBrace(text, 'gl_FragColor.a += farol_shown;')}`;
+      shader.fragmentShader = `${VARYING}uniform bool farol_reuse, farol_shades;\n${own}${beforeLastBrace(text, 'gl_FragColor.a += farol_shown;')}`;
     },
   };
 }
