@@ -309,7 +309,7 @@ export class ShadowMaps implements LightMasks {
     const count = mapped.length + coloured.length;
     const look = count !== this.tenants || this.frame % REBALANCE === 0;
     this.tenants = count;
-    if (!this.isFine && !vsm && mapped.some(isFine)) this.refine();
+    if (!this.isFine && !vsm && mapped.some((slot) => slot.needsFineDepth)) this.refine();
     this.depths.arrange(mapped, keptMaps, look);
     if (!vsm) unlit.length = 0;
     for (const cookie of this.cookies.values()) {
@@ -395,7 +395,3 @@ export class ShadowMaps implements LightMasks {
 }
 
 const NONE: readonly AtlasTenant[] = [];
-
-function isFine(slot: ShadowSlot): boolean {
-  return slot.needsFineDepth;
-}

@@ -30,6 +30,7 @@ import { CLUSTER_TRIANGLES } from './ClusterOrder';
 import { cubeFacesOf } from './cubeFacesOf';
 import { uniteBoxes } from '../uniteBoxes';
 import { isMergeable } from './isMergeable';
+import type { MergedCaster } from './MergedCaster';
 import { MergedMesh } from './MergedMesh';
 
 const INDICES = CLUSTER_TRIANGLES * 3;
@@ -65,25 +66,6 @@ interface Page {
   readonly mesh: MergedMesh;
   readonly matrices: CasterMatrices;
   objects: number;
-}
-
-/** A caster among the merged ones. */
-export interface MergedCaster {
-  readonly caster: Caster;
-  readonly geometry: CasterGeometry;
-  /** Which page it is on, and its number there. */
-  readonly page: number;
-  readonly object: number;
-  /** Where its indices begin. */
-  readonly first: number;
-  /** What of the caster it was made of, see `Caster`. */
-  look: number;
-  /** Boxes of its clusters along the world's axes, and the place of the caster that they are of. */
-  readonly boxes: Float64Array;
-  /** The same round each `CLUSTERS_PER_GROUP` that follow one another. */
-  readonly groups: Float64Array;
-  place: number;
-  isMirrored: boolean;
 }
 
 /**

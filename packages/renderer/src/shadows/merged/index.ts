@@ -1,5 +1,6 @@
 import mergedCaster from './mergedCaster.glsl?raw';
 import mergedCasterDepth from './mergedCasterDepth.glsl?raw';
 
-export { CLUSTERS_PER_GROUP, MergedCasters, type MergedCaster } from './MergedCasters';
+export type { MergedCaster } from './MergedCaster';
+export { CLUSTERS_PER_GROUP, MergedCasters } from './MergedCasters';
 export { mergedCaster, mergedCasterDepth };
