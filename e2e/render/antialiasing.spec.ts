@@ -78,6 +78,7 @@ test('as stock three with 4 samples are the forward techniques in a multisampled
   expect(apart.edges.psnr).toBeGreaterThan(54);
   expect(figures['edges, colours of pixels nearby']).toBeGreaterThan(figures.stock - 0.5);
   expect(figures['edges, nothing shaded']).toBeGreaterThan(figures.none + 6);
+  expect(figures['edges, nothing shaded']).toBeLessThan(figures['edges, colours of pixels nearby'] - 1);
   expect(green).toBe(1);
   expect(stays).toBeLessThan(1e-3);
   for (const technique of FORWARD) {
