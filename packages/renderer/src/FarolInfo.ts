@@ -25,9 +25,9 @@ export interface FarolInfo {
   lights: { total: number; visible: number };
   /**
    * Shadow maps drawn in this frame and the texels that were drawn to for them, maps of lit lights that were kept from earlier
-   * ones, and bytes of the atlases.
+   * ones, of them those whose bounds of depths spare look-ups, and bytes of the atlases.
    */
-  shadows: { drawn: number; texels: number; kept: number; bytes: number };
+  shadows: { drawn: number; texels: number; kept: number; bounded: number; bytes: number };
   /** Programs alive in the WebGLRenderer. */
   programs: number;
   /** Bytes of render targets and light data that Farol holds on the GPU. */

@@ -310,6 +310,7 @@ export class FarolRenderer {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
     this.lights.layers = shadows.layers;
     this.shadowDraws.stands = shadows.stands;
+    this.frame.findTileShadows = (gbuffer) => shadows.findTiles(this.frame, gbuffer);
     this.frame.queue.shadowMasks = code.shadowMasks;
     return shadows;
   }

@@ -16,6 +16,7 @@ import {
 } from 'three';
 import type { View } from './debug/views';
 import type { Fills } from './techniques/Technique';
+import type { GBuffer } from './gbuffer/GBuffer';
 import { gbufferLayout, type GBufferAttachment } from './gbuffer/gbufferLayout';
 import type { LightTable } from './lights/LightTable';
 import type { ForwardTwins } from './materials/forwardTwin';
@@ -75,6 +76,8 @@ export class Frame {
   level = 0;
   /** Shadow maps that are drawn anew in this frame. */
   shadowMapsDrawn = 0;
+  /** Finds which lights light all, or none, of tiles of a G-buffer; null while no light casts a shadow. */
+  findTileShadows: ((gbuffer: GBuffer) => void) | null = null;
   /** Set by an effect: gives the kind of twin that an item is drawn with in place of another. */
   adapt: ((kind: TwinKind, item: RenderItem) => TwinKind) | null = null;
   /** Attachments of the G-buffer; an effect may set others, which begin with the same. */

@@ -16,7 +16,7 @@ export class InfoRecorder {
     cpuMs: 0,
     gpuMs: null,
     lights: { total: 0, visible: 0 },
-    shadows: { drawn: 0, texels: 0, kept: 0, bytes: 0 },
+    shadows: { drawn: 0, texels: 0, kept: 0, bounded: 0, bytes: 0 },
     programs: 0,
     targetBytes: 0,
     uploadBytes: 0,
@@ -99,7 +99,8 @@ export class InfoRecorder {
     info.shadows.drawn = shadows?.drawn ?? 0;
     info.shadows.texels = shadows?.texels ?? 0;
     info.shadows.kept = shadows?.kept ?? 0;
-    info.shadows.bytes = shadows?.bytes ?? 0;
+    info.shadows.bounded = shadows?.tiles.bounded ?? 0;
+    info.shadows.bytes = shadows?.atlasBytes ?? 0;
     info.programs = this.webgl.info.programs?.length ?? 0;
     info.targetBytes = targetBytes;
     info.uploadBytes = lights.uploadedBytes + uploadedBytes;

@@ -1,7 +1,8 @@
 import type { IUniform, Texture } from 'three';
 import type { Frame } from '../Frame';
 import { WordTable } from '../lights/WordTable';
-import type { Pass } from './Pass';
+import type { GBufferPass } from './GBufferPass';
+import type { Pass, Resource } from './Pass';
 
 const BINS = 1024;
 /** What is sent when there are no lights to list: a texture must be bound all the same. */
@@ -30,12 +31,18 @@ const bits = new Int32Array(float.buffer);
 /** Brings the light grid, made on the CPU with the light table, to the GPU. */
 export class LightGridPass implements Pass {
   readonly name = 'light lists';
-  readonly reads = [] as const;
+  readonly reads: readonly Resource[];
   readonly writes = ['light-lists'] as const;
   private readonly masks = new WordTable(4);
   private readonly bins = new WordTable(1);
 
-  constructor(private readonly uniforms: GridUniforms) {}
+  /** @param gbuffer that its lists light: where shadow maps are told of, tiles of it are looked at too */
+  constructor(
+    private readonly uniforms: GridUniforms,
+    private readonly gbuffer: GBufferPass | null = null,
+  ) {
+    this.reads = gbuffer === null ? [] : gbuffer.writes;
+  }
 
   get bytes(): number {
     return this.masks.bytes + this.bins.bytes;
@@ -63,6 +70,7 @@ export class LightGridPass implements Pass {
     depth[0] = grid.depthShift;
     depth[1] = float[0];
     depth[2] = grid.depthScale;
+    if (this.gbuffer !== null) frame.findTileShadows?.(this.gbuffer.gbuffer!);
   }
 
   dispose(): void {

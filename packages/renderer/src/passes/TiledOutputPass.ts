@@ -23,11 +23,13 @@ export class TiledOutputPass implements Pass {
   /**
    * @param lists uniforms of the lists
    * @param loop microshader that walks them
+   * @param defines of its program
    */
   constructor(
     private readonly gbuffer: GBufferPass,
     private readonly lists: Record<string, IUniform>,
     private readonly loop: string,
+    private readonly defines: Record<string, string> = {},
   ) {}
 
   render(frame: Frame): void {
@@ -48,6 +50,7 @@ export class TiledOutputPass implements Pass {
         farol_view: this.view,
         farol_overdrawMap: this.overdraw,
       },
+      defines: this.defines,
       fog: true,
       toneMapped: true,
       depthTest: true,

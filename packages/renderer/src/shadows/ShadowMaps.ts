@@ -1,5 +1,4 @@
 import {
-  BasicShadowMap,
   type Camera,
   type Light,
   type Object3D,
@@ -9,25 +8,28 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import type { DataTable } from '../lights/DataTable';
+import type { Frame } from '../Frame';
+import type { GBuffer } from '../gbuffer/GBuffer';
 import { cookieOf } from '../lights/lightCookie';
 import { LightLayers } from '../lights/LightLayers';
 import type { LightMasks } from '../lights/LightRecords';
 import type { LightTable } from '../lights/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
-import { parseMicroShader } from '../microshaders/parseMicroShader';
 import { colourTarget } from './colourTarget';
 import { CookieDraws } from './CookieDraws';
 import { CookieSlot } from './CookieSlot';
 import { depthTarget } from './depthTarget';
 import { lightCoverage } from './lightCoverage';
-import { RECORDS_PER_MASK, shadowKinds, writeLayerMask, writeMask } from './maskRecord';
-import { maskKinds, maskKindsChunk, maskKindsOf, maskLoopOf } from './maskKinds';
+import { RECORDS_PER_MASK, shadowKindOf, writeLayerMask, writeMask } from './maskRecord';
+import { maskKinds, maskKindsOf, maskLoopOf } from './maskKinds';
+import { MaskShaders } from './MaskShaders';
 import type { MaskUniforms } from './maskUniforms';
 import { MomentDraws } from './MomentDraws';
 import { ShadowCasters } from './ShadowCasters';
 import { ShadowMapDraws } from './ShadowMapDraws';
 import { type ShadowLight, ShadowSlot } from './ShadowSlot';
 import { type AtlasTenant, TileAtlas } from './TileAtlas';
+import { ShadowBounds, ShadowTiles } from './tiles';
 
 /** Frames for which the tile of a light or image that is not lit is kept. */
 const KEPT_FRAMES = 600;
@@ -66,21 +68,19 @@ export class ShadowMaps implements LightMasks {
   private readonly draws: ShadowMapDraws;
   private readonly moments: MomentDraws;
   private readonly images: CookieDraws;
+  private readonly bounds: ShadowBounds;
+  readonly tiles = new ShadowTiles();
+  private readonly shaders: MaskShaders;
   /** Depths have 24 bits, since a light that was met needs them; 16 before. */
   private isFine = false;
   private type = -1;
   private frame = 0;
   private tenants = 0;
-  /** 0: shaders know no masks; 1: shadows and cookies; 2: layers too. */
-  private known = 0;
-  /** Those of `maskKinds` that shaders know, and those that this frame needs too. */
-  private knownKinds = 0;
-  private neededKinds = 0;
 
   /** @param limit of the atlas of depths, texels a side */
   constructor(
     private readonly webgl: WebGLRenderer,
-    private readonly microshaders: MicroShaderRegistry,
+    microshaders: MicroShaderRegistry,
     limit: number,
   ) {
     const { maxTextureSize } = webgl.capabilities;
@@ -93,6 +93,8 @@ export class ShadowMaps implements LightMasks {
     this.draws = new ShadowMapDraws(webgl, microshaders);
     this.moments = new MomentDraws(webgl, microshaders, this.draws);
     this.images = new CookieDraws(webgl, microshaders);
+    this.bounds = new ShadowBounds(webgl, microshaders);
+    this.shaders = new MaskShaders(microshaders);
   }
 
   /** Depths of the maps, to be compared by the sampler; null before the first is drawn. */
@@ -107,8 +109,12 @@ export class ShadowMaps implements LightMasks {
     return draws || !this.isLost(this.colours) ? this.colours.texture : null;
   }
 
-  get bytes(): number {
+  get atlasBytes(): number {
     return this.depths.bytes + this.colours.bytes + this.moments.bytes;
+  }
+
+  get bytes(): number {
+    return this.atlasBytes + this.bounds.bytes + this.tiles.bytes;
   }
 
   /** Points the uniforms at what lights the frame, once the light table is written. */
@@ -126,7 +132,7 @@ export class ShadowMaps implements LightMasks {
 
   /** True when the frame has maps or cookies to draw. */
   get hasWork(): boolean {
-    return this.stale.length + this.staleCookies.length > 0;
+    return this.stale.length + this.staleCookies.length > 0 || this.bounds.hasWork;
   }
 
   /** Stand-ins of the casters that are drawn this frame, for three to bring their buffers up to date. */
@@ -140,7 +146,8 @@ export class ShadowMaps implements LightMasks {
    */
   update(root: Object3D, camera: Camera, lights: readonly Light[]): void {
     this.frame++;
-    this.lit.length = this.stale.length = this.staleCookies.length = 0;
+    this.lit.length = this.stale.length = this.staleCookies.length = this.tiles.bounded = 0;
+    this.bounds.begin();
     this.records = this.drawn = this.kept = this.texels = 0;
     if (this.layered.size > 0) this.layered.clear();
     if (lights.length === 0 && this.slots.size === 0) return;
@@ -153,7 +160,7 @@ export class ShadowMaps implements LightMasks {
     this.follow(updates, camera);
     this.arrange();
     this.findStale(updates);
-    this.adaptShaders();
+    this.shaders.adapt(this.records > 0, this.layers.reference !== 0);
   }
 
   recordOf(light: Light): number {
@@ -167,7 +174,7 @@ export class ShadowMaps implements LightMasks {
     for (const slot of this.lit) {
       if (slot.record < 0) continue;
       const reached = this.layers.separates(slot.light) ? slot.light.layers.mask : 0;
-      writeMask(table, first + slot.record, slot, this.kindOf(slot), camera, reversed, reached);
+      writeMask(table, first + slot.record, slot, shadowKindOf(slot, this.type), camera, reversed, reached);
     }
     for (const [light, record] of this.layered) writeLayerMask(table, first + record, light.layers.mask);
   }
@@ -190,7 +197,13 @@ export class ShadowMaps implements LightMasks {
       if (shadow.needsUpdate) shadow.needsUpdate = false;
     }
     for (const cookie of this.staleCookies) this.images.render(cookie, colours);
+    this.bounds.render(depths);
     webgl.setRenderTarget(target, face, level);
+  }
+
+  /** Finds which lights light all, or none, of tiles of a G-buffer. */
+  findTiles(frame: Frame, gbuffer: GBuffer): void {
+    this.tiles.render(frame, gbuffer, this.bounds.target);
   }
 
   /** Ends a frame: what the host asked for once is done. */
@@ -205,6 +218,8 @@ export class ShadowMaps implements LightMasks {
     this.draws.dispose();
     this.moments.dispose();
     this.images.dispose();
+    this.bounds.dispose();
+    this.tiles.dispose();
     this.slots.clear();
     this.cookies.clear();
   }
@@ -341,39 +356,25 @@ export class ShadowMaps implements LightMasks {
         this.drawn++;
         this.texels += slot.draws(isPart);
         this.draws.prepare(slot);
-      } else if (slot.shows) this.kept++;
+        slot.isBounded = false;
+      } else if (slot.shows) {
+        this.kept++;
+        if (slot.isBounded) this.tiles.bounded++;
+        else if (this.type !== VSMShadowMap) this.bounds.keep(slot, this.frame - slot.changed);
+      }
       const masked = slot.shows || slot.cookie !== null || this.layers.separates(slot.light);
       slot.record = masked ? this.records : -1;
       if (slot.record >= 0) this.records += RECORDS_PER_MASK;
-      if (masked) this.neededKinds |= maskKindsOf(slot, this.type);
+      if (masked) this.shaders.need(maskKindsOf(slot, this.type));
     }
     for (const light of this.layered.keys()) {
-      this.neededKinds |= maskKinds.unshadowed | maskLoopOf(light);
+      this.shaders.need(maskKinds.unshadowed | maskLoopOf(light));
       this.layered.set(light, this.records);
       this.records += RECORDS_PER_MASK;
     }
     for (const cookie of this.cookies.values()) {
       if (cookie.used === this.frame && cookie.tile !== null && !cookie.drawn) this.staleCookies.push(cookie);
     }
-  }
-
-  /** What shaders know of masks grows with what is met, and never shrinks, so that nothing compiles twice. */
-  private adaptShaders(): void {
-    if (this.neededKinds !== this.knownKinds) {
-      this.knownKinds = this.neededKinds;
-      this.microshaders.swap('maskKinds', parseMicroShader('maskKinds', maskKindsChunk(this.knownKinds)));
-    }
-    const needed = this.layers.reference !== 0 ? 2 : this.records > 0 ? 1 : 0;
-    if (needed <= this.known) return;
-    this.known = needed;
-    this.microshaders.swap('lightMask', needed === 2 ? 'lightMaskLayers' : 'lightMaskOn');
-  }
-
-  private kindOf(slot: ShadowSlot): number {
-    if (!slot.shows) return shadowKinds.none;
-    if (this.type === VSMShadowMap) return shadowKinds.vsm;
-    if (this.type === BasicShadowMap) return slot.isCube ? shadowKinds.cubeBasic : shadowKinds.basic;
-    return slot.isCube ? shadowKinds.cubePcf : shadowKinds.pcf;
   }
 
   private releaseMap(slot: ShadowSlot): void {

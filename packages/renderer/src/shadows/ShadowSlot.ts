@@ -86,6 +86,8 @@ export class ShadowSlot implements AtlasTenant {
   drawn = false;
   /** It holds that only where it could be seen. */
   isPartial = false;
+  /** Bounds of its depths are known, see `ShadowBounds`. */
+  isBounded = false;
   /** There has been a map: if its tile was lost it is drawn anew, whatever its updates. */
   hadMap = false;
   /** Frame in which the light was last lit. */

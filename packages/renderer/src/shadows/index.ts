@@ -11,6 +11,7 @@ import { ShadowMaps } from './ShadowMaps';
 import shadowMask from './shadowMask.glsl?raw';
 import { shadowMaskTwin, showsShadowMask } from './shadowMaskTwin';
 import shadowMoments from './shadowMoments.glsl?raw';
+import { tileMicroShaders } from './tiles';
 import type { WebGLRenderer } from 'three';
 
 /** Its chunks, by name. */
@@ -24,6 +25,7 @@ export const microShaders = {
   mergedCasterDepth,
   shadowMask,
   shadowMoments,
+  ...tileMicroShaders,
 };
 
 /** Of materials that show nothing but shadows. */

@@ -1,4 +1,4 @@
-import { Matrix4, Vector3, type Camera } from 'three';
+import { BasicShadowMap, type Camera, Matrix4, Vector3, VSMShadowMap } from 'three';
 import type { DataTable } from '../lights/DataTable';
 import { FLOATS_PER_RECORD } from '../lights/lightRecord';
 import type { ShadowSlot } from './ShadowSlot';
@@ -11,7 +11,7 @@ import type { ShadowSlot } from './ShadowSlot';
  * | 0–3 | columns of the matrix from view space to the map (0 to 1, depth 0 to 1); of a cube: position of the light in view space (m), 1, and nothing |
  * | 4 | corner of the tile of the shadow map (texels); width of a face, kind of shadow (`shadowKinds`), kind of cookie (0 none, 1 map, 2 cube), whether texel 6 counts and the power of two of a cube's border, as bits 0–14, 15–17, 18–19, 20 and 21–23; normal bias (m) |
  * | 5 | of a map: bias (with the sign of the depth buffer), radius of the filter as part of the width, of the height; of a cube: a and b of depth = a + b / distance along an axis, radius of the filter as part of a face; intensity |
- * | 6 | of a map: its height (texels), how many nearer maps there are; –, – |
+ * | 6 | of a map: its height (texels), how many nearer maps there are; 1 if the bounds of its depths are known; – |
  * | 7 | – |
  * | 8 | tile of the cookie: corner, size (texels); of a cube: corner, side of a face; else as 10 |
  * | 9 | layers that the light reaches, 16 bits and 16 bits, 0 for all; –, – |
@@ -67,7 +67,7 @@ export function writeMask(
   else if (reversed) {
     table.set4(at + 20, -near / depthRange + bias, (near * far) / depthRange, radius / mapSize.x, intensity);
   } else table.set4(at + 20, far / depthRange + bias, (-near * far) / depthRange, radius / mapSize.x, intensity);
-  table.set4(at + 24, height, slot.cascades, 0, 0);
+  table.set4(at + 24, height, slot.cascades, slot.shows && slot.isBounded ? 1 : 0, 0);
   writeLayers(table, record, layers);
   const { cascades, fits } = slot;
   for (let i = 0; i < cascades; i++) {
@@ -82,10 +82,19 @@ export function writeMask(
   }
 }
 
+/** What a light's mask does with its map. @param type of shadow maps, as `WebGLRenderer.shadowMap.type` has it */
+export function shadowKindOf({ shows, isCube }: ShadowSlot, type: number): number {
+  if (!shows) return shadowKinds.none;
+  if (type === VSMShadowMap) return shadowKinds.vsm;
+  if (type === BasicShadowMap) return isCube ? shadowKinds.cubeBasic : shadowKinds.basic;
+  return isCube ? shadowKinds.cubePcf : shadowKinds.pcf;
+}
+
 /** Writes the mask of a light that has neither shadow nor cookie, but does not reach all layers. */
 export function writeLayerMask(table: DataTable, record: number, layers: number): void {
   table.set4(record * FLOATS_PER_RECORD + 16, 0, 0, packMask(0, shadowKinds.none, 0, false, 1), 0);
   table.set4(record * FLOATS_PER_RECORD + 20, 0, 0, 0, 0);
+  table.set4(record * FLOATS_PER_RECORD + 24, 0, 0, 0, 0);
   writeLayers(table, record, layers);
 }
 

@@ -1,6 +1,6 @@
 import { type IUniform, Matrix3 } from 'three';
 
-/** Uniforms of lightShadow.glsl, shadowMask.glsl and lightMaskLayers.glsl. */
+/** Uniforms of lightShadow.glsl, shadowMask.glsl and lightMaskLayers.glsl, and of tiles in lightListClustered.glsl. */
 export interface MaskUniforms extends Record<string, IUniform> {
   readonly farol_shadowAtlas: IUniform;
   readonly farol_lightAtlas: IUniform;
@@ -8,6 +8,8 @@ export interface MaskUniforms extends Record<string, IUniform> {
   readonly farol_worldAxes: { value: Matrix3 };
   readonly farol_masks: { value: number[] };
   readonly farol_layers: { value: number[] };
+  readonly farol_tileShadows: IUniform;
+  readonly farol_tileShadowWords: { value: number };
 }
 
 export function maskUniforms(): MaskUniforms {
@@ -17,5 +19,7 @@ export function maskUniforms(): MaskUniforms {
     farol_worldAxes: { value: new Matrix3() },
     farol_masks: { value: [0, 0] },
     farol_layers: { value: [0, 0] },
+    farol_tileShadows: { value: null },
+    farol_tileShadowWords: { value: 0 },
   };
 }

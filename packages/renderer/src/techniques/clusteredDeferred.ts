@@ -18,8 +18,8 @@ export const clusteredDeferred: Technique = {
     const gbuffer = new GBufferPass();
     return [
       gbuffer,
-      new LightGridPass(grid),
-      new TiledOutputPass(gbuffer, { ...tiles, ...grid }, 'lightListClustered'),
+      new LightGridPass(grid, gbuffer),
+      new TiledOutputPass(gbuffer, { ...tiles, ...grid }, 'lightListClustered', { FAROL_TILE_SHADOWS: '' }),
       ...forwardTail('lightListClustered', ['light-lists']),
     ];
   },

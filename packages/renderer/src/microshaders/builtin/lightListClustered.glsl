@@ -28,14 +28,31 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
   return word < farol_grid.z ? bits : bits & farol_bitsFrom(word * 32, ranks.x, ranks.y);
 }
 
+#if defined( FAROL_HAS_MASKS ) && defined( FAROL_TILE_SHADOWS )
+uniform highp usampler2D farol_tileShadows; // of tiles of 8 pixels, two words of lights a texel: those that light all, those that light none of it; both: that light all, and are point lights of three
+uniform highp int farol_tileShadowWords; // of a tile; 0 while nothing is known
+
+uvec2 farol_tileMarks(const in int word) {
+  if (word >= farol_tileShadowWords) return uvec2(0u);
+  ivec2 tile = ivec2(gl_FragCoord.xy - farol_offset) >> 3;
+  uvec4 marks = texelFetch(farol_tileShadows, ivec2(tile.x * (farol_tileShadowWords >> 1) + (word >> 1), tile.y), 0);
+  return (word & 1) == 0 ? marks.xy : marks.zw;
+}
+#else
+  #define farol_tileMarks(word) uvec2(0u)
+#endif
+
 // opens two loops; farol_record is the light's record
-#define FAROL_FOR_EACH_LISTED(positionVS) \
+#define FAROL_FOR_EACH_LISTED(positionVS) FAROL_FOR_EACH_UNMARKED(positionVS, false)
+// without the lights that are known to light none of the tile, if so; farol_marks: see there
+#define FAROL_FOR_EACH_UNMARKED(positionVS, without) \
   ivec2 farol_tile = ivec2(gl_FragCoord.xy - farol_offset) >> farol_grid.x; \
   ivec2 farol_ranks = ivec2(farol_depthBin(-(positionVS).z)); \
   int farol_lastWord = max(farol_ranks.x <= farol_ranks.y ? farol_ranks.y >> 5 : -1, farol_grid.z - 1); \
   for (int farol_word = farol_grid.z > 0 ? 0 : farol_ranks.x >> 5; farol_word <= farol_lastWord; \
        farol_word = farol_word + 1 < farol_grid.z ? farol_word + 1 : max(farol_word + 1, farol_ranks.x >> 5)) { \
-    for (uint farol_bits = farol_listedBits(farol_tile, farol_word, farol_ranks); farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
+    uvec2 farol_marks = (without) ? farol_tileMarks(farol_word) : uvec2(0u); \
+    for (uint farol_bits = farol_listedBits(farol_tile, farol_word, farol_ranks) & (farol_marks.x | ~farol_marks.y); farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
       int farol_record = farol_grid.w + farol_word * 32 + farol_lowestBit(farol_bits);
 #define FAROL_END_LISTED }}
 // where lights have masks there may be no plain one; elsewhere the question costs more than it saves
@@ -47,7 +64,7 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
 // plain point lights by one loop, the others by another, so that the first stays short
 #define FAROL_SHADE_LISTED(shading) \
   if (FAROL_HAS_PLAIN) { FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addPoint(shading, farol_record); FAROL_END_LISTED } \
-  if (farol_lightCounts.w > 0) { FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addOther(shading, farol_record); FAROL_END_LISTED }
+  if (farol_lightCounts.w > 0) { FAROL_FOR_EACH_UNMARKED(shading.positionVS, (shading.flags & 16) != 0) { uvec2 farol_mark = farol_marks & (farol_bits & (~farol_bits + 1u)); farol_addOther(shading, farol_record, farol_mark.x != 0u, (farol_mark.x & farol_mark.y) != 0u); } FAROL_END_LISTED }
 #define FAROL_SHADE_ALL(shading) farol_addUnbounded(shading); FAROL_SHADE_LISTED(shading)
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \

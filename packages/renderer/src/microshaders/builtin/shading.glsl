@@ -96,8 +96,19 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   farol_addLight(s, light.direction, light.color * diffuseScale, light.color * specularScale);
 }
 
-// a light with a range, its first two texels; point lights of three, most of all lights, take the short way
-void farol_addRead(inout FarolShading s, const in int record, const in vec4 centre, vec4 color) {
+// a point light of three that lights all there is, its first two texels
+void farol_addPlain(inout FarolShading s, const in vec4 centre, const in vec3 color, const in float decay) {
+  vec3 toLight = centre.xyz - s.positionVS;
+  float distanceSquared = dot(toLight, toLight);
+  float ratio = distanceSquared / (centre.w * centre.w);
+  if (ratio >= 1.0) return;
+  vec3 arriving = color * farol_boundedAttenuation(distanceSquared, ratio, decay);
+  farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), arriving, arriving);
+}
+
+// a light with a range, its first two texels; point lights of three, most of all lights, take the short way; isLit: its mask lets
+// all through
+void farol_addRead(inout FarolShading s, const in int record, const in vec4 centre, vec4 color, const in bool isLit) {
   vec3 toLight = centre.xyz - s.positionVS;
   float distanceSquared = dot(toLight, toLight);
   float ratio = distanceSquared / (centre.w * centre.w);
@@ -111,7 +122,8 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 cent
 #ifdef FAROL_POINT_MASKS
     if (cone.x < -1.0 && cone.w == 0.0) { // a point light of three with a mask
       if (dot(s.normalVS, direction) <= 0.0) return;
-      color.rgb *= attenuation * FAROL_MASK(int(cone.z), true, toLight, FAROL_LOOKUP_OF(s));
+      color.rgb *= attenuation;
+      if (!isLit) color.rgb *= FAROL_MASK(int(cone.z), true, toLight, FAROL_LOOKUP_OF(s));
       farol_addLight(s, direction, color.rgb, color.rgb);
       return;
     }
@@ -134,7 +146,7 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 cent
     s.diffuse += ambient * attenuation;
     if (dot(s.normalVS, direction) <= 0.0) return;
 #ifdef FAROL_BOUNDED_MASKS
-    if (cone.z > 0.0) {
+    if (cone.z > 0.0 && !isLit) {
       color.rgb *= attenuation * FAROL_MASK(int(cone.z), false, toLight, FAROL_LOOKUP_OF(s));
       farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
       return;
@@ -146,26 +158,22 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 cent
 }
 
 void farol_addBounded(inout FarolShading s, const in int record) {
-  farol_addRead(s, record, farol_lightTexel(record, 0), farol_lightTexel(record, 1));
+  farol_addRead(s, record, farol_lightTexel(record, 0), farol_lightTexel(record, 1), false);
 }
 
-// the same, for all but point lights of three; both texels are asked for before either is looked at
-void farol_addOther(inout FarolShading s, const in int record) {
+// the same, for all but plain point lights; both texels are asked for before either is looked at; isPlain: but for its mask it is one
+void farol_addOther(inout FarolShading s, const in int record, const in bool isLit, const in bool isPlain) {
   vec4 centre = farol_lightTexel(record, 0);
   vec4 color = farol_lightTexel(record, 1);
-  if (color.w < 0.0) farol_addRead(s, record, centre, color);
+  if (isPlain) farol_addPlain(s, centre, color.rgb, -1.0 - color.w);
+  else if (color.w < 0.0) farol_addRead(s, record, centre, color, isLit);
 }
 
 // a point light of three; others are left out
 void farol_addPoint(inout FarolShading s, const in int record) {
   vec4 centre = farol_lightTexel(record, 0);
-  vec3 toLight = centre.xyz - s.positionVS;
-  float distanceSquared = dot(toLight, toLight);
-  float ratio = distanceSquared / (centre.w * centre.w);
   vec4 color = farol_lightTexel(record, 1);
-  if (ratio >= 1.0 || color.w < 0.0) return;
-  color.rgb *= farol_boundedAttenuation(distanceSquared, ratio, color.w);
-  farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color.rgb, color.rgb);
+  if (color.w >= 0.0) farol_addPlain(s, centre, color.rgb, color.w);
 }
 
 // directional lights and lights without a range

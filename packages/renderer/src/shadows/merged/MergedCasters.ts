@@ -1,7 +1,7 @@
 import {
   BackSide,
   type BufferGeometry,
-  Camera,
+  type Camera,
   DoubleSide,
   FrontSide,
   type Material,
@@ -9,6 +9,7 @@ import {
   type Mesh,
   NoBlending,
   Object3D,
+  PerspectiveCamera,
   type Side,
   Vector3,
   type WebGLRenderer,
@@ -56,7 +57,7 @@ interface MaterialState {
 }
 
 const view = new Matrix4();
-const camera = new Camera();
+const camera = new PerspectiveCamera(); // three changes it where depth is reversed
 /** None of the indices, and so that three does no more than compile. */
 const NOTHING: GeometryGroup = { start: 0, count: 0 };
 const NOT_EVEN_A_DRAW: GeometryGroup = { start: 1, count: -1 };

@@ -1,0 +1,143 @@
+import {
+  type IUniform,
+  NearestFilter,
+  NoBlending,
+  PerspectiveCamera,
+  RGIntegerFormat,
+  type Texture,
+  UnsignedShortType,
+  Vector4,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import type { MicroShaderRegistry } from '../../microshaders';
+import { FullscreenMesh } from '../../passes/FullscreenMesh';
+import { PassMaterial } from '../../passes/PassMaterial';
+import type { Draw } from '../ShadowMapDraws';
+import type { ShadowSlot } from '../ShadowSlot';
+import type { TileAtlas } from '../TileAtlas';
+
+/** Texels a side of a block, as in shadowBounds.glsl. */
+const BLOCK = 8;
+/** Frames for which a map has to be at rest. */
+const REST = 2;
+/** Texels of maps looked at a frame at most, but for one map. */
+const BUDGET = 12_000_000;
+
+const rectangle = new Vector4();
+const camera = new PerspectiveCamera();
+
+/**
+ * Least and greatest depth of each block of 8 × 8 texels of the atlas, for maps that are at rest. A block at the edge of a map
+ * may count in what lies beside it, older texels too: bounds may be wider than need be, never narrower.
+ */
+export class ShadowBounds {
+  readonly target: WebGLRenderTarget;
+  private readonly triangle = new FullscreenMesh();
+  private readonly depths: IUniform<Texture | null> = { value: null };
+  private material: PassMaterial | null = null;
+  private readonly wanted: ShadowSlot[] = [];
+  private left = BUDGET;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly microshaders: MicroShaderRegistry,
+  ) {
+    this.target = new WebGLRenderTarget(1, 1, {
+      format: RGIntegerFormat,
+      type: UnsignedShortType,
+      internalFormat: 'RG16UI',
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      depthBuffer: false,
+    });
+  }
+
+  get bytes(): number {
+    return this.target.width * this.target.height * 4;
+  }
+
+  /** True when the frame has some to find. */
+  get hasWork(): boolean {
+    return this.wanted.length > 0;
+  }
+
+  begin(): void {
+    this.wanted.length = 0;
+    this.left = BUDGET;
+  }
+
+  /** A map that is lit with as it is. @param rested frames since something changed in it */
+  keep(slot: ShadowSlot, rested: number): void {
+    if (slot.isBounded || rested < REST || slot.cascades > 0 || this.left <= 0) return;
+    this.left -= slot.tile!.width * slot.tile!.height;
+    this.wanted.push(slot);
+  }
+
+  /** Finds those of the maps that were kept. Call once the maps of the frame are drawn. */
+  render(atlas: TileAtlas): void {
+    const { webgl, target } = this;
+    if (this.material === null) this.compile();
+    if (!this.hasWork) return;
+    const blocks = Math.ceil(atlas.target!.width / BLOCK);
+    if (target.width !== blocks) target.setSize(blocks, blocks);
+    const texture = atlas.target!.depthTexture!;
+    this.depths.value = texture;
+    this.compare(texture, false);
+    webgl.setRenderTarget(target);
+    for (const slot of this.wanted) {
+      this.draw(slot);
+      slot.isBounded = true;
+    }
+    this.compare(texture, true);
+  }
+
+  dispose(): void {
+    this.target.dispose();
+    this.material?.dispose();
+    this.material = null;
+  }
+
+  /** Has its program there from the first map on, not in a later frame. */
+  private compile(): void {
+    this.material = new PassMaterial(this.microshaders, {
+      name: 'Farol shadow bounds',
+      vertex: ['fullscreen'],
+      fragment: ['shadowBounds'],
+      uniforms: { farol_shadowDepths: this.depths },
+      blending: NoBlending,
+    });
+    this.webgl.setRenderTarget(this.target);
+    const { geometry } = this.triangle;
+    geometry.setDrawRange(0, 0);
+    this.drawTriangle();
+    geometry.setDrawRange(0, 3);
+  }
+
+  private drawTriangle(): void {
+    const draw = this.webgl.renderBufferDirect as unknown as Draw;
+    draw(camera, null, this.triangle.geometry, this.material!, this.triangle, null);
+  }
+
+  private draw({ tile }: ShadowSlot): void {
+    const { x, y, width, height } = tile!;
+    const left = Math.floor(x / BLOCK);
+    const bottom = Math.floor(y / BLOCK);
+    const right = Math.ceil((x + width) / BLOCK);
+    const top = Math.ceil((y + height) / BLOCK);
+    this.webgl.state.viewport(rectangle.set(left, bottom, right - left, top - bottom));
+    this.drawTriangle();
+  }
+
+  /** Whether the atlas gives its samplers the outcome of a comparison, or depths. */
+  private compare(texture: Texture, does: boolean): void {
+    const gl = this.webgl.getContext() as WebGL2RenderingContext;
+    const { __webglTexture } = this.webgl.properties.get(texture) as { __webglTexture: WebGLTexture };
+    this.webgl.state.bindTexture(gl.TEXTURE_2D, __webglTexture);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_MODE, does ? gl.COMPARE_REF_TO_TEXTURE : gl.NONE);
+    const filter = does ? gl.LINEAR : gl.NEAREST;
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+    this.webgl.state.unbindTexture();
+  }
+}
