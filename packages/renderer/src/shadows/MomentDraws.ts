@@ -57,7 +57,9 @@ export class MomentDraws {
     const { radius, blurSamples } = slot.light.shadow;
     this.prepareTargets(face.width, face.height);
     webgl.setRenderTarget(this.depths);
+    this.draws.beginFaces();
     this.draws.drawFace(slot, face, 0, 0);
+    this.draws.endFaces();
     const { down, across } = this.materials();
     this.uniforms.farol_momentBlur.value[0] = radius;
     this.uniforms.farol_momentBlur.value[1] = blurSamples;

@@ -149,26 +149,35 @@ export class ShadowMapDraws {
     if (texture && texture.compareFunction !== wanted) texture.compareFunction = wanted;
   }
 
+  /** Has state that holds for the faces that are drawn next. Call `endFaces` after them. */
+  beginFaces(): void {
+    const { state } = this.webgl;
+    state.setScissorTest(true);
+    this.prepareDepth();
+    depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
+  }
+
+  endFaces(): void {
+    this.webgl.state.setScissorTest(false);
+  }
+
   /** Draws one face into the bound target, as far as it is to be drawn: clears that part, then the casters that it sees. */
   drawFace(slot: ShadowSlot, face: ShadowFace, x: number, y: number): void {
-    const { state } = this.webgl;
+    const { mergedCasters, gl } = this;
     if (face.texels === 0) return;
+    const { state } = this.webgl;
     const { left, bottom, right, top } = face.drawn;
     state.viewport(rectangle.set(x, y, face.width, face.height));
     state.scissor(rectangle.set(x + left, y + bottom, right - left, top - bottom));
-    state.setScissorTest(true);
-    state.buffers.depth.setTest(true);
-    state.buffers.depth.setMask(true);
-    depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
-    this.gl.clearBufferfv(this.gl.DEPTH, 0, depth);
-    const { mergedCasters } = this;
+    gl.clearBufferfv(gl.DEPTH, 0, depth);
     if (mergedCasters !== null) {
       if (this.bothSides) mergedCasters.interrupt(); // variance maps are blurred between
       mergedCasters.draw(face);
-      if (face.casters.length > 0) mergedCasters.interrupt();
     }
+    if (face.casters.length === 0) return;
+    mergedCasters?.interrupt();
     for (const caster of face.casters) this.drawCaster(caster, slot, face);
-    state.setScissorTest(false);
+    this.prepareDepth();
   }
 
   dispose(): void {
@@ -209,6 +218,13 @@ export class ShadowMapDraws {
     merged.begin(this.camera!, this.casters!, this.loose);
     merged.addStands(this.stands);
     return merged;
+  }
+
+  /** So that depths are cleared, whatever the materials of the last casters were. */
+  private prepareDepth(): void {
+    const { depth } = this.webgl.state.buffers;
+    depth.setTest(true);
+    depth.setMask(true);
   }
 
   private drawCaster({ object }: Caster, slot: ShadowSlot, face: ShadowFace): void {

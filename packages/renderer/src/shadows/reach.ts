@@ -31,3 +31,11 @@ export function isBeyond(reach: Reach, boxes: Float64Array, at: number): boolean
   const dz = Math.max(0, Math.abs(reach[2] - boxes[at + 2]) - boxes[at + 5]);
   return dx * dx + dy * dy + dz * dz > reach[3] * reach[3];
 }
+
+/** True when all of a box is within the range. */
+export function isWithin(reach: Reach, boxes: Float64Array, at: number): boolean {
+  const x = Math.abs(reach[0] - boxes[at]) + boxes[at + 3];
+  const y = Math.abs(reach[1] - boxes[at + 1]) + boxes[at + 4];
+  const z = Math.abs(reach[2] - boxes[at + 2]) + boxes[at + 5];
+  return x * x + y * y + z * z <= reach[3] * reach[3];
+}

@@ -1,5 +1,7 @@
 /** Triangles of a cluster. */
 export const CLUSTER_TRIANGLES = 64;
+/** Clusters in a group: those that follow one another lie together. */
+export const CLUSTERS_PER_GROUP = 8;
 
 /**
  * Orders the triangles of a geometry so that each `CLUSTER_TRIANGLES` that follow one another lie close together: halves them

@@ -17,8 +17,8 @@ import {
 import type { GeometryGroup } from '../../RenderItem';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { PassMaterial } from '../../passes/PassMaterial';
-import { boxOutsidePlanes } from '../casterBox';
 import { shadowSideOf } from '../CasterMaterials';
+import { cubeFacesOf } from '../cubeFacesOf';
 import { moveBox } from '../moveBox';
 import { isBeyond } from '../reach';
 import type { Caster, ShadowCasters } from '../ShadowCasters';
@@ -27,18 +27,15 @@ import type { ShadowFace } from '../ShadowFace';
 import type { ShadowSlot } from '../ShadowSlot';
 import { CasterGeometry } from './CasterGeometry';
 import { CasterMatrices } from './CasterMatrices';
-import { CLUSTER_TRIANGLES } from './ClusterOrder';
-import { cubeFacesOf } from './cubeFacesOf';
+import { addCubeRuns, addMapRuns } from './clusterRuns';
+import { CLUSTERS_PER_GROUP } from './ClusterOrder';
 import { uniteBoxes } from '../uniteBoxes';
 import { isMergeable } from './isMergeable';
 import type { MergedCaster } from './MergedCaster';
 import { MergedMesh } from './MergedMesh';
 
-const INDICES = CLUSTER_TRIANGLES * 3;
 /** Frames for which a caster that came to look otherwise is not merged. */
 const SETTLED = 30;
-/** Clusters in a group: those that follow one another lie together. */
-export const CLUSTERS_PER_GROUP = 8;
 /** Triangles merged at most: some 22 bytes each on the GPU, and as much beside it. */
 const MOST_TRIANGLES = 2_000_000;
 /** Triangles looked at a frame while casters are made ready, so that no frame is late. */
@@ -85,7 +82,6 @@ export class MergedCasters {
   private readonly present: MergedCaster[] = [];
   private readonly waiting: Caster[] = [];
   private readonly origin = new Vector3();
-  private readonly placed = new Matrix4();
   private readonly gl: WebGL2RenderingContext;
   private multiDraw: WEBGL_multi_draw | null = null;
   private readonly viewFloats = new Float32Array(16);
@@ -176,42 +172,15 @@ export class MergedCasters {
 
   /** Has each face of a light's map draw the clusters that it sees, in the part of it that is drawn. */
   addTo(slot: ShadowSlot, bothSides: boolean): void {
-    const { isCube, faces, reach, layers } = slot;
+    const { isCube, reach, layers, drawnFaces } = slot;
     for (const merged of this.present) {
       const { object, box } = merged.caster;
-      if ((object.layers.mask & layers) === 0 || isBeyond(reach, box, 0)) continue;
-      if (isCube || isSeenByAny(faces, box, 0)) this.addClusters(slot, merged, bothSides);
-    }
-  }
-
-  private addClusters(slot: ShadowSlot, merged: MergedCaster, bothSides: boolean): void {
-    this.follow(merged);
-    const { caster, boxes, first, geometry, page } = merged;
-    const side = seenSide(shadowSideOf((caster.object as Mesh).material as Material, bothSides), merged.isMirrored);
-    const { faces, isCube, reach, drawnFaces } = slot;
-    const { groups } = merged;
-    const last = geometry.index.length;
-    for (let group = 0, start = 0; start < last; group += 6, start += CLUSTERS_PER_GROUP * INDICES) {
-      if (isBeyond(reach, groups, group)) continue;
-      let near = drawnFaces;
-      if (isCube) {
-        near &= cubeFacesOf(groups, group, reach);
-        if (near === 0) continue;
-      } else if (!isSeenByAny(faces, groups, group)) continue;
-      const isOne = (near & (near - 1)) === 0;
-      const end = Math.min(last, start + CLUSTERS_PER_GROUP * INDICES);
-      for (let from = start, at = group * CLUSTERS_PER_GROUP; from < end; from += INDICES, at += 6) {
-        if (isBeyond(reach, boxes, at)) continue;
-        const count = Math.min(INDICES, end - from);
-        if (isCube) {
-          const seen = isOne ? near : near & cubeFacesOf(boxes, at, reach);
-          for (let i = 0; i < 6; i++) if ((seen & (1 << i)) !== 0) faces[i].runs(page, side).add(first + from, count);
-        } else {
-          for (const face of faces) {
-            if (!boxOutsidePlanes(face.drawnPlanes, boxes, at)) face.runs(page, side).add(first + from, count);
-          }
-        }
-      }
+      if ((object.layers.mask & layers) === 0) continue;
+      if (isCube ? (cubeFacesOf(box, 0, reach) & drawnFaces) === 0 : isBeyond(reach, box, 0)) continue;
+      this.follow(merged);
+      const side = seenSide(shadowSideOf((object as Mesh).material as Material, bothSides), merged.isMirrored);
+      if (isCube) addCubeRuns(slot, merged, side);
+      else addMapRuns(slot, merged, side);
     }
   }
 
@@ -242,6 +211,7 @@ export class MergedCasters {
   /** Draws what a face sees into its part of the target. */
   draw(face: ShadowFace): void {
     const { gl, webgl, viewFloats } = this;
+    const { x, y, z } = this.origin;
     let viewed = false;
     for (let page = 0; page < this.pages.length; page++) {
       for (let side = 0; side < 3; side++) {
@@ -250,8 +220,9 @@ export class MergedCasters {
         if (this.bound !== page * 3 + side) this.bind(page, side as Side);
         if (!viewed) {
           const { projectionMatrix, matrixWorldInverse } = face.camera;
-          view.multiplyMatrices(projectionMatrix, matrixWorldInverse).multiply(this.placed);
-          viewFloats.set(view.elements);
+          const e = view.multiplyMatrices(projectionMatrix, matrixWorldInverse).elements;
+          for (let i = 0; i < 12; i++) viewFloats[i] = e[i];
+          for (let i = 0; i < 4; i++) viewFloats[12 + i] = e[i] * x + e[4 + i] * y + e[8 + i] * z + e[12 + i];
           gl.uniformMatrix4fv(this.viewLocation, false, viewFloats);
           viewed = true;
         }
@@ -368,7 +339,6 @@ export class MergedCasters {
     const { origin } = this;
     if (origin.x === x && origin.y === y && origin.z === z) return;
     origin.set(x, y, z);
-    this.placed.makeTranslation(x, y, z);
     for (const member of this.members) member.place = -1;
   }
 
@@ -385,12 +355,6 @@ export class MergedCasters {
     }
     this.gone = this.triangles = 0;
   }
-}
-
-/** True when one of the faces may see some of a box, from index `at` on, in the part of it that is drawn. */
-function isSeenByAny(faces: readonly ShadowFace[], boxes: Float64Array, at: number): boolean {
-  for (const face of faces) if (!boxOutsidePlanes(face.drawnPlanes, boxes, at)) return true;
-  return false;
 }
 
 /** A mirrored object's triangles turn the other way. */

@@ -6,19 +6,21 @@ import { type Caster, findSphere, type ShadowCasters } from '../ShadowCasters';
 import { isBeyond, makeReach, setReach } from '../reach';
 import type { ShadowFace } from '../ShadowFace';
 import type { ShadowSlot } from '../ShadowSlot';
-import { cubeFaceParts } from './cubeFaceParts';
+import { cubeFaceParts, openFaces } from './cubeFaceParts';
 import { mapPart } from './mapPart';
 
 /** How much wider than the camera's the view is that counts: cameras that shake by a part of a pixel see no more. */
 const WIDER = 1.01;
 /** What bends in shaders may leave its sphere by as much. */
 const SPHERES = 2;
-/** Numbers of a group: its box, the index of its first box and that after its last. */
+/** Numbers of a group: its box, the index of what it holds first and that after its last; it is a box itself without any. */
 const GROUP = 8;
 
 const matrix = new Matrix4();
 const planes = new Float64Array(24);
 const parts = new Float64Array(24);
+/** Of a cube: the faces whose part is not all of them yet, as bits. */
+let open = 63;
 const reach = makeReach();
 const sphere = { x: 0, y: 0, z: 0, radius: 0 };
 
@@ -30,9 +32,11 @@ export class SeenReceivers {
   /** Boxes along the world's axes: centre and half sizes (m), 6 numbers each. */
   private boxes = new Float64Array(6 * 256);
   private used = 0;
-  /** Boxes that lie together, and the box round them, see `GROUP`. */
+  /** Boxes that lie together, and the box round them, see `GROUP`; and groups of one object. */
   private groups = new Float64Array(GROUP * 64);
-  private count = 0;
+  private groupsUsed = 0;
+  private objects = new Float64Array(GROUP * 64);
+  private objectsUsed = 0;
   /** Something may be anywhere. */
   private isUnbounded = false;
 
@@ -41,7 +45,7 @@ export class SeenReceivers {
    * @param merged those of the casters, ready for the frame
    */
   find({ list, count, receivers }: ShadowCasters, merged: MergedCasters | null, camera: Camera): void {
-    this.used = this.count = 0;
+    this.used = this.groupsUsed = this.objectsUsed = 0;
     this.isUnbounded = false;
     matrix.copy(camera.projectionMatrix);
     const e = matrix.elements;
@@ -68,32 +72,26 @@ export class SeenReceivers {
     const texels = Math.ceil(2 * radius) + 2;
     // along its normal, a surface looks up the map that far from where it is
     const shift = Math.abs(normalBias);
-    for (let i = 0; i < 24; i += 2) {
-      parts[i] = Infinity;
-      parts[i + 1] = -Infinity;
-    }
+    parts.fill(-Infinity);
+    open = 63;
     if (!isCube) {
+      for (let i = 0; i < 24; i += 2) parts[i] = Infinity;
       for (const face of faces)
         face.matrix.multiplyMatrices(face.camera.projectionMatrix, face.camera.matrixWorldInverse);
     }
     const place = faces[0].camera.matrixWorld.elements;
     setReach(reach, place, slot.range + shift, 1 + (2 * texels) / faceWidth, shift);
-    const { boxes, groups } = this;
-    for (let group = 0; group < this.count * GROUP; group += GROUP) {
-      if (isBeyond(reach, groups, group)) continue;
-      const wide = isCube ? cubeFaceParts(parts, groups, group, reach, false) : 0;
-      if (wide === 1) cubeFaceParts(parts, groups, group, reach);
-      let widens = wide === 2;
-      for (let i = isCube ? 6 : 0; i < faces.length && !widens; i++) {
-        widens = mapPart(parts, i * 4, groups, group, reach, faces[i].matrix, false);
-      }
-      if (!widens) continue;
-      for (let at = groups[group + 6]; at < groups[group + 7]; at += 6) {
-        if (isBeyond(reach, boxes, at)) continue;
-        if (isCube) cubeFaceParts(parts, boxes, at, reach);
-        else for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, reach, faces[i].matrix);
+    const { boxes, groups, objects } = this;
+    for (let object = 0; object < this.objectsUsed && open !== 0; object += GROUP) {
+      if (isHeld(slot, objects, object)) continue;
+      const endOfGroups = objects[object + 7];
+      for (let group = objects[object + 6]; group < endOfGroups; group += GROUP) {
+        if (isHeld(slot, groups, group)) continue;
+        const end = groups[group + 7];
+        for (let at = groups[group + 6]; at < end; at += 6) hold(slot, boxes, at);
       }
     }
+    if (isCube) for (let i = 0; i < 24; i += 2) parts[i] = -parts[i];
     let all = true;
     for (let i = 0; i < faces.length; i++) {
       setPart(faces[i], i * 4, faceWidth, faceHeight, slot.border, texels);
@@ -111,6 +109,7 @@ export class SeenReceivers {
     if (boxOutsidePlanes(planes, box)) return;
     all!.follow(merged);
     const { boxes, groups } = merged;
+    const firstGroup = this.groupsUsed;
     for (let group = 0; group < groups.length; group += 6) {
       if (boxOutsidePlanes(planes, groups, group)) continue;
       const first = this.used;
@@ -120,6 +119,7 @@ export class SeenReceivers {
       }
       if (this.used > first) this.addGroup(first, groups, group);
     }
+    if (this.groupsUsed > firstGroup) this.addToObjects(box, firstGroup);
   }
 
   private addObject(object: Object3D): void {
@@ -145,13 +145,12 @@ export class SeenReceivers {
 
   private addBox(box: Float64Array): void {
     if (boxOutsidePlanes(planes, box)) return;
-    this.push(box, 0);
-    this.addGroup(this.used - 6, box, 0);
+    this.addToObjects(box, this.groupsUsed);
   }
 
   private push(boxes: Float64Array, at: number): void {
     if (this.used + 6 > this.boxes.length) this.boxes = grown(this.boxes);
-    for (let i = 0; i < 6; i++) this.boxes[this.used + i] = boxes[at + i];
+    copyBox(boxes, at, this.boxes, this.used);
     this.used += 6;
   }
 
@@ -160,12 +159,20 @@ export class SeenReceivers {
    * @param round box round them, in it from index `from` on
    */
   private addGroup(first: number, round: Float64Array, from: number): void {
-    const at = this.count * GROUP;
-    if (at + GROUP > this.groups.length) this.groups = grown(this.groups);
-    for (let i = 0; i < 6; i++) this.groups[at + i] = round[from + i];
-    this.groups[at + 6] = first;
-    this.groups[at + 7] = this.used;
-    this.count++;
+    if (this.groupsUsed === this.groups.length) this.groups = grown(this.groups);
+    copyBox(round, from, this.groups, this.groupsUsed);
+    this.groups[this.groupsUsed + 6] = first;
+    this.groups[this.groupsUsed + 7] = this.used;
+    this.groupsUsed += GROUP;
+  }
+
+  /** @param first index of its first group; the others follow */
+  private addToObjects(round: Float64Array, first: number): void {
+    if (this.objectsUsed === this.objects.length) this.objects = grown(this.objects);
+    copyBox(round, 0, this.objects, this.objectsUsed);
+    this.objects[this.objectsUsed + 6] = first;
+    this.objects[this.objectsUsed + 7] = this.groupsUsed;
+    this.objectsUsed += GROUP;
   }
 }
 
@@ -175,6 +182,34 @@ function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
   const more = new Float64Array(numbers.length * 2);
   more.set(numbers);
   return more;
+}
+
+/** True when the parts hold a group's box as far as it is in reach, now at least: one that holds no others, say. */
+function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
+  const isLeaf = groups[at + 6] === groups[at + 7];
+  if (isLeaf) hold(slot, groups, at);
+  else if (slot.isCube) {
+    const widens = cubeFaceParts(parts, groups, at, reach, open, false);
+    if (widens === 2) return false;
+    if (widens === 1) hold(slot, groups, at);
+  } else if (!isBeyond(reach, groups, at)) {
+    const { faces } = slot;
+    for (let i = 0; i < faces.length; i++)
+      if (mapPart(parts, i * 4, groups, at, reach, faces[i].matrix, false)) return false;
+  }
+  return true;
+}
+
+/** Widens the parts to hold a box, as far as it is in reach. */
+function hold({ isCube, faces }: ShadowSlot, boxes: Float64Array, at: number): void {
+  if (isCube) {
+    if (cubeFaceParts(parts, boxes, at, reach, open) !== 0) open = openFaces(parts);
+  } else if (!isBeyond(reach, boxes, at))
+    for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, reach, faces[i].matrix);
+}
+
+function copyBox(from: Float64Array, at: number, to: Float64Array, index: number): void {
+  for (let i = 0; i < 6; i++) to[index + i] = from[at + i];
 }
 
 /** Sets a face's part, in texels of what it draws to, from `parts`. */

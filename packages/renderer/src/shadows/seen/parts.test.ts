@@ -20,7 +20,7 @@ function pointIn(box: Float64Array, next: () => number): Vector3 {
 }
 
 function noParts(): Float64Array {
-  return Float64Array.from({ length: 24 }, (_, i) => (i % 2 === 0 ? Infinity : -Infinity));
+  return new Float64Array(24).fill(-Infinity);
 }
 
 describe('cubeFaceParts', () => {
@@ -43,9 +43,9 @@ describe('cubeFaceParts', () => {
           const [across, up] = [clip.x / -clip.z, clip.y / -clip.z];
           if (clip.z >= 0 || Math.max(Math.abs(across), Math.abs(up)) > widening) return;
           seen++;
-          expect(across).toBeGreaterThanOrEqual(parts[i * 4] - 1e-9);
+          expect(across).toBeGreaterThanOrEqual(-parts[i * 4] - 1e-9);
           expect(across).toBeLessThanOrEqual(parts[i * 4 + 1] + 1e-9);
-          expect(up).toBeGreaterThanOrEqual(parts[i * 4 + 2] - 1e-9);
+          expect(up).toBeGreaterThanOrEqual(-parts[i * 4 + 2] - 1e-9);
           expect(up).toBeLessThanOrEqual(parts[i * 4 + 3] + 1e-9);
         });
       }
@@ -56,13 +56,34 @@ describe('cubeFaceParts', () => {
   it('is tight: a floor below fills half of the faces at its sides, a small box little of one', () => {
     const floor = noParts();
     cubeFaceParts(floor, new Float64Array([0, -1, 0, 50, 0, 50]), 0, makeReach(0, 0, 0, 4));
-    expect([...floor.subarray(0, 4)]).toEqual([-1, 1, -1, -0.25]);
-    expect([...floor.subarray(12, 16)]).toEqual([-1, 1, -1, 1]);
-    expect(floor[8]).toBe(Infinity);
+    expect([...floor.subarray(0, 4)]).toEqual([Infinity, Infinity, Infinity, -0.25]);
+    expect([...floor.subarray(8, 16)]).toEqual([...noParts().subarray(0, 4), Infinity, Infinity, Infinity, Infinity]);
     const small = noParts();
     cubeFaceParts(small, new Float64Array([3, 0, 0, 1, 0.25, 0.25]), 0, makeReach(0, 0, 0, 10, 1, 0.25));
-    expect([...small.subarray(0, 4)]).toEqual([-0.5 / 1.75, 0.5 / 1.75, -0.5 / 1.75, 0.5 / 1.75]);
+    expect([...small.subarray(0, 4)]).toEqual([0.5 / 1.75, 0.5 / 1.75, 0.5 / 1.75, 0.5 / 1.75]);
     expect([...small.subarray(4)]).toEqual([...noParts().subarray(4)]);
+  });
+});
+
+describe('cubeFaceParts without writing', () => {
+  it('says what writing would do, and leaves the parts as they are', () => {
+    const next = random(3);
+    const counts = [0, 0, 0];
+    for (let run = 0; run < 2000; run++) {
+      const reach = makeReach(next() - 0.5, next() - 0.5, next() - 0.5, 2 + next() * 4, 1 + next() * 0.2, next() * 0.1);
+      const parts = noParts();
+      const held = randomBox(next);
+      cubeFaceParts(parts, held, 0, reach);
+      const box = run % 2 === 0 ? randomBox(next) : held.map((value, i) => (i < 3 ? value : value * (1 + next() * 0.04)));
+      const before = parts.slice();
+      const widens = cubeFaceParts(parts, box, 0, reach, 63, false);
+      expect(parts).toEqual(before);
+      expect(cubeFaceParts(parts, box, 0, reach)).toBe(Math.min(widens, 1));
+      const most = Math.max(...parts.map((part, i) => (part === before[i] ? 0 : Math.min(part, reach[4]) - before[i])));
+      expect(widens).toBe(most === 0 ? 0 : most <= 0.06 ? 1 : 2);
+      counts[widens]++;
+    }
+    expect(Math.min(...counts)).toBeGreaterThan(10);
   });
 });
 
