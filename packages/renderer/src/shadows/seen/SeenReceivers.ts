@@ -8,6 +8,7 @@ import type { ShadowFace } from '../ShadowFace';
 import type { ShadowSlot } from '../ShadowSlot';
 import { cubeFaceParts, openFaces } from './cubeFaceParts';
 import { mapPart } from './mapPart';
+import { Widest } from './Widest';
 
 /** How much wider than the camera's the view is that counts: cameras that shake by a part of a pixel see no more. */
 const WIDER = 1.01;
@@ -37,6 +38,7 @@ export class SeenReceivers {
   private groupsUsed = 0;
   private objects = new Float64Array(GROUP * 64);
   private objectsUsed = 0;
+  private readonly widest = new WeakMap<ShadowSlot, Widest>();
   /** Something may be anywhere. */
   private isUnbounded = false;
 
@@ -81,16 +83,24 @@ export class SeenReceivers {
     }
     const place = faces[0].camera.matrixWorld.elements;
     setReach(reach, place, slot.range + shift, 1 + (2 * texels) / faceWidth, shift);
-    const { boxes, groups, objects } = this;
+    const { boxes, groups, objects, used } = this;
+    const widest = this.widestOf(slot);
+    for (let i = 0; i < widest.count; i++) {
+      const at = widest.list[i];
+      if (at < used && hold(slot, boxes, at)) widest.keep(at);
+    }
     for (let object = 0; object < this.objectsUsed && open !== 0; object += GROUP) {
       if (isHeld(slot, objects, object)) continue;
       const endOfGroups = objects[object + 7];
       for (let group = objects[object + 6]; group < endOfGroups; group += GROUP) {
         if (isHeld(slot, groups, group)) continue;
         const end = groups[group + 7];
-        for (let at = groups[group + 6]; at < end; at += 6) hold(slot, boxes, at);
+        for (let at = groups[group + 6]; at < end; at += 6) {
+          if (hold(slot, boxes, at)) widest.find(at);
+        }
       }
     }
+    widest.end();
     if (isCube) for (let i = 0; i < 24; i += 2) parts[i] = -parts[i];
     let all = true;
     for (let i = 0; i < faces.length; i++) {
@@ -98,6 +108,12 @@ export class SeenReceivers {
       all &&= isWhole(faces[i]);
     }
     return !all;
+  }
+
+  private widestOf(slot: ShadowSlot): Widest {
+    let widest = this.widest.get(slot);
+    if (widest === undefined) this.widest.set(slot, (widest = new Widest()));
+    return widest;
   }
 
   private addCaster({ merged, hasBox, box, x, y, z, radius }: Caster, all: MergedCasters | null): void {
@@ -200,12 +216,18 @@ function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   return true;
 }
 
-/** Widens the parts to hold a box, as far as it is in reach. */
-function hold({ isCube, faces }: ShadowSlot, boxes: Float64Array, at: number): void {
+/** Widens the parts to hold a box, as far as it is in reach. @returns whether they had to be */
+function hold({ isCube, faces }: ShadowSlot, boxes: Float64Array, at: number): boolean {
+  let widens = false;
   if (isCube) {
-    if (cubeFaceParts(parts, boxes, at, reach, open) !== 0) open = openFaces(parts);
-  } else if (!isBeyond(reach, boxes, at))
-    for (let i = 0; i < faces.length; i++) mapPart(parts, i * 4, boxes, at, reach, faces[i].matrix);
+    widens = cubeFaceParts(parts, boxes, at, reach, open) !== 0;
+    if (widens) open = openFaces(parts);
+  } else if (!isBeyond(reach, boxes, at)) {
+    for (let i = 0; i < faces.length; i++) {
+      if (mapPart(parts, i * 4, boxes, at, reach, faces[i].matrix)) widens = true;
+    }
+  }
+  return widens;
 }
 
 function copyBox(from: Float64Array, at: number, to: Float64Array, index: number): void {

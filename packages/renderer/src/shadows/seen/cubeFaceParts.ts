@@ -8,6 +8,9 @@ const UP = new Uint8Array([2, 2, 4, 4, 2, 2]);
 /** By which a part may be wider than need be, for less work (parts of the axis). */
 const SLACK = 0.06;
 
+/** What is held stays so when numbers are rounded. */
+const ROUNDING = 1e-12;
+
 /** How far what is within range of a box reaches in each of the six directions (m). */
 const ends = new Float64Array(6);
 
@@ -74,7 +77,7 @@ export function cubeFaceParts(
       const depth = end < 0 ? farthest : nearest;
       const part = parts[side];
       if (end <= part * depth) continue;
-      if (writes) parts[side] = end < widening * depth ? end / depth : Infinity;
+      if (writes) parts[side] = end < widening * depth ? end / depth + ROUNDING : Infinity;
       else if (part + SLACK < widening && end > (part + SLACK) * depth) return 2;
     }
   }
