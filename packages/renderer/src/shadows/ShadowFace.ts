@@ -10,10 +10,11 @@ const back = new Vector3();
 
 /** A camera that draws one tile, and what it sees. */
 export class ShadowFace {
-  /** The six planes of its view in world space, as `viewFrustumPlanes` has them. */
-  readonly planes = new Float64Array(24);
-  /** The same of the part of it that is drawn. */
-  readonly drawnPlanes = new Float64Array(24);
+  private readonly ownPlanes = new Float64Array(24);
+  private readonly partPlanes = new Float64Array(24);
+  /** The planes are those of its view; of what it draws. */
+  private hasPlanes = false;
+  private hasPartPlanes = false;
   /** What it draws in this frame by itself. */
   readonly casters: Caster[] = [];
   private readonly merged: TriangleRuns[] = [];
@@ -22,6 +23,8 @@ export class ShadowFace {
   /** The part of what it draws to that can be seen, and the part that is drawn (texels). */
   readonly part = { left: 0, bottom: 0, right: 0, top: 0 };
   readonly drawn = { left: 0, bottom: 0, right: 0, top: 0 };
+  /** Of a cube: near, far, widening and the kind of depth that its camera's projection was made with, see `aimCubeFace`. */
+  readonly aim = new Float64Array(4);
   /** Part of the atlas that it draws to (texels). */
   x = 0;
   y = 0;
@@ -29,6 +32,24 @@ export class ShadowFace {
   height = 0;
 
   constructor(readonly camera: Camera) {}
+
+  /** The six planes of its view in world space, as `viewFrustumPlanes` has them. */
+  get planes(): Float64Array {
+    if (!this.hasPlanes) this.findPlanes();
+    return this.ownPlanes;
+  }
+
+  /** The same of the part of it that is drawn. */
+  get drawnPlanes(): Float64Array {
+    if (!this.hasPartPlanes) {
+      this.hasPartPlanes = true;
+      this.partPlanes.set(this.planes);
+      const { left, bottom, right, top } = this.drawn;
+      const isAll = left === 0 && bottom === 0 && right === this.width && top === this.height;
+      if (!isAll && this.texels > 0) this.narrowPlanes();
+    }
+    return this.partPlanes;
+  }
 
   /** What it draws of a page of the merged casters, of those of which one side is seen (three's `Side`). */
   runs(page: number, side: number): TriangleRuns {
@@ -51,18 +72,17 @@ export class ShadowFace {
 
   /** Has it draw what can be seen alone, or all. */
   draws(all: boolean): void {
-    const { drawn, part, planes, drawnPlanes } = this;
+    const { drawn, part } = this;
     drawn.left = all ? 0 : part.left;
     drawn.bottom = all ? 0 : part.bottom;
     drawn.right = all ? this.width : part.right;
     drawn.top = all ? this.height : part.top;
-    drawnPlanes.set(planes);
-    if (!all && this.texels > 0) this.narrowPlanes();
+    this.hasPartPlanes = false;
   }
 
   /** Puts those of what is drawn in the place of the sides' planes. */
   private narrowPlanes(): void {
-    const { camera, drawn, width, height, drawnPlanes } = this;
+    const { camera, drawn, width, height, partPlanes } = this;
     const e = whole.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
     for (let i = 0; i < 4; i++) {
       // a point is within where side * (x - bound * w) >= 0, in clip space
@@ -74,10 +94,10 @@ export class ShadowFace {
       const b = side * (e[row + 4] - bound * e[7]);
       const c = side * (e[row + 8] - bound * e[11]);
       const scale = 1 / Math.sqrt(a * a + b * b + c * c);
-      drawnPlanes[i * 4] = a * scale;
-      drawnPlanes[i * 4 + 1] = b * scale;
-      drawnPlanes[i * 4 + 2] = c * scale;
-      drawnPlanes[i * 4 + 3] = side * (e[row + 12] - bound * e[15]) * scale;
+      partPlanes[i * 4] = a * scale;
+      partPlanes[i * 4 + 1] = b * scale;
+      partPlanes[i * 4 + 2] = c * scale;
+      partPlanes[i * 4 + 3] = side * (e[row + 12] - bound * e[15]) * scale;
     }
   }
 
@@ -86,9 +106,14 @@ export class ShadowFace {
     for (const runs of this.merged) runs.clear();
   }
 
-  /** Takes the planes from the camera's matrices. */
+  /** The camera's matrices have changed. */
   update(): void {
-    const { camera, planes } = this;
+    this.hasPlanes = this.hasPartPlanes = false;
+  }
+
+  private findPlanes(): void {
+    const { camera, ownPlanes: planes } = this;
+    this.hasPlanes = true;
     whole.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     frustum.setFromProjectionMatrix(whole, WebGLCoordinateSystem, camera.reversedDepth);
     for (let i = 0; i < 6; i++) {
@@ -138,21 +163,21 @@ export function aimCubeFace(
   back.set(-axes[0], -axes[1], -axes[2]);
   up.set(axes[3], axes[4], axes[5]);
   right.crossVectors(up, back);
-  camera.matrixWorld.makeBasis(right, up, back).setPosition(position);
-  camera.matrixWorldInverse.copy(camera.matrixWorld).invert();
+  const { matrixWorld, matrixWorldInverse, projectionMatrix, projectionMatrixInverse, reversedDepth } = camera;
+  matrixWorld.makeBasis(right, up, back);
+  matrixWorldInverse.copy(matrixWorld).transpose();
+  matrixWorldInverse.setPosition(-right.dot(position), -up.dot(position), -back.dot(position));
+  matrixWorld.setPosition(position);
+  face.update();
+  const { aim } = face;
+  if (aim[0] === near && aim[1] === far && aim[2] === widening && aim[3] === +reversedDepth) return;
+  aim[0] = near;
+  aim[1] = far;
+  aim[2] = widening;
+  aim[3] = +reversedDepth;
   camera.near = near;
   camera.far = far;
   const side = near * widening;
-  camera.projectionMatrix.makePerspective(
-    -side,
-    side,
-    side,
-    -side,
-    near,
-    far,
-    WebGLCoordinateSystem,
-    camera.reversedDepth,
-  );
-  camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
-  face.update();
+  projectionMatrix.makePerspective(-side, side, side, -side, near, far, WebGLCoordinateSystem, reversedDepth);
+  projectionMatrixInverse.copy(projectionMatrix).invert();
 }
