@@ -57,9 +57,7 @@ export class MomentDraws {
     const { radius, blurSamples } = slot.light.shadow;
     this.prepareTargets(face.width, face.height);
     webgl.setRenderTarget(this.depths);
-    this.draws.beginFaces();
-    this.draws.drawFace(slot, face, 0, 0);
-    this.draws.endFaces();
+    this.draws.drawAlone(slot, face);
     const { down, across } = this.materials();
     this.uniforms.farol_momentBlur.value[0] = radius;
     this.uniforms.farol_momentBlur.value[1] = blurSamples;

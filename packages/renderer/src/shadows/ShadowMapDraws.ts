@@ -149,35 +149,19 @@ export class ShadowMapDraws {
     if (texture && texture.compareFunction !== wanted) texture.compareFunction = wanted;
   }
 
-  /** Has state that holds for the faces that are drawn next. Call `endFaces` after them. */
-  beginFaces(): void {
-    const { state } = this.webgl;
-    state.setScissorTest(true);
-    this.prepareDepth();
-    depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
-  }
-
-  endFaces(): void {
+  /** Draws the maps of lights into the bound target, as far as they are to be drawn. */
+  drawMaps(slots: readonly ShadowSlot[]): void {
+    this.beginFaces();
+    for (const slot of slots) for (const face of slot.faces) this.drawFace(slot, face, face.x, face.y);
     this.webgl.state.setScissorTest(false);
   }
 
-  /** Draws one face into the bound target, as far as it is to be drawn: clears that part, then the casters that it sees. */
-  drawFace(slot: ShadowSlot, face: ShadowFace, x: number, y: number): void {
-    const { mergedCasters, gl } = this;
-    if (face.texels === 0) return;
-    const { state } = this.webgl;
-    const { left, bottom, right, top } = face.drawn;
-    state.viewport(rectangle.set(x, y, face.width, face.height));
-    state.scissor(rectangle.set(x + left, y + bottom, right - left, top - bottom));
-    gl.clearBufferfv(gl.DEPTH, 0, depth);
-    if (mergedCasters !== null) {
-      if (this.bothSides) mergedCasters.interrupt(); // variance maps are blurred between
-      mergedCasters.draw(face);
-    }
-    if (face.casters.length === 0) return;
-    mergedCasters?.interrupt();
-    for (const caster of face.casters) this.drawCaster(caster, slot, face);
-    this.prepareDepth();
+  /** Draws one face at the origin of the bound target. */
+  drawAlone(slot: ShadowSlot, face: ShadowFace): void {
+    this.beginFaces();
+    this.mergedCasters?.interrupt(); // others were drawn since the last
+    this.drawFace(slot, face, 0, 0);
+    this.webgl.state.setScissorTest(false);
   }
 
   dispose(): void {
@@ -218,6 +202,29 @@ export class ShadowMapDraws {
     merged.begin(this.camera!, this.casters!, this.loose);
     merged.addStands(this.stands);
     return merged;
+  }
+
+  private beginFaces(): void {
+    const { state } = this.webgl;
+    state.setScissorTest(true);
+    this.prepareDepth();
+    depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
+  }
+
+  /** Clears what is drawn of a face, then draws the casters that it sees. */
+  private drawFace(slot: ShadowSlot, face: ShadowFace, x: number, y: number): void {
+    if (face.texels === 0) return;
+    const { gl, mergedCasters } = this;
+    const { state } = this.webgl;
+    const { left, bottom, right, top } = face.drawn;
+    state.viewport(rectangle.set(x, y, face.width, face.height));
+    state.scissor(rectangle.set(x + left, y + bottom, right - left, top - bottom));
+    gl.clearBufferfv(gl.DEPTH, 0, depth);
+    mergedCasters?.draw(face);
+    if (face.casters.length === 0) return;
+    mergedCasters?.interrupt();
+    for (const caster of face.casters) this.drawCaster(caster, slot, face);
+    this.prepareDepth();
   }
 
   /** So that depths are cleared, whatever the materials of the last casters were. */

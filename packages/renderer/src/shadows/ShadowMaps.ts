@@ -187,20 +187,17 @@ export class ShadowMaps implements LightMasks {
     const level = webgl.getActiveMipmapLevel();
     this.draws.setComparison(depths);
     this.draws.send();
-    const isVsm = this.type === VSMShadowMap;
-    if (stale.length > 0 && !isVsm) {
+    if (this.type === VSMShadowMap) for (const slot of stale) this.moments.render(slot, colours);
+    else if (stale.length > 0) {
       webgl.setRenderTarget(depths.target);
-      this.draws.beginFaces();
+      this.draws.drawMaps(stale);
     }
     for (const slot of stale) {
-      if (isVsm) this.moments.render(slot, colours);
-      else for (const tile of slot.faces) this.draws.drawFace(slot, tile, tile.x, tile.y);
       slot.dirty = false;
       slot.drawn = slot.hadMap = true;
       const { shadow } = slot.light;
       if (shadow.needsUpdate) shadow.needsUpdate = false;
     }
-    if (stale.length > 0 && !isVsm) this.draws.endFaces();
     for (const cookie of this.staleCookies) this.images.render(cookie, colours);
     this.bounds.render(depths);
     webgl.setRenderTarget(target, face, level);
