@@ -1,8 +1,8 @@
 import { BoxGeometry, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { viewFrustumPlanes } from '../lights/viewFrustumPlanes';
-import { boxOutsidePlanes, casterBox } from './casterBox';
-import { isBeyond, makeReach } from './reach';
+import { boxInsidePlanes, boxOutsidePlanes, casterBox } from './casterBox';
+import { isBeyond, isWithin, makeReach } from './reach';
 
 function random(seed: number): () => number {
   return () => {
@@ -70,4 +70,28 @@ describe('casterBox', () => {
     mesh.setMatrixAt(0, new Matrix4());
     expect(casterBox(mesh, new Float64Array(6))).toBe(false);
   });
+});
+
+test('boxInsidePlanes says whether all corners are within, isWithin whether they are in range', () => {
+  const next = random(13);
+  const camera = new PerspectiveCamera(50, 1.5, 0.5, 20);
+  const planes = viewFrustumPlanes(camera.projectionMatrix.elements, new Float64Array(24));
+  let inside = 0;
+  let near = 0;
+  for (let n = 0; n < 500; n++) {
+    const box = Float64Array.from({ length: 6 }, (_, i) => (i < 3 ? next() * 10 - (i === 2 ? 12 : 5) : next()));
+    const corners = Array.from({ length: 8 }, (_, k) =>
+      new Vector3().fromArray([0, 1, 2].map((axis) => box[axis] + ((k >> axis) & 1 ? 1 : -1) * box[axis + 3])),
+    );
+    const isInside = corners.every((corner) => {
+      const { x, y, z } = corner.clone().applyMatrix4(camera.projectionMatrix);
+      return corner.z < 0 && Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= 1;
+    });
+    expect(boxInsidePlanes(planes, box)).toBe(isInside);
+    const isNear = corners.every((corner) => corner.length() <= 7);
+    expect(isWithin(makeReach(0, 0, 0, 7), box, 0)).toBe(isNear);
+    inside += +isInside;
+    near += +isNear;
+  }
+  expect(Math.min(inside, near)).toBeGreaterThan(30);
 });

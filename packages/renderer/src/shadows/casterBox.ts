@@ -66,3 +66,15 @@ export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0
   }
   return false;
 }
+
+/** True when no part of it lies on the outer side of any of them. */
+export function boxInsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
+  for (let i = 0; i < 24; i += 4) {
+    const x = planes[i];
+    const y = planes[i + 1];
+    const z = planes[i + 2];
+    const reach = Math.abs(x) * box[at + 3] + Math.abs(y) * box[at + 4] + Math.abs(z) * box[at + 5];
+    if (x * box[at] + y * box[at + 1] + z * box[at + 2] + planes[i + 3] < reach) return false;
+  }
+  return true;
+}

@@ -80,6 +80,8 @@ export class MergedCasters {
   private members: MergedCaster[] = [];
   /** Those that cast shadows in this frame. */
   private readonly present: MergedCaster[] = [];
+  /** Their boxes, 6 numbers each, so that the many looks at them need no others. */
+  private presentBoxes = new Float64Array(6 * 64);
   private readonly waiting: Caster[] = [];
   private readonly origin = new Vector3();
   private readonly gl: WebGL2RenderingContext;
@@ -137,6 +139,9 @@ export class MergedCasters {
       if (merged !== null) this.present.push(merged);
       else loose.push(list[i]);
     }
+    const { present } = this;
+    if (present.length * 6 > this.presentBoxes.length) this.presentBoxes = new Float64Array(present.length * 12);
+    for (let i = 0; i < present.length; i++) this.presentBoxes.set(present[i].caster.box, i * 6);
   }
 
   /** A caster as it is held, null while it is not. */
@@ -173,10 +178,12 @@ export class MergedCasters {
   /** Has each face of a light's map draw the clusters that it sees, in the part of it that is drawn. */
   addTo(slot: ShadowSlot, bothSides: boolean): void {
     const { isCube, reach, layers, drawnFaces } = slot;
-    for (const merged of this.present) {
-      const { object, box } = merged.caster;
+    const { present, presentBoxes: boxes } = this;
+    for (let i = 0; i < present.length; i++) {
+      if (isCube ? (cubeFacesOf(boxes, i * 6, reach) & drawnFaces) === 0 : isBeyond(reach, boxes, i * 6)) continue;
+      const merged = present[i];
+      const { object } = merged.caster;
       if ((object.layers.mask & layers) === 0) continue;
-      if (isCube ? (cubeFacesOf(box, 0, reach) & drawnFaces) === 0 : isBeyond(reach, box, 0)) continue;
       this.follow(merged);
       const side = seenSide(shadowSideOf((object as Mesh).material as Material, bothSides), merged.isMirrored);
       if (isCube) addCubeRuns(slot, merged, side);

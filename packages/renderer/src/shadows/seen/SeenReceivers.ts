@@ -1,6 +1,6 @@
 import { type Camera, Matrix4, type Object3D } from 'three';
 import { viewFrustumPlanes } from '../../lights/viewFrustumPlanes';
-import { boxOutsidePlanes, casterBox } from '../casterBox';
+import { boxInsidePlanes, boxOutsidePlanes, casterBox } from '../casterBox';
 import { CLUSTERS_PER_GROUP, type MergedCasters } from '../merged';
 import { type Caster, findSphere, type ShadowCasters } from '../ShadowCasters';
 import { isBeyond, makeReach, setReach } from '../reach';
@@ -128,10 +128,11 @@ export class SeenReceivers {
     const firstGroup = this.groupsUsed;
     for (let group = 0; group < groups.length; group += 6) {
       if (boxOutsidePlanes(planes, groups, group)) continue;
+      const isInside = boxInsidePlanes(planes, groups, group);
       const first = this.used;
       const end = Math.min(boxes.length, (group + 6) * CLUSTERS_PER_GROUP);
       for (let at = group * CLUSTERS_PER_GROUP; at < end; at += 6) {
-        if (!boxOutsidePlanes(planes, boxes, at)) this.push(boxes, at);
+        if (isInside || !boxOutsidePlanes(planes, boxes, at)) this.push(boxes, at);
       }
       if (this.used > first) this.addGroup(first, groups, group);
     }
