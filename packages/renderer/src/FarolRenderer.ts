@@ -219,7 +219,7 @@ export class FarolRenderer {
       this.sceneView = this.viewOf(scene);
       picker.pick(this.sceneView.chooser, frame, this.lights, this.activeEffects);
       if (shadows !== null) shadows.cascades = Math.min(4, Math.max(1, Math.round(this.shadowCascades)));
-      shadows?.update(scene, frame.camera, this.lights.masked);
+      shadows?.update(scene, frame.camera, this.lights.masked, frame);
       frame.shadowMapsDrawn = shadows?.drawn ?? 0;
       frame.queue.layers = this.lights.layers?.reference ?? 0;
       const { fills = 'behind', lightOrder } = this.set.known[picker.active];
@@ -310,7 +310,7 @@ export class FarolRenderer {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
     this.lights.layers = shadows.layers;
     this.shadowDraws.stands = shadows.stands;
-    this.frame.findTileShadows = (gbuffer) => shadows.findTiles(this.frame, gbuffer);
+    this.frame.findTileShadows = (gbuffer) => shadows.tiles.render(this.frame, gbuffer, shadows.bounds.target);
     this.frame.queue.shadowMasks = code.shadowMasks;
     return shadows;
   }

@@ -8,12 +8,10 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import type { DataTable } from '../lights/DataTable';
-import type { Frame } from '../Frame';
-import type { GBuffer } from '../gbuffer/GBuffer';
 import { cookieOf } from '../lights/lightCookie';
 import { LightLayers } from '../lights/LightLayers';
 import type { LightMasks } from '../lights/LightRecords';
-import type { LightTable } from '../lights/LightTable';
+import type { LightTable, PictureSize } from '../lights/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
 import { colourTarget } from './colourTarget';
 import { CookieDraws } from './CookieDraws';
@@ -28,6 +26,7 @@ import { MomentDraws } from './MomentDraws';
 import { ShadowCasters } from './ShadowCasters';
 import { ShadowMapDraws } from './ShadowMapDraws';
 import { type ShadowLight, ShadowSlot } from './ShadowSlot';
+import { settleSizes } from './settleSizes';
 import { type AtlasTenant, TileAtlas } from './TileAtlas';
 import { ShadowBounds, ShadowTiles } from './tiles';
 
@@ -68,7 +67,7 @@ export class ShadowMaps implements LightMasks {
   private readonly draws: ShadowMapDraws;
   private readonly moments: MomentDraws;
   private readonly images: CookieDraws;
-  private readonly bounds: ShadowBounds;
+  readonly bounds: ShadowBounds;
   readonly tiles = new ShadowTiles();
   private readonly shaders: MaskShaders;
   /** Depths have 24 bits, since a light that was met needs them; 16 before. */
@@ -144,7 +143,7 @@ export class ShadowMaps implements LightMasks {
    * Finds out which maps a frame needs and which of them have to be drawn.
    * @param lights those that may be masked, of this frame
    */
-  update(root: Object3D, camera: Camera, lights: readonly Light[]): void {
+  update(root: Object3D, camera: Camera, lights: readonly Light[], picture: PictureSize): void {
     this.frame++;
     this.lit.length = this.stale.length = this.staleCookies.length = this.tiles.bounded = 0;
     this.bounds.begin();
@@ -158,6 +157,7 @@ export class ShadowMaps implements LightMasks {
     this.findChanges(root, camera);
     const updates = shadowMap.autoUpdate || shadowMap.needsUpdate;
     this.follow(updates, camera);
+    settleSizes(this.lit, camera, picture, shadowMap, this.depths.reduced);
     this.arrange();
     this.findStale(updates);
     this.shaders.adapt(this.records > 0, this.layers.reference !== 0);
@@ -201,11 +201,6 @@ export class ShadowMaps implements LightMasks {
     for (const cookie of this.staleCookies) this.images.render(cookie, colours);
     this.bounds.render(depths);
     webgl.setRenderTarget(target, face, level);
-  }
-
-  /** Finds which lights light all, or none, of tiles of a G-buffer. */
-  findTiles(frame: Frame, gbuffer: GBuffer): void {
-    this.tiles.render(frame, gbuffer, this.bounds.target);
   }
 
   /** Ends a frame: what the host asked for once is done. */

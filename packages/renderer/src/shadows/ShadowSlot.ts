@@ -17,6 +17,7 @@ import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { CookieSlot } from './CookieSlot';
 import type { AtlasTenant } from './TileAtlas';
 import { isBeyond, makeReach, setReach } from './reach';
+import { REACH } from './spareHalvings';
 import { needsFineDepth } from './fineDepth';
 import type { Tile } from './TilePacker';
 
@@ -72,7 +73,13 @@ export class ShadowSlot implements AtlasTenant {
   faceHeight = 0;
   /** Texels round each face, of a cube. */
   border = 0;
-  /** How often the size that the light asks for is halved, since the atlas is full. */
+  /** How often the size that the light asks for is halved, since no picture shows more; and how often it is to be. */
+  excess = 0;
+  spare = 0;
+  /** Frames for which it could have been more often, and the least that it could. */
+  patience = 0;
+  least = 0;
+  /** How often that is halved again, since the atlas is full. */
   halvings = 0;
   /** The same before the last look at who is to be halved. */
   halved = 0;
@@ -194,6 +201,17 @@ export class ShadowSlot implements AtlasTenant {
     if (!this.isCube) return radius;
     const most = ((LARGEST_BORDER - 0.5) / FARTHEST) * (this.wantedWidth / this.faceWidth);
     return Math.max(-most, Math.min(most, radius));
+  }
+
+  /**
+   * How far from a surface its shadow is looked up, along its normal (m): a map that is halved since pictures show no more needs
+   * more of that, by half of what a texel is wider there where `spareHalvings` looks.
+   */
+  get normalBias(): number {
+    const { excess, isCube, wantedWidth, shadow } = this;
+    if (excess === 0) return shadow.normalBias;
+    const scale = isCube ? 1 : this.own.camera.projectionMatrix.elements[0];
+    return shadow.normalBias + (REACH * this.range * (2 ** excess - 1)) / (scale * wantedWidth);
   }
 
   /** Whether depths of 16 bits are too coarse for it. */

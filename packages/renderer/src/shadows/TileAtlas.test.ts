@@ -10,6 +10,8 @@ class Tenant implements AtlasTenant {
   halvings = 0;
   halved = 0;
   drawn = false;
+  excess = 0;
+  spare = 0;
   placed = 0;
   border = 1;
 
@@ -104,6 +106,30 @@ describe('TileAtlas', () => {
     for (const tenant of tenants.slice(2)) atlas.release(tenant);
     atlas.arrange([tenants[1]], [], true);
     expect(tenants[1].faceWidth).toBe(512);
+  });
+
+  test('maps are as small as pictures allow; what may be smaller waits for the look at all when the atlas is full', () => {
+    const atlas = atlasOf(1024);
+    const tenants = Array.from({ length: 4 }, () => new Tenant(512));
+    tenants[0].excess = tenants[0].spare = 2;
+    atlas.arrange(tenants, [], false);
+    tenants[1].spare = 1;
+    atlas.arrange(tenants, [], true);
+    expect(tenants.map(({ faceWidth }) => faceWidth)).toEqual([128, 512, 512, 512]);
+    const more = [...tenants, new Tenant(512)];
+    atlas.arrange(more, [], false);
+    expect(more.map(({ faceWidth }) => faceWidth)).toEqual([128, 256, 512, 512, 512]);
+    expectApart(more, 1024);
+  });
+
+  test('a large atlas grows by less than its size', () => {
+    const atlas = atlasOf(8192);
+    atlas.arrange(
+      Array.from({ length: 5 }, () => new Tenant(2048)),
+      [],
+      true,
+    );
+    expect(atlas.target!.width).toBe(6144);
   });
 
   test('tiles that are only kept make room', () => {

@@ -18,7 +18,10 @@ export interface AtlasTenant {
   /** Texels a side of a face that the tile was made for. */
   faceWidth: number;
   faceHeight: number;
-  /** How often the size asked for is halved, since the atlas is full, and how often it was before the last look. */
+  /** How often the size asked for is halved, since no picture shows more; and how often it is to be. 0 when absent. */
+  excess?: number;
+  readonly spare?: number;
+  /** How often that is halved again, since the atlas is full, and how often both were before the last look. */
   halvings: number;
   halved: number;
   /** The tile holds what it should. */
@@ -29,6 +32,8 @@ export interface AtlasTenant {
 
 /** Texels a side of the smallest atlas. */
 const SMALLEST = 512;
+/** Texels a side of an atlas from which on it grows by less than its size. */
+const FINE_STEPS = 4096;
 /** Texels a side below which a map is not halved. */
 const SMALLEST_MAP = 16;
 /** Part of the atlas that tiles of mixed sizes are counted on to fill. */
@@ -42,7 +47,8 @@ export class TileAtlas {
   target: WebGLRenderTarget | null = null;
   private readonly packer = new TilePacker(SMALLEST);
   private readonly order: AtlasTenant[] = [];
-  private reduced = false;
+  /** Maps are halved since it is full. */
+  reduced = false;
   /** Part of the largest atlas that maps are reduced to: less after they did not fit. */
   private filled = 1;
 
@@ -131,8 +137,8 @@ export class TileAtlas {
       for (const tenant of tenants) area += areaOf(tenant, limit);
       order.sort((a, b) => blockHeight(b, mapHeight(b, limit)) - blockHeight(a, mapHeight(a, limit)));
       let size = this.target!.width;
-      while (size < limit && size * size * FILLED < area) size *= 2;
-      while (!this.placeAll(Math.min(size, limit)) && size < limit) size *= 2;
+      while (size < limit && size * size * FILLED < area) size = larger(size);
+      while (!this.placeAll(Math.min(size, limit)) && size < limit) size = larger(size);
       size = Math.min(size, limit);
       if (size !== this.target!.width) this.resize(size);
       if (order.every((tenant) => tenant.tile !== null) || this.filled < 0.2) return;
@@ -148,8 +154,9 @@ export class TileAtlas {
     const { limit } = this;
     let area = 0;
     for (const tenant of tenants) {
-      tenant.halved = tenant.halvings;
+      tenant.halved = halvingsOf(tenant);
       tenant.halvings = 0;
+      if (tenant.spare !== undefined) tenant.excess = tenant.spare;
       area += areaOf(tenant, limit);
     }
     this.reduced = false;
@@ -158,7 +165,7 @@ export class TileAtlas {
       if (freed === 0) break;
       area -= freed;
     }
-    return tenants.some((tenant) => tenant.halved !== tenant.halvings);
+    return tenants.some((tenant) => tenant.halved !== halvingsOf(tenant));
   }
 
   private placeAll(size: number): boolean {
@@ -197,6 +204,11 @@ export class TileAtlas {
   }
 }
 
+/** The next size of an atlas: twice as wide, but where that is much memory a quarter of a power of two more. */
+function larger(size: number): number {
+  return size < FINE_STEPS ? 2 * size : size + (1 << (29 - Math.clz32(size)));
+}
+
 /** True when a tenant has a tile for faces of this size, with the border that it needs now. */
 function isPlaced(tenant: AtlasTenant, width: number, height: number): boolean {
   const { tile, faceWidth, faceHeight } = tenant;
@@ -211,8 +223,13 @@ function mapHeight(tenant: AtlasTenant, limit: number): number {
   return sideOf(tenant.wantedHeight, tenant, limit);
 }
 
-/** Texels a side of a face: as the light asks, but no more than fit alone, halved as there is need. */
-function sideOf(wanted: number, tenant: AtlasTenant, limit: number): number {
+function halvingsOf({ excess = 0, halvings }: AtlasTenant): number {
+  return excess + halvings;
+}
+
+/** Texels a side of a face: as the light asks or pictures show, but no more than fit alone, halved as there is need. */
+function sideOf(asked: number, tenant: AtlasTenant, limit: number): number {
+  const wanted = asked >> (tenant.excess ?? 0);
   const third = Math.floor(limit / 3);
   const most = tenant.isCube
     ? third - 2 * tenant.borderOf(Math.min(wanted, third))

@@ -70,10 +70,10 @@ export class SeenReceivers {
   cut(slot: ShadowSlot): boolean {
     if (this.isUnbounded) return false;
     const { faces, isCube, light, faceWidth, faceHeight } = slot;
-    const { radius, normalBias } = light.shadow;
+    const { radius } = light.shadow;
     const texels = Math.ceil(2 * radius) + 2;
     // along its normal, a surface looks up the map that far from where it is
-    const shift = Math.abs(normalBias);
+    const shift = Math.abs(slot.normalBias);
     parts.fill(-Infinity);
     open = 63;
     if (!isCube) {
