@@ -17,7 +17,7 @@ export class ShadowFace {
   private hasPartPlanes = false;
   /** What it draws in this frame by itself. */
   readonly casters: Caster[] = [];
-  private readonly merged: TriangleRuns[] = [];
+  private readonly merged: (TriangleRuns | undefined)[] = [];
   /** From world to clip space, where that was asked for. */
   readonly matrix = new Matrix4();
   /** The part of what it draws to that can be seen, and the part that is drawn (texels). */
@@ -103,7 +103,7 @@ export class ShadowFace {
 
   clear(): void {
     this.casters.length = 0;
-    for (const runs of this.merged) runs.clear();
+    for (const runs of this.merged) runs?.clear();
   }
 
   /** The camera's matrices have changed. */

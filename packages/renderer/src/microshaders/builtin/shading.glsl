@@ -96,7 +96,7 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   farol_addLight(s, light.direction, light.color * diffuseScale, light.color * specularScale);
 }
 
-// a point light of three that lights all there is, its first two texels
+// a point light of three that nothing masks, its first two texels
 void farol_addPlain(inout FarolShading s, const in vec4 centre, const in vec3 color, const in float decay) {
   vec3 toLight = centre.xyz - s.positionVS;
   float distanceSquared = dot(toLight, toLight);
@@ -122,8 +122,7 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 cent
 #ifdef FAROL_POINT_MASKS
     if (cone.x < -1.0 && cone.w == 0.0) { // a point light of three with a mask
       if (dot(s.normalVS, direction) <= 0.0) return;
-      color.rgb *= attenuation;
-      if (!isLit) color.rgb *= FAROL_MASK(int(cone.z), true, toLight, FAROL_LOOKUP_OF(s));
+      color.rgb *= attenuation * FAROL_MASK(int(cone.z), true, toLight, FAROL_LOOKUP_OF(s));
       farol_addLight(s, direction, color.rgb, color.rgb);
       return;
     }
@@ -161,19 +160,33 @@ void farol_addBounded(inout FarolShading s, const in int record) {
   farol_addRead(s, record, farol_lightTexel(record, 0), farol_lightTexel(record, 1), false);
 }
 
-// the same, for all but plain point lights; both texels are asked for before either is looked at; isPlain: but for its mask it is one
+// the same, for all but plain point lights; isPlain: a mask that lets all through is all that keeps it from being one; both texels are asked for before either is looked at
 void farol_addOther(inout FarolShading s, const in int record, const in bool isLit, const in bool isPlain) {
   vec4 centre = farol_lightTexel(record, 0);
   vec4 color = farol_lightTexel(record, 1);
-  if (isPlain) farol_addPlain(s, centre, color.rgb, -1.0 - color.w);
-  else if (color.w < 0.0) farol_addRead(s, record, centre, color, isLit);
+#ifdef FAROL_POINT_MASKS
+  if (isPlain) {
+    farol_addPlain(s, centre, color.rgb, -1.0 - color.w);
+    return;
+  }
+#endif
+#ifdef FAROL_BOUNDED_MASKS
+  if (color.w < 0.0) farol_addRead(s, record, centre, color, isLit);
+#else
+  if (color.w < 0.0) farol_addRead(s, record, centre, color, false);
+#endif
 }
 
 // a point light of three; others are left out
 void farol_addPoint(inout FarolShading s, const in int record) {
   vec4 centre = farol_lightTexel(record, 0);
+  vec3 toLight = centre.xyz - s.positionVS;
+  float distanceSquared = dot(toLight, toLight);
+  float ratio = distanceSquared / (centre.w * centre.w);
   vec4 color = farol_lightTexel(record, 1);
-  if (color.w >= 0.0) farol_addPlain(s, centre, color.rgb, color.w);
+  if (ratio >= 1.0 || color.w < 0.0) return;
+  color.rgb *= farol_boundedAttenuation(distanceSquared, ratio, color.w);
+  farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color.rgb, color.rgb);
 }
 
 // directional lights and lights without a range
