@@ -20,7 +20,6 @@ export class CookieSlot implements AtlasTenant {
   faceWidth = 0;
   faceHeight = 0;
   halvings = 0;
-  halved = 0;
   drawn = false;
   /** Frame in which a light last threw it. */
   used = 0;

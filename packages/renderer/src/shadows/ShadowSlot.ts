@@ -81,8 +81,6 @@ export class ShadowSlot implements AtlasTenant {
   least = 0;
   /** How often that is halved again, since the atlas is full. */
   halvings = 0;
-  /** The same before the last look at who is to be halved. */
-  halved = 0;
   /** Share of the picture that the light covers. */
   coverage = 1;
   /** Something in reach changed since the tile was drawn. */

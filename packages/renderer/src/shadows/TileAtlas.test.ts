@@ -8,7 +8,6 @@ class Tenant implements AtlasTenant {
   faceWidth = 0;
   faceHeight = 0;
   halvings = 0;
-  halved = 0;
   drawn = false;
   excess = 0;
   spare = 0;
@@ -130,6 +129,26 @@ describe('TileAtlas', () => {
       true,
     );
     expect(atlas.target!.width).toBe(6144);
+  });
+
+  test('as a camera flies through many lights and the atlas is full, few maps are drawn anew at a look', () => {
+    const atlas = atlasOf(2048);
+    const tenants = Array.from({ length: 40 }, () => new Tenant(256, true));
+    const fly = (look: number) => {
+      tenants.forEach((tenant, i) => (tenant.coverage = 1 / (1 + Math.abs(i - look))));
+      const before = tenants.map(({ placed }) => placed);
+      atlas.arrange(tenants, [], true);
+      return tenants.filter(({ placed }, i) => placed !== before[i]).length;
+    };
+    expect(fly(0)).toBe(40);
+    const anew = Array.from({ length: 38 }, (_, look) => fly(look + 1));
+    expectApart(tenants, 2048);
+    // one that moves out of it, one that moves in, and some whose place was too small; all only where free places are in pieces
+    expect(anew.filter((count) => count > 12).length).toBeLessThanOrEqual(5);
+    // those near the camera have what they ask for, or half of it
+    for (const tenant of tenants.slice(36)) expect(tenant.faceWidth).toBeGreaterThanOrEqual(128);
+    const texels = tenants.reduce((sum, { tile }) => sum + tile!.width * tile!.height, 0);
+    expect(texels).toBeGreaterThan(0.6 * 2048 * 2048);
   });
 
   test('tiles that are only kept make room', () => {

@@ -21,9 +21,8 @@ export interface AtlasTenant {
   /** How often the size asked for is halved, since no picture shows more; and how often it is to be. 0 when absent. */
   excess?: number;
   readonly spare?: number;
-  /** How often that is halved again, since the atlas is full, and how often both were before the last look. */
+  /** How often that is halved again, since the atlas is full. */
   halvings: number;
-  halved: number;
   /** The tile holds what it should. */
   drawn: boolean;
   /** Takes a place; what it holds is to be drawn anew. */
@@ -36,6 +35,8 @@ const SMALLEST = 512;
 const FINE_STEPS = 4096;
 /** Texels a side below which a map is not halved. */
 const SMALLEST_MAP = 16;
+/** Looks at who has been reduced, of which one may place all anew. */
+const LOOKS = 10;
 /** Part of the atlas that tiles of mixed sizes are counted on to fill. */
 const FILLED = 0.9;
 
@@ -49,6 +50,8 @@ export class TileAtlas {
   private readonly order: AtlasTenant[] = [];
   /** Maps are halved since it is full. */
   reduced = false;
+  /** Counts the looks at who has been reduced. */
+  private looks = 0;
   /** Part of the largest atlas that maps are reduced to: less after they did not fit. */
   private filled = 1;
 
@@ -81,16 +84,21 @@ export class TileAtlas {
   arrange(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[], rebalance: boolean): void {
     if (tenants.length === 0) return;
     if (this.target === null) this.resize(SMALLEST);
-    if (rebalance && this.reduced && this.reduce(tenants)) {
-      this.repack(tenants, kept);
-      return;
-    }
+    const { limit, order } = this;
+    const looks = rebalance && this.reduced;
+    if (looks) this.reduce(tenants);
+    order.length = 0;
     for (const tenant of tenants) {
-      const width = mapWidth(tenant, this.limit);
-      const height = mapHeight(tenant, this.limit);
-      if (isPlaced(tenant, width, height)) continue;
+      if (isPlaced(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) continue;
       this.release(tenant);
-      if (this.tryPlace(tenant, width, height)) continue;
+      order.push(tenant);
+    }
+    if (order.length > 1) this.sort();
+    // where free places are in pieces some make do with less, and only now and then all are placed anew
+    const squeezes = looks && kept.length === 0 && ++this.looks % LOOKS !== 0;
+    for (const tenant of order) {
+      if (this.tryPlace(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) continue;
+      if (squeezes && this.squeeze(tenant)) continue;
       this.repack(tenants, kept);
       return;
     }
@@ -121,6 +129,22 @@ export class TileAtlas {
     return tile !== null;
   }
 
+  /** Places a map where there is room for a half, a quarter… of it. */
+  private squeeze(tenant: AtlasTenant): boolean {
+    const { limit } = this;
+    while (Math.min(mapWidth(tenant, limit), mapHeight(tenant, limit)) > SMALLEST_MAP) {
+      tenant.halvings++;
+      this.reduced = true;
+      if (this.tryPlace(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) return true;
+    }
+    return false;
+  }
+
+  private sort(): void {
+    const { limit } = this;
+    this.order.sort((a, b) => blockHeight(b, mapHeight(b, limit)) - blockHeight(a, mapHeight(a, limit)));
+  }
+
   /** Places all anew, the largest first, in the smallest atlas that has room, with maps halved where the largest has none. */
   private repack(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[]): void {
     const { limit, order } = this;
@@ -135,7 +159,7 @@ export class TileAtlas {
       this.reduce(tenants);
       let area = 0;
       for (const tenant of tenants) area += areaOf(tenant, limit);
-      order.sort((a, b) => blockHeight(b, mapHeight(b, limit)) - blockHeight(a, mapHeight(a, limit)));
+      this.sort();
       let size = this.target!.width;
       while (size < limit && size * size * FILLED < area) size = larger(size);
       while (!this.placeAll(Math.min(size, limit)) && size < limit) size = larger(size);
@@ -146,15 +170,11 @@ export class TileAtlas {
     }
   }
 
-  /**
-   * Halves the maps that have most texels for what their lights cover of the picture, until all may fit.
-   * @returns whether any map's size changed by that
-   */
-  private reduce(tenants: readonly AtlasTenant[]): boolean {
+  /** Halves the maps that have most texels for what their lights cover of the picture, until all may fit. */
+  private reduce(tenants: readonly AtlasTenant[]): void {
     const { limit } = this;
     let area = 0;
     for (const tenant of tenants) {
-      tenant.halved = halvingsOf(tenant);
       tenant.halvings = 0;
       if (tenant.spare !== undefined) tenant.excess = tenant.spare;
       area += areaOf(tenant, limit);
@@ -165,7 +185,6 @@ export class TileAtlas {
       if (freed === 0) break;
       area -= freed;
     }
-    return tenants.some((tenant) => tenant.halved !== halvingsOf(tenant));
   }
 
   private placeAll(size: number): boolean {
@@ -221,10 +240,6 @@ function mapWidth(tenant: AtlasTenant, limit: number): number {
 
 function mapHeight(tenant: AtlasTenant, limit: number): number {
   return sideOf(tenant.wantedHeight, tenant, limit);
-}
-
-function halvingsOf({ excess = 0, halvings }: AtlasTenant): number {
-  return excess + halvings;
 }
 
 /** Texels a side of a face: as the light asks or pictures show, but no more than fit alone, halved as there is need. */
