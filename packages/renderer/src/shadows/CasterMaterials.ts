@@ -7,6 +7,7 @@ import {
   type Material,
   type Mesh,
   MeshDepthMaterial,
+  MeshDistanceMaterial,
   type MeshStandardMaterial,
   type Object3D,
   type Side,
@@ -21,6 +22,14 @@ export function shadowSideOf({ side, shadowSide }: Material, bothSides: boolean)
 }
 
 type AnyMaterial = MeshStandardMaterial & { isMeshDistanceMaterial?: boolean };
+type CasterMaterial = MeshDepthMaterial | MeshDistanceMaterial;
+
+/** Materials of one kind, by kind of mesh, and of those that need one of their own. */
+interface Kinds {
+  readonly shared: CasterMaterial[];
+  readonly unique: Map<Material, CasterMaterial>;
+}
+
 type AnyMesh = Mesh & Partial<InstancedMesh> & { isSkinnedMesh?: boolean; isBatchedMesh?: boolean };
 
 /**
@@ -29,8 +38,9 @@ type AnyMesh = Mesh & Partial<InstancedMesh> & { isSkinnedMesh?: boolean; isBatc
  * each material that discards or displaces.
  */
 export class CasterMaterials {
-  private readonly shared: MeshDepthMaterial[] = [];
-  private readonly unique = new Map<Material, MeshDepthMaterial>();
+  private readonly depths: Kinds = { shared: [], unique: new Map() };
+  /** Where depth is logarithmic, for point lights alone: these keep it as it is. */
+  private readonly distances: Kinds = { shared: [], unique: new Map() };
 
   constructor(private readonly webgl: WebGLRenderer) {}
 
@@ -41,7 +51,8 @@ export class CasterMaterials {
   get(object: Object3D, source: Material, light: Light, bothSides: boolean): Material {
     const isPoint = (light as Light & { isPointLight?: boolean }).isPointLight === true;
     const own = isPoint ? object.customDistanceMaterial : object.customDepthMaterial;
-    const result = (own ?? this.depthMaterial(object, source)) as AnyMaterial;
+    const kinds = isPoint && this.webgl.capabilities.logarithmicDepthBuffer ? this.distances : this.depths;
+    const result = (own ?? this.materialOf(object, source, kinds)) as AnyMaterial;
     const m = source as AnyMaterial;
     result.visible = m.visible;
     result.wireframe = m.wireframe;
@@ -64,14 +75,17 @@ export class CasterMaterials {
   }
 
   dispose(): void {
-    for (const material of this.shared) material?.dispose();
-    for (const material of this.unique.values()) material.dispose();
-    this.shared.length = 0;
-    this.unique.clear();
+    for (const { shared, unique } of [this.depths, this.distances]) {
+      for (const material of shared) material?.dispose();
+      for (const material of unique.values()) material.dispose();
+      shared.length = 0;
+      unique.clear();
+    }
   }
 
-  private depthMaterial(object: Object3D, source: Material): MeshDepthMaterial {
-    return this.needsOwn(source as AnyMaterial) ? this.uniqueFor(source) : this.sharedFor(object as AnyMesh);
+  private materialOf(object: Object3D, source: Material, kinds: Kinds): CasterMaterial {
+    const needsOwn = this.needsOwn(source as AnyMaterial);
+    return needsOwn ? this.uniqueFor(source, kinds) : this.sharedFor(object as AnyMesh, kinds);
   }
 
   /** True for what discards or displaces. */
@@ -85,34 +99,34 @@ export class CasterMaterials {
   }
 
   /** Meshes whose programs differ have materials of their own, so that three need not look for the program each time. */
-  private sharedFor(mesh: AnyMesh): MeshDepthMaterial {
+  private sharedFor(mesh: AnyMesh, { shared }: Kinds): CasterMaterial {
     const kind =
       (mesh.isInstancedMesh ? 1 : 0) +
       (mesh.isSkinnedMesh ? 2 : 0) +
       (mesh.isBatchedMesh ? 4 : 0) +
       (mesh.geometry.morphAttributes.position ? 8 : 0) +
       (mesh.isInstancedMesh && mesh.instanceColor ? 16 : 0);
-    return (this.shared[kind] ??= makeMaterial());
+    return (shared[kind] ??= this.make(shared));
   }
 
-  private uniqueFor(source: Material): MeshDepthMaterial {
-    let material = this.unique.get(source);
+  private uniqueFor(source: Material, { shared, unique }: Kinds): CasterMaterial {
+    let material = unique.get(source);
     if (material === undefined) {
-      material = makeMaterial();
-      this.unique.set(source, material);
+      material = this.make(shared);
+      unique.set(source, material);
       const onDispose = () => {
         source.removeEventListener('dispose', onDispose);
-        this.unique.get(source)?.dispose();
-        this.unique.delete(source);
+        unique.get(source)?.dispose();
+        unique.delete(source);
       };
       source.addEventListener('dispose', onDispose);
     }
     return material;
   }
-}
 
-function makeMaterial(): MeshDepthMaterial {
-  const material = new MeshDepthMaterial();
-  material.colorWrite = false;
-  return material;
+  private make(shared: Kinds['shared']): CasterMaterial {
+    const material = shared === this.distances.shared ? new MeshDistanceMaterial() : new MeshDepthMaterial();
+    material.colorWrite = false;
+    return material;
+  }
 }
