@@ -1,18 +1,10 @@
-import {
-  NearestFilter,
-  NoBlending,
-  RGBAIntegerFormat,
-  UnsignedIntType,
-  Vector2,
-  WebGLRenderTarget,
-  type IUniform,
-  type Texture,
-} from 'three';
+import { NoBlending, Vector2, type IUniform, type Texture, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../Frame';
 import { FullscreenMesh } from './FullscreenMesh';
 import type { Pass, Resource } from './Pass';
 import { PassMaterial } from './PassMaterial';
 import { setUnprojectUniforms, unprojectUniforms } from './unprojectUniforms';
+import { wordTarget } from './wordTarget';
 
 /** What a tile's list may know of the depths in it: nothing, nearest and farthest, or also which of 32 slices hold any. */
 export type TileDepthUse = 'none' | 'bounds' | 'slices';
@@ -60,11 +52,11 @@ export class LightTilesPass implements Pass {
   readonly name = 'light lists';
   readonly reads: readonly Resource[];
   readonly writes = ['light-lists'] as const;
-  private readonly coarse = listTarget();
-  private readonly fine = listTarget();
-  private readonly summary = listTarget();
-  private readonly depths = listTarget();
-  private readonly blocks = listTarget();
+  private readonly coarse = wordTarget();
+  private readonly fine = wordTarget();
+  private readonly summary = wordTarget();
+  private readonly depths = wordTarget();
+  private readonly blocks = wordTarget();
   private readonly own = {
     ...unprojectUniforms(),
     farol_size: { value: new Vector2() },
@@ -209,17 +201,6 @@ export class LightTilesPass implements Pass {
     frame.compileMesh(this.triangle, materials.summary);
     return materials;
   }
-}
-
-function listTarget(): WebGLRenderTarget {
-  return new WebGLRenderTarget(1, 1, {
-    format: RGBAIntegerFormat,
-    type: UnsignedIntType,
-    internalFormat: 'RGBA32UI',
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    depthBuffer: false,
-  });
 }
 
 function setSize(target: WebGLRenderTarget, width: number, height: number): void {

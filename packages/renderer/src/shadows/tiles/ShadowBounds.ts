@@ -1,6 +1,5 @@
 import {
   type IUniform,
-  NearestFilter,
   NoBlending,
   PerspectiveCamera,
   RGIntegerFormat,
@@ -8,11 +7,11 @@ import {
   UnsignedShortType,
   Vector4,
   type WebGLRenderer,
-  WebGLRenderTarget,
 } from 'three';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import { PassMaterial } from '../../passes/PassMaterial';
+import { wordTarget } from '../../passes/wordTarget';
 import type { Draw } from '../ShadowMapDraws';
 import type { ShadowSlot } from '../ShadowSlot';
 import type { TileAtlas } from '../TileAtlas';
@@ -32,7 +31,7 @@ const camera = new PerspectiveCamera();
  * may count in what lies beside it, older texels too: bounds may be wider than need be, never narrower.
  */
 export class ShadowBounds {
-  readonly target: WebGLRenderTarget;
+  readonly target = wordTarget(RGIntegerFormat, UnsignedShortType, 'RG16UI');
   private readonly triangle = new FullscreenMesh();
   private readonly depths: IUniform<Texture | null> = { value: null };
   private material: PassMaterial | null = null;
@@ -42,16 +41,7 @@ export class ShadowBounds {
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly microshaders: MicroShaderRegistry,
-  ) {
-    this.target = new WebGLRenderTarget(1, 1, {
-      format: RGIntegerFormat,
-      type: UnsignedShortType,
-      internalFormat: 'RG16UI',
-      minFilter: NearestFilter,
-      magFilter: NearestFilter,
-      depthBuffer: false,
-    });
-  }
+  ) {}
 
   get bytes(): number {
     return this.target.width * this.target.height * 4;

@@ -1,17 +1,10 @@
-import {
-  type IUniform,
-  NearestFilter,
-  NoBlending,
-  RGBAIntegerFormat,
-  type Texture,
-  UnsignedIntType,
-  WebGLRenderTarget,
-} from 'three';
+import { type IUniform, NoBlending, type Texture, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../../Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import { gbufferUniforms, setGBufferUniforms } from '../../passes/gbufferUniforms';
 import { PassMaterial } from '../../passes/PassMaterial';
+import { wordTarget } from '../../passes/wordTarget';
 import type { MaskUniforms } from '../maskUniforms';
 
 /** Pixels a side of a tile; lightListClustered.glsl has it too. A tile of the light grid holds a whole number of them. */
@@ -119,15 +112,4 @@ export class ShadowTiles {
     frame.compileMesh(this.triangle, materials.marks);
     return materials;
   }
-}
-
-function wordTarget(): WebGLRenderTarget {
-  return new WebGLRenderTarget(1, 1, {
-    format: RGBAIntegerFormat,
-    type: UnsignedIntType,
-    internalFormat: 'RGBA32UI',
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    depthBuffer: false,
-  });
 }
