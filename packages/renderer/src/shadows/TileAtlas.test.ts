@@ -133,7 +133,7 @@ describe('TileAtlas', () => {
 
   test('as a camera flies through many lights and the atlas is full, few maps are drawn anew at a look', () => {
     const atlas = atlasOf(2048);
-    const tenants = Array.from({ length: 40 }, () => new Tenant(256, true));
+    const tenants = Array.from({ length: 40 }, (_, i) => new Tenant(i % 3 ? 256 : 160, i % 2 === 0));
     const fly = (look: number) => {
       tenants.forEach((tenant, i) => (tenant.coverage = 1 / (1 + Math.abs(i - look))));
       const before = tenants.map(({ placed }) => placed);
@@ -143,8 +143,8 @@ describe('TileAtlas', () => {
     expect(fly(0)).toBe(40);
     const anew = Array.from({ length: 38 }, (_, look) => fly(look + 1));
     expectApart(tenants, 2048);
-    // one that moves out of it, one that moves in, and some whose place was too small; all only where free places are in pieces
-    expect(anew.filter((count) => count > 12).length).toBeLessThanOrEqual(5);
+    // one that moves out of it, one that moves in, and some whose place was too small; seldom all, where free places are in pieces
+    expect(anew.filter((count) => count > 12).length).toBeLessThanOrEqual(2);
     // those near the camera have what they ask for, or half of it
     for (const tenant of tenants.slice(36)) expect(tenant.faceWidth).toBeGreaterThanOrEqual(128);
     const texels = tenants.reduce((sum, { tile }) => sum + tile!.width * tile!.height, 0);

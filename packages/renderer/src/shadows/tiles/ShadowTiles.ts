@@ -69,7 +69,9 @@ export class ShadowTiles {
   }
 
   private draw(frame: Frame, target: WebGLRenderTarget, material: PassMaterial, width: number, height: number): void {
-    if (target.width < width || target.height < height) target.setSize(width, height);
+    if (target.width < width || target.height < height) {
+      target.setSize(Math.max(target.width, width), Math.max(target.height, height));
+    }
     target.viewport.set(0, 0, width, height);
     frame.bind(target);
     frame.drawMesh(this.triangle, material);
