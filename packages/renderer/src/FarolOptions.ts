@@ -12,8 +12,8 @@ export interface FarolOptions {
   /** Default none. */
   effects?: readonly FarolEffect[];
   /**
-   * Texels a side of the texture that holds all shadow maps, at most; it is made as large as the lights ask for. Default
-   * 8192, at most what the device has; at least 512.
+   * Texels a side of the texture that holds all shadow maps, at most; it is made as large as the lights ask for, at least
+   * 512, at most what the device has. Default: by the picture, 6656 up to 1280 × 720 pixels, 8192 from 1600 × 900 on.
    */
   shadowAtlasSize?: number;
   /** As the property of that name. Default false. */

@@ -85,7 +85,7 @@ export class FarolRenderer {
   private viewName: View = 'final';
   private sceneView!: SceneView;
   private disposed = false;
-  private readonly shadowAtlasSize: number;
+  private readonly shadowAtlasSize: number | null;
   private activeEffects = NO_EFFECTS;
   private readonly draw = () => this.drawFrame();
   private readonly begun = () => this.frame.takeOutputBuffer();
@@ -122,7 +122,7 @@ export class FarolRenderer {
     });
     this.frame = new Frame(webgl, this.lights, this.twins, uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
-    this.shadowAtlasSize = Math.max(512, options.shadowAtlasSize ?? 8192);
+    this.shadowAtlasSize = options.shadowAtlasSize === undefined ? null : Math.max(512, options.shadowAtlasSize);
     this.timing = options.timing ?? false;
     this.lightLayers = options.lightLayers ?? false;
     this.technique = options.technique ?? 'auto';

@@ -13,6 +13,7 @@ import { LightLayers } from '../lights/LightLayers';
 import type { LightMasks } from '../lights/LightRecords';
 import type { LightTable, PictureSize } from '../lights/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
+import { atlasLimit } from './atlasLimit';
 import { colourTarget } from './colourTarget';
 import { CookieDraws } from './CookieDraws';
 import { CookieSlot } from './CookieSlot';
@@ -76,15 +77,15 @@ export class ShadowMaps implements LightMasks {
   private frame = 0;
   private tenants = 0;
 
-  /** @param limit of the atlas of depths, texels a side */
+  /** @param limit of the atlas of depths, texels a side; null: by the pictures that are drawn, see `atlasLimit` */
   constructor(
     private readonly webgl: WebGLRenderer,
     microshaders: MicroShaderRegistry,
-    limit: number,
+    private readonly limit: number | null,
   ) {
     const { maxTextureSize } = webgl.capabilities;
     this.depths = new TileAtlas(
-      Math.min(limit, maxTextureSize),
+      0,
       () => (this.isFine ? 5 : 3),
       (size) => depthTarget(size, this.isFine),
     );
@@ -121,6 +122,8 @@ export class ShadowMaps implements LightMasks {
     uniforms.farol_worldAxes.value.setFromMatrix4(camera.matrixWorld);
     uniforms.farol_shadowAtlas.value = this.depthTexture;
     uniforms.farol_lightAtlas.value = this.colourTexture;
+    uniforms.farol_atlasTexel.value[0] = 1 / this.depths.size;
+    uniforms.farol_atlasTexel.value[1] = 1 / this.colours.size;
     const masks = uniforms.farol_masks.value;
     masks[0] = lights.firstMask;
     masks[1] = this.records / RECORDS_PER_MASK;
@@ -150,13 +153,15 @@ export class ShadowMaps implements LightMasks {
     this.records = this.drawn = this.kept = this.texels = 0;
     if (this.layered.size > 0) this.layered.clear();
     if (lights.length === 0 && this.slots.size === 0) return;
-    const { shadowMap } = this.webgl;
+    const { shadowMap, capabilities } = this.webgl;
     this.followType();
     for (const light of lights) this.addLight(light, root, camera);
     this.dropLost();
     this.findChanges(root, camera);
     const updates = shadowMap.autoUpdate || shadowMap.needsUpdate;
     this.follow(updates, camera);
+    // as the largest picture needs it: cameras may take turns
+    this.depths.raiseLimit(Math.min(this.limit ?? atlasLimit(picture), capabilities.maxTextureSize));
     settleSizes(this.lit, camera, picture, shadowMap, this.depths.reduced);
     this.arrange();
     this.findStale(updates);

@@ -151,6 +151,23 @@ describe('TileAtlas', () => {
     expect(texels).toBeGreaterThan(0.6 * 2048 * 2048);
   });
 
+  test('a larger limit lets halved maps have what they ask for, at the next look; a smaller one changes nothing', () => {
+    const atlas = atlasOf(0);
+    atlas.raiseLimit(1024);
+    const tenants = Array.from({ length: 9 }, () => new Tenant(512));
+    atlas.arrange(tenants, [], true);
+    expect(tenants.filter(({ faceWidth }) => faceWidth < 512).length).toBeGreaterThan(0);
+    expect(atlas.target!.width).toBe(1024);
+    atlas.raiseLimit(2048);
+    atlas.arrange(tenants, [], true);
+    expect(tenants.every(({ faceWidth }) => faceWidth === 512)).toBe(true);
+    const placed = tenants.map((tenant) => tenant.placed);
+    atlas.raiseLimit(512);
+    atlas.arrange(tenants, [], true);
+    expect(tenants.map((tenant) => tenant.placed)).toEqual(placed);
+    expectApart(tenants, 2048);
+  });
+
   test('tiles that are only kept make room', () => {
     const atlas = atlasOf(512);
     const kept = Array.from({ length: 4 }, () => new Tenant(256));

@@ -61,7 +61,7 @@ export class TileAtlas {
    * @param make a target of so many texels a side
    */
   constructor(
-    public limit: number,
+    private limit: number,
     private readonly bytesPerTexel: () => number,
     private readonly make: (size: number) => WebGLRenderTarget,
   ) {}
@@ -69,6 +69,11 @@ export class TileAtlas {
   /** What shaders read: depth if the target has a texture of it; null while there is no target. */
   get texture(): Texture | null {
     return this.target?.depthTexture ?? this.target?.texture ?? null;
+  }
+
+  /** Texels a side. */
+  get size(): number {
+    return this.target?.width ?? 1;
   }
 
   get bytes(): number {
@@ -102,6 +107,11 @@ export class TileAtlas {
       this.repack(tenants, kept);
       return;
     }
+  }
+
+  /** @param limit texels a side that it may have from now on; it never becomes less */
+  raiseLimit(limit: number): void {
+    this.limit = Math.max(this.limit, limit);
   }
 
   /** Gives a tenant's tile back. */

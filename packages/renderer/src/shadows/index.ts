@@ -36,7 +36,7 @@ export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: 
  * asks for it.
  * @param limit of the atlas of depths, texels a side
  */
-export function makeShadowMaps(webgl: WebGLRenderer, registry: MicroShaderRegistry, limit: number): ShadowMaps {
+export function makeShadowMaps(webgl: WebGLRenderer, registry: MicroShaderRegistry, limit: number | null): ShadowMaps {
   addMicroShaders(registry, microShaders);
   return new ShadowMaps(webgl, registry, limit);
 }
