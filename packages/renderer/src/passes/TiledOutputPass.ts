@@ -50,7 +50,7 @@ export class TiledOutputPass implements Pass {
         farol_view: this.view,
         farol_overdrawMap: this.overdraw,
       },
-      defines: this.defines,
+      defines: { ...this.defines, FAROL_ONE_TURN: '' },
       fog: true,
       toneMapped: true,
       depthTest: true,

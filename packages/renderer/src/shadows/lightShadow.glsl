@@ -7,6 +7,7 @@
 uniform highp mat3 farol_worldAxes; // from view space
 uniform highp sampler2DShadow farol_shadowAtlas;
 uniform highp sampler2D farol_lightAtlas; // linear colours, or mean and deviation of depths
+uniform highp vec2 farol_atlasTexel; // a texel of each, as part of its side
 
 // the five samples of three's disk before it is turned
 const vec2 FAROL_DISK[5] = vec2[5](vec2(0.31622777, 0.0), vec2(-0.40387357, 0.36998127), vec2(0.06181932, -0.70439930),
@@ -30,7 +31,7 @@ vec2 farol_cubeTexel(const in vec3 tile, const in float border, const in vec3 fa
 }
 
 float farol_shadowTap(const in vec2 texel, const in float depth) {
-  return textureLod(farol_shadowAtlas, vec3(texel / vec2(textureSize(farol_shadowAtlas, 0)), depth), 0.0);
+  return textureLod(farol_shadowAtlas, vec3(texel * farol_atlasTexel.x, depth), 0.0);
 }
 
 // cosine and sine of the angle that the disk is turned by in a pixel
@@ -38,6 +39,13 @@ vec2 farol_diskTurn() {
   float angle = 6.28318530718 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   return vec2(cos(angle), sin(angle));
 }
+
+#ifdef FAROL_ONE_TURN
+vec2 farol_turn; // found once a pixel
+#define FAROL_TURN farol_turn
+#else
+#define FAROL_TURN farol_diskTurn()
+#endif
 
 // The samples of a disk: where its middle is in the atlas (0..1), with the depth there; how both change along the disk's axes.
 struct FarolDisk {
@@ -62,11 +70,11 @@ float farol_diskShadow(const in FarolDisk disk) {
 
 // tile: corner and size (texels); coord: across the map 0..1, and depth; reach: radius of the filter, as part of the map
 FarolDisk farol_mapDisk(const in vec4 tile, const in vec3 coord, const in vec2 reach) {
-  vec2 texel = 1.0 / vec2(textureSize(farol_shadowAtlas, 0));
-  vec2 turn = farol_diskTurn();
+  float texel = farol_atlasTexel.x;
+  vec2 turn = FAROL_TURN;
   vec2 radius = reach * tile.zw * texel;
   return FarolDisk(vec3((tile.xy + coord.xy * tile.zw) * texel, coord.z), vec3(turn * radius, 0.0), vec3(vec2(-turn.y, turn.x) * radius, 0.0),
-    vec4(tile.xy + 0.5, tile.xy + tile.zw - 0.5) * texel.xyxy);
+    vec4(tile.xy + 0.5, tile.xy + tile.zw - 0.5) * texel);
 }
 
 // of the first map that holds the place, of a directional light that has nearer maps, two a row
@@ -87,7 +95,7 @@ vec4 farol_cascadeTile(const in int record, const in vec4 tile, inout vec3 coord
 
 float farol_varianceShadow(const in vec4 tile, const in vec3 coord) {
   vec2 texel = clamp(tile.xy + coord.xy * tile.zw, tile.xy + 0.5, tile.xy + tile.zw - 0.5);
-  vec2 moments = textureLod(farol_lightAtlas, texel / vec2(textureSize(farol_lightAtlas, 0)), 0.0).rg;
+  vec2 moments = textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).rg;
   if (coord.z <= moments.x) return 1.0;
   float variance = max(moments.y * moments.y, 0.0000001);
   float beyond = coord.z - moments.x;
@@ -107,20 +115,24 @@ FarolDisk farol_cubeDisk(const in vec3 tile, const in float border, const in vec
   float face = isX ? 0.5 - 0.5 * side.x : isY ? 2.5 - 0.5 * side.y : 4.5 - 0.5 * side.z;
   float away = 1.0 / (isX ? size.x : isY ? size.y : size.z);
   vec2 p = (isX ? vec2(side.x * fromLight.z, fromLight.y) : isY ? vec2(side.y * fromLight.x, fromLight.z) : vec2(-side.z * fromLight.x, fromLight.y)) * away;
-  vec2 pp = p * p;
-  float lengthSquared = 1.0 + pp.x + pp.y;
+  float lengthSquared = 1.0 + dot(p, p);
   float depth = depths.y * away;
   bool isRound = isY && byX;
-  float tangentSquared = max(isRound ? pp.x + pp.y : 1.0 + (isX ? pp.x : pp.y), 1e-20);
-  float across = p.x * p.y;
-  vec3 tangent = isRound ? vec3(-p.y, p.x, 0.0) : isX ? vec3(tangentSquared, across, depth * p.x) : vec3(across, tangentSquared, depth * p.y);
-  vec3 bitangent = isRound ? vec3(lengthSquared * p, depth * tangentSquared) : isX ? vec3(0.0, -lengthSquared, -depth * p.y) : vec3(lengthSquared, 0.0, depth * p.x);
+  // on x faces as on the others, with x and y exchanged
+  vec2 q = isX ? p.yx : p;
+  float tangentSquared = max(isRound ? lengthSquared - 1.0 : 1.0 + q.y * q.y, 1e-20);
+  vec3 tangent = isRound ? vec3(-q.y, q.x, 0.0) : vec3(q.x * q.y, tangentSquared, depth * q.y);
+  vec3 bitangent = isRound ? vec3(lengthSquared * q, depth * tangentSquared) : vec3(lengthSquared, 0.0, depth * q.x);
   float scale = inversesqrt(tangentSquared) * (isX ? reach : isY ? (byX ? side.y : -side.y) * reach : side.z * reach);
   tangent *= scale * sqrt(lengthSquared);
-  bitangent *= scale;
-  vec2 turn = farol_diskTurn();
-  vec2 texel = 1.0 / vec2(textureSize(farol_shadowAtlas, 0));
-  vec3 unit = vec3(0.5 * tile.z * texel, 1.0);
+  bitangent *= isX ? -scale : scale;
+  if (isX) {
+    tangent.xy = tangent.yx;
+    bitangent.xy = bitangent.yx;
+  }
+  vec2 turn = FAROL_TURN;
+  float texel = farol_atlasTexel.x;
+  vec3 unit = vec3(vec2(0.5 * tile.z * texel), 1.0);
   float row = face >= 3.0 ? 1.0 : 0.0;
   vec2 centre = (tile.xy + (vec2(face - 3.0 * row, row) + 0.5) * (tile.z + 2.0 * border)) * texel;
   return FarolDisk(vec3(centre, depths.x) + vec3(p, depth) * unit, (tangent * turn.x + bitangent * turn.y) * unit, (bitangent * turn.x - tangent * turn.y) * unit,
@@ -173,13 +185,15 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
   FarolDisk disk;
   if (farol_isCube(mask, isPoint)) {
 #ifdef FAROL_SHADOW_CUBES
+#ifdef FAROL_PCF_SHADOWS
+    disk = farol_cubeDisk(mask.tile, mask.border, coord.xyz, mask.filtering.xy, mask.filtering.z);
+    float depth = disk.middle.z;
+#else
     float depth = mask.filtering.x + mask.filtering.y / max(max(abs(coord.x), abs(coord.y)), abs(coord.z));
+#endif
     inside = depth >= 0.0 && depth <= 1.0; // neither before the nearest nor beyond the farthest
 #ifdef FAROL_BASIC_SHADOWS
     if (mask.kind == 3) lit = farol_shadowTap(farol_cubeTexel(mask.tile, mask.border, farol_cubeFace(coord.xyz), true), depth);
-#endif
-#ifdef FAROL_PCF_SHADOWS
-    disk = farol_cubeDisk(mask.tile, mask.border, coord.xyz, mask.filtering.xy, mask.filtering.z);
 #endif
 #endif
   } else {
@@ -225,7 +239,7 @@ vec3 farol_cookieAt(const in int record, const in vec4 coord, const in float kin
     if (any(greaterThanEqual(abs(across * 2.0 - 1.0), vec3(1.0)))) return vec3(1.0);
     texel = clamp(tile.xy + across.xy * tile.zw, tile.xy + 0.5, tile.xy + tile.zw - 0.5);
   } else texel = farol_cubeTexel(tile.xyz, 1.0, farol_cubeFace(coord.xyz), false);
-  return textureLod(farol_lightAtlas, texel / vec2(textureSize(farol_lightAtlas, 0)), 0.0).rgb;
+  return textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).rgb;
 }
 
 // how much of the light a mask lets through to a point, by colour; isPoint: a point light's, for certain; receives: false where

@@ -24,6 +24,9 @@ if (farol_view == 2) {
   gl_FragColor = farol_background;
 } else {
   FarolShading shading = farol_beginShading(pixel, depth, farol_size);
+#ifdef FAROL_HAS_MASKS
+  farol_turn = farol_diskTurn();
+#endif
   farol_addUnbounded(shading);
   FAROL_SHADE_LISTED(shading)
   vec3 radiance = farol_endShading(shading, pixel);

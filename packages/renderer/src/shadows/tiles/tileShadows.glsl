@@ -15,6 +15,9 @@ layout(location = 0) out highp uvec4 farol_marks; // of two words of lights: tho
 const int FAROL_MOST_BLOCKS = 6; // across a tile's part of a map
 
 vec3 farol_corners[8]; // view space (m): all that the tile holds is between them
+#ifdef FAROL_SHADOW_CUBES
+vec3 farol_worldCorners[8]; // the same along the world's axes
+#endif
 
 // false where they are not known
 bool farol_findCorners(const in ivec2 tile) {
@@ -35,6 +38,9 @@ bool farol_findCorners(const in ivec2 tile) {
     float z = (farol_unprojectZ.x + farol_unprojectZ.y * e) / (farol_unprojectZ.z + farol_unprojectZ.w * e);
     vec2 uv = (vec2(tile * FAROL_TILE) + 0.5 * float(FAROL_TILE) + away) / farol_size;
     farol_corners[i] = vec3((uv * 2.0 - 1.0 + farol_unprojectXY.zw) * farol_unprojectXY.xy * mix(1.0, -z, farol_perspective), z);
+#ifdef FAROL_SHADOW_CUBES
+    farol_worldCorners[i] = farol_worldAxes * farol_corners[i];
+#endif
     known = known && z < 0.0 && z > -1e6;
   }
   return known;
@@ -79,33 +85,32 @@ bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, 
   return comparison.isLit || comparison.isDark;
 }
 
-// View space as a face of a cube has it: across, up, along its axis.
-mat3 farol_faceAxes(const in int face) {
-  mat3 rows = transpose(farol_worldAxes);
-  float side = (face & 1) == 0 ? 1.0 : -1.0;
-  vec3 across = face < 2 ? side * rows[2] : face < 4 ? side * rows[0] : -side * rows[0];
-  vec3 up = (face >> 1) == 1 ? rows[2] : rows[1];
-  return transpose(mat3(across, up, side * (face < 2 ? rows[0] : face < 4 ? rows[1] : rows[2])));
-}
-
+#ifdef FAROL_SHADOW_CUBES
 // The same for a cube, where one face sees all of the tile: tiles that two see are few. Samples are no farther beside than the
 // face's border is wide.
 bool farol_compareCube(const in int record, const in FarolMask mask, inout FarolComparison comparison) {
-  vec3 centre = farol_lightTexel(record, 0).xyz;
+  vec3 centre = farol_worldAxes * farol_lightTexel(record, 0).xyz;
   float bias = abs(mask.normalBias);
-  int face = int(farol_cubeFace(farol_worldAxes * (0.5 * (farol_corners[0] + farol_corners[7]) - centre)).z);
-  mat3 axes = farol_faceAxes(face);
+  int face = int(farol_cubeFace(0.5 * (farol_worldCorners[0] + farol_worldCorners[7]) - centre).z);
+  // along the face's axis, across and up
+  bool isX = face < 2;
+  bool isY = face == 2 || face == 3;
+  float side = (face & 1) == 0 ? 1.0 : -1.0;
+  vec3 signs = vec3(isX || isY ? side : -side, 1.0, side);
   vec4 part = vec4(1e30, 1e30, -1e30, -1e30);
   vec2 away = vec2(1e30, -1e30);
   for (int i = 0; i < 8; i++) {
-    vec3 there = axes * (farol_corners[i] - centre);
-    vec2 u = farol_ratio(there.x, bias, there.z, bias);
-    vec2 v = farol_ratio(there.y, bias, there.z, bias);
-    part = vec4(min(part.xy, vec2(u.x, v.x)), max(part.zw, vec2(u.y, v.y)));
+    vec3 there = farol_worldCorners[i] - centre;
+    there = signs * (isX ? there.zyx : isY ? there.xzy : there);
+    vec2 at = there.xy / there.z;
+    part = vec4(min(part.xy, at), max(part.zw, at));
     away = vec2(min(away.x, there.z), max(away.y, there.z));
   }
   away += vec2(-bias, bias);
-  if (away.x < 1e-4 || min(part.x, part.y) < -0.9999 || max(part.z, part.w) > 0.9999) return false;
+  if (away.x < 1e-4) return false;
+  float shift = bias * (1.0 + max(max(abs(part.x), abs(part.y)), max(abs(part.z), abs(part.w)))) / away.x;
+  part += vec4(-shift, -shift, shift, shift);
+  if (min(part.x, part.y) < -0.9999 || max(part.z, part.w) > 0.9999) return false;
   vec2 terms = mask.filtering.y / away;
   // along the disk the depth changes with the distance along the axis
   float slant = 1.7320508 * abs(mask.filtering.z) * max(abs(terms.x), abs(terms.y));
@@ -116,6 +121,9 @@ bool farol_compareCube(const in int record, const in FarolMask mask, inout Farol
     terms + vec2(-slant, slant), terms.x >= 0.0 && terms.y <= 1.0, comparison);
 }
 
+#endif
+
+#ifdef FAROL_SHADOW_MAPS
 // the same for a map
 bool farol_compareMap(const in int record, const in FarolMask mask, inout FarolComparison comparison) {
   mat4 matrix = mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2), farol_lightTexel(record, 3));
@@ -138,6 +146,7 @@ bool farol_compareMap(const in int record, const in FarolMask mask, inout FarolC
     mask.tile.xy + clamp(high.xy * mask.tile.z + reach, 0.0, mask.tile.z - 1.0), depths,
     min(low.x, low.y) >= 0.0 && max(high.x, high.y) <= 1.0 && depths.y <= 1.0, comparison);
 }
+#endif
 
 // bits: 1 all of the tile is lit as far as shadows go, 2 none of it; 0: that is not known
 int farol_tileShadow(const in int record) {
@@ -145,7 +154,12 @@ int farol_tileShadow(const in int record) {
   if (farol_lightTexel(record + 1, 2).z == 0.0 || mask.extended) return 0;
   FarolComparison comparison = FarolComparison(true, true);
   bool isCube = mask.kind == 3 || mask.kind == 4;
-  if (isCube ? !farol_compareCube(record, mask, comparison) : !farol_compareMap(record, mask, comparison)) return 0;
+#ifdef FAROL_SHADOW_CUBES
+  if (isCube && !farol_compareCube(record, mask, comparison)) return 0;
+#endif
+#ifdef FAROL_SHADOW_MAPS
+  if (!isCube && !farol_compareMap(record, mask, comparison)) return 0;
+#endif
   // nothing else may be in the way of a light: neither an image nor layers
   if (comparison.isLit) return mask.cookie == 0.0 && farol_lightTexel(record + 2, 1).xy == vec2(0.0) ? 1 : 0;
   return mask.filtering.w == 1.0 ? 2 : 0;
