@@ -162,7 +162,7 @@ describe('TileAtlas', () => {
     atlas.arrange(tenants, [], true);
     expect(tenants.every(({ faceWidth }) => faceWidth === 512)).toBe(true);
     const placed = tenants.map((tenant) => tenant.placed);
-    atlas.raiseLimit(512);
+    atlas.raiseLimit(256);
     atlas.arrange(tenants, [], true);
     expect(tenants.map((tenant) => tenant.placed)).toEqual(placed);
     expectApart(tenants, 2048);
