@@ -12,8 +12,9 @@ export interface FarolOptions {
   /** Default none. */
   effects?: readonly FarolEffect[];
   /**
-   * Texels a side of the texture that holds all shadow maps, at most; it is made as large as the lights ask for, at least
-   * 512, at most what the device has. Default: by the picture, 6656 up to 1280 × 720 pixels, 8192 from 1600 × 900 on.
+   * Texels a side of the texture that holds all shadow maps, at most; it is made as large as the lights ask for. At least
+   * 512, at most what the device has. Default: by the picture, 6656 up to 1280 × 720 pixels, 8192 from 1600 × 900 on; more
+   * for lights without a range, but no more than 8192.
    */
   shadowAtlasSize?: number;
   /** As the property of that name. Default false. */

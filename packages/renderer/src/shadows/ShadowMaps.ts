@@ -161,7 +161,7 @@ export class ShadowMaps implements LightMasks {
     const updates = shadowMap.autoUpdate || shadowMap.needsUpdate;
     this.follow(updates, camera);
     // as the largest picture needs it: cameras may take turns
-    this.depths.raiseLimit(Math.min(this.limit ?? atlasLimit(picture), capabilities.maxTextureSize));
+    this.depths.raiseLimit(Math.min(this.limit ?? atlasLimit(picture, this.lit), capabilities.maxTextureSize));
     settleSizes(this.lit, camera, picture, shadowMap, this.depths.reduced);
     this.arrange();
     this.findStale(updates);
