@@ -35,5 +35,7 @@ describe('atlasLimit', () => {
   it('is as wide as one map, however low', () => {
     const low = { ...slot(Infinity, 7900), wantedHeight: 16 };
     expect(atlasLimit({ width: 1, height: 1 }, [low])).toBe(7936);
+    const cascades = { ...slot(Infinity, 16, false, 2), wantedHeight: 3900 };
+    expect(atlasLimit({ width: 1, height: 1 }, [cascades])).toBe(7936);
   });
 });

@@ -21,7 +21,7 @@ export function atlasLimit({ width, height }: PictureSize, slots: readonly Askin
   for (const { range, isCube, side, wantedWidth, wantedHeight } of slots) {
     if (range !== Infinity) continue;
     texels += wantedWidth * wantedHeight * (isCube ? 6 : side * side);
-    widest = Math.max(widest, Math.max(wantedWidth, wantedHeight) * (isCube ? 3 : side));
+    widest = Math.max(widest, wantedWidth * side, wantedHeight * side);
   }
   return Math.min(LARGEST, Math.ceil(Math.max(Math.sqrt(texels), widest) / STEP) * STEP);
 }
