@@ -77,9 +77,8 @@ export class CasterMaterials {
   dispose(): void {
     for (const { shared, unique } of [this.depths, this.distances]) {
       for (const material of shared) material?.dispose();
-      for (const material of unique.values()) material.dispose();
+      for (const target of unique.keys()) this.forget({ target });
       shared.length = 0;
-      unique.clear();
     }
   }
 
@@ -112,17 +111,19 @@ export class CasterMaterials {
   private uniqueFor(source: Material, { shared, unique }: Kinds): CasterMaterial {
     let material = unique.get(source);
     if (material === undefined) {
-      material = this.make(shared);
-      unique.set(source, material);
-      const onDispose = () => {
-        source.removeEventListener('dispose', onDispose);
-        unique.get(source)?.dispose();
-        unique.delete(source);
-      };
-      source.addEventListener('dispose', onDispose);
+      unique.set(source, (material = this.make(shared)));
+      source.addEventListener('dispose', this.forget); // three adds a listener once
     }
     return material;
   }
+
+  private readonly forget = ({ target }: { target: Material }) => {
+    target.removeEventListener('dispose', this.forget);
+    for (const { unique } of [this.depths, this.distances]) {
+      unique.get(target)?.dispose();
+      unique.delete(target);
+    }
+  };
 
   private make(shared: Kinds['shared']): CasterMaterial {
     const material = shared === this.distances.shared ? new MeshDistanceMaterial() : new MeshDepthMaterial();
