@@ -89,6 +89,8 @@ test('effects compile nothing once they have run, whatever is switched on and of
     const { Bench, edgeScene, effects } = window.testPage;
     const bench = new Bench(64, 48);
     const { scene, camera, setTime } = edgeScene(64, 48);
+    bench.stock(scene, camera);
+    const host = bench.webgl.info.memory.textures;
     const lists = [
       [],
       [new effects.TAA()],
@@ -115,12 +117,14 @@ test('effects compile nothing once they have run, whatever is switched on and of
     const held = bench.farol.effects.reduce((sum, { bytes }) => sum + bytes, 0);
     const again = round(3);
     bench.farol.dispose();
-    return { first, second, again, freed, held };
+    for (const list of lists) for (const effect of list) effect.dispose();
+    return { first, second, again, freed, held, left: bench.webgl.info.memory.textures - host };
   });
   expect(result.second).toBe(result.first);
   expect(result.again).toBe(result.first);
   expect(result.held).toBe(0);
   expect(result.freed).toBeGreaterThan(8);
+  expect(result.left, 'textures that are left').toBe(0);
 });
 
 test('every effect draws again after a lost context, as before it', async ({ page, watch }) => {

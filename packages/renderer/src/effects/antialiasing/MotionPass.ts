@@ -2,7 +2,7 @@ import { HalfFloatType, Matrix4, NearestFilter, WebGLRenderTarget, type Object3D
 import type { Frame } from '../../Frame';
 import type { RenderItem } from '../../RenderItem';
 import { hasMotionTwin, motionTwins } from './motionTwin';
-import { ObjectMotion } from './ObjectMotion';
+import type { ObjectMotions } from './ObjectMotions';
 
 const clip = new Matrix4();
 
@@ -48,13 +48,7 @@ export class MotionPass {
    * @param before last frame's projection × view
    * @param picture whose depth it is drawn under
    */
-  render(
-    frame: Frame,
-    motions: WeakMap<Object3D, ObjectMotion>,
-    number: number,
-    before: Matrix4,
-    picture: WebGLRenderTarget,
-  ): void {
+  render(frame: Frame, motions: ObjectMotions, number: number, before: Matrix4, picture: WebGLRenderTarget): void {
     this.drawn = this.changed = false;
     this.known = true;
     this.undrawn = false;
@@ -62,7 +56,8 @@ export class MotionPass {
     this.draw(frame, frame.queue.opaque, motions, number, before, picture);
     this.draw(frame, frame.queue.transmissive, motions, number, before, picture);
     this.draw(frame, frame.queue.transparent, motions, number, before, picture);
-    for (const object of this.objects) motions.get(object)!.remember(object, number);
+    for (const object of this.objects) motions.remember(object, number);
+    motions.forget(number);
   }
 
   dispose(): void {
@@ -73,15 +68,14 @@ export class MotionPass {
   private draw(
     frame: Frame,
     items: readonly RenderItem[],
-    motions: WeakMap<Object3D, ObjectMotion>,
+    motions: ObjectMotions,
     number: number,
     before: Matrix4,
     picture: WebGLRenderTarget,
   ): void {
     for (const item of items) {
       const { object } = item;
-      let motion = motions.get(object);
-      if (motion === undefined) motions.set(object, (motion = new ObjectMotion()));
+      const motion = motions.of(object);
       if (motion.frame === number) continue; // another group of what has not moved
       const isNew = motion.frame !== number - 1;
       const moved = !isNew && motion.hasMoved(object);

@@ -27,6 +27,8 @@ export class ObjectMotion {
   instances: DataTexture | null = null;
   morphBase = 1;
   morphs: number[] = [];
+  /** Whether its textures are known to who frees them. */
+  listed = false;
   private instancesVersion = -1;
 
   /** Whether the object stands otherwise than at the last `remember`. */
@@ -82,9 +84,18 @@ export class ObjectMotion {
     this.rememberInstances(object);
   }
 
+  /** Whether it has textures. */
+  get holds(): boolean {
+    return this.bones !== null || this.instances !== null;
+  }
+
+  /** Frees its textures, and forgets what was in them. */
   dispose(): void {
     this.bones?.dispose();
     this.instances?.dispose();
+    this.bones = this.instances = null;
+    this.instancesVersion = -1;
+    this.listed = false;
   }
 
   private rememberInstances(object: Object3D): void {

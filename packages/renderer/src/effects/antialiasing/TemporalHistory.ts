@@ -12,12 +12,12 @@ import {
 } from 'three';
 import { EffectTarget } from '../EffectTarget';
 import { LightWatch } from './LightWatch';
-import type { ObjectMotion } from './ObjectMotion';
+import { ObjectMotions } from './ObjectMotions';
 
 /** What temporal anti-aliasing keeps of the frames of one camera and scene. */
 export class TemporalHistory {
   /** How objects stood in the last frame. */
-  motions = new WeakMap<Object3D, ObjectMotion>();
+  readonly motions = new ObjectMotions();
   /** How lights were. */
   readonly lights = new LightWatch();
   /** Projection × view of the last frame, without jitter. */
@@ -112,7 +112,7 @@ export class TemporalHistory {
 
   dispose(): void {
     for (const target of [...this.targets, ...this.reaches]) target.dispose();
-    this.motions = new WeakMap();
+    this.motions.dispose();
     this.reset();
   }
 }

@@ -1,0 +1,44 @@
+import type { Object3D } from 'three';
+import { ObjectMotion } from './ObjectMotion';
+
+/** Frames without being seen after which an object's textures are freed. */
+const UNSEEN = 60;
+
+/** How objects stood in the last frame of one camera and scene. */
+export class ObjectMotions {
+  private known = new WeakMap<Object3D, ObjectMotion>();
+  /** Those with textures. */
+  private readonly holders: ObjectMotion[] = [];
+
+  of(object: Object3D): ObjectMotion {
+    let motion = this.known.get(object);
+    if (motion === undefined) this.known.set(object, (motion = new ObjectMotion()));
+    return motion;
+  }
+
+  /** Copies how an object stands in a frame. */
+  remember(object: Object3D, frame: number): void {
+    const motion = this.of(object);
+    motion.remember(object, frame);
+    if (!motion.holds || motion.listed) return;
+    motion.listed = true;
+    this.holders.push(motion);
+  }
+
+  /** Frees the textures of what has not been seen for long. */
+  forget(frame: number): void {
+    const { holders } = this;
+    let kept = 0;
+    for (let i = 0; i < holders.length; i++) {
+      if (holders[i].frame < frame - UNSEEN) holders[i].dispose();
+      else holders[kept++] = holders[i];
+    }
+    holders.length = kept;
+  }
+
+  dispose(): void {
+    for (const motion of this.holders) motion.dispose();
+    this.holders.length = 0;
+    this.known = new WeakMap();
+  }
+}
