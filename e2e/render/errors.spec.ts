@@ -77,7 +77,10 @@ test('a light that is not a number is named once, left out, and the picture stay
     const visible = bench.farol.info.lights.visible;
     const broken = new three.PointLight(0xffffff, NaN, 5);
     broken.name = 'lamp by the door';
-    scene.add(broken);
+    const aimless = new three.DirectionalLight();
+    aimless.name = 'sun';
+    aimless.target.position.x = NaN;
+    scene.add(broken, aimless, aimless.target);
     let largest = 0;
     for (let i = 0; i < 3; i++) {
       largest = Math.max(largest, compareImages(before, bench.byTechnique('deferred', scene, camera)).largest);
@@ -85,6 +88,7 @@ test('a light that is not a number is named once, left out, and the picture stay
     return { largest, visible: bench.farol.info.lights.visible - visible };
   });
   expect(watch.forgive(/"lamp by the door".*not a finite number/)).toBe(1);
+  expect(watch.forgive(/"sun".*not a finite number/)).toBe(1);
   expect(largest).toBe(0);
   expect(visible).toBe(0);
 });
@@ -129,4 +133,51 @@ test('what has no finite place, or a shader that does not compile, is named; the
   expect(watch.forgive(/Material Name: broken shader/)).toBeGreaterThan(0);
   expect(watch.forgive(/Material Name: broken patch/)).toBeGreaterThan(0);
   watch.forgive(/useProgram: program not valid|INVALID_OPERATION|too many errors/);
+});
+
+test('a geometry with normals of zero length, and light beyond half floats, are drawn as by stock three', async ({
+  page,
+}) => {
+  const results = await page.evaluate(() => {
+    const { effects, farol, three } = window.testPage;
+    const [width, height] = [64, 48];
+    const webgl = new three.WebGLRenderer({ antialias: false });
+    webgl.setSize(width, height, false);
+    webgl.toneMapping = three.ACESFilmicToneMapping;
+    const gl = webgl.getContext();
+    const camera = new three.PerspectiveCamera(50, width / height, 0.1, 50);
+    camera.position.z = 5;
+    const scene = new three.Scene();
+    const lamp = new three.PointLight(0xffffff, 5, 20);
+    lamp.position.set(0, 1, 3);
+    scene.add(lamp, new three.AmbientLight(0xffffff, 0.5));
+    const without = new three.SphereGeometry(0.8);
+    (without.attributes.normal.array as Float32Array).fill(0);
+    const glowing = new three.MeshStandardMaterial({ emissive: 0xffffff, emissiveIntensity: 1e6 });
+    [
+      new three.Mesh(without, new three.MeshStandardMaterial()),
+      new three.Mesh(without, new three.MeshLambertMaterial()),
+      new three.Mesh(new three.SphereGeometry(0.8), glowing),
+    ].forEach((mesh, i) => scene.add(mesh.translateX(1.8 * (i - 1))));
+    const read = () => {
+      const data = new Uint8Array(width * height * 4);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data);
+      return data;
+    };
+    webgl.render(scene, camera);
+    const stock = read();
+    const renderer = new farol.FarolRenderer(webgl);
+    const occlusion = new effects.AmbientOcclusion();
+    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).flatMap((technique) =>
+      (technique === 'deferred' ? [[], [occlusion]] : [[]]).map((list) => {
+        renderer.technique = technique;
+        renderer.effects = list;
+        renderer.render(scene, camera);
+        const off = read().filter((value, i) => Math.abs(value - stock[i]) > 8).length / stock.length;
+        return { name: `${technique}, ${list.length} effects`, off };
+      }),
+    );
+  });
+  // inferred lighting is smooth at outlines
+  for (const { name, off } of results) expect(off, name).toBeLessThan(name.startsWith('inferred') ? 0.05 : 0.002);
 });

@@ -50,6 +50,12 @@ type MaterialCallback = (
   p: GeometryGroup | null,
 ) => void;
 
+/** Of a target, as three keeps them. */
+interface Framebuffers {
+  readonly __webglFramebuffer: WebGLFramebuffer;
+  readonly __webglMultisampledFramebuffer: WebGLFramebuffer;
+}
+
 const TRANSPARENT = new Vector4(0, 0, 0, 0);
 const size = new Vector2();
 
@@ -178,12 +184,8 @@ export class Frame {
   clear(attachments: number, depth: boolean, value: Vector4 = TRANSPARENT): void {
     const { gl, webgl } = this;
     webgl.state.buffers.color.setMask(true);
-    const v = clearValue;
-    v[0] = value.x;
-    v[1] = value.y;
-    v[2] = value.z;
-    v[3] = value.w;
-    for (let i = 0; i < attachments; i++) gl.clearBufferfv(gl.COLOR, i, v);
+    value.toArray(clearValue);
+    for (let i = 0; i < attachments; i++) gl.clearBufferfv(gl.COLOR, i, clearValue);
     if (depth) {
       webgl.state.buffers.depth.setTest(true);
       webgl.state.buffers.depth.setMask(true);
@@ -204,29 +206,23 @@ export class Frame {
   /** Brings the samples of a multisampled target into its textures, depth by one of them. */
   resolve(target: WebGLRenderTarget): void {
     const { gl } = this;
-    const { properties, state } = this.webgl;
-    const buffers = properties.get(target) as {
-      __webglFramebuffer: WebGLFramebuffer;
-      __webglMultisampledFramebuffer: WebGLFramebuffer;
-    };
-    const { width, height } = target;
-    state.bindFramebuffer(gl.READ_FRAMEBUFFER, buffers.__webglMultisampledFramebuffer);
-    state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, buffers.__webglFramebuffer);
-    const both = gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT;
-    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, both, gl.NEAREST);
-    state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+    this.copy(target, '__webglMultisampledFramebuffer', target, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
   /** Copies depth between targets of one size, both with a depth texture of the same format. */
   copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget): void {
-    const { gl } = this;
-    const { properties, state } = this.webgl;
-    const framebuffer = (target: WebGLRenderTarget) =>
-      (properties.get(target) as { __webglFramebuffer: WebGLFramebuffer }).__webglFramebuffer;
-    state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer(from));
-    state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, framebuffer(to));
-    gl.blitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, gl.DEPTH_BUFFER_BIT, gl.NEAREST);
-    state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer(to));
+    this.copy(from, '__webglFramebuffer', to, this.gl.DEPTH_BUFFER_BIT);
+  }
+
+  private copy(from: WebGLRenderTarget, name: keyof Framebuffers, to: WebGLRenderTarget, bits: number): void {
+    const { gl, webgl } = this;
+    const { properties, state } = webgl;
+    const { width, height } = to;
+    const written = (properties.get(to) as Framebuffers).__webglFramebuffer;
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, (properties.get(from) as Framebuffers)[name]);
+    state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, written);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, bits, gl.NEAREST);
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, written);
   }
 
   /** Draws an item with a twin of its material. */
@@ -236,21 +232,14 @@ export class Frame {
 
   /** Draws an item forward: lit ones by a twin, the others as they are. */
   drawForward(item: RenderItem, twins: ForwardTwins): void {
-    const { material } = item;
-    const twoPasses = material.transparent && material.side === DoubleSide && !material.forceSinglePass;
+    const { material, lit } = item;
     if (item.shadowMask) this.drawTwin(item, this.queue.shadowMasks!.twin);
-    else if (!item.lit) {
-      const whole = this.adapt === null ? plainWhole : this.adapt(plainWhole, item);
-      if (!twoPasses) this.drawItem(item, whole === plainWhole ? material : this.twins.get(material, whole));
-      else {
-        this.drawTwin(item, plainBack);
-        this.drawTwin(item, plainFront);
-      }
-    } else if (!twoPasses) this.drawTwin(item, twins.whole);
-    else {
-      this.drawTwin(item, twins.back);
-      this.drawTwin(item, twins.front);
-    }
+    else if (material.transparent && material.side === DoubleSide && !material.forceSinglePass) {
+      this.drawTwin(item, lit ? twins.back : plainBack);
+      this.drawTwin(item, lit ? twins.front : plainFront);
+    } else if (lit) this.drawTwin(item, twins.whole);
+    else if (this.adapt !== null && this.adapt(plainWhole, item) !== plainWhole) this.drawTwin(item, plainWhole);
+    else this.drawItem(item, material);
   }
 
   /** Has a mesh of Farol's own ready to be drawn with a material, drawing nothing: its program compiles now, not in a later frame. */

@@ -49,7 +49,7 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
     else sums.diffuse += ambient;
   }
   float dotNLRaw = dot(lobe.normalVS, light.direction);
-  if (dotNLRaw <= 0.0) return;
+  if (!(dotNLRaw > 0.0)) return;
   vec3 color = FAROL_MASKED(light.color, light.mask, light.direction * light.distance, positionVS, lobe.normalVS, lobe.receivesShadows);
   diffuseColor *= color;
   specularColor *= color;

@@ -11,12 +11,14 @@ export class FiniteLights {
     let sum = e[12] + e[13] + e[14] + light.color.r + light.color.g + light.color.b + light.intensity;
     if (l.distance !== undefined) sum += l.distance + l.decay;
     if (l.angle !== undefined) sum += l.angle + l.penumbra;
+    const target = l.target?.matrixWorld.elements;
+    if (target !== undefined) sum += target[12] + target[13] + target[14];
     if (Number.isFinite(sum)) return true;
     if (!this.warned.has(light)) {
       this.warned.add(light);
       console.warn(
-        `Farol: light "${light.name || light.type}" (id ${light.id}) has a value that is not a finite number ` +
-          `(position, colour, intensity, distance, decay or angle) and is left out; set a finite value to light with it.`,
+        `Farol: light "${light.name || light.type}" (id ${light.id}) is left out: its position, target, colour, intensity, ` +
+          `distance, decay or angle is not a finite number; set one.`,
       );
     }
     return false;

@@ -33,10 +33,10 @@ vec3 farol_change(const in ivec2 pixel, const in vec3 position, const in ivec2 t
 
 vec3 farol_normalAt(const in ivec2 pixel, const in vec3 position) {
 #ifdef FAROL_NORMALS
-  return farol_decodeNormal(texelFetch(farol_surfaceNormal, pixel, 0).xy);
-#else
-  return normalize(cross(farol_change(pixel, position, ivec2(1, 0)), farol_change(pixel, position, ivec2(0, 1))));
+  vec3 normal = farol_decodeNormal(texelFetch(farol_surfaceNormal, pixel, 0).xy);
+  if (normal != vec3(0.0)) return normal;
 #endif
+  return normalize(cross(farol_change(pixel, position, ivec2(1, 0)), farol_change(pixel, position, ivec2(0, 1))));
 }
 
 // cosine of the highest horizon along a direction of the picture, seen from the position

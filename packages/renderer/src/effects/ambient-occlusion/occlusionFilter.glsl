@@ -42,8 +42,9 @@ if (!farol_isEmpty(depth)) {
   open = pow(sum / total, farol_strength);
 }
 #ifdef FAROL_ACCUMULATION
-farol_result = texelFetch(farol_lit, pixel, 0);
-farol_result.rgb = max(farol_result.rgb - (1.0 - open) * texelFetch(farol_indirect, pixel, 0).rgb, 0.0);
+// what outgrew half floats is as good as their limit
+farol_result = min(texelFetch(farol_lit, pixel, 0), 65504.0);
+farol_result.rgb = max(farol_result.rgb - (1.0 - open) * min(texelFetch(farol_indirect, pixel, 0).rgb, 65504.0), 0.0);
 #else
 farol_result = vec4(open);
 #endif

@@ -3,5 +3,6 @@
 uniform vec3 farol_ambient[4];
 
 vec3 farol_ambientIrradiance(const in vec3 normalVS) {
-  return farol_ambient[0] + farol_ambient[1] * normalVS.x + farol_ambient[2] * normalVS.y + farol_ambient[3] * normalVS.z;
+  // zero normals of a geometry are NaN here
+  return farol_ambient[0] + (dot(normalVS, normalVS) > 0.0 ? mat3(farol_ambient[1], farol_ambient[2], farol_ambient[3]) * normalVS : vec3(0.0));
 }

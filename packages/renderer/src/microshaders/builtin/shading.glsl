@@ -46,7 +46,7 @@ void farol_setPhysical(inout FarolShading s, const in float roughness, const in 
 // direction: to the light, unit; colours: what arrives at a surface that faces it
 void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3 diffuseColor, const in vec3 specularColor) {
   float dotNLRaw = dot(s.normalVS, direction);
-  if (dotNLRaw <= 0.0) return;
+  if (!(dotNLRaw > 0.0)) return; // nor without a normal
   float dotNL = min(dotNLRaw, 1.0);
 #ifdef STANDARD
   // as three has it: narrow lobes magnify its last bits
