@@ -43,3 +43,48 @@ test('the host finds its scene, renderer, device and three as they were, and sto
     expect(again, `${technique}: stock three afterwards`).toBe(0);
   }
 });
+
+test('what a callback of the host draws inside a frame, by Farol or by stock three, is as in stock three', async ({
+  page,
+}) => {
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, three } = window.testPage;
+    const bench = new Bench(64, 48);
+    const { webgl, farol } = bench;
+    const scene = new three.Scene();
+    const camera = new three.PerspectiveCamera(50, 64 / 48, 0.1, 50);
+    camera.position.z = 5;
+    const lamp = new three.PointLight(0xff4444, 20, 10);
+    lamp.position.set(1, 1, 3);
+    const mirrored = new three.WebGLRenderTarget(32, 24, { type: three.FloatType });
+    const board = new three.Mesh(new three.PlaneGeometry(3, 2), new three.MeshBasicMaterial({ map: mirrored.texture }));
+    board.position.set(1.2, 0.6, -1); // its middle shows the ball
+    const ball = new three.Mesh(new three.SphereGeometry(0.7), new three.MeshStandardMaterial());
+    scene.add(new three.Group().add(lamp), board, ball, new three.AmbientLight(0xffffff, 0.2));
+    let by: { render(scene: unknown, camera: unknown): void } = webgl;
+    const callback = () => {
+      if (!board.visible) return;
+      const target = webgl.getRenderTarget();
+      board.visible = false;
+      webgl.setRenderTarget(mirrored);
+      by.render(scene, camera);
+      webgl.setRenderTarget(target);
+      board.visible = true;
+    };
+    return [scene, board].flatMap((place) => {
+      place.onBeforeRender = callback;
+      by = webgl;
+      const wanted = bench.stock(scene, camera);
+      const found = [webgl, farol].flatMap((one) =>
+        (['forward-single-pass', 'deferred'] as const).map((technique) => {
+          by = one;
+          const { psnr } = compareImages(wanted, bench.byTechnique(technique, scene, camera));
+          return { name: `${place.type}, ${one === farol ? 'Farol' : 'three'} inside ${technique}`, psnr };
+        }),
+      );
+      place.onBeforeRender = () => {};
+      return found;
+    });
+  });
+  for (const { name, psnr } of results) expect.soft(psnr, name).toBeGreaterThan(60);
+});

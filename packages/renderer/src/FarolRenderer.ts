@@ -85,6 +85,8 @@ export class FarolRenderer {
   private viewName: View = 'final';
   private sceneView!: SceneView;
   private disposed = false;
+  /** While it draws: what a callback of the host's draws by it then, three draws. */
+  private draws = false;
   private readonly shadowAtlasSize: number | null;
   private activeEffects = NO_EFFECTS;
   private readonly draw = () => this.drawFrame();
@@ -188,6 +190,7 @@ export class FarolRenderer {
 
   /**
    * Draws to the current render target, viewport and scissor of the WebGLRenderer, as its own `render` would.
+   * Called while it draws (by a callback of the host's), it has three draw.
    * @param scene a Scene, or any object
    * @param camera perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no parent
    * @throws Error while an XR session presents
@@ -195,6 +198,7 @@ export class FarolRenderer {
   render(scene: Object3D, camera: Camera): void {
     if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
     if (this.webgl.getContext().isContextLost()) return;
+    if (this.draws) return this.webgl.render(scene, camera);
     refuseXR(this.webgl);
     if ((camera as ArrayCamera).isArrayCamera === true) {
       renderArray(this.webgl, camera as ArrayCamera, (one) => this.render(scene, one));
@@ -211,6 +215,7 @@ export class FarolRenderer {
     const { target, face, level } = frame;
     this.activeEffects = frame.view === 'final' ? this.effects : NO_EFFECTS;
     try {
+      this.draws = true;
       for (const effect of this.activeEffects) effect.begin?.(frame);
       this.lights.shadows = webgl.shadowMap.enabled;
       this.lights.layers?.begin(scene, this.lightLayers);
@@ -237,6 +242,7 @@ export class FarolRenderer {
       shadows?.end();
       if (frame.queue.layers !== 0) resetLayers(frame.gl);
     } finally {
+      this.draws = false;
       if (webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
     }
     // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth

@@ -227,7 +227,7 @@ export class Frame {
 
   /** Draws an item with a twin of its material. */
   drawTwin(item: RenderItem, kind: TwinKind): void {
-    this.drawItem(item, this.twins.get(item.material, this.adapt === null ? kind : this.adapt(kind, item)));
+    this.drawItem(item, this.twins.get(item.material, this.adapt?.(kind, item) ?? kind));
   }
 
   /** Draws an item forward: lit ones by a twin, the others as they are. */
@@ -238,7 +238,7 @@ export class Frame {
       this.drawTwin(item, lit ? twins.back : plainBack);
       this.drawTwin(item, lit ? twins.front : plainFront);
     } else if (lit) this.drawTwin(item, twins.whole);
-    else if (this.adapt !== null && this.adapt(plainWhole, item) !== plainWhole) this.drawTwin(item, plainWhole);
+    else if ((this.adapt?.(plainWhole, item) ?? plainWhole) !== plainWhole) this.drawTwin(item, plainWhole);
     else this.drawItem(item, material);
   }
 

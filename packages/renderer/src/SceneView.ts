@@ -28,6 +28,7 @@ interface RenderList {
     group: GeometryGroup | null,
     camera: Camera,
   ): void;
+  init(): void;
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void;
   finish(): void;
 }
@@ -53,7 +54,7 @@ export class SceneView {
   readonly chooser = new TechniqueChooser<Rehearsal>();
   private readonly view: Object3D & { overrideMaterial?: Material | null };
   private readonly children: Object3D[] = [];
-  private readonly hidden: Light[] = [];
+  private lights: readonly Light[] = [];
   private readonly masks: number[] = [];
   private readonly driver: Mesh;
   private lists: RenderList[] = [];
@@ -117,7 +118,7 @@ export class SceneView {
     this.children.length = 0;
     for (const child of rest) this.children.push(child);
     if (shadows !== null) for (const stand of shadows.stands) this.children.push(stand);
-    this.hide(lights);
+    this.lights = lights;
     const { shadowMap } = this.webgl;
     const { render } = shadowMap;
     if (shadows !== null) {
@@ -145,18 +146,18 @@ export class SceneView {
     Object.defineProperty(this.view, name, { value, writable: true, configurable: true });
   }
 
-  private hide(lights: readonly Light[]): void {
-    for (const light of lights) {
-      this.hidden.push(light);
-      this.masks.push(light.layers.mask);
-      light.layers.mask = 0;
+  /** Hides the lights from the traversal, which begins: the scene's `onBeforeRender` has run. */
+  private hide(): void {
+    for (const { layers } of this.lights) {
+      this.masks.push(layers.mask);
+      layers.mask = 0;
     }
   }
 
   /** Gives the lights their layers back; the traversal is over before any callback of the host runs. */
   private restore(): void {
-    for (let i = 0; i < this.hidden.length; i++) this.hidden[i].layers.mask = this.masks[i];
-    this.hidden.length = this.masks.length = 0;
+    for (let i = 0; i < this.masks.length; i++) this.lights[i].layers.mask = this.masks[i];
+    this.masks.length = 0;
   }
 
   /** What three would clear to is set all the same. */
@@ -211,7 +212,7 @@ export class SceneView {
     this.takenFrom = this.webgl.renderLists;
     for (let depth = 0; depth < NESTING; depth++) {
       const list = this.webgl.renderLists.get(this.view as Scene, depth) as unknown as RenderList;
-      const { push, finish } = list;
+      const { init, push, finish } = list;
       const { driver } = this;
       list.push = (object, geometry, material, groupOrder, z, group, camera) => {
         if ((object as Object3D & { isFarolStand?: boolean }).isFarolStand === true) return;
@@ -222,6 +223,10 @@ export class SceneView {
         if (((material as Material & { transmission?: number }).transmission ?? 0) > 0) {
           push(object, geometry, material, groupOrder, z, group, camera);
         }
+      };
+      list.init = () => {
+        this.hide();
+        init();
       };
       list.finish = () => {
         this.restore();

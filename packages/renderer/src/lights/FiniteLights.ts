@@ -17,7 +17,7 @@ export class FiniteLights {
     if (!this.warned.has(light)) {
       this.warned.add(light);
       console.warn(
-        `Farol: light "${light.name || light.type}" (id ${light.id}) is left out: its position, target, colour, intensity, ` +
+        `Farol: ${light.type} "${light.name || light.uuid}" is left out: its position, target, colour, intensity, ` +
           `distance, decay or angle is not a finite number; set one.`,
       );
     }
