@@ -87,3 +87,11 @@ test('r3f: an effect is put on and taken off, and outlives a Farol that was', as
   expect(compareImages(await drawExample(page, 'deferred'), plain).largest).toBe(0);
   watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
 });
+
+test('r3f: lights reach only what shares their layers where that is asked for', async ({ page, watch }) => {
+  await page.goto('./examples/r3f/index.html?still&technique=deferred&layers');
+  await page.waitForFunction(() => 'example' in window);
+  await page.evaluate(() => window.example.ready);
+  expect(await page.evaluate(() => window.example.farol.lightLayers)).toBe(true);
+  watch.forgive(/THREE\.Clock: This module has been deprecated/);
+});

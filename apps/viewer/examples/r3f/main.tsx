@@ -84,6 +84,7 @@ function App() {
           enabled={by !== 'three'}
           effects={effects}
           technique={by === 'three' ? 'auto' : (by satisfies TechniqueName)}
+          lightLayers={address.has('layers')}
           ref={(farol) => {
             page.farol = farol;
           }}

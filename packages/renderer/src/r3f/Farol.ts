@@ -21,7 +21,7 @@ export interface FarolProps extends FarolOptions {
 
 /**
  * Draws the scene of a React Three Fiber canvas (or portal) by Farol, in place of R3F's own draw. `technique`, `view`,
- * `timing` and `effects` may change at any time. With `frameloop="demand"` a change of them asks for a frame.
+ * `timing`, `effects` and `lightLayers` may change at any time. With `frameloop="demand"` a change of them asks for a frame.
  *
  * @example
  * <Canvas>
@@ -35,7 +35,7 @@ export interface FarolProps extends FarolOptions {
  */
 export function Farol(props: FarolProps): null {
   const { technique = 'auto', view = 'final', timing = false, effects = NO_EFFECTS, shadowAtlasSize } = props;
-  const { priority = 1, enabled = true, ref } = props;
+  const { lightLayers = false, priority = 1, enabled = true, ref } = props;
   if (!(priority > 0)) throw new RangeError(`<Farol priority={${priority}}>: give a number above 0; R3F draws else.`);
   const webgl = useThree((state) => state.gl);
   const invalidate = useThree((state) => state.invalidate);
@@ -60,8 +60,9 @@ export function Farol(props: FarolProps): null {
     farol.view = view;
     farol.timing = timing;
     farol.effects = effects;
+    farol.lightLayers = lightLayers;
     invalidate();
-  }, [farol, technique, view, timing, effects, invalidate]);
+  }, [farol, technique, view, timing, effects, lightLayers, invalidate]);
 
   useImperativeHandle<FarolRenderer | null, FarolRenderer | null>(ref, () => farol, [farol]);
 
