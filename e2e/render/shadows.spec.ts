@@ -201,3 +201,100 @@ test('cascades: near shadows as sharp as those of a map sixteen times as wide, t
   expect(seen.alike).toBeGreaterThanOrEqual(45);
   expect(seen.counts, 'drawn, kept at rest, drawn for another view').toEqual([1, 1, 1]);
 });
+
+test('kept maps are drawn anew for what changes without a new version of anything; one that may not be stays where it was', async ({
+  page,
+}) => {
+  const seen = await page.evaluate(
+    ([width, height]) => {
+      const { Bench, compareImages, three } = window.testPage;
+      const bench = new Bench(width, height);
+      bench.webgl.shadowMap.enabled = true;
+      const { Mesh, MeshStandardMaterial: Standard, PlaneGeometry, Scene } = three;
+      const checks = new three.DataTexture(new Uint8Array(16).fill(255).fill(0, 7, 12), 2, 2);
+      checks.wrapS = checks.wrapT = three.RepeatWrapping;
+      checks.needsUpdate = true;
+      const [scene, other] = [new Scene(), new Scene()];
+      const floor = new Mesh(new PlaneGeometry(14, 14), new Standard());
+      floor.rotation.x = -Math.PI / 2;
+      floor.receiveShadow = true;
+      const cut = new Standard({ map: checks, alphaTest: 0.5, side: three.DoubleSide });
+      const bent = new Standard({ displacementMap: checks.clone(), displacementScale: 1, side: three.DoubleSide });
+      const parts = [new Standard(), new Standard()];
+      const things = [
+        new Mesh(new three.BoxGeometry(1.4, 1.4, 1.4), new Standard()),
+        new Mesh(new PlaneGeometry(2, 2), cut),
+        new Mesh(new PlaneGeometry(2, 2, 8, 8), bent),
+        new Mesh(new three.BoxGeometry(1.4, 1.4, 1.4), parts),
+      ] as const;
+      things.forEach((thing, i) => {
+        thing.position.set(2 * i - 3, 1, 0);
+        thing.castShadow = true;
+      });
+      const point = new three.PointLight(0xffffff, 60, 20);
+      const spot = new three.SpotLight(0xffffff, 120, 20, 0.9);
+      point.position.set(0, 4, 3);
+      spot.position.set(-3, 6, 2);
+      for (const { shadow } of [point, spot]) shadow.bias = -0.005;
+      point.castShadow = spot.castShadow = true;
+      const camera = new three.PerspectiveCamera(50, width / height, 0.1, 60);
+      camera.position.set(0, 6, 8);
+      camera.lookAt(0, 0, 0);
+      scene.add(floor, ...things, point, spot, new three.HemisphereLight());
+      other.add(floor.clone(), things[1].clone());
+      let shown = scene;
+      let before = bench.stock(scene, camera);
+      const step = (name: string, change: () => void) => {
+        change();
+        const image = bench.byTechnique('forward-single-pass', shown, camera);
+        bench.byTechnique('forward-single-pass', shown, camera);
+        const { drawn } = bench.farol.info.shadows;
+        const stock = bench.stock(shown, camera);
+        const changed = compareImages(before, stock).psnr;
+        before = stock;
+        return { name, changed, drawn, psnr: compareImages(stock, image).psnr };
+      };
+      const box = things[0].geometry;
+      step('first', () => {});
+      bench.byTechnique('forward-single-pass', other, camera);
+      return [
+        step('another index', () => box.setIndex(new three.BufferAttribute(new Uint16Array([16, 17, 18]), 1))),
+        step('other positions', () =>
+          box.setAttribute(
+            'position',
+            new three.BufferAttribute(
+              box.attributes.position.array.map((x) => 0.6 * x),
+              3,
+            ),
+          ),
+        ),
+        step('holes move', () => checks.offset.set(0.25, 0.25)),
+        step('texture coordinates', () => {
+          const { uv } = things[1].geometry.attributes;
+          for (let i = 0; i < uv.count; i++) uv.setX(i, 3 * uv.getX(i));
+          uv.needsUpdate = true;
+        }),
+        step('displacement moves', () => bent.displacementMap!.offset.set(0.5, 0)),
+        step('groups', () => things[3].geometry.groups.splice(0, 3)),
+        step('in another scene', () => (shown = other.add(point, spot))),
+        step('back', () => (shown = scene.add(point, spot))),
+        step('a light moves whose map may not be drawn', () => {
+          point.shadow.autoUpdate = false;
+          point.position.x = 2;
+        }),
+        step('variance', () => {
+          bench.webgl.shadowMap.type = three.VSMShadowMap;
+          point.castShadow = false;
+        }),
+        step('more blur', () => (spot.shadow.radius = 14)),
+        step('coarser and less', () => Object.assign(spot.shadow, { radius: 5, blurSamples: 2 })),
+      ];
+    },
+    [WIDTH, HEIGHT] as const,
+  );
+  for (const { name, changed, drawn, psnr } of seen) {
+    expect(changed, `${name} is to be seen`).toBeLessThan(45);
+    expect.soft(psnr, name).toBeGreaterThanOrEqual(45);
+    expect(drawn, `${name}: once`).toBe(0);
+  }
+});

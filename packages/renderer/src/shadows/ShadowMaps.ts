@@ -259,7 +259,7 @@ export class ShadowMaps implements LightMasks {
       slot = new ShadowSlot(light, cascades);
       this.slots.set(light, slot);
     }
-    slot.root = root;
+    slot.enter(root);
     slot.used = this.frame;
     slot.coverage = lightCoverage(light, camera);
     slot.casts = casts;
@@ -302,7 +302,7 @@ export class ShadowMaps implements LightMasks {
       const { shadow } = slot.light;
       if (shadow.needsUpdate) slot.dirty = true;
       const follows = !slot.hadMap || slot.cookie !== null || (updates && (shadow.autoUpdate || shadow.needsUpdate));
-      if (follows) slot.follow(reversed, camera);
+      if (follows) slot.follow(reversed, camera, this.type === VSMShadowMap);
     }
   }
 

@@ -113,6 +113,8 @@ export class ShadowSlot implements AtlasTenant {
   drawnFaces = 63;
   private readonly own: OwnShadow;
   private readonly before = new Float64Array(18);
+  /** Radius and samples of the blur that it has. */
+  private readonly blur = new Float64Array(2);
 
   /** @param cascades maps of a directional light, the whole one included */
   constructor(
@@ -145,8 +147,21 @@ export class ShadowSlot implements AtlasTenant {
     return Math.max(1, Math.round(this.isCube ? this.light.shadow.mapSize.x : this.light.shadow.mapSize.y));
   }
 
-  /** Follows the light and its settings; the slot is dirty when its view changed. */
-  follow(reversedDepth: boolean, view: Camera): void {
+  /** The light is lit in a scene; another one casts other shadows. */
+  enter(root: Object3D): void {
+    if (this.root !== root) this.dirty = true;
+    this.root = root;
+  }
+
+  /**
+   * Follows the light and its settings; the slot is dirty when its view changed.
+   * @param blurs its map is blurred once it is drawn, as variance shadow maps are. Default false
+   */
+  follow(reversedDepth: boolean, view: Camera, blurs = false): void {
+    const { radius, blurSamples } = this.shadow;
+    if (blurs && (radius !== this.blur[0] || blurSamples !== this.blur[1])) this.dirty = true;
+    this.blur[0] = radius;
+    this.blur[1] = blurSamples;
     if (this.isCube) this.followPoint(reversedDepth);
     else this.followMap(reversedDepth);
     const refitted = this.cascades > 0 && this.fit(view);
@@ -210,6 +225,13 @@ export class ShadowSlot implements AtlasTenant {
     if (excess === 0) return shadow.normalBias;
     const scale = isCube ? 1 : this.own.camera.projectionMatrix.elements[0];
     return shadow.normalBias + (REACH * this.range * (2 ** excess - 1)) / (scale * wantedWidth);
+  }
+
+  /** Whether a point light is elsewhere than its map is of, since nothing has it drawn anew. */
+  get isLeft(): boolean {
+    const map = this.matrix.elements;
+    const light = this.light.matrixWorld.elements;
+    return map[12] !== -light[12] || map[13] !== -light[13] || map[14] !== -light[14];
   }
 
   /** Whether depths of 16 bits are too coarse for it. */

@@ -2,6 +2,7 @@ import type {
   BatchedMesh,
   BufferAttribute,
   BufferGeometry,
+  InstancedBufferGeometry,
   InstancedMesh,
   InterleavedBufferAttribute,
   Material,
@@ -17,6 +18,9 @@ type Caster = Mesh & Partial<InstancedMesh> & Partial<BatchedMesh> & { isSkinned
 type CasterMaterial = Material & Partial<MeshStandardMaterial>;
 type Batch = BatchedMesh & { _matricesTexture: Texture; _indirectTexture: Texture; _visibilityChanged: boolean };
 
+/** Attributes by the channel of a texture. */
+const UVS = ['uv', 'uv1', 'uv2', 'uv3'];
+
 let hash = 0;
 
 /** FNV-1a, a number at a time. */
@@ -24,38 +28,65 @@ function mix(value: number): void {
   hash = Math.imul(hash ^ value, 16777619);
 }
 
-function mixTexture(texture: Texture | null | undefined): void {
-  if (!texture) return;
-  mix(texture.id);
-  mix(texture.version);
+function mixFraction(value: number): void {
+  mix(value * 65536);
 }
 
-function mixAttribute(attribute: BufferAttribute | InterleavedBufferAttribute | undefined): void {
-  if (attribute !== undefined) mix(attributeVersion(attribute));
+/** A texture as it lies on a geometry. */
+function mixTexture(texture: Texture | null | undefined, geometry: BufferGeometry): void {
+  if (!texture) return;
+  const { id, version, offset, repeat, center, rotation, channel } = texture;
+  mix(id);
+  mix(version);
+  mixFraction(offset.x);
+  mixFraction(offset.y);
+  mixFraction(repeat.x);
+  mixFraction(repeat.y);
+  mixFraction(center.x);
+  mixFraction(center.y);
+  mixFraction(rotation);
+  if (!texture.matrixAutoUpdate) texture.matrix.elements.forEach(mixFraction);
+  mixAttribute(geometry.attributes[UVS[channel]]);
+}
+
+function mixAttribute(attribute: BufferAttribute | InterleavedBufferAttribute | null | undefined): void {
+  if (!attribute) return;
+  mix((attribute as { id?: number }).id ?? attribute.count);
+  mix(attributeVersion(attribute));
 }
 
 function mixGeometry(geometry: BufferGeometry): void {
   mix(geometry.id);
-  mixAttribute(geometry.attributes.position as BufferAttribute | undefined);
-  if (geometry.index !== null) mix(geometry.index.version);
+  mixAttribute(geometry.attributes.position);
+  mixAttribute(geometry.index);
   mix(geometry.drawRange.start);
   mix(geometry.drawRange.count);
+  mix((geometry as InstancedBufferGeometry).instanceCount ?? 0);
 }
 
-function mixMaterial(m: CasterMaterial): void {
+function mixGroups({ groups }: BufferGeometry): void {
+  for (const { start, count, materialIndex } of groups) {
+    mix(start);
+    mix(count);
+    mix(materialIndex ?? 0);
+  }
+}
+
+function mixMaterial(m: CasterMaterial, geometry: BufferGeometry): void {
   mix(m.id);
   mix(m.version);
   mix((m.visible ? 1 : 0) + (m.wireframe ? 2 : 0) + (m.alphaToCoverage ? 4 : 0));
   mix(m.side * 8 + (m.shadowSide ?? 7));
-  mix(m.alphaTest * 65536);
-  if (m.alphaTest > 0) {
-    mixTexture(m.map);
-    mixTexture(m.alphaMap);
+  mixFraction(m.alphaTest);
+  if (m.alphaTest > 0 || m.alphaToCoverage) {
+    mixTexture(m.map, geometry);
+    mixTexture(m.alphaMap, geometry);
   }
   if (m.displacementMap) {
-    mixTexture(m.displacementMap);
-    mix((m.displacementScale ?? 0) * 65536);
-    mix((m.displacementBias ?? 0) * 65536);
+    mixTexture(m.displacementMap, geometry);
+    mixAttribute(geometry.attributes.normal);
+    mixFraction(m.displacementScale ?? 0);
+    mixFraction(m.displacementBias ?? 0);
   }
 }
 
@@ -66,10 +97,12 @@ function mixMaterial(m: CasterMaterial): void {
 export function casterSignature(object: Object3D): number {
   const caster = object as Caster;
   hash = -2128831035;
-  mixGeometry(caster.geometry);
-  const { material } = caster;
-  if (Array.isArray(material)) for (const one of material) mixMaterial(one as CasterMaterial);
-  else mixMaterial(material as CasterMaterial);
+  const { geometry, material } = caster;
+  mixGeometry(geometry);
+  if (Array.isArray(material)) {
+    mixGroups(geometry);
+    for (const one of material) mixMaterial(one as CasterMaterial, geometry);
+  } else mixMaterial(material as CasterMaterial, geometry);
   mix(object.layers.mask);
   if (caster.isInstancedMesh) {
     mix(caster.instanceMatrix!.version);

@@ -143,7 +143,7 @@ FarolDisk farol_cubeDisk(const in vec3 tile, const in float border, const in vec
 struct FarolMask {
   int kind;
   float cookie; // 0 none, 1 a map, 2 a cube
-  bool extended; // the sixth texel counts
+  bool extended; // the sixth texel counts; of a cube: the light has left its map, which has a place of its own
   vec3 tile; // corner, width (texels)
   float border; // round a face of a cube (texels)
   float normalBias; // m
@@ -171,7 +171,7 @@ bool farol_isCube(const in FarolMask mask, const in bool isPoint) {
 // where a point is in a map (homogeneous, 0..1), or from a point light (m, world axes); toLight: from it to the light (m)
 vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS, const in vec3 shadowNormalVS) {
   vec3 shift = shadowNormalVS * mask.normalBias;
-  if (farol_isCube(mask, isPoint)) return vec4(farol_worldAxes * (shift - toLight), 1.0);
+  if (farol_isCube(mask, isPoint)) return vec4(farol_worldAxes * (shift - (mask.extended ? farol_lightTexel(record, 0).xyz - positionVS : toLight)), 1.0);
   return mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2), farol_lightTexel(record, 3)) * vec4(positionVS + shift, 1.0);
 }
 

@@ -9,7 +9,7 @@ import type { ShadowSlot } from './ShadowSlot';
  * | texel | holds |
  * |---|---|
  * | 0–3 | columns of the matrix from view space to the map (0 to 1, depth 0 to 1); of a cube: position of the light in view space (m), 1, and nothing |
- * | 4 | corner of the tile of the shadow map (texels); width of a face, kind of shadow (`shadowKinds`), kind of cookie (0 none, 1 map, 2 cube), whether texel 6 counts and the power of two of a cube's border, as bits 0–14, 15–17, 18–19, 20 and 21–23; normal bias (m) |
+ * | 4 | corner of the tile of the shadow map (texels); width of a face, kind of shadow (`shadowKinds`), kind of cookie (0 none, 1 map, 2 cube), whether texel 6 counts (of a cube: texel 0, since the light has left its map) and the power of two of a cube's border, as bits 0–14, 15–17, 18–19, 20 and 21–23; normal bias (m) |
  * | 5 | of a map: bias (with the sign of the depth buffer), radius of the filter as part of the width, of the height; of a cube: a and b of depth = a + b / distance along an axis, radius of the filter as part of a face; intensity |
  * | 6 | of a map: its height (texels), how many nearer maps there are; 1 if the bounds of its depths are known; – |
  * | 7 | – |
@@ -56,7 +56,7 @@ export function writeMask(
   }
   const height = isCube ? faceWidth : faceHeight;
   const cookieKind = cookie === null || cookie.tile === null ? 0 : cookie.isCube ? 2 : 1;
-  const extended = !isCube && (height !== faceWidth || slot.cascades > 0);
+  const extended = isCube ? slot.isLeft : height !== faceWidth || slot.cascades > 0;
   const bits = packMask(faceWidth, kind, cookieKind, extended, slot.border);
   table.set4(at + 16, tile?.x ?? 0, tile?.y ?? 0, bits, kind === shadowKinds.none ? 0 : slot.normalBias);
   const bias = reversed ? -shadow.bias : shadow.bias;
