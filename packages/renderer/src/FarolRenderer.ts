@@ -26,6 +26,7 @@ import { refuseXR } from './refuseXR';
 import { renderArray } from './renderArray';
 import { SceneView } from './SceneView';
 import type { ShadowMaps } from './shadows/ShadowMaps';
+import type { wrapShadowMap } from './shadows/wrapShadowMap';
 import type { TechniqueName } from './techniques';
 import type { Technique } from './techniques/Technique';
 import { TechniquePicker } from './techniques/TechniquePicker';
@@ -93,7 +94,11 @@ export class FarolRenderer {
   private readonly begun = () => this.frame.takeOutputBuffer();
   private readonly shadowDraws = {
     stands: [] as readonly Object3D[],
-    render: () => this.run('shadow maps', () => this.finder.shadows!.render()),
+    wrap: null! as typeof wrapShadowMap,
+    render: () => {
+      const shadows = this.finder.shadows!;
+      if (shadows.hasWork) this.run('shadow maps', () => shadows.render());
+    },
   };
 
   /**
@@ -237,7 +242,7 @@ export class FarolRenderer {
         frame.queue,
         this.draw,
         frame.ownsTarget() ? fills : null,
-        shadows?.hasWork ? this.shadowDraws : null,
+        shadows && this.shadowDraws,
       );
       shadows?.end();
       if (frame.queue.layers !== 0) resetLayers(frame.gl);
@@ -316,6 +321,7 @@ export class FarolRenderer {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
     this.lights.layers = shadows.layers;
     this.shadowDraws.stands = shadows.stands;
+    this.shadowDraws.wrap = code.wrapShadowMap;
     this.frame.findTileShadows = (gbuffer) => shadows.tiles.render(this.frame, gbuffer, shadows.bounds.target);
     this.frame.queue.shadowMasks = code.shadowMasks;
     return shadows;

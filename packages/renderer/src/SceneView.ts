@@ -13,6 +13,7 @@ import type { GeometryGroup } from './RenderItem';
 import type { Rehearsal } from './rehearsal/Rehearsal';
 import type { RenderItemSort, RenderQueue } from './RenderQueue';
 import type { Fills } from './techniques/Technique';
+import type { wrapShadowMap } from './shadows/wrapShadowMap';
 import { TechniqueChooser } from './techniques/TechniqueChooser';
 
 /** three's WebGLRenderList as far as it is used here. */
@@ -36,7 +37,8 @@ interface RenderList {
 /** Maps to be drawn inside three's `render`, and what stands in for casters that the camera may not see. */
 export interface ShadowDraws {
   readonly stands: readonly Object3D[];
-  render(): void;
+  readonly wrap: typeof wrapShadowMap;
+  readonly render: () => void;
 }
 
 /** Render lists are kept by nesting depth of render calls; a render inside a render inside a render is the most met. */
@@ -121,12 +123,7 @@ export class SceneView {
     this.lights = lights;
     const { shadowMap } = this.webgl;
     const { render } = shadowMap;
-    if (shadows !== null) {
-      shadowMap.render = (ownLights, scene, ownCamera) => {
-        render.call(shadowMap, ownLights, scene, ownCamera);
-        if (scene === this.view) shadows.render();
-      };
-    }
+    if (shadows !== null) shadowMap.render = shadows.wrap(shadowMap, this.view, shadows.render);
     try {
       this.webgl.render(this.view as Object3D, camera);
     } finally {

@@ -28,6 +28,8 @@ export const microShaders = {
   ...tileMicroShaders,
 };
 
+export { wrapShadowMap } from './wrapShadowMap';
+
 /** Of materials that show nothing but shadows. */
 export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
 

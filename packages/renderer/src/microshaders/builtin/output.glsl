@@ -13,7 +13,7 @@ uniform float fogFar;
 #endif
 
 vec4 farol_output(const in vec3 radiance, const in float fogDepth, const in bool toneMapped, const in bool fogged) {
-  vec4 color = vec4(min(radiance, 65504.0), 1.0); // sums that outgrew half floats are as good as their limit
+  vec4 color = vec4(min(radiance, 1e9), 1.0); // infinity, beyond half floats, would become no number
 #ifdef TONE_MAPPING
   if (toneMapped) color.rgb = toneMapping(color.rgb);
 #endif
