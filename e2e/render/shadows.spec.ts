@@ -1,3 +1,4 @@
+import type * as THREE from 'three';
 import { expect, test } from '../support/test';
 
 /**
@@ -231,6 +232,17 @@ test('kept maps are drawn anew for what changes without a new version of anythin
         thing.position.set(2 * i - 3, 1, 0);
         thing.castShadow = true;
       });
+      const shape = new three.BoxGeometry(0.5, 0.5, 0.5);
+      shape.morphAttributes.position = [new three.BoxGeometry(4, 2, 0.5).attributes.position as THREE.BufferAttribute];
+      const instances = new three.InstancedMesh(shape, new Standard(), 1);
+      const morph = (influence: number) => {
+        instances.setMorphAt(0, Object.assign(new Mesh(shape), { morphTargetInfluences: [influence] }));
+        instances.morphTexture!.needsUpdate = true;
+      };
+      instances.setMatrixAt(0, new three.Matrix4());
+      instances.position.set(0, 1, 1.5);
+      instances.castShadow = true;
+      morph(0);
       const point = new three.PointLight(0xffffff, 60, 20);
       const spot = new three.SpotLight(0xffffff, 120, 20, 0.9);
       point.position.set(0, 4, 3);
@@ -240,7 +252,7 @@ test('kept maps are drawn anew for what changes without a new version of anythin
       const camera = new three.PerspectiveCamera(50, width / height, 0.1, 60);
       camera.position.set(0, 6, 8);
       camera.lookAt(0, 0, 0);
-      scene.add(floor, ...things, point, spot, new three.HemisphereLight());
+      scene.add(floor, ...things, instances, point, spot, new three.HemisphereLight());
       other.add(floor.clone(), things[1].clone());
       let shown = scene;
       let before = bench.stock(scene, camera);
@@ -276,6 +288,7 @@ test('kept maps are drawn anew for what changes without a new version of anythin
         }),
         step('displacement moves', () => bent.displacementMap!.offset.set(0.5, 0)),
         step('groups', () => things[3].geometry.groups.splice(0, 3)),
+        step('a morph of instances', () => morph(1)),
         step('in another scene', () => (shown = other.add(point, spot))),
         step('back', () => (shown = scene.add(point, spot))),
         step('a light moves whose map may not be drawn', () => {

@@ -171,4 +171,7 @@ export const materialCases: Cases = {
     };
     return on(material);
   },
+  // black, so that no light is added to it
+  'glow beyond half floats': () =>
+    on(new THREE.MeshLambertMaterial({ color: 0, emissive: 0xff8800, emissiveIntensity: 1e5 })),
 };

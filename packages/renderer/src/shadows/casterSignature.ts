@@ -105,8 +105,9 @@ export function casterSignature(object: Object3D): number {
   } else mixMaterial(material as CasterMaterial, geometry);
   mix(object.layers.mask);
   if (caster.isInstancedMesh) {
-    mix(caster.instanceMatrix!.version);
+    mixAttribute(caster.instanceMatrix);
     mix(caster.count!);
+    mix(caster.morphTexture?.version ?? 0);
   }
   if (caster.isBatchedMesh) {
     const batch = object as Batch;
