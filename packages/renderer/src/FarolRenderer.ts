@@ -26,7 +26,7 @@ import { refuseXR } from './refuseXR';
 import { renderArray } from './renderArray';
 import { SceneView } from './SceneView';
 import type { ShadowMaps } from './shadows/ShadowMaps';
-import type { wrapShadowMap } from './shadows/wrapShadowMap';
+import type { ShadowMapCalls } from './shadows/ShadowMapCalls';
 import type { TechniqueName } from './techniques';
 import type { Technique } from './techniques/Technique';
 import { TechniquePicker } from './techniques/TechniquePicker';
@@ -94,11 +94,7 @@ export class FarolRenderer {
   private readonly begun = () => this.frame.takeOutputBuffer();
   private readonly shadowDraws = {
     stands: [] as readonly Object3D[],
-    wrap: null! as typeof wrapShadowMap,
-    render: () => {
-      const shadows = this.finder.shadows!;
-      if (shadows.hasWork) this.run('shadow maps', () => shadows.render());
-    },
+    calls: null! as ShadowMapCalls,
   };
 
   /**
@@ -321,7 +317,9 @@ export class FarolRenderer {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
     this.lights.layers = shadows.layers;
     this.shadowDraws.stands = shadows.stands;
-    this.shadowDraws.wrap = code.wrapShadowMap;
+    this.shadowDraws.calls = new code.ShadowMapCalls(this.webgl, () => {
+      if (shadows.hasWork) this.run('shadow maps', () => shadows.render());
+    });
     this.frame.findTileShadows = (gbuffer) => shadows.tiles.render(this.frame, gbuffer, shadows.bounds.target);
     this.frame.queue.shadowMasks = code.shadowMasks;
     return shadows;

@@ -13,7 +13,7 @@ import type { GeometryGroup } from './RenderItem';
 import type { Rehearsal } from './rehearsal/Rehearsal';
 import type { RenderItemSort, RenderQueue } from './RenderQueue';
 import type { Fills } from './techniques/Technique';
-import type { wrapShadowMap } from './shadows/wrapShadowMap';
+import type { ShadowMapCalls } from './shadows/ShadowMapCalls';
 import { TechniqueChooser } from './techniques/TechniqueChooser';
 
 /** three's WebGLRenderList as far as it is used here. */
@@ -37,8 +37,7 @@ interface RenderList {
 /** Maps to be drawn inside three's `render`, and what stands in for casters that the camera may not see. */
 export interface ShadowDraws {
   readonly stands: readonly Object3D[];
-  readonly wrap: typeof wrapShadowMap;
-  readonly render: () => void;
+  readonly calls: ShadowMapCalls;
 }
 
 /** Render lists are kept by nesting depth of render calls; a render inside a render inside a render is the most met. */
@@ -121,13 +120,11 @@ export class SceneView {
     for (const child of rest) this.children.push(child);
     if (shadows !== null) for (const stand of shadows.stands) this.children.push(stand);
     this.lights = lights;
-    const { shadowMap } = this.webgl;
-    const { render } = shadowMap;
-    if (shadows !== null) shadowMap.render = shadows.wrap(shadowMap, this.view, shadows.render);
+    shadows?.calls.begin(this.view);
     try {
       this.webgl.render(this.view as Object3D, camera);
     } finally {
-      shadowMap.render = render;
+      shadows?.calls.end();
       this.restore();
       this.restoreClear();
       this.queue = this.draw = null;

@@ -22,7 +22,10 @@ const colour = new Color();
 export interface LightMasks {
   /** Records of the frame. */
   readonly records: number;
-  /** Record of a light's mask, counted from the first mask; -1 when it has none. */
+  /**
+   * Record of a light's mask, counted from the first mask; -1 when it has none; half a record more when it is a point light that
+   * is elsewhere than its mask, which then takes the long way of shaders, see `lightRecord`.
+   */
   recordOf(light: Light): number;
   /** Writes the records from `first` on. */
   write(table: DataTable, first: number, camera: Camera): void;
@@ -92,7 +95,7 @@ export class LightRecords {
       table.set4(at + 12, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, mask, extension);
     } else if (!plain) {
       table.set4(at + 8, 0, 0, 1, -3);
-      table.set4(at + 12, -2, -1, mask, extension);
+      table.set4(at + 12, -2, -1, mask, extension || mask % 1);
     }
   }
 

@@ -8,6 +8,9 @@
  * | 2 | – | axis from target to light (view space), cosine of the cutoff angle |
  * | 3 | –, –, mask record or 0, extension record or 0 | cosine of the penumbra (-2: a point light), spot exponent or -1, mask record or 0, extension record or 0 |
  *
+ * Of a point light that is elsewhere than its mask, both records have a half more, which integers lose: it is not taken for one
+ * that may go the short way.
+ *
  * An extension record holds what only a light of the thesis has: 0 diffuse scale, 1 specular scale, 2 ambient colour,
  * 3 attenuation parameters (near, far | constant, linear, quadratic) and kind (0 physical, 1 near-far, 2 polynomial).
  *

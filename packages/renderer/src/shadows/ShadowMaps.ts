@@ -171,7 +171,7 @@ export class ShadowMaps implements LightMasks {
   recordOf(light: Light): number {
     const slot = this.slots.get(light);
     if (slot === undefined || slot.used !== this.frame) return this.layered.get(light) ?? -1;
-    return slot.record;
+    return slot.record >= 0 && slot.isLeft ? slot.record + 0.5 : slot.record;
   }
 
   write(table: DataTable, first: number, camera: Camera): void {

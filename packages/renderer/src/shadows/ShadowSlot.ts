@@ -231,6 +231,7 @@ export class ShadowSlot implements AtlasTenant {
   get isLeft(): boolean {
     const map = this.matrix.elements;
     const light = this.light.matrixWorld.elements;
+    if (!this.isCube || !this.shows) return false;
     return map[12] !== -light[12] || map[13] !== -light[13] || map[14] !== -light[14];
   }
 

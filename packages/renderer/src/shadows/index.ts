@@ -28,7 +28,7 @@ export const microShaders = {
   ...tileMicroShaders,
 };
 
-export { wrapShadowMap } from './wrapShadowMap';
+export { ShadowMapCalls } from './ShadowMapCalls';
 
 /** Of materials that show nothing but shadows. */
 export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };

@@ -171,7 +171,8 @@ bool farol_isCube(const in FarolMask mask, const in bool isPoint) {
 // where a point is in a map (homogeneous, 0..1), or from a point light (m, world axes); toLight: from it to the light (m)
 vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS, const in vec3 shadowNormalVS) {
   vec3 shift = shadowNormalVS * mask.normalBias;
-  if (farol_isCube(mask, isPoint)) return vec4(farol_worldAxes * (shift - (mask.extended ? farol_lightTexel(record, 0).xyz - positionVS : toLight)), 1.0);
+  // lights that left their maps do not come as points for certain: those need not wait for the mask here
+  if (farol_isCube(mask, isPoint)) return vec4(farol_worldAxes * (shift - (!isPoint && mask.extended ? farol_lightTexel(record, 0).xyz - positionVS : toLight)), 1.0);
   return mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2), farol_lightTexel(record, 3)) * vec4(positionVS + shift, 1.0);
 }
 

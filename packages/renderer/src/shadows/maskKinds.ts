@@ -39,8 +39,10 @@ export function maskLoopOf(light: Light): number {
 }
 
 /** What shaders must know for a light. @param type of shadow maps, as `WebGLRenderer.shadowMap.type` has it */
-export function maskKindsOf({ shows, isCube, cascades, cookie, light }: ShadowSlot, type: number): number {
+export function maskKindsOf({ shows, isCube, cascades, cookie, light, isLeft }: ShadowSlot, type: number): number {
   let kinds = maskLoopOf(light);
+  // it takes the long way then
+  if (isLeft) kinds |= maskKinds.bounded;
   if (!shows && cookie === null) return kinds | maskKinds.unshadowed;
   kinds |= isCube ? maskKinds.cubes : maskKinds.maps;
   if (cascades > 0) kinds |= maskKinds.cascades;

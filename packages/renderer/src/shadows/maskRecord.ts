@@ -56,7 +56,7 @@ export function writeMask(
   }
   const height = isCube ? faceWidth : faceHeight;
   const cookieKind = cookie === null || cookie.tile === null ? 0 : cookie.isCube ? 2 : 1;
-  const extended = isCube ? slot.isLeft : height !== faceWidth || slot.cascades > 0;
+  const extended = slot.isLeft || (!isCube && (height !== faceWidth || slot.cascades > 0));
   const bits = packMask(faceWidth, kind, cookieKind, extended, slot.border);
   table.set4(at + 16, tile?.x ?? 0, tile?.y ?? 0, bits, kind === shadowKinds.none ? 0 : slot.normalBias);
   const bias = reversed ? -shadow.bias : shadow.bias;
