@@ -361,3 +361,40 @@ test('a mirror that stock three draws inside the frame shows the shadows of the 
   expect(seen.matters, 'shadows are to be seen').toBeLessThan(32);
   for (const { psnr } of seen.pairs) expect.soft(psnr).toBeGreaterThanOrEqual(45);
 });
+
+test('where point lights alone cast shadows, one that leaves its map is drawn as in stock three', async ({ page }) => {
+  const seen = await page.evaluate(
+    ([width, height]) => {
+      const { Bench, compareImages, three } = window.testPage;
+      const bench = new Bench(width, height);
+      bench.webgl.shadowMap.enabled = true;
+      const scene = new three.Scene();
+      const floor = new three.Mesh(new three.PlaneGeometry(14, 14), new three.MeshStandardMaterial());
+      floor.rotation.x = -Math.PI / 2;
+      const box = new three.Mesh(new three.BoxGeometry(1.4, 1.4, 1.4), new three.MeshStandardMaterial());
+      box.position.y = 1;
+      floor.receiveShadow = box.castShadow = true;
+      const point = new three.PointLight(0xffffff, 60, 20);
+      point.position.set(0, 4, 3);
+      point.castShadow = true;
+      point.shadow.bias = -0.005;
+      const camera = new three.PerspectiveCamera(50, width / height, 0.1, 60);
+      camera.position.set(0, 6, 8);
+      camera.lookAt(0, 0, 0);
+      scene.add(floor, box, point);
+      const before = bench.stock(scene, camera);
+      const names = ['clustered-deferred', 'tiled-deferred', 'deferred', 'clustered-forward'] as const;
+      for (const name of names) bench.byTechnique(name, scene, camera);
+      point.shadow.autoUpdate = false;
+      point.position.x = 2;
+      const stock = bench.stock(scene, camera);
+      return {
+        changed: compareImages(before, stock).psnr,
+        left: names.map((name) => [name, compareImages(stock, bench.byTechnique(name, scene, camera)).psnr] as const),
+      };
+    },
+    [WIDTH, HEIGHT] as const,
+  );
+  expect(seen.changed).toBeLessThan(45);
+  for (const [name, psnr] of seen.left) expect.soft(psnr, name).toBeGreaterThanOrEqual(45);
+});
