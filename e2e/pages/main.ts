@@ -13,7 +13,8 @@ import { materialScene } from './materialScene';
 import { supersampled } from './supersampled';
 import { shadowScene } from './shadowScene';
 import { runSettings } from './matrix/runSettings';
-import { runSheet } from './matrix/runSheet';
+import { drawn, runSheet } from './matrix/runSheet';
+import { settings } from './matrix/settings';
 
 /** What an empty page offers to a browser test that builds its own scene: three and the renderer, whole. */
 export interface TestPage {
@@ -29,6 +30,9 @@ export interface TestPage {
   hostSnapshot: typeof hostSnapshot;
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
+  settingNames: readonly string[];
+  /** The techniques of the matrix. */
+  drawn: typeof drawn;
   Bench: typeof Bench;
   compareImages: typeof compareImages;
   isFlat: typeof isFlat;
@@ -55,6 +59,8 @@ window.testPage = {
   hostSnapshot,
   runSheet,
   runSettings,
+  settingNames: Object.keys(settings),
+  drawn,
   Bench,
   compareImages,
   isFlat,

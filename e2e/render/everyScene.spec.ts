@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import { checkAgreement } from '../support/agreement';
 import { compareImages, isFlat } from '../support/images';
+import { parts } from '../support/parts';
 import { expect, test, type Watch } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
 
@@ -97,10 +98,11 @@ async function checkKinds(page: Page, scene: string, intensities: readonly numbe
 
 /**
  * Every scene by every technique: each view, then each kind of light. The names are read from the page's registries, so
- * that a new scene, technique or view is in. Two tests share the scenes, for two workers.
+ * that a new scene, technique or view is in. Two tests share the scenes, for two workers; more where there are more.
  */
-for (const half of [0, 1]) {
-  test(`every scene by every technique, in every view and under each kind of light, half ${half + 1}`, async ({
+const SHARES = [0, 1, 2, 3, 4, 5];
+for (const [part, shares] of parts(SHARES, 2).entries()) {
+  test(`every scene by every technique, in every view and under each kind of light, part ${part + 1}`, async ({
     page,
     watch,
   }) => {
@@ -111,7 +113,7 @@ for (const half of [0, 1]) {
       inferredScale: window.viewer.farol.inferredScale,
     }));
     expect(scenes.length).toBeGreaterThan(1);
-    for (const scene of scenes.filter((_, index) => index % 2 === half)) {
+    for (const scene of scenes.filter((_, index) => shares.includes(index % SHARES.length))) {
       const intensities = await load(page, scene);
       await checkViews(page, watch, scene);
       // at half of so few pixels lighting has nothing to go by; what half costs, agreement.spec.ts says

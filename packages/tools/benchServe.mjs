@@ -6,6 +6,7 @@ import { extname, join, normalize, resolve, sep } from 'node:path';
 const types = {
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript',
+  '.mjs': 'text/javascript',
   '.css': 'text/css',
   '.json': 'application/json',
   '.gltf': 'model/gltf+json',
@@ -18,14 +19,19 @@ const types = {
   '.xml': 'text/xml',
 };
 
+const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
+
 /**
- * Serves a built app to this machine only, on a free port, by Node alone. Pages are cross-origin isolated, which gives
- * their clock 5 µs in place of 100.
+ * Serves a built app to this machine only, by Node alone.
  *
  * @param {string} folder
+ * @param {object} [options]
+ * @param {boolean} [options.isolated] pages are cross-origin isolated, which gives their clock 5 µs in place of 100;
+ *   default true
+ * @param {number} [options.port] default 0, a free one
  * @returns {Promise<{ url: string, close(): Promise<void> }>} the URL ends in a slash
  */
-export async function serveFolder(folder) {
+export async function serveFolder(folder, { isolated = true, port = 0 } = {}) {
   const top = resolve(folder);
   const server = createServer(async (request, response) => {
     try {
@@ -37,8 +43,7 @@ export async function serveFolder(folder) {
       const body = await readFile(path);
       response.writeHead(200, {
         'content-type': types[extname(path)] ?? 'application/octet-stream',
-        'cross-origin-opener-policy': 'same-origin',
-        'cross-origin-embedder-policy': 'require-corp',
+        ...(isolated ? isolation : {}),
       });
       response.end(body);
     } catch {
@@ -46,7 +51,7 @@ export async function serveFolder(folder) {
     }
   });
   await new Promise((done, failed) => {
-    server.once('error', failed).listen(0, '127.0.0.1', () => done(undefined));
+    server.once('error', failed).listen(port, '127.0.0.1', () => done(undefined));
   });
   const address = server.address();
   if (!address || typeof address === 'string') throw new Error(`The server of ${folder} has no port.`);

@@ -1,4 +1,5 @@
 import { join } from 'node:path';
+import { serveFolder } from './benchServe.mjs';
 import { root } from './root.mjs';
 
 /** Folders of what can be served. `pages` holds the browser tests' own pages. */
@@ -7,7 +8,7 @@ export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', pages:
 /** @typedef {keyof typeof appFolders} AppName */
 
 /**
- * Serves apps by Vite, each on its own port of this machine only.
+ * Serves apps, each on its own port of this machine only: their sources by Vite, or what was built by Node alone.
  *
  * @param {object} options
  * @param {Partial<Record<AppName, number>>} options.ports which apps, and on which port; 0 picks a free one
@@ -17,7 +18,6 @@ export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', pages:
  * @throws {Error} when a port is taken
  */
 export async function serveApps({ ports, built = false, watch = true }) {
-  const { createServer, preview } = await import('vite');
   /** @type {Partial<Record<AppName, string>>} */
   const urls = {};
   /** @type {(() => Promise<void>)[]} */
@@ -27,20 +27,25 @@ export async function serveApps({ ports, built = false, watch = true }) {
     for (const name of /** @type {AppName[]} */ (Object.keys(ports))) {
       const folder = join(root, appFolders[name]);
       const port = ports[name];
-      /** @type {import('vite').InlineConfig} */
-      const config = { root: folder, configFile: join(folder, 'vite.config.ts'), logLevel: 'warn', clearScreen: false };
-      const host = '127.0.0.1';
-      const server = built
-        ? await preview({ ...config, preview: { host, port, strictPort: true } })
-        : await createServer({
-            ...config,
-            server: { host, port, strictPort: true, ...(watch ? {} : { hmr: false, watch: null }) },
-          });
+      if (built) {
+        const { url, close: stop } = await serveFolder(join(folder, 'dist'), { isolated: false, port });
+        closers.push(stop);
+        urls[name] = url;
+        continue;
+      }
+      const { createServer } = await import('vite');
+      const server = await createServer({
+        root: folder,
+        configFile: join(folder, 'vite.config.ts'),
+        logLevel: 'warn',
+        clearScreen: false,
+        server: { host: '127.0.0.1', port, strictPort: true, ...(watch ? {} : { hmr: false, watch: null }) },
+      });
       closers.push(() => server.close());
-      if ('listen' in server) await server.listen();
+      await server.listen();
       const address = server.httpServer?.address();
       if (!address || typeof address === 'string') throw new Error(`The server of ${name} has no port.`);
-      urls[name] = `http://${host}:${address.port}/`;
+      urls[name] = `http://127.0.0.1:${address.port}/`;
     }
   } catch (error) {
     await close();

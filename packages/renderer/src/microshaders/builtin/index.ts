@@ -31,6 +31,7 @@ import lightVolumeSphere from './lightVolumeSphere.glsl?raw';
 import octahedralNormal from './octahedralNormal.glsl?raw';
 import output from './output.glsl?raw';
 import shadeSurface from './shadeSurface.glsl?raw';
+import roundToHalf from './roundToHalf.glsl?raw';
 import shadePlain from './shadePlain.glsl?raw';
 import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
@@ -76,6 +77,7 @@ const sources = {
   lightVolumeSphere,
   octahedralNormal,
   output,
+  roundToHalf,
   shadePlain,
   shadeSurface,
   shading,

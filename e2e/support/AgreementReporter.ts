@@ -1,0 +1,73 @@
+import { stripVTControlCharacters } from 'node:util';
+import type { FullResult, Reporter, TestCase, TestError, TestResult } from '@playwright/test/reporter';
+import { COMPARISON, type Comparison } from './comparison';
+
+interface Row {
+  count: number;
+  good: number;
+  exceptions: number;
+  largest: number;
+  psnr: number;
+  share: number;
+}
+
+/** Prints the comparisons that tests recorded as a table, a row for each suite and technique, and names what is off. */
+export default class AgreementReporter implements Reporter {
+  private readonly rows = new Map<string, Row>();
+  private readonly off: string[] = [];
+  private readonly failed: string[] = [];
+  private passed = 0;
+
+  onTestEnd(test: TestCase, { status, annotations, errors }: TestResult): void {
+    if (status === 'passed') this.passed++;
+    else this.failed.push([test.titlePath().slice(2).join(' > '), ...errors.map(said), status].join('\n  '));
+    for (const { type, description = '' } of annotations) {
+      if (type === COMPARISON)
+        this.add(JSON.parse(description, (_key, value) => (value === 'NaN' ? NaN : value)) as Comparison);
+    }
+  }
+
+  onEnd({ status }: FullResult): void {
+    const lines = [...this.rows].sort(([a], [b]) => (a < b ? -1 : 1)).map(([key, row]) => tableLine(key, row));
+    console.log(
+      '\n| suite | technique | pictures | within limits | named exceptions | largest error | least PSNR (dB) | most pixels off |',
+    );
+    console.log('| --- | --- | --- | --- | --- | --- | --- | --- |');
+    for (const line of lines) console.log(line);
+    const rows = [...this.rows.values()];
+    const count = rows.reduce((sum, row) => sum + row.count, 0);
+    const good = rows.reduce((sum, row) => sum + row.good, 0);
+    const exceptions = rows.reduce((sum, row) => sum + row.exceptions, 0);
+    for (const line of this.off) console.log(`off: ${line}`);
+    for (const line of this.failed) console.log(`failed: ${line}`);
+    console.log(`\n${good} of ${count} pictures within the limits, ${exceptions} named exceptions; ${status}.`);
+    console.log(`${this.passed} passed, ${this.failed.length} failed`);
+  }
+
+  private add({ suite, technique, name, good, exception, largest, psnr, share }: Comparison): void {
+    const key = `${suite} | ${technique}`;
+    const row = this.rows.get(key) ?? { count: 0, good: 0, exceptions: 0, largest: 0, psnr: Infinity, share: 0 };
+    row.count++;
+    if (exception) row.exceptions++;
+    else if (good) row.good++;
+    else this.off.push(`${suite}: ${name}, ${technique}: ${figures({ largest, psnr, share })}`);
+    this.rows.set(key, row);
+    if (exception) return;
+    row.largest = Math.max(row.largest, largest);
+    row.psnr = Math.min(row.psnr, psnr);
+    row.share = Math.max(row.share, share);
+  }
+}
+
+/** The first lines of an error's message, without the colours of a terminal. */
+function said({ message = '' }: TestError): string {
+  return stripVTControlCharacters(message).split('\n').slice(0, 12).join('\n  ');
+}
+
+function tableLine(key: string, { count, good, exceptions, largest, psnr, share }: Row): string {
+  return `| ${key} | ${count} | ${good} | ${exceptions} | ${largest.toExponential(1)} | ${psnr.toFixed(1)} | ${(share * 100).toFixed(3)}% |`;
+}
+
+function figures({ largest, psnr, share }: { largest: number; psnr: number; share: number }): string {
+  return `largest ${largest.toExponential(2)}, ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(3)}% off by more than 2/255`;
+}

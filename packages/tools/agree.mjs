@@ -1,0 +1,117 @@
+/**
+ * `npm run agree`: draws the agreement suites (matrix, scenes, models, effects, shadows) by every technique against stock
+ * three, in many browsers side by side, and prints a table. `npm run agree -- --help` lists the options.
+ *
+ * For a GPU host without a network: `npm run agree -- --pack DIR` here puts all that is needed into DIR; bring DIR there
+ * and run `node packages/tools/agree.mjs --gpu` in it. The host needs Node and a Chromium (CHROMIUM_PATH).
+ */
+import { cpSync, existsSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { join, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
+import { agreeHelp, agreeOptions } from './agreeOptions.mjs';
+import { fetchModels } from './agreeModels.mjs';
+import { root } from './root.mjs';
+import { runTool } from './runTool.mjs';
+
+/** Made by --pack: a folder that holds everything is neither installed nor built. */
+const marker = join(root, 'agree-packed.json');
+
+/** What a packed folder holds: sources of the tests, built pages, and the packages that the tests run by. */
+const packed = [
+  ...[
+    'package.json',
+    'packages/tsconfig.base.json',
+    'packages/tools',
+    'e2e',
+    'apps/viewer/dist',
+    'public/microshaders',
+  ],
+  'packages/renderer/src/microshaders',
+  ...['@playwright/test', 'playwright', 'playwright-core', 'pixelmatch', 'pngjs'].map((name) => `node_modules/${name}`),
+];
+
+try {
+  const { values } = parseArgs({ options: agreeOptions });
+  if (values.help) console.log(agreeHelp);
+  else process.exitCode = await agree(values);
+} catch (error) {
+  console.error(error instanceof Error ? error.message : error);
+  process.exitCode = 1;
+}
+
+/** @param {{ gpu?: boolean, workers?: string, models?: string, 'no-models'?: boolean, pack?: string, only?: string }} options */
+async function agree(options) {
+  const isPacked = existsSync(marker);
+  if (isPacked) {
+    linkTools();
+  } else {
+    const { ensureInstalled } = await import('./ensureInstalled.mjs');
+    ensureInstalled();
+    if (runTool('typescript', 'tsc', ['-b', 'packages']) !== 0) return 1;
+    const { build } = await import('vite');
+    for (const folder of ['apps/viewer', 'e2e/pages']) {
+      await build({ root: join(root, folder), configFile: join(root, folder, 'vite.config.ts'), logLevel: 'error' });
+    }
+  }
+  const models = await modelsOf(options, isPacked);
+  if (options.pack) return pack(resolve(options.pack), models);
+  const workers = Number(options.workers ?? Math.min(10, availableParallelism()));
+  if (!Number.isInteger(workers) || workers < 1)
+    throw new Error(`--workers ${options.workers}: give a whole number above 0.`);
+  const begin = performance.now();
+  const code = runTool(
+    '@playwright/test',
+    'playwright',
+    [
+      ...['test', '--config', 'e2e/playwright.config.ts', `--workers=${workers}`],
+      ...['--reporter', join(root, 'e2e/support/AgreementReporter.ts')],
+      ...[
+        '--project=render',
+        ...(models ? ['--project=models'] : []),
+        ...(options.only ? ['--grep', options.only] : []),
+      ],
+    ],
+    {
+      FAROL_E2E: 'built',
+      FAROL_AGREE: String(Math.max(2, workers)),
+      ...(options.gpu ? { FAROL_GPU: '1' } : {}),
+      ...(models ? { FAROL_MODELS: models } : {}),
+    },
+  );
+  console.log(
+    `${workers} browsers, ${((performance.now() - begin) / 1000).toFixed(0)} s, ${options.gpu ? 'GPU' : 'software rasteriser'}`,
+  );
+  return code;
+}
+
+/**
+ * @param {{ models?: string, 'no-models'?: boolean }} options
+ * @param {boolean} isPacked
+ * @returns {Promise<string | null>} a folder of models
+ */
+async function modelsOf(options, isPacked) {
+  if (options['no-models']) return null;
+  if (options.models) return resolve(options.models);
+  if (isPacked) return existsSync(join(root, 'models')) ? join(root, 'models') : null;
+  return fetchModels(join(root, '.cache/agree-models'));
+}
+
+/** The tests import @farol/tools by a link, which not every way of copying keeps: a packed folder makes it when it runs. */
+function linkTools() {
+  const link = join(root, 'node_modules/@farol/tools');
+  if (existsSync(link)) return;
+  mkdirSync(join(root, 'node_modules/@farol'), { recursive: true });
+  symlinkSync(join(root, 'packages/tools'), link, 'junction');
+}
+
+/** @param {string} to @param {string | null} models */
+function pack(to, models) {
+  rmSync(to, { recursive: true, force: true });
+  mkdirSync(to, { recursive: true });
+  for (const path of packed) cpSync(join(root, path), join(to, path), { recursive: true, dereference: true });
+  if (models) cpSync(models, join(to, 'models'), { recursive: true });
+  writeFileSync(join(to, 'agree-packed.json'), '{}\n');
+  console.log(`${to}: bring it to the GPU host, and run node packages/tools/agree.mjs --gpu in it.`);
+  return 0;
+}

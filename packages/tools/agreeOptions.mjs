@@ -1,0 +1,22 @@
+export const agreeHelp = `npm run agree -- [options]
+
+Draws the agreement suites by every technique against stock three, in linear float, and prints a table.
+
+  --gpu             take the GPU of this machine, not the software rasteriser
+  --workers N       browsers side by side; default the number of cores, at most 10
+  --models DIR      compare the glTF models of a folder of yours; default those of three npm packages
+  --no-models       leave the models out
+  --only TEXT       the tests whose title matches this regular expression
+  --pack DIR        put all that a host without a network needs into DIR, and run nothing
+  --help            this text`;
+
+/** As util.parseArgs takes them. */
+export const agreeOptions = /** @type {const} */ ({
+  gpu: { type: 'boolean' },
+  workers: { type: 'string' },
+  models: { type: 'string' },
+  'no-models': { type: 'boolean' },
+  only: { type: 'string' },
+  pack: { type: 'string' },
+  help: { type: 'boolean' },
+});
