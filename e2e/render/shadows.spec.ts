@@ -299,7 +299,7 @@ test('kept maps are drawn anew for what changes without a new version of anythin
           bench.webgl.shadowMap.type = three.VSMShadowMap;
           point.castShadow = false;
         }),
-        step('more blur', () => Object.assign(spot.shadow, { radius: 14, blurSamples: 20 })),
+        step('more blur', () => Object.assign(spot.shadow, { radius: 20, blurSamples: 20 })),
       ];
     },
     [WIDTH, HEIGHT] as const,

@@ -1,6 +1,7 @@
+import { writeFileSync } from 'node:fs';
 import { stripVTControlCharacters } from 'node:util';
 import type { FullResult, Reporter, TestCase, TestError, TestResult } from '@playwright/test/reporter';
-import { COMPARISON, type Comparison } from './comparison';
+import { COMPARISON, type Comparison, readComparison } from './comparison';
 
 interface Row {
   count: number;
@@ -11,23 +12,30 @@ interface Row {
   share: number;
 }
 
-/** Prints the comparisons that tests recorded as a table, a row for each suite and technique, and names what is off. */
+/**
+ * Prints the comparisons that tests recorded as a table, a row for each suite and technique, and names what is off. All of
+ * them go to the file that FAROL_AGREE_FILE names, a line of JSON each.
+ */
 export default class AgreementReporter implements Reporter {
   private readonly rows = new Map<string, Row>();
   private readonly off: string[] = [];
   private readonly failed: string[] = [];
   private passed = 0;
+  private readonly comparisons: string[] = [];
 
   onTestEnd(test: TestCase, { status, annotations, errors }: TestResult): void {
     if (status === 'passed') this.passed++;
     else this.failed.push([test.titlePath().slice(2).join(' > '), ...errors.map(said), status].join('\n  '));
     for (const { type, description = '' } of annotations) {
-      if (type === COMPARISON)
-        this.add(JSON.parse(description, (_key, value) => (value === 'NaN' ? NaN : value)) as Comparison);
+      if (type !== COMPARISON) continue;
+      this.comparisons.push(description);
+      this.add(readComparison(description));
     }
   }
 
   onEnd({ status }: FullResult): void {
+    const file = process.env.FAROL_AGREE_FILE;
+    if (file) writeFileSync(file, `${this.comparisons.join('\n')}\n`);
     const lines = [...this.rows].sort(([a], [b]) => (a < b ? -1 : 1)).map(([key, row]) => tableLine(key, row));
     console.log(
       '\n| suite | technique | pictures | within limits | named exceptions | largest error | least PSNR (dB) | most pixels off |',

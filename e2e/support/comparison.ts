@@ -14,11 +14,20 @@ export interface Comparison extends Difference {
 
 export const COMPARISON = 'comparison';
 
+/** What JSON has not, by name: Infinity is the PSNR of equal pictures, NaN the error of a picture that holds one. */
+const special = new Map([NaN, Infinity, -Infinity].map((value) => [String(value), value]));
+
 /** Leaves a comparison in the report of the running test. */
-export function recordComparison({ psnr, ...rest }: Comparison): void {
-  // JSON has neither Infinity, the PSNR of equal pictures, nor NaN, the error of a picture that holds one
-  const description = JSON.stringify({ ...rest, psnr: Math.min(psnr, 999) }, (_key, value: unknown) =>
-    Number.isNaN(value) ? 'NaN' : value,
+export function recordComparison(comparison: Comparison): void {
+  const description = JSON.stringify(comparison, (_key, value: unknown) =>
+    typeof value === 'number' && !Number.isFinite(value) ? String(value) : value,
   );
   test.info().annotations.push({ type: COMPARISON, description });
+}
+
+/** Reads what {@link recordComparison} left. */
+export function readComparison(description: string): Comparison {
+  return JSON.parse(description, (key, value: unknown) =>
+    key === 'name' ? value : (special.get(value as string) ?? value),
+  ) as Comparison;
 }

@@ -29,6 +29,12 @@ describe('compareImages', () => {
     expect(compareImages(grey(0.5), grey(Number.NaN))).toMatchObject({ largest: Infinity, share: 1 });
   });
 
+  it('takes light that is infinite in both for equal, in one for the largest error', () => {
+    expect(compareImages(grey(0.5, Infinity), grey(0.5, Infinity))).toEqual({ largest: 0, psnr: Infinity, share: 0 });
+    expect(compareImages(grey(0.5, Infinity), grey(0.5, 0.7))).toMatchObject({ largest: Infinity, share: 0.5 });
+    expect(compareImages(grey(Number.NaN), grey(Number.NaN))).toMatchObject({ largest: Infinity, share: 1 });
+  });
+
   it('refuses images of two sizes', () => {
     expect(() => compareImages(grey(1), grey(1, 1))).toThrow(/1×1 and 2×1/);
   });

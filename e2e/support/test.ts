@@ -5,7 +5,7 @@ export { expect } from '@playwright/test';
 /** The browser's remarks that say nothing about our code. */
 const harmless = [
   // Chromium itself, when pixels are read back: the read is what the test asks for.
-  /GPU stall due to ReadPixels/,
+  /GPU stall due to (ReadPixels|mapping device local buffer)/,
   /Automatic fallback to software WebGL/,
 ];
 

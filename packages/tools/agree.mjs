@@ -5,6 +5,7 @@
  * For a GPU host without a network: `npm run agree -- --pack DIR` here puts all that is needed into DIR; bring DIR there
  * and run `node packages/tools/agree.mjs --gpu` in it. The host needs Node and a Chromium (CHROMIUM_PATH).
  */
+import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join, resolve } from 'node:path';
@@ -40,7 +41,7 @@ try {
   process.exitCode = 1;
 }
 
-/** @param {{ gpu?: boolean, workers?: string, models?: string, 'no-models'?: boolean, pack?: string, only?: string }} options */
+/** @param {{ gpu?: boolean, workers?: string, models?: string, 'no-models'?: boolean, pack?: string, json?: string, only?: string }} options */
 async function agree(options) {
   const isPacked = existsSync(marker);
   if (isPacked) {
@@ -48,11 +49,10 @@ async function agree(options) {
   } else {
     const { ensureInstalled } = await import('./ensureInstalled.mjs');
     ensureInstalled();
-    if (runTool('typescript', 'tsc', ['-b', 'packages']) !== 0) return 1;
-    const { build } = await import('vite');
-    for (const folder of ['apps/viewer', 'e2e/pages']) {
-      await build({ root: join(root, folder), configFile: join(root, folder, 'vite.config.ts'), logLevel: 'error' });
-    }
+    const built = spawnSync(process.execPath, [join(root, 'packages/tools/build.mjs'), '--tests'], {
+      stdio: 'inherit',
+    });
+    if (built.status !== 0) return 1;
   }
   const models = await modelsOf(options, isPacked);
   if (options.pack) return pack(resolve(options.pack), models);
@@ -77,6 +77,7 @@ async function agree(options) {
       FAROL_AGREE: String(Math.max(2, workers)),
       ...(options.gpu ? { FAROL_GPU: '1' } : {}),
       ...(models ? { FAROL_MODELS: models } : {}),
+      ...(options.json ? { FAROL_AGREE_FILE: resolve(options.json) } : {}),
     },
   );
   console.log(

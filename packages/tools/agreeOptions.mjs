@@ -7,6 +7,7 @@ Draws the agreement suites by every technique against stock three, in linear flo
   --models DIR      compare the glTF models of a folder of yours; default those of three npm packages
   --no-models       leave the models out
   --only TEXT       the tests whose title matches this regular expression
+  --json FILE       write each comparison to FILE, a line of JSON each
   --pack DIR        put all that a host without a network needs into DIR, and run nothing
   --help            this text`;
 
@@ -17,6 +18,7 @@ export const agreeOptions = /** @type {const} */ ({
   models: { type: 'string' },
   'no-models': { type: 'boolean' },
   only: { type: 'string' },
+  json: { type: 'string' },
   pack: { type: 'string' },
   help: { type: 'boolean' },
 });

@@ -1,6 +1,7 @@
 // Blends a decal's colour with that of the surface, and writes its normal, roughness and metalness over the surface's.
 // Farol
 #include "decalSurface"
+#include "roundToHalf"
 layout(location = 0) out highp vec4 farol_albedo;
 layout(location = 1) out highp vec4 farol_normal;
 layout(location = 2) out highp vec4 farol_material;
@@ -18,7 +19,8 @@ if (farol_decalValues.z < 1e8) {
   vec3 tangent = normalize(modelViewMatrix[0].xyz - decal.normal * dot(decal.normal, modelViewMatrix[0].xyz));
   vec3 bitangent = cross(decal.normal, tangent);
   vec3 normal = normalize(tangent * bent.x + bitangent * bent.y + decal.normal * bent.z);
-  farol_normal = vec4(farol_encodeNormal(normalize(mix(decal.normal, normal, decal.opacity))), 0.0, 1.0);
+  normal = normalize(mix(decal.normal, normal, decal.opacity));
+  farol_normal = vec4(farol_roundToHalf(farol_encodeNormal(normal)), 0.0, 1.0);
 }
 // standard surfaces alone have a roughness; 0.2: square root of the usual reflectance at normal incidence
 bool covers = farol_decalBlending == 1 && (decal.flags & 3) == 1;

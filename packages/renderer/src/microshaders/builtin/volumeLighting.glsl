@@ -1,12 +1,11 @@
 // Light volumes over the G-buffer: a pixel's surface, lit, into the lighting buffer.
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
 #include "shadeSurface"
-#include "roundToHalf"
 uniform vec2 farol_size;
 layout(location = 0) out highp vec4 farol_lighting;
 #define FAROL_SURFACE_DEPTH(pixel) texelFetch(farol_gDepth, pixel, 0).r
 #define FAROL_BEGIN_PIXEL FarolShading shading = farol_beginShading(pixel, depth, farol_size);
 #define FAROL_UNBOUNDED_PIXEL farol_addUnbounded(shading);
 #define FAROL_BOUNDED_PIXEL(record) farol_addBounded(shading, record);
-#define FAROL_END_PIXEL farol_lighting = vec4(farol_roundToHalf(farol_endShading(shading, pixel)), 0.0);
+#define FAROL_END_PIXEL farol_lighting = vec4(farol_endShading(shading, pixel), 0.0);
 #define FAROL_COUNT_PIXEL(count) farol_lighting = vec4(count, 0.0, 0.0, 0.0);
