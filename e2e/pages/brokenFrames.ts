@@ -35,7 +35,7 @@ export function brokenScene(width: number, height: number) {
   glass.position.set(1.6, -0.2, 1);
   const toon = new THREE.Mesh(new THREE.TorusGeometry(0.4, 0.2), new THREE.MeshToonMaterial({ color: 0xffcc00 }));
   toon.position.set(-0.6, 1.2, 0.5);
-  const ground = new THREE.Mesh(new THREE.PlaneGeometry(12, 12), standard(0x999999));
+  const ground = new THREE.Mesh(new THREE.PlaneGeometry(10, 10), standard(0x999999));
   ground.rotation.x = -Math.PI / 2;
   ground.position.y = -0.9;
   for (const mesh of [ball, box, toon]) mesh.castShadow = true;
