@@ -7,6 +7,7 @@ import * as decals from '@farol/renderer/decals';
 import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
 import { Bench } from './Bench';
+import { breakFrames, brokenScene, faultsOf, messageOf } from './brokenFrames';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { materialScene } from './materialScene';
@@ -27,6 +28,10 @@ export interface TestPage {
   edgeScene: typeof edgeScene;
   supersampled: typeof supersampled;
   shadowScene: typeof shadowScene;
+  brokenScene: typeof brokenScene;
+  faultsOf: typeof faultsOf;
+  breakFrames: typeof breakFrames;
+  messageOf: typeof messageOf;
   hostSnapshot: typeof hostSnapshot;
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
@@ -56,6 +61,10 @@ window.testPage = {
   edgeScene,
   supersampled,
   shadowScene,
+  brokenScene,
+  faultsOf,
+  breakFrames,
+  messageOf,
   hostSnapshot,
   runSheet,
   runSettings,

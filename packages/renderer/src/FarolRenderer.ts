@@ -1,4 +1,4 @@
-import { type ArrayCamera, type Camera, type Object3D, type WebGLRenderer } from 'three';
+import { type ArrayCamera, type Camera, Object3D, type Scene, type WebGLRenderer } from 'three';
 import { adoptDepth } from './adoptDepth';
 import { clearValue } from './clearValue';
 import { checkDevice } from './checkDevice';
@@ -33,6 +33,16 @@ import { TechniquePicker } from './techniques/TechniquePicker';
 import { TechniqueSet } from './techniques/TechniqueSet';
 
 const NO_EFFECTS: readonly FarolEffect[] = [];
+
+/** As three calls those of a Scene. */
+type SceneCallback = (webgl: WebGLRenderer, scene: Scene, camera: Camera, target?: unknown) => void;
+
+const NO_CALLBACK = Object3D.prototype.onBeforeRender;
+
+/** As three does. */
+function updateCamera(camera: Camera): void {
+  if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
+}
 
 /** Draws and lights that cost less than having the GPU begin with them. */
 const FEW = 16;
@@ -198,25 +208,46 @@ export class FarolRenderer {
    */
   render(scene: Object3D, camera: Camera): void {
     if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
-    if (this.webgl.getContext().isContextLost()) return;
-    if (this.draws) return this.webgl.render(scene, camera);
-    refuseXR(this.webgl);
-    if ((camera as ArrayCamera).isArrayCamera === true) {
-      renderArray(this.webgl, camera as ArrayCamera, (one) => this.render(scene, one));
-      return;
+    const { webgl } = this;
+    if (webgl.getContext().isContextLost()) return;
+    if (this.draws) return webgl.render(scene, camera);
+    refuseXR(webgl);
+    this.draws = true;
+    try {
+      const callbacks = (scene as Scene).isScene === true ? (scene as Scene) : null;
+      // else matrices are brought up to date while lights are looked for
+      const updated = callbacks !== null && callbacks.onBeforeRender !== NO_CALLBACK;
+      if (updated) {
+        if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
+        updateCamera(camera);
+        (callbacks.onBeforeRender as unknown as SceneCallback)(webgl, callbacks, camera, webgl.getRenderTarget());
+      }
+      const update = scene.matrixWorldAutoUpdate && !updated;
+      if ((camera as ArrayCamera).isArrayCamera !== true) this.drawScene(scene, camera, update, !updated);
+      else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true));
+      if (callbacks !== null) (callbacks.onAfterRender as unknown as SceneCallback)(webgl, callbacks, camera);
+    } finally {
+      this.draws = false;
+      // called by a callback of the host's
+      if (this.disposed) this.free();
     }
+  }
+
+  private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean): void {
+    if (this.disposed) return; // by a callback that another camera of an array has had called
     this.recorder.begin(this.timing);
-    this.finder.find(scene, camera, this.lightLayers, scene.matrixWorldAutoUpdate);
-    if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
+    this.finder.find(scene, camera, this.lightLayers, update);
+    if (updatesCamera) updateCamera(camera);
     adoptDepth(this.webgl, camera);
     const { finder, frame, picker, webgl } = this;
     const { shadows } = finder;
     frame.begin(scene, camera, this.views.available(this.viewName));
     if (frame.view === 'grid') frame.quarter();
     const { target, face, level } = frame;
+    const { toneMapping } = webgl;
+    let done = false;
     this.activeEffects = frame.view === 'final' ? this.effects : NO_EFFECTS;
     try {
-      this.draws = true;
       for (const effect of this.activeEffects) effect.begin?.(frame);
       this.lights.shadows = webgl.shadowMap.enabled;
       this.lights.layers?.begin(scene, this.lightLayers);
@@ -241,10 +272,13 @@ export class FarolRenderer {
         shadows && this.shadowDraws,
       );
       shadows?.end();
-      if (frame.queue.layers !== 0) resetLayers(frame.gl);
+      done = true;
     } finally {
-      this.draws = false;
-      if (webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
+      if (frame.queue.layers !== 0) resetLayers(frame.gl);
+      // three takes tone mapping off while it draws to its output buffer
+      if (!done) webgl.toneMapping = toneMapping;
+      if (!done || webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
+      this.recorder.endPass();
     }
     // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth
     if (this.info.drawCalls > FEW || this.lights.total > FEW) frame.gl.flush();
@@ -300,10 +334,14 @@ export class FarolRenderer {
     await compileByDrawing(this, scene, camera);
   }
 
-  /** Frees all GPU resources of Farol; the host's stay. */
+  /** Frees all GPU resources of Farol; the host's stay. Called while it draws, it does so after the frame. */
   dispose(): void {
     if (this.disposed) return;
     this.disposed = true;
+    if (!this.draws) this.free();
+  }
+
+  private free(): void {
     this.set.dispose();
     for (const effect of this.effects) effect.dispose();
     this.views.dispose();

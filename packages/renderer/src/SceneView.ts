@@ -7,7 +7,6 @@ import {
   Object3D,
   type Scene,
   type WebGLRenderer,
-  type WebGLRenderTarget,
 } from 'three';
 import type { GeometryGroup } from './RenderItem';
 import type { Rehearsal } from './rehearsal/Rehearsal';
@@ -34,15 +33,19 @@ interface RenderList {
   finish(): void;
 }
 
+/** three's WebGLRenderLists. */
+interface RenderLists {
+  /** @param depth of nested renders, as three counts it: one too many for each of its frames that an exception has ended */
+  get(scene: Object3D, depth: number): RenderList;
+}
+
 /** Maps to be drawn inside three's `render`, and what stands in for casters that the camera may not see. */
 export interface ShadowDraws {
   readonly stands: readonly Object3D[];
   readonly calls: ShadowMapCalls;
 }
 
-/** Render lists are kept by nesting depth of render calls; a render inside a render inside a render is the most met. */
-const NESTING = 3;
-
+const NOTHING = () => undefined;
 const NEVER = [false, false, false, false];
 
 /**
@@ -58,8 +61,13 @@ export class SceneView {
   private lights: readonly Light[] = [];
   private readonly masks: number[] = [];
   private readonly driver: Mesh;
-  private lists: RenderList[] = [];
-  private takenFrom: unknown = null;
+  private list!: RenderList;
+  /** Where the list is from: another one once a lost context is restored. */
+  private lists!: RenderLists;
+  private getList!: RenderLists['get'];
+  /** What the host's code has thrown in this frame, kept until three's `render` has put its stacks in order. */
+  private failed = false;
+  private error: unknown;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
   /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
@@ -78,19 +86,16 @@ export class SceneView {
     const scene = source as Scene;
     if (scene.isScene === true) {
       this.view = Object.create(scene) as Scene;
-      this.own('onBeforeRender', (r: WebGLRenderer, _: Scene, camera: Camera, target: WebGLRenderTarget) =>
-        (scene.onBeforeRender as unknown as (...a: unknown[]) => void)(r, scene, camera, target),
-      );
-      this.own('onAfterRender', (r: WebGLRenderer, _: Scene, camera: Camera) =>
-        (scene.onAfterRender as unknown as (...a: unknown[]) => void)(r, scene, camera),
-      );
+      // called by FarolRenderer, before lights are collected
+      this.own('onBeforeRender', NOTHING);
+      this.own('onAfterRender', NOTHING);
     } else {
       this.view = new Object3D();
     }
     this.own('children', this.children);
     this.own('matrixWorldAutoUpdate', false);
     this.driver = this.makeDriver();
-    this.takeLists();
+    this.takeList();
   }
 
   /**
@@ -111,7 +116,7 @@ export class SceneView {
     fills: Fills | null,
     shadows: ShadowDraws | null = null,
   ): void {
-    if (this.takenFrom !== this.webgl.renderLists) this.takeLists(); // three made new ones for a restored context
+    if (this.lists !== (this.webgl.renderLists as unknown)) this.takeList();
     this.queue = queue;
     this.draw = draw;
     this.fills = fills;
@@ -120,20 +125,37 @@ export class SceneView {
     for (const child of rest) this.children.push(child);
     if (shadows !== null) for (const stand of shadows.stands) this.children.push(stand);
     this.lights = lights;
-    shadows?.calls.begin(this.view);
+    this.failed = false;
+    shadows?.calls.begin(this.view, this.fail);
+    this.getList = this.lists.get;
+    this.lists.get = this.giveList;
     try {
       this.webgl.render(this.view as Object3D, camera);
     } finally {
+      this.lists.get = this.getList;
       shadows?.calls.end();
       this.restore();
       this.restoreClear();
       this.queue = this.draw = null;
     }
+    if (!this.failed) return;
+    const { error } = this;
+    this.error = undefined;
+    throw error;
   }
+
+  /**
+   * Ends the frame's drawing by an exception of the host's code. The exception reaches the host when three's `render` is done:
+   * three's stacks of lists and lights, its target and its clipping are never left half way.
+   */
+  private readonly fail = (error: unknown): void => {
+    if (!this.failed) this.error = error;
+    this.failed = true;
+  };
 
   /** Leaves out what three still has to draw of the transmissive list: Farol draws it. */
   dropTransmissive(): void {
-    for (const list of this.lists) list.transmissive.length = 0;
+    this.list.transmissive.length = 0;
   }
 
   private own(name: string, value: unknown): void {
@@ -195,45 +217,65 @@ export class SceneView {
     const driver = new Mesh(new BufferGeometry(), new Material());
     driver.layers.test = () => {
       this.restoreClear();
-      this.draw?.();
+      this.drawAll();
       return false;
     };
     return driver;
   }
 
-  private takeLists(): void {
-    this.lists = [];
-    this.takenFrom = this.webgl.renderLists;
-    for (let depth = 0; depth < NESTING; depth++) {
-      const list = this.webgl.renderLists.get(this.view as Scene, depth) as unknown as RenderList;
-      const { init, push, finish } = list;
-      const { driver } = this;
-      list.push = (object, geometry, material, groupOrder, z, group, camera) => {
-        if ((object as Object3D & { isFarolStand?: boolean }).isFarolStand === true) return;
-        const override = this.view.overrideMaterial ?? null;
-        if (camera.reversedDepth === true) z = -z;
-        this.queue?.push(object, geometry, material, groupOrder, z, group, override);
-        // three then fills its transmission target, through the driver
-        if (((material as Material & { transmission?: number }).transmission ?? 0) > 0) {
-          push(object, geometry, material, groupOrder, z, group, camera);
-        }
-      };
-      list.init = () => {
-        this.hide();
-        init();
-      };
-      list.finish = () => {
-        this.restore();
-        this.queue?.finish();
-        this.begun();
-        this.keepFromClearing();
-        push(driver, driver.geometry, driver.material as Material, 0, 0, null, this.anyCamera);
-        finish();
-      };
-      list.sort = (opaque, transparent) => this.queue?.sort(opaque, transparent);
-      this.lists.push(list);
+  private drawAll(): void {
+    if (this.failed) return;
+    const { webgl } = this;
+    const target = webgl.getRenderTarget();
+    const face = webgl.getActiveCubeFace();
+    const level = webgl.getActiveMipmapLevel();
+    try {
+      this.draw?.();
+    } catch (error) {
+      this.fail(error);
+      webgl.setRenderTarget(target, face, level);
     }
   }
+
+  /** Takes one of three's lists, for all frames: at whatever depth three counts them, it is given this. */
+  private takeList(): void {
+    this.lists = this.webgl.renderLists as unknown as RenderLists;
+    const list = (this.list = this.lists.get(this.view, 0));
+    const { init, push, finish } = list;
+    const { driver } = this;
+    list.push = (object, geometry, material, groupOrder, z, group, camera) => {
+      if ((object as Object3D & { isFarolStand?: boolean }).isFarolStand === true) return;
+      const override = this.view.overrideMaterial ?? null;
+      if (camera.reversedDepth === true) z = -z;
+      this.queue?.push(object, geometry, material, groupOrder, z, group, override);
+      // three then fills its transmission target, through the driver
+      if (((material as Material & { transmission?: number }).transmission ?? 0) > 0) {
+        push(object, geometry, material, groupOrder, z, group, camera);
+      }
+    };
+    list.init = () => {
+      this.hide();
+      init();
+    };
+    list.finish = () => {
+      this.restore();
+      this.queue?.finish();
+      this.begun();
+      this.keepFromClearing();
+      push(driver, driver.geometry, driver.material as Material, 0, 0, null, this.anyCamera);
+      finish();
+    };
+    list.sort = (opaque, transparent) => {
+      try {
+        this.queue?.sort(opaque, transparent);
+      } catch (error) {
+        this.fail(error);
+      }
+    };
+  }
+
+  private readonly giveList: RenderLists['get'] = (scene, depth) =>
+    scene === this.view ? this.list : this.getList(scene, depth);
 
   private readonly anyCamera = { reversedDepth: false } as unknown as Camera;
 }

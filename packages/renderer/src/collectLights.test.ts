@@ -37,7 +37,7 @@ describe('collectLights', () => {
     );
     expect(names(all)).toEqual(['plain', 'carrier', 'in group']);
     expect(names(nested)).toEqual(['carrier', 'in group']);
-    expect(names(rest)).toEqual(['carrier', 'group', 'rectangle', 'hidden', 'other layer']);
+    expect(names(rest)).toEqual(['carrier', 'group', 'rectangle', 'other layer']);
   });
 
   it('gives three a root that is no scene as it is, its lights nested', () => {

@@ -89,11 +89,7 @@ function visitChildren(
         child.matrixWorldNeedsUpdate = false;
       } else updateOne(child, matrices === FORCED);
     }
-    if (!child.visible) {
-      // the scene's onBeforeRender may show it
-      if (!isLight) found.rest.push(child);
-      continue;
-    }
+    if (!child.visible) continue;
     const isFound = isLight && take(child as Light, camera, left, found);
     if (isFound && child.children.length === 0) continue;
     if (isFound) found.nested.push(child as Light);

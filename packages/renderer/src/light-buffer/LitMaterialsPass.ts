@@ -46,12 +46,15 @@ export class LitMaterialsPass implements Pass {
     }
     const twins = this.twins(frame.view);
     const { items } = this.surfaces;
-    for (let i = 0; i < items.length; i++) {
-      setObject(frame.gl, objectNumber(i), 0);
-      frame.drawTwin(items[i], twins.whole);
-      items[i].drawn = true;
+    try {
+      for (let i = 0; i < items.length; i++) {
+        setObject(frame.gl, objectNumber(i), 0);
+        frame.drawTwin(items[i], twins.whole);
+        items[i].drawn = true;
+      }
+    } finally {
+      resetObject(frame.gl);
     }
-    resetObject(frame.gl);
   }
 
   dispose(): void {

@@ -33,12 +33,16 @@ export class StippledPass implements Pass {
     const stippled = this.materials.twins(view);
     const forward = this.forward(view);
     const onlyLit = view !== 'final' && view !== 'grid';
+    const { items } = this.surfaces;
     let layer = 0;
-    for (const item of queue.transparent) {
-      if (this.surfaces.isStippled(item)) layer = drawLayers(frame, item, stippled, this.surfaces.items.length, layer);
-      else if (item.lit || !onlyLit) frame.drawForward(item, forward);
+    try {
+      for (const item of queue.transparent) {
+        if (this.surfaces.isStippled(item)) layer = drawLayers(frame, item, stippled, items.length, layer);
+        else if (item.lit || !onlyLit) frame.drawForward(item, forward);
+      }
+    } finally {
+      resetObject(frame.gl);
     }
-    resetObject(frame.gl);
   }
 
   dispose(): void {}

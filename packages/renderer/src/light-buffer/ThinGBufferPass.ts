@@ -48,14 +48,17 @@ export class ThinGBufferPass implements Pass {
     this.prepareTarget(frame);
     const { items } = this;
     items.length = 0;
-    for (const item of frame.queue.opaque) {
-      if (!item.splits || item.layered || !isLightBufferMaterial(item.material)) continue;
-      setObject(frame.gl, objectNumber(items.length), 0);
-      frame.drawTwin(item, this.twins.opaque);
-      items.push(item);
+    try {
+      for (const item of frame.queue.opaque) {
+        if (!item.splits || item.layered || !isLightBufferMaterial(item.material)) continue;
+        setObject(frame.gl, objectNumber(items.length), 0);
+        frame.drawTwin(item, this.twins.opaque);
+        items.push(item);
+      }
+      if (this.options.stipple) this.drawTransparent(frame);
+    } finally {
+      resetObject(frame.gl);
     }
-    if (this.options.stipple) this.drawTransparent(frame);
-    resetObject(frame.gl);
   }
 
   /** True for a transparent item whose layers are in the buffer. */

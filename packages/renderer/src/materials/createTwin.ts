@@ -1,4 +1,4 @@
-import { type Material, Material as BaseMaterial, type ShaderMaterial, type WebGLRenderer } from 'three';
+import { type Material, Material as BaseMaterial, type ShaderMaterial, UniformsLib, type WebGLRenderer } from 'three';
 import type { TwinKind, TwinShader } from './TwinKind';
 
 /** What twins of one renderer share. */
@@ -9,6 +9,13 @@ export interface TwinContext {
   header(chunks: readonly string[]): string;
   /** Grows when a microshader of the list is replaced. */
   revision(chunks: readonly string[]): number;
+}
+
+/** three's lights of Farol's frames, for shader materials whose uniforms are the source's: its own are of other frames. */
+function ownLights(uniforms: TwinShader['uniforms']): TwinShader['uniforms'] {
+  const own: TwinShader['uniforms'] = {};
+  for (const name in UniformsLib.lights) if (name in uniforms) own[name] = { ...uniforms[name] };
+  return own;
 }
 
 /**
@@ -40,7 +47,11 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   );
   own('onBeforeCompile', (shader: TwinShader, webgl: WebGLRenderer) => {
     source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);
-    shader.uniforms = { ...shader.uniforms, ...context.uniforms } as TwinShader['uniforms'];
+    shader.uniforms = {
+      ...shader.uniforms,
+      ...ownLights(shader.uniforms),
+      ...context.uniforms,
+    } as TwinShader['uniforms'];
     kind.patch(shader, source, context.header(chunks));
   });
   // what a kind computes, it computes at each draw

@@ -86,6 +86,8 @@ export class ShadowCasters {
   }
 
   private see(object: Object3D): void {
+    const { geometry, material } = object as Partial<Mesh>;
+    if (!geometry || !material) return; // three says what is wrong, if it draws the object at all
     let caster = this.known.get(object);
     if (caster === undefined) {
       caster = makeCaster(object);

@@ -11,6 +11,7 @@ export class ShadowMapCalls {
   private shadowMap: WebGLShadowMap;
   private own: WebGLShadowMap['render'];
   private autoUpdate = true;
+  private fail!: (error: unknown) => void;
 
   /** @param draw draws Farol's */
   constructor(
@@ -21,10 +22,14 @@ export class ShadowMapCalls {
     this.own = webgl.shadowMap.render;
   }
 
-  /** @param view the scene as the frame shows it to three */
-  begin(view: Object3D): void {
+  /**
+   * @param view the scene as the frame shows it to three
+   * @param fail gets an exception in the frame's own maps
+   */
+  begin(view: Object3D, fail: (error: unknown) => void): void {
     const { shadowMap } = this.webgl;
     this.view = view;
+    this.fail = fail;
     this.shadowMap = shadowMap;
     this.own = shadowMap.render;
     this.autoUpdate = shadowMap.autoUpdate;
@@ -36,12 +41,26 @@ export class ShadowMapCalls {
   }
 
   private readonly render = (lights: Light[], scene: Scene, camera: Camera) => {
-    const { shadowMap } = this;
+    const { shadowMap, webgl } = this;
+    if (scene === this.view) {
+      const target = webgl.getRenderTarget();
+      const face = webgl.getActiveCubeFace();
+      const level = webgl.getActiveMipmapLevel();
+      try {
+        this.own.call(shadowMap, lights, scene, camera);
+        this.draw();
+      } catch (error) {
+        webgl.setRenderTarget(target, face, level);
+        this.fail(error);
+      }
+      return;
+    }
     const updates = shadowMap.autoUpdate;
-    const isFrame = scene === this.view;
-    if (!isFrame) shadowMap.autoUpdate = this.autoUpdate;
-    this.own.call(shadowMap, lights, scene, camera);
-    shadowMap.autoUpdate = updates;
-    if (isFrame) this.draw();
+    shadowMap.autoUpdate = this.autoUpdate;
+    try {
+      this.own.call(shadowMap, lights, scene, camera);
+    } finally {
+      shadowMap.autoUpdate = updates;
+    }
   };
 }

@@ -104,6 +104,8 @@ export class TAA implements FarolEffect {
   private average: PassMaterial | null = null;
   private shared: Picture | null = null;
   private frames = 0;
+  /** From `begin` to `end`: found at `begin`, an exception has ended the last frame. */
+  private open = false;
   private contextLists: unknown = null;
 
   constructor(private readonly options: TAAOptions = {}) {}
@@ -121,8 +123,9 @@ export class TAA implements FarolEffect {
 
   begin(frame: Frame): void {
     this.frames++;
-    // three makes them anew when a lost context is back: what the targets held is gone
-    if (this.contextLists !== frame.webgl.renderLists) this.reset();
+    // what the targets hold is of a frame that broke, or gone with a lost context: three then makes its lists anew
+    if (this.open || this.contextLists !== frame.webgl.renderLists) this.reset();
+    this.open = true;
     this.contextLists = frame.webgl.renderLists;
     this.shared = Picture.of(frame);
     this.shared.begin(frame);
@@ -164,6 +167,7 @@ export class TAA implements FarolEffect {
     }
     picture.encoded = false;
     picture.end(frame);
+    this.open = false;
   }
 
   dispose(): void {
