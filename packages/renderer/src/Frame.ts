@@ -56,6 +56,10 @@ interface Framebuffers {
   readonly __webglMultisampledFramebuffer: WebGLFramebuffer;
 }
 
+interface Textures {
+  readonly __webglTexture: WebGLTexture;
+}
+
 const TRANSPARENT = new Vector4(0, 0, 0, 0);
 const size = new Vector2();
 
@@ -207,6 +211,16 @@ export class Frame {
   resolve(target: WebGLRenderTarget): void {
     const { gl } = this;
     this.copy(target, '__webglMultisampledFramebuffer', target, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  /** Brings what was drawn to three's transmission target, which is bound, into its texture and mipmaps once more. */
+  resolveTransmission(): void {
+    const { gl, webgl } = this;
+    const target = webgl.getRenderTarget() as WebGLRenderTarget;
+    this.copy(target, '__webglMultisampledFramebuffer', target, gl.COLOR_BUFFER_BIT);
+    webgl.state.bindTexture(gl.TEXTURE_2D, (webgl.properties.get(target.texture) as Textures).__webglTexture);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    webgl.state.unbindTexture();
   }
 
   /** Copies depth between targets of one size, both with a depth texture of the same format. */

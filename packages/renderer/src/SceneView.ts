@@ -1,6 +1,7 @@
 import {
   BufferGeometry,
   type Camera,
+  DoubleSide,
   type Light,
   Material,
   Mesh,
@@ -40,6 +41,9 @@ export interface ShadowDraws {
   readonly calls: ShadowMapCalls;
 }
 
+/** @param backs only the back faces of what transmits and is double-sided, into three's transmission target */
+export type DrawScene = (backs: boolean) => void;
+
 /** Render lists are kept by nesting depth of render calls; a render inside a render inside a render is the most met. */
 const NESTING = 3;
 
@@ -58,6 +62,9 @@ export class SceneView {
   private lights: readonly Light[] = [];
   private readonly masks: number[] = [];
   private readonly driver: Mesh;
+  /** Stands for all that transmits: three fills its transmission target only if something does. */
+  private readonly glass: Mesh;
+  private transmits = false;
   private lists: RenderList[] = [];
   private takenFrom: unknown = null;
   private queue: RenderQueue | null = null;
@@ -67,7 +74,7 @@ export class SceneView {
   private keeps = false;
   /** How what draws must fill the target, since three was kept from clearing it; null if it was not. */
   uncleared: Fills | null = null;
-  private draw: (() => void) | null = null;
+  private draw: DrawScene | null = null;
 
   constructor(
     private readonly webgl: WebGLRenderer,
@@ -89,7 +96,13 @@ export class SceneView {
     }
     this.own('children', this.children);
     this.own('matrixWorldAutoUpdate', false);
-    this.driver = this.makeDriver();
+    this.driver = makeDriver(() => {
+      this.restoreClear();
+      this.draw?.(false);
+    });
+    this.glass = makeDriver(() => this.draw?.(true));
+    // where three would draw the back faces of what is like this
+    Object.assign(this.glass.material, { transmission: 1, side: DoubleSide });
     this.takeLists();
   }
 
@@ -98,7 +111,7 @@ export class SceneView {
    * @param lights the lights to hide that three's traversal would meet below the root
    * @param rest what three's traversal meets of the root: its children without managed lights, see `FoundLights`
    * @param queue gets the items in three's order
-   * @param draw does the drawing; called once more for three's transmission target if something transmits
+   * @param draw does the drawing; called for three's transmission target too if something transmits
    * @param fills how what draws can fill the target, so that three need not clear it
    * @param shadows what is to be drawn where three draws its shadow maps
    */
@@ -107,7 +120,7 @@ export class SceneView {
     lights: readonly Light[],
     rest: readonly Object3D[],
     queue: RenderQueue,
-    draw: () => void,
+    draw: DrawScene,
     fills: Fills | null,
     shadows: ShadowDraws | null = null,
   ): void {
@@ -190,17 +203,6 @@ export class SceneView {
     return background === null ? webgl.autoClear : 'isColor' in background;
   }
 
-  /** An item that draws nothing. three asks for its layers where it would draw it: that is the place where Farol draws. */
-  private makeDriver(): Mesh {
-    const driver = new Mesh(new BufferGeometry(), new Material());
-    driver.layers.test = () => {
-      this.restoreClear();
-      this.draw?.();
-      return false;
-    };
-    return driver;
-  }
-
   private takeLists(): void {
     this.lists = [];
     this.takenFrom = this.webgl.renderLists;
@@ -213,12 +215,12 @@ export class SceneView {
         const override = this.view.overrideMaterial ?? null;
         if (camera.reversedDepth === true) z = -z;
         this.queue?.push(object, geometry, material, groupOrder, z, group, override);
-        // three then fills its transmission target, through the driver
-        if (((material as Material & { transmission?: number }).transmission ?? 0) > 0) {
-          push(object, geometry, material, groupOrder, z, group, camera);
-        }
+        if (this.transmits || !(((material as Material & { transmission?: number }).transmission ?? 0) > 0)) return;
+        this.transmits = true;
+        push(this.glass, this.glass.geometry, this.glass.material as Material, 0, 0, null, camera);
       };
       list.init = () => {
+        this.transmits = false;
         this.hide();
         init();
       };
@@ -236,4 +238,14 @@ export class SceneView {
   }
 
   private readonly anyCamera = { reversedDepth: false } as unknown as Camera;
+}
+
+/** An item that draws nothing. three asks for its layers where it would draw it: that is the place where Farol draws. */
+function makeDriver(draw: () => void): Mesh {
+  const driver = new Mesh(new BufferGeometry(), new Material());
+  driver.layers.test = () => {
+    draw();
+    return false;
+  };
+  return driver;
 }
