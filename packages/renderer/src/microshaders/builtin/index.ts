@@ -27,6 +27,7 @@ import lightTable from './lightTable.glsl?raw';
 import lightTiles from './lightTiles.glsl?raw';
 import lightVolumeCone from './lightVolumeCone.glsl?raw';
 import lightVolumeFragment from './lightVolumeFragment.glsl?raw';
+import lightVolumeWide from './lightVolumeWide.glsl?raw';
 import lightVolumeSphere from './lightVolumeSphere.glsl?raw';
 import octahedralNormal from './octahedralNormal.glsl?raw';
 import output from './output.glsl?raw';
@@ -74,6 +75,7 @@ const sources = {
   lightVolumeCone,
   lightVolumeFragment,
   lightVolumeSphere,
+  lightVolumeWide,
   octahedralNormal,
   output,
   shadePlain,

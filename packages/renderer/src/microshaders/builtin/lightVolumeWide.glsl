@@ -1,0 +1,17 @@
+// A triangle over the whole picture, for a light volume so wide that 32-bit floats cannot clip it where it passes the camera.
+// Farol
+#include "depthMode"
+uniform highp mat4 projectionMatrix;
+
+// sphere: centre (view space) and radius (m)
+bool farol_isTooWide(const in vec4 sphere) {
+  if (projectionMatrix[2][3] == 0.0) return sphere.w * max(abs(projectionMatrix[0][0]), abs(projectionMatrix[1][1])) > 1e5;
+  float near = abs(projectionMatrix[3][2] / (projectionMatrix[2][2] + (farol_depthMode.x > 0.0 ? 1.0 : -1.0)));
+  return sphere.w > 1e5 * near && -sphere.z - sphere.w * 1.1 < near;
+}
+
+// at the far end of depth, its back to the camera
+vec4 farol_wholePicture() {
+  if (gl_VertexID > 2) return vec4(0.0, 0.0, 0.0, 1.0);
+  return vec4(gl_VertexID == 2 ? 3.0 : -1.0, gl_VertexID == 1 ? 3.0 : -1.0, farol_depthMode.x > 0.0 ? 0.0 : 1.0, 1.0);
+}
