@@ -9,6 +9,7 @@ import {
   type Scene,
   type ShaderMaterial,
   type Texture,
+  UnsignedShortType,
   Vector2,
   Vector4,
   type WebGLRenderer,
@@ -17,6 +18,7 @@ import {
 import type { View } from './debug/views';
 import type { Fills } from './techniques/Technique';
 import type { GBuffer } from './gbuffer/GBuffer';
+import { farthestTold, needsStoredDistance } from './gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from './gbuffer/gbufferLayout';
 import type { LightTable } from './lights/LightTable';
 import type { ForwardTwins } from './materials/forwardTwin';
@@ -25,6 +27,7 @@ import { plainBack, plainFront, plainWhole } from './materials/plainTwins';
 import type { TwinCache } from './materials/TwinCache';
 import type { TwinKind } from './materials/TwinKind';
 import type { MicroShaderRegistry } from './microshaders';
+import { logarithmicFar } from './passes/unprojectUniforms';
 import type { GeometryGroup, RenderItem } from './RenderItem';
 import { RenderQueue } from './RenderQueue';
 
@@ -94,6 +97,8 @@ export class Frame {
   gbufferLayout: readonly GBufferAttachment[] = gbufferLayout;
   /** Set by an effect: takes the place of the G-buffer's accumulation. */
   accumulation: Texture | null = null;
+  /** Depth is too coarse to rebuild positions from: surfaces store how far they are. */
+  storesDistance = false;
   private readonly canvasStencil: boolean;
   /** Whether the canvas's colours are multiplied by alpha. */
   readonly premultiplied: boolean;
@@ -135,6 +140,12 @@ export class Frame {
     this.level = webgl.getActiveMipmapLevel();
     webgl.getCurrentViewport(this.viewport);
     this.resize();
+    const { elements } = camera.projectionMatrix;
+    const reversed = webgl.state.buffers.depth.getReversed();
+    const logarithmic = logarithmicFar(camera, webgl);
+    this.storesDistance = needsStoredDistance(elements, reversed || logarithmic > 0);
+    const coarse = this.target?.depthTexture?.type === UnsignedShortType;
+    this.queue.watchFar(camera, farthestTold(elements, reversed, logarithmic, coarse));
   }
 
   /** In place of the canvas, three draws to a buffer of its own where it was made with an `outputBufferType`. */
@@ -196,6 +207,13 @@ export class Frame {
       farDepth[0] = webgl.state.buffers.depth.getReversed() ? 0 : 1;
       gl.clearBufferfv(gl.DEPTH, 0, farDepth);
     }
+  }
+
+  /** Clears one attachment of the bound target to zeros. */
+  clearOne(attachment: number): void {
+    this.webgl.state.buffers.color.setMask(true);
+    TRANSPARENT.toArray(clearValue);
+    this.gl.clearBufferfv(this.gl.COLOR, attachment, clearValue);
   }
 
   /** Draws only to the lower right quarter from here on. */

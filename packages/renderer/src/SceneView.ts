@@ -171,7 +171,7 @@ export class SceneView {
   private keepFromClearing(): void {
     const { webgl, autoClear, queue } = this;
     const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;
-    this.uncleared = fills === 'behind' && !queue!.covers ? null : fills;
+    this.uncleared = fills === 'behind' && (!queue!.covers || queue!.reachesFar) ? null : fills;
     if (this.uncleared === null) return;
     autoClear[0] = webgl.autoClear;
     autoClear[1] = webgl.autoClearColor;

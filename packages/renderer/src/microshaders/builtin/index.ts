@@ -36,6 +36,7 @@ import shadePlain from './shadePlain.glsl?raw';
 import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import shadeToon from './shadeToon.glsl?raw';
+import storedDistance from './storedDistance.glsl?raw';
 import tileDepth from './tileDepth.glsl?raw';
 import tileDepthBlocks from './tileDepthBlocks.glsl?raw';
 import tiledOutput from './tiledOutput.glsl?raw';
@@ -83,6 +84,7 @@ const sources = {
   shading,
   shadeThree,
   shadeToon,
+  storedDistance,
   tileDepth,
   tileDepthBlocks,
   tiledOutput,

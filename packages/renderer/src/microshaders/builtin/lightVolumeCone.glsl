@@ -23,11 +23,11 @@ if (corner > 0) {
   float angle = float(triangle + ((corner == 1) == cap ? 0 : 1)) * 6.28318531 / float(SEGMENTS);
   offset = axis * apex.w + radius * (cos(angle) * side + sin(angle) * up);
 }
-if (farol_isTooWide(vec4(apex.xyz, length(vec2(apex.w, radius))))) {
+vec4 around = vec4(apex.xyz, length(vec2(apex.w, radius)));
+if (farol_isTooWide(around)) {
   gl_Position = farol_wholePicture();
 } else {
   gl_Position = projectionMatrix * vec4(apex.xyz + offset, 1.0);
-  // what lies beyond the far plane still covers its pixels
-  gl_Position.z = farol_beforeFar(gl_Position);
+  gl_Position.z = farol_volumeZ(gl_Position, around);
   gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;
 }

@@ -22,7 +22,6 @@ if (farol_isTooWide(centre)) {
   gl_Position = farol_wholePicture();
 } else {
   gl_Position = projectionMatrix * vec4(centre.xyz + offset, 1.0);
-  // what lies beyond the far plane still covers its pixels
-  gl_Position.z = farol_beforeFar(gl_Position);
+  gl_Position.z = farol_volumeZ(gl_Position, centre);
   gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;
 }
