@@ -1,4 +1,4 @@
-import { type ArrayCamera, type Camera, Object3D, type Scene, type WebGLRenderer } from 'three';
+import { type ArrayCamera, type Camera, DoubleSide, Object3D, type Scene, type WebGLRenderer } from 'three';
 import { adoptDepth } from './adoptDepth';
 import { clearValue } from './clearValue';
 import { checkDevice } from './checkDevice';
@@ -16,6 +16,7 @@ import { LightFinder } from './LightFinder';
 import { LightTable } from './lights/LightTable';
 import { forwardTwins } from './materials/forwardTwin';
 import { resetLayers } from './materials/layersAttribute';
+import { plainBack } from './materials/plainTwins';
 import { TwinCache } from './materials/TwinCache';
 import type { MicroShaderRegistry } from './microshaders';
 import { addMicroShaders } from './microshaders/addMicroShaders';
@@ -100,7 +101,7 @@ export class FarolRenderer {
   private draws = false;
   private readonly shadowAtlasSize: number | null;
   private activeEffects = NO_EFFECTS;
-  private readonly draw = () => this.drawFrame();
+  private readonly draw = (backs: boolean) => (backs ? this.drawTransmittedBacks() : this.drawFrame());
   private readonly begun = () => this.frame.takeOutputBuffer();
   private readonly shadowDraws = {
     stands: [] as readonly Object3D[],
@@ -387,6 +388,19 @@ export class FarolRenderer {
     if (frame.view === 'grid') this.showSurface();
     picker.rehearse(this.sceneView.chooser, frame, this.activeEffects);
     frame.bindTarget();
+  }
+
+  /** Called inside three's render after that, for its transmission target: what transmits is seen through its own back faces. */
+  private drawTransmittedBacks(): void {
+    const { frame } = this;
+    const { back } = this.transmittedTwins('final');
+    let drawn = false;
+    for (const item of frame.queue.transmissive) {
+      if (item.material.side !== DoubleSide) continue;
+      frame.drawTwin(item, item.lit ? back : plainBack);
+      drawn = true;
+    }
+    if (drawn) frame.resolveTransmission();
   }
 
   /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */

@@ -9,6 +9,7 @@ import {
   type Scene,
   type ShaderMaterial,
   type Texture,
+  UnsignedShortType,
   Vector2,
   Vector4,
   type WebGLRenderer,
@@ -17,6 +18,7 @@ import {
 import type { View } from './debug/views';
 import type { Fills } from './techniques/Technique';
 import type { GBuffer } from './gbuffer/GBuffer';
+import { farthestTold, needsStoredDistance } from './gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from './gbuffer/gbufferLayout';
 import type { LightTable } from './lights/LightTable';
 import type { ForwardTwins } from './materials/forwardTwin';
@@ -25,6 +27,7 @@ import { plainBack, plainFront, plainWhole } from './materials/plainTwins';
 import type { TwinCache } from './materials/TwinCache';
 import type { TwinKind } from './materials/TwinKind';
 import type { MicroShaderRegistry } from './microshaders';
+import { logarithmicFar } from './passes/unprojectUniforms';
 import type { GeometryGroup, RenderItem } from './RenderItem';
 import { RenderQueue } from './RenderQueue';
 
@@ -54,6 +57,10 @@ type MaterialCallback = (
 interface Framebuffers {
   readonly __webglFramebuffer: WebGLFramebuffer;
   readonly __webglMultisampledFramebuffer: WebGLFramebuffer;
+}
+
+interface Textures {
+  readonly __webglTexture: WebGLTexture;
 }
 
 const TRANSPARENT = new Vector4(0, 0, 0, 0);
@@ -90,6 +97,8 @@ export class Frame {
   gbufferLayout: readonly GBufferAttachment[] = gbufferLayout;
   /** Set by an effect: takes the place of the G-buffer's accumulation. */
   accumulation: Texture | null = null;
+  /** Depth is too coarse to rebuild positions from: surfaces store how far they are. */
+  storesDistance = false;
   private readonly canvasStencil: boolean;
   /** Whether the canvas's colours are multiplied by alpha. */
   readonly premultiplied: boolean;
@@ -131,6 +140,12 @@ export class Frame {
     this.level = webgl.getActiveMipmapLevel();
     webgl.getCurrentViewport(this.viewport);
     this.resize();
+    const { elements } = camera.projectionMatrix;
+    const reversed = webgl.state.buffers.depth.getReversed();
+    const logarithmic = logarithmicFar(camera, webgl);
+    this.storesDistance = needsStoredDistance(elements, reversed || logarithmic > 0);
+    const coarse = this.target?.depthTexture?.type === UnsignedShortType;
+    this.queue.watchFar(camera, farthestTold(elements, reversed, logarithmic, coarse));
   }
 
   /** In place of the canvas, three draws to a buffer of its own where it was made with an `outputBufferType`. */
@@ -194,6 +209,13 @@ export class Frame {
     }
   }
 
+  /** Clears one attachment of the bound target to zeros. */
+  clearOne(attachment: number): void {
+    this.webgl.state.buffers.color.setMask(true);
+    TRANSPARENT.toArray(clearValue);
+    this.gl.clearBufferfv(this.gl.COLOR, attachment, clearValue);
+  }
+
   /** Draws only to the lower right quarter from here on. */
   quarter(): void {
     const { viewport } = this;
@@ -207,6 +229,16 @@ export class Frame {
   resolve(target: WebGLRenderTarget): void {
     const { gl } = this;
     this.copy(target, '__webglMultisampledFramebuffer', target, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  /** Brings what was drawn to three's transmission target, which is bound, into its texture and mipmaps once more. */
+  resolveTransmission(): void {
+    const { gl, webgl } = this;
+    const target = webgl.getRenderTarget() as WebGLRenderTarget;
+    this.copy(target, '__webglMultisampledFramebuffer', target, gl.COLOR_BUFFER_BIT);
+    webgl.state.bindTexture(gl.TEXTURE_2D, (webgl.properties.get(target.texture) as Textures).__webglTexture);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    webgl.state.unbindTexture();
   }
 
   /** Copies depth between targets of one size, both with a depth texture of the same format. */

@@ -1,4 +1,4 @@
-import { type BufferGeometry, Material, type Object3D } from 'three';
+import { type BufferGeometry, type Camera, Material, type Object3D, type Sphere } from 'three';
 import { isOrderSensitive, isPlainOpaque } from './gbuffer/shadingModel';
 import { isLit } from './materials/isLit';
 import type { TwinKind } from './materials/TwinKind';
@@ -22,6 +22,22 @@ function byState(a: RenderItem, b: RenderItem): number {
 /** three's default order of transparent items: by group, render order, then back to front. */
 function backToFront(a: RenderItem, b: RenderItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
+}
+
+/** The greatest distance along the view of what an object's bounding sphere holds (m), Infinity where it has none. */
+function farEnd(object: Object3D, geometry: BufferGeometry, camera: Camera): number {
+  const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
+  if (sphere === null || !object.frustumCulled) return Infinity;
+  const m = object.matrixWorld.elements;
+  const v = camera.matrixWorldInverse.elements;
+  const { x, y, z } = sphere.center;
+  const wx = m[0] * x + m[4] * y + m[8] * z + m[12];
+  const wy = m[1] * x + m[5] * y + m[9] * z + m[13];
+  const wz = m[2] * x + m[6] * y + m[10] * z + m[14];
+  const xs = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
+  const ys = m[4] * m[4] + m[5] * m[5] + m[6] * m[6];
+  const zs = m[8] * m[8] + m[9] * m[9] + m[10] * m[10];
+  return sphere.radius * Math.sqrt(Math.max(xs, ys, zs)) - (v[2] * wx + v[6] * wy + v[10] * wz + v[14]);
 }
 
 function hasOwnShader(material: Material): boolean {
@@ -49,6 +65,11 @@ export class RenderQueue {
   shadowMasks: ShadowMaskMaterials | null = null;
   /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
   covers = true;
+  /** True if something opaque may be as far as depth can tell it from nothing, see `watchFar`. */
+  reachesFar = false;
+  private camera!: Camera;
+  /** The distance (m) from which it is so. */
+  farthest = Infinity;
   /** How many opaque items, from the first on, are to be drawn into the target before anything else. */
   early = 0;
   /** True if an opaque item must be drawn in three's order. */
@@ -65,8 +86,15 @@ export class RenderQueue {
     this.covers = true;
     this.ordered = false;
     this.early = 0;
+    this.reachesFar = this.farthest === -Infinity;
     this.hasLitTransparents = false;
     this.opaques = this.transmissives = this.transparents = 0;
+  }
+
+  /** From the next `clear` on, opaque items are looked at for what lies beyond a distance along the view (m). */
+  watchFar(camera: Camera, distance: number): void {
+    this.camera = camera;
+    this.farthest = distance;
   }
 
   push(
@@ -106,6 +134,8 @@ export class RenderQueue {
     item.drawn = false;
     const ownShader = list === this.opaque && hasOwnShader(material);
     item.splits = item.plain && item.lit && !ownShader;
+    if (list === this.opaque && !this.reachesFar && this.farthest !== Infinity)
+      this.reachesFar = !(farEnd(object, geometry, this.camera) <= this.farthest);
     if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!item.plain || ownShader)) this.covers = false;
     if (list === this.opaque && !item.plain && isOrderSensitive(material)) this.ordered = true;

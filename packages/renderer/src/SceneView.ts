@@ -1,6 +1,7 @@
 import {
   BufferGeometry,
   type Camera,
+  DoubleSide,
   type Light,
   Material,
   Mesh,
@@ -45,6 +46,9 @@ export interface ShadowDraws {
   readonly calls: ShadowMapCalls;
 }
 
+/** @param backs only the back faces of what transmits and is double-sided, into three's transmission target */
+export type DrawScene = (backs: boolean) => void;
+
 const NOTHING = () => undefined;
 const NEVER = [false, false, false, false];
 
@@ -68,6 +72,9 @@ export class SceneView {
   /** What the host's code has thrown in this frame, kept until three's `render` has put its stacks in order. */
   private failed = false;
   private error: unknown;
+  /** Stands for all that transmits: three fills its transmission target only if something does. */
+  private readonly glass: Mesh;
+  private transmits = false;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
   /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
@@ -75,7 +82,7 @@ export class SceneView {
   private keeps = false;
   /** How what draws must fill the target, since three was kept from clearing it; null if it was not. */
   uncleared: Fills | null = null;
-  private draw: (() => void) | null = null;
+  private draw: DrawScene | null = null;
 
   constructor(
     private readonly webgl: WebGLRenderer,
@@ -94,7 +101,13 @@ export class SceneView {
     }
     this.own('children', this.children);
     this.own('matrixWorldAutoUpdate', false);
-    this.driver = this.makeDriver();
+    this.driver = makeDriver(() => {
+      this.restoreClear();
+      this.drawAll(false);
+    });
+    this.glass = makeDriver(() => this.drawAll(true));
+    // where three would draw the back faces of what is like this
+    Object.assign(this.glass.material, { transmission: 1, side: DoubleSide });
     this.takeList();
   }
 
@@ -103,7 +116,7 @@ export class SceneView {
    * @param lights the lights to hide that three's traversal would meet below the root
    * @param rest what three's traversal meets of the root: its children without managed lights, see `FoundLights`
    * @param queue gets the items in three's order
-   * @param draw does the drawing; called once more for three's transmission target if something transmits
+   * @param draw does the drawing; called for three's transmission target too if something transmits
    * @param fills how what draws can fill the target, so that three need not clear it
    * @param shadows what is to be drawn where three draws its shadow maps
    */
@@ -112,7 +125,7 @@ export class SceneView {
     lights: readonly Light[],
     rest: readonly Object3D[],
     queue: RenderQueue,
-    draw: () => void,
+    draw: DrawScene,
     fills: Fills | null,
     shadows: ShadowDraws | null = null,
   ): void {
@@ -180,7 +193,7 @@ export class SceneView {
   private keepFromClearing(): void {
     const { webgl, autoClear, queue } = this;
     const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;
-    this.uncleared = fills === 'behind' && !queue!.covers ? null : fills;
+    this.uncleared = fills === 'behind' && (!queue!.covers || queue!.reachesFar) ? null : fills;
     if (this.uncleared === null) return;
     autoClear[0] = webgl.autoClear;
     autoClear[1] = webgl.autoClearColor;
@@ -212,25 +225,14 @@ export class SceneView {
     return background === null ? webgl.autoClear : 'isColor' in background;
   }
 
-  /** An item that draws nothing. three asks for its layers where it would draw it: that is the place where Farol draws. */
-  private makeDriver(): Mesh {
-    const driver = new Mesh(new BufferGeometry(), new Material());
-    driver.layers.test = () => {
-      this.restoreClear();
-      this.drawAll();
-      return false;
-    };
-    return driver;
-  }
-
-  private drawAll(): void {
+  private drawAll(backs: boolean): void {
     if (this.failed) return;
     const { webgl } = this;
     const target = webgl.getRenderTarget();
     const face = webgl.getActiveCubeFace();
     const level = webgl.getActiveMipmapLevel();
     try {
-      this.draw?.();
+      this.draw?.(backs);
     } catch (error) {
       this.fail(error);
       webgl.setRenderTarget(target, face, level);
@@ -248,12 +250,12 @@ export class SceneView {
       const override = this.view.overrideMaterial ?? null;
       if (camera.reversedDepth === true) z = -z;
       this.queue?.push(object, geometry, material, groupOrder, z, group, override);
-      // three then fills its transmission target, through the driver
-      if (((material as Material & { transmission?: number }).transmission ?? 0) > 0) {
-        push(object, geometry, material, groupOrder, z, group, camera);
-      }
+      if (this.transmits || !(((material as Material & { transmission?: number }).transmission ?? 0) > 0)) return;
+      this.transmits = true;
+      push(this.glass, this.glass.geometry, this.glass.material as Material, 0, 0, null, camera);
     };
     list.init = () => {
+      this.transmits = false;
       this.hide();
       init();
     };
@@ -278,4 +280,14 @@ export class SceneView {
     scene === this.view ? this.list : this.getList(scene, depth);
 
   private readonly anyCamera = { reversedDepth: false } as unknown as Camera;
+}
+
+/** An item that draws nothing. three asks for its layers where it would draw it: that is the place where Farol draws. */
+function makeDriver(draw: () => void): Mesh {
+  const driver = new Mesh(new BufferGeometry(), new Material());
+  driver.layers.test = () => {
+    draw();
+    return false;
+  };
+  return driver;
 }

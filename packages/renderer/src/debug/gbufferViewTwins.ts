@@ -22,7 +22,7 @@ export const unlitViewTwin: TwinKind = {
   patch(shader: TwinShader) {
     const at = shader.fragmentShader.lastIndexOf('}');
     shader.fragmentShader = `${OUTPUTS}${shader.fragmentShader.slice(0, at)}
-farol_outNormal = vec4(0.0); farol_outAlbedo = vec4(0.0, 0.0, 0.0, 0.0); farol_outMaterial = vec4(0.0);
+farol_outNormal = vec4(0.0); farol_outAlbedo = vec4(0.0, 0.0, 0.0, 32.0 / 255.0); farol_outMaterial = vec4(0.0);
 }`;
   },
 };

@@ -10,7 +10,7 @@ uniform int farol_view; // 0 albedo, 1 normal, 2 depth, 3 position, 4 roughness,
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
 float depth = texelFetch(farol_gDepth, pixel, 0).r;
 gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);
-if (!farol_isEmpty(depth)) {
+if (!farol_isEmptyPixel(pixel, depth)) {
   FarolSurface surface = farol_readSurface(pixel, depth, farol_size);
   int model = surface.flags & 3;
   if (farol_view == 0) gl_FragColor = linearToOutputTexel(vec4(surface.albedo, 1.0));

@@ -1,4 +1,4 @@
-import { DepthTexture, FloatType, NearestFilter, type WebGLRenderer } from 'three';
+import { DepthTexture, FloatType, NearestFilter, RGBAFormat, type WebGLRenderer } from 'three';
 import { gbufferLayout, type GBufferAttachment } from './gbufferLayout';
 import { WebGLMultipleRenderTargets } from './WebGLMultipleRenderTargets';
 
@@ -8,11 +8,13 @@ export class GBuffer {
 
   /**
    * @param layout begins as `gbufferLayout`; an effect may want more
+   * @param storesDistance how far surfaces are is stored beside their normals: positions come from there, not from depth
    * @throws Error when the device has fewer draw buffers than the layout has attachments
    */
   constructor(
     webgl: WebGLRenderer,
     readonly layout: readonly GBufferAttachment[] = gbufferLayout,
+    readonly storesDistance = false,
   ) {
     const gl = webgl.getContext() as WebGL2RenderingContext;
     const most = gl.getParameter(gl.MAX_DRAW_BUFFERS) as number;
@@ -29,7 +31,7 @@ export class GBuffer {
     layout.forEach(({ name, format, type }, i) => {
       const texture = this.target.textures[i];
       texture.name = `G-buffer ${name}`;
-      texture.format = format;
+      texture.format = name === 'normal' && storesDistance ? RGBAFormat : format;
       texture.type = type;
     });
   }
@@ -52,7 +54,7 @@ export class GBuffer {
 
   /** Bytes of all attachments and depth. */
   get bytes(): number {
-    const perPixel = this.layout.reduce((sum, a) => sum + a.bytes, 4);
+    const perPixel = this.layout.reduce((sum, a) => sum + a.bytes, this.storesDistance ? 8 : 4);
     return this.target.width * this.target.height * perPixel;
   }
 

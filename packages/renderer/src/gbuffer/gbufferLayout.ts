@@ -20,7 +20,7 @@ export const gbufferLayout = [
     type: HalfFloatType,
     bytes: 8,
   },
-  // view-space normal, octahedral
+  // view-space normal, octahedral; of four numbers where depth is too coarse: the distance too, see storedDistance.glsl
   { name: 'normal', format: RGFormat, type: HalfFloatType, bytes: 4 },
   // rgb: square root of the albedo; a: flags (shading model, fog, tone mapped, receives shadows) / 255
   {

@@ -1,4 +1,4 @@
-import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, Vector4, WebGLRenderTarget } from 'three';
+import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, RGFormat, Vector4, WebGLRenderTarget } from 'three';
 import type { Frame } from '../Frame';
 import { thinGBufferLayout } from './thinGBufferLayout';
 import { isLightBufferMaterial } from './isLightBufferMaterial';
@@ -41,7 +41,9 @@ export class ThinGBufferPass implements Pass {
   }
 
   get bytes(): number {
-    return this.target ? this.target.width * this.target.height * (thinGBufferLayout.bytes + 4) : 0;
+    return this.target
+      ? this.target.width * this.target.height * (thinGBufferLayout.bytes + 4 * this.target.textures.length)
+      : 0;
   }
 
   render(frame: Frame): void {
@@ -87,13 +89,9 @@ export class ThinGBufferPass implements Pass {
     const height = gridTexels(frame.height, scale);
     this.scale.value = scale;
     gridFit(frame.width, frame.height, scale, this.fit.value);
-    this.target ??= new WebGLRenderTarget(1, 1, {
-      format: thinGBufferLayout.format,
-      type: thinGBufferLayout.type,
-      minFilter: NearestFilter,
-      magFilter: NearestFilter,
-      depthTexture: new DepthTexture(1, 1, FloatType),
-    });
+    // what stores distances goes on to: cameras may take turns
+    if (frame.storesDistance && this.target?.textures.length === 1) this.dispose();
+    this.target ??= makeTarget(frame.storesDistance);
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     frame.bind(this.target);
     frame.clear(1, true);
@@ -105,4 +103,18 @@ export class ThinGBufferPass implements Pass {
       if (this.isStippled(item)) layer = drawLayers(frame, item, this.twins.stippled, this.items.length, layer);
     }
   }
+}
+
+/** @param storesDistance with an attachment more, of how far each texel is, see storedDistance.glsl */
+function makeTarget(storesDistance: boolean): WebGLRenderTarget {
+  const target = new WebGLRenderTarget(1, 1, {
+    count: storesDistance ? 2 : 1,
+    format: thinGBufferLayout.format,
+    type: thinGBufferLayout.type,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    depthTexture: new DepthTexture(1, 1, FloatType),
+  });
+  if (storesDistance) target.textures[1].format = RGFormat;
+  return target;
 }

@@ -30,7 +30,7 @@ ivec2 farol_texelAt(const in FarolReader reader, const in ivec2 place) {
 // x: how well a texel stands for the surface, 0 (another object or depth) to 1; y: how badly, for lack of a better one
 vec2 farol_agreement(const in FarolReader reader, const in ivec2 texel) {
   vec4 thin = texelFetch(farol_thinSurface, texel, 0);
-  vec3 there = farol_thinPosition(texel, reader.size, texelFetch(farol_thinDepth, texel, 0).r);
+  vec3 there = farol_thinPosition(texel, reader.size);
   float off = abs(dot(there - reader.positionVS, reader.normalVS)) / reader.reach;
   float cosine = clamp(dot(farol_decodeNormal(thin.xy), reader.normalVS), 0.0, 1.0);
   bool same = abs(thin.w) == reader.object;

@@ -3,12 +3,14 @@ import type { Frame } from '../Frame';
 import { gridShift } from './gridFit';
 import type { LightBufferPass } from './LightBufferPass';
 import type { ThinGBufferPass } from './ThinGBufferPass';
+import { storedKind } from '../passes/gbufferUniforms';
 import { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../passes/unprojectUniforms';
 
 /** Uniforms of thinGBufferRead.glsl. */
 export interface ThinGBufferUniforms extends UnprojectUniforms {
   farol_thinSurface: IUniform<Texture | null>;
   farol_thinDepth: IUniform<Texture | null>;
+  farol_thinStored: IUniform<number>;
   /** Texels. */
   farol_size: IUniform<Vector2>;
   /** From the picture's normalised device coordinates to the buffer's. */
@@ -28,6 +30,7 @@ export function thinGBufferUniforms(): ThinGBufferUniforms {
     ...unprojectUniforms(),
     farol_thinSurface: { value: null },
     farol_thinDepth: { value: null },
+    farol_thinStored: { value: 0 },
     farol_size: { value: new Vector2() },
     farol_fit: { value: new Vector4() },
   };
@@ -46,7 +49,9 @@ export function lightBufferUniforms(): LightBufferUniforms {
 export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: ThinGBufferPass, frame: Frame): void {
   const target = source.target!;
   uniforms.farol_thinSurface.value = target.texture;
-  uniforms.farol_thinDepth.value = target.depthTexture;
+  const distances = target.textures[1];
+  uniforms.farol_thinDepth.value = distances ?? target.depthTexture;
+  uniforms.farol_thinStored.value = distances === undefined ? 0 : storedKind(frame.camera);
   uniforms.farol_size.value.set(target.width, target.height);
   setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
   const { x, y, z, w } = source.fit.value;

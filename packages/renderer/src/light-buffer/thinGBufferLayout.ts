@@ -2,7 +2,8 @@ import { HalfFloatType, RGBAFormat } from 'three';
 import type { GBufferAttachment } from '../gbuffer/gbufferLayout';
 
 /**
- * The thin G-buffer: 8 bytes a texel and 32-bit float depth. Position is rebuilt from depth. The encoding is
+ * The thin G-buffer: 8 bytes a texel and 32-bit float depth. Position is rebuilt from depth, or from an
+ * attachment of distances where that is too coarse. The encoding is
  * microshaders/builtin/thinGBufferWrite.glsl, addLight.glsl and lightBufferFilter.glsl.
  */
 export const thinGBufferLayout = {

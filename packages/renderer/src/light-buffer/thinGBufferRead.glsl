@@ -1,11 +1,15 @@
 // Reads a pixel of the thin G-buffer; layout in gbuffer/thinGBufferLayout.ts.
 // Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5)
 #include "octahedralNormal"
+#include "storedDistance"
 #include "unproject"
 uniform highp sampler2D farol_thinSurface;
-uniform highp sampler2D farol_thinDepth;
+uniform highp sampler2D farol_thinDepth; // or, stored, distances
+uniform highp int farol_thinStored; // 0; distances are stored: 1 in perspective, 2 orthographic
 
-// texel of a buffer of the given size; depth: 0..1 as in the depth buffer
-vec3 farol_thinPosition(const in ivec2 texel, const in vec2 size, const in float depth) {
-  return farol_unproject((vec2(texel) + 0.5) / size, depth);
+// texel of a buffer of the given size
+vec3 farol_thinPosition(const in ivec2 texel, const in vec2 size) {
+  vec2 depth = texelFetch(farol_thinDepth, texel, 0).rg;
+  float z = farol_thinStored == 0 ? farol_viewZ(depth.r) : -farol_unpackDistance(depth, farol_thinStored == 2);
+  return farol_unprojectAt((vec2(texel) + 0.5) / size, z);
 }

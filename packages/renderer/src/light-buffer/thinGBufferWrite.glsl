@@ -2,6 +2,8 @@
 // Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5); Cigolle et al. 2014 (normals)
 #include "octahedralNormal"
 #include "roundToHalf"
+#include "storedDistance"
+layout(location = 1) out highp vec2 farol_outDistance;
 varying highp vec2 farol_object; // number of the object; corner of the stipple that it takes, 0: all
 #if defined( STANDARD )
   #define FAROL_LOBE (material.specularF90 < 1.0 ? 2.0 + material.roughness : material.roughness)
@@ -10,7 +12,8 @@ varying highp vec2 farol_object; // number of the object; corner of the stipple 
 #else
   #define FAROL_LOBE 0.0
 #endif
-#define FAROL_WRITE_THIN gl_FragColor = vec4(farol_roundToHalf(farol_encodeNormal(normal)), FAROL_LOBE, \
+#define FAROL_WRITE_THIN farol_outDistance = farol_packDistance(vViewPosition.z, isOrthographic); \
+  gl_FragColor = vec4(farol_roundToHalf(farol_encodeNormal(normal)), FAROL_LOBE, \
   floor(farol_object.x + 0.5) * (receiveShadow ? 1.0 : -1.0));
 // one texel of each two by two is left to a transparent layer, and nothing of it where it is not seen
 #define FAROL_STIPPLE { \

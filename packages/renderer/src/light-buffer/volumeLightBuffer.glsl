@@ -7,8 +7,10 @@ layout(location = 0) out highp vec4 farol_sums0;
 layout(location = 1) out highp vec4 farol_sums1;
 layout(location = 2) out highp vec4 farol_sums2;
 #define FAROL_SURFACE_DEPTH(pixel) texelFetch(farol_thinDepth, pixel, 0).r
+#define FAROL_IS_EMPTY(pixel, depth) ((farol_thinStored != 0 || farol_isEmpty(depth)) && texelFetch(farol_thinSurface, pixel, 0).w == 0.0)
+#define FAROL_SURFACE_POSITION(pixel, depth) farol_thinPosition(pixel, farol_size)
 #define FAROL_BEGIN_PIXEL \
-  vec3 positionVS = farol_thinPosition(pixel, farol_size, depth); \
+  vec3 positionVS = farol_thinPosition(pixel, farol_size); \
   vec4 thin = texelFetch(farol_thinSurface, pixel, 0); \
   FarolLobe lobe = farol_lobe(thin.z, thin.w, farol_decodeNormal(thin.xy), farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-positionVS)); \
   FarolLightSums sums = FarolLightSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));

@@ -9,7 +9,7 @@ export class FiniteLights {
     const e = light.matrixWorld.elements;
     const l = light as PointLight & SpotLight;
     let sum = e[12] + e[13] + e[14] + light.color.r + light.color.g + light.color.b + light.intensity;
-    if (l.distance !== undefined) sum += l.distance + l.decay;
+    if (l.decay !== undefined) sum += l.decay;
     if (l.angle !== undefined) sum += l.angle + l.penumbra;
     const target = l.target?.matrixWorld.elements;
     if (target !== undefined) sum += target[12] + target[13] + target[14];
@@ -18,7 +18,7 @@ export class FiniteLights {
       this.warned.add(light);
       console.warn(
         `Farol: ${light.type} "${light.name || light.uuid}" is left out: its position, target, colour, intensity, ` +
-          `distance, decay or angle is not a finite number; set one.`,
+          `decay or angle is not a finite number; set one.`,
       );
     }
     return false;

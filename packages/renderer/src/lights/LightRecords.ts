@@ -125,8 +125,12 @@ export class LightRecords {
 
   private writeAttenuation(at: number, attenuation: FarolAttenuation | undefined): void {
     if (attenuation === undefined) this.table.set4(at, 0, 0, 0, 0);
-    else if (attenuation.kind === 'near-far') this.table.set4(at, attenuation.near, attenuation.far, 0, 1);
-    else this.table.set4(at, attenuation.constant, attenuation.linear, attenuation.quadratic, 2);
+    else if (attenuation.kind === 'near-far')
+      this.table.set4(at, finite(attenuation.near), finite(attenuation.far), 0, 1);
+    else {
+      const { constant, linear, quadratic } = attenuation;
+      this.table.set4(at, finite(constant), finite(linear), finite(quadratic), 2);
+    }
   }
 
   private maskOf(light: Light): number {
@@ -134,6 +138,11 @@ export class LightRecords {
     const record = this.masks.recordOf(light);
     return record < 0 ? 0 : this.firstMask + record;
   }
+}
+
+/** Infinity as a number that shaders can subtract from itself, 0 for what is no number. */
+function finite(value: number): number {
+  return Math.max(-1e30, Math.min(1e30, value || 0));
 }
 
 function ratio(part: number, whole: number): number {

@@ -6,6 +6,9 @@ import { gbufferTwin } from '../materials/gbufferTwins';
 import type { TwinKind } from '../materials/TwinKind';
 import type { Pass } from './Pass';
 
+/** Attachment of the albedo and flags. */
+const ALBEDO = 2;
+
 /** How lit and unlit meshes are drawn for the views of the G-buffer. */
 export interface GBufferViewTwins {
   readonly lit: TwinKind;
@@ -30,12 +33,16 @@ export class GBufferPass implements Pass {
   }
 
   render(frame: Frame): void {
-    if (this.gbuffer?.layout !== frame.gbufferLayout) this.dispose();
-    this.gbuffer ??= new GBuffer(frame.webgl, frame.gbufferLayout);
+    // what stores distances goes on to: cameras may take turns
+    const stores = this.forView === null && (frame.storesDistance || this.gbuffer?.storesDistance === true);
+    if (this.gbuffer?.layout !== frame.gbufferLayout || this.gbuffer.storesDistance !== stores) this.dispose();
+    this.gbuffer ??= new GBuffer(frame.webgl, frame.gbufferLayout, stores);
     this.gbuffer.setSize(frame.width, frame.height);
     frame.bind(this.gbuffer.target);
     // where nothing is drawn, depth 1 says so: what the other attachments hold there is never shown, and a clear costs as much as a draw
     frame.clear(0, true);
+    // but what is drawn as far off: there flags say so
+    if (frame.queue.reachesFar) frame.clearOne(ALBEDO);
     for (const item of frame.queue.opaque) {
       if (this.forView) {
         if (!item.plain) continue;

@@ -60,6 +60,7 @@ export class LightTilesPass implements Pass {
   private readonly own = {
     ...unprojectUniforms(),
     farol_size: { value: new Vector2() },
+    farol_beyond: { value: 1e38 },
     farol_coarseMask: { value: null as Texture | null },
     farol_tileDepth: { value: null as Texture | null },
     farol_sceneDepth: { value: null as Texture | null },
@@ -138,6 +139,7 @@ export class LightTilesPass implements Pass {
     tiles.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     setUnprojectUniforms(own, frame.camera, frame.webgl);
     own.farol_size.value.set(frame.width, frame.height);
+    own.farol_beyond.value = frame.queue.reachesFar ? Math.max(-1e30, frame.queue.farthest) : 1e38;
     own.farol_coarseMask.value = this.coarse.texture;
     own.farol_tileDepth.value = this.depths.texture;
     own.farol_blocks.value = this.blocks.texture;

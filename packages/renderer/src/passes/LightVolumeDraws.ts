@@ -66,8 +66,8 @@ export class LightVolumeDraws {
     const materials = isCountView(frame.view)
       ? (this.counting ??= this.make(frame, true))
       : (this.shading ??= this.make(frame, false));
-    // the volumes' own depth is not logarithmic: then the distance to the light alone says what they reach
-    const depthTest = !frame.webgl.capabilities.logarithmicDepthBuffer;
+    // the volumes' own depth is not logarithmic, or too coarse: then the distance to the light alone says what they reach
+    const depthTest = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance;
     materials.sphere.depthTest = materials.cone.depthTest = depthTest;
     if (lights.directional + lights.unbounded > 0) frame.drawMesh(this.triangle, materials.global);
     if (lights.spheres > 0) {

@@ -94,6 +94,8 @@ export class MultipassLightsPass implements Pass {
   /** True if what the output does to all pixels, tone mapping and fog after encoding, three does to the material. */
   private sums(material: Material, frame: Frame): boolean {
     if (this.fogged) return true;
+    // the output knows how far a pixel is by its depth alone
+    if (frame.storesDistance && frame.scene.fog) return false;
     if (!material.toneMapped && frame.webgl.toneMapping !== NoToneMapping) return false;
     return (material as Material & { fog?: boolean }).fog !== false || !frame.scene.fog;
   }

@@ -17,12 +17,15 @@ export function unprojectUniforms(): UnprojectUniforms {
   };
 }
 
+/** The far plane of logarithmic depth (m), 0 where depth is another; three writes it for perspective projections alone. */
+export function logarithmicFar(camera: Camera, webgl: WebGLRenderer): number {
+  const { isPerspectiveCamera, far } = camera as PerspectiveCamera;
+  return webgl.capabilities.logarithmicDepthBuffer && isPerspectiveCamera ? far : 0;
+}
+
 /** Sets the uniform of depthMode.glsl. */
 export function setDepthMode({ value }: IUniform<Vector2>, camera: Camera, webgl: WebGLRenderer): void {
-  const { isPerspectiveCamera, far } = camera as PerspectiveCamera;
-  // three writes logarithmic depth for perspective projections alone
-  const logarithmic = webgl.capabilities.logarithmicDepthBuffer && isPerspectiveCamera;
-  value.set(webgl.state.buffers.depth.getReversed() ? 1 : 0, logarithmic ? Math.log2(far + 1) : 0);
+  value.set(webgl.state.buffers.depth.getReversed() ? 1 : 0, Math.log2(logarithmicFar(camera, webgl) + 1));
 }
 
 /** Takes the camera's projection, rounded as the GPU sees it, and how the renderer stores depth. */

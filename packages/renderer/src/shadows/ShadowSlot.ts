@@ -11,6 +11,7 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
+import { rangeOf } from '../lights/lightRange';
 import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
 import { fitCascade } from './fitCascade';
 import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
@@ -112,6 +113,8 @@ export class ShadowSlot implements AtlasTenant {
   /** The faces that draw anything, as bits. */
   drawnFaces = 63;
   private readonly own: OwnShadow;
+  /** The light without a range: three would take one that is infinite for the camera's far plane. */
+  private readonly endless: ShadowLight;
   private readonly before = new Float64Array(18);
   /** Radius and samples of the blur that it has. */
   private readonly blur = new Float64Array(2);
@@ -125,6 +128,7 @@ export class ShadowSlot implements AtlasTenant {
     const shadow = light.shadow as unknown as OwnShadow;
     this.shadow = shadow;
     this.own = Object.create(shadow) as OwnShadow;
+    this.endless = Object.create(light, { distance: { value: 0 } }) as ShadowLight;
     const camera = shadow.camera.clone();
     // the host need not have done so: three does it with the first map
     (camera as unknown as ShadowCamera).updateProjectionMatrix();
@@ -185,7 +189,7 @@ export class ShadowSlot implements AtlasTenant {
     if (!this.isCube) return this.faces.some(({ planes }) => !sphereOutsidePlanes(planes, x, y, z, radius));
     // beyond a range nothing is lit; without one, the corners of the cube of far planes count
     const e = this.matrix.elements;
-    const reach = radius + this.far * ((this.light as PointLight).distance > 0 ? 1 : Math.sqrt(3));
+    const reach = radius + this.far * (this.range < Infinity ? 1 : Math.sqrt(3));
     const dx = x + e[12];
     const dy = y + e[13];
     const dz = z + e[14];
@@ -194,8 +198,7 @@ export class ShadowSlot implements AtlasTenant {
 
   /** Beyond this nothing is lit (m), Infinity where it has no range. */
   get range(): number {
-    const { distance } = this.light as PointLight;
-    return distance > 0 ? distance : Infinity;
+    return rangeOf((this.light as PointLight).distance) || Infinity;
   }
 
   /** False when no part of a box (as `casterBox` gives it) is within the range of the light. */
@@ -296,13 +299,13 @@ export class ShadowSlot implements AtlasTenant {
       camera[name] = host[name];
       changed = true;
     }
-    const far = (light.isSpotLight === true && (light as SpotLight).distance) || host.far;
+    const far = (light.isSpotLight === true && rangeOf((light as SpotLight).distance)) || host.far;
     if (camera.far !== far) {
       camera.far = far;
       changed = true;
     }
     if (changed) camera.updateProjectionMatrix();
-    own.updateMatrices(light);
+    own.updateMatrices(far === host.far ? this.endless : light);
     this.near = camera.near;
     this.far = camera.far;
     this.faces[this.cascades].update();
@@ -328,7 +331,7 @@ export class ShadowSlot implements AtlasTenant {
     const { light, matrix } = this;
     const host = light.shadow.camera as unknown as ShadowCamera;
     this.near = host.near;
-    this.far = (light as PointLight).distance || host.far;
+    this.far = rangeOf((light as PointLight).distance) || host.far;
     position.setFromMatrixPosition(light.matrixWorld);
     matrix.makeTranslation(-position.x, -position.y, -position.z);
     for (const face of this.faces) (face.camera as unknown as ShadowCamera)._reversedDepth = reversedDepth;

@@ -14,13 +14,13 @@ float depth = texelFetch(farol_gDepth, pixel, 0).r;
 vec3 lighting = texelFetch(farol_lightingMap, pixel, 0).rgb;
 if (farol_view == 2) {
   gl_FragColor = vec4(farol_heatMap((lighting.r + texelFetch(farol_overdrawMap, pixel, 0).r) * farol_heatScale), 1.0);
-} else if (farol_isEmpty(depth)) {
+} else if (farol_isEmptyPixel(pixel, depth)) {
   if (farol_background.a < 0.0) discard;
   gl_FragColor = farol_background;
 } else {
   int flags = int(texelFetch(farol_gAlbedo, pixel, 0).a * 255.0 + 0.5);
   vec3 radiance = farol_view == 1 ? lighting : lighting + texelFetch(farol_gAccumulation, pixel, 0).rgb;
-  vec3 positionVS = farol_unproject((vec2(pixel) + 0.5) / farol_size, depth);
+  vec3 positionVS = farol_surfacePosition(pixel, depth, farol_size);
   gl_FragColor = farol_output(radiance, -positionVS.z, (flags & 8) != 0, (flags & 4) != 0);
 }
 gl_FragDepth = depth;

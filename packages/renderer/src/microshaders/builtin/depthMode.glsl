@@ -5,9 +5,3 @@ uniform highp vec2 farol_depthMode; // 1 if reversed, else 0; log2(far + 1) if l
 bool farol_isEmpty(const in float depth) {
   return farol_depthMode.x > 0.0 ? depth <= 0.0 : depth >= 1.0;
 }
-
-// puts clip-space depth no farther than the far plane
-float farol_beforeFar(const in vec4 clip) {
-  if (clip.w <= 0.0) return clip.z;
-  return farol_depthMode.x > 0.0 ? max(clip.z, 0.0) : min(clip.z, clip.w);
-}

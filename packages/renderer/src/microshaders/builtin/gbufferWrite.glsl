@@ -2,6 +2,7 @@
 // Valient, Deferred Rendering in Killzone 2, 2007; Cigolle et al. 2014 (normals)
 #include "octahedralNormal"
 #include "roundToHalf"
+#include "storedDistance"
 #if defined( STANDARD )
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(material.roughness, material.metalness, sqrt(material.specularColor.r), material.specularF90); gl_FragColor.a = 1.0;
 #elif defined( PHONG )
@@ -10,6 +11,7 @@
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(1.0, 0.0, 0.0, 0.0); gl_FragColor.a = 1.0;
 #endif
 #define FAROL_WRITE_GBUFFER \
-  farol_outNormal = vec4(farol_roundToHalf(farol_encodeNormal(normal)), 0.0, 1.0); \
+  farol_outNormal = \
+    vec4(farol_roundToHalf(farol_encodeNormal(normal)), farol_packDistance(vViewPosition.z, isOrthographic)); \
   farol_outAlbedo = vec4(sqrt(material.diffuseColor), (FAROL_FLAGS + (receiveShadow ? 16.0 : 0.0)) / 255.0); \
   FAROL_WRITE_MATERIAL

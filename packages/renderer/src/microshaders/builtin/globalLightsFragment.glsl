@@ -5,7 +5,7 @@
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 float depth = FAROL_SURFACE_DEPTH(pixel);
-if (farol_isEmpty(depth)) discard;
+if (FAROL_IS_EMPTY(pixel, depth)) discard;
 #ifdef FAROL_COUNT
 FAROL_COUNT_PIXEL(float(farol_lightCounts.x + farol_lightCounts.y))
 #else

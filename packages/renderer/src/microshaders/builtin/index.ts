@@ -27,6 +27,7 @@ import lightTable from './lightTable.glsl?raw';
 import lightTiles from './lightTiles.glsl?raw';
 import lightVolumeCone from './lightVolumeCone.glsl?raw';
 import lightVolumeFragment from './lightVolumeFragment.glsl?raw';
+import lightVolumeWide from './lightVolumeWide.glsl?raw';
 import lightVolumeSphere from './lightVolumeSphere.glsl?raw';
 import octahedralNormal from './octahedralNormal.glsl?raw';
 import output from './output.glsl?raw';
@@ -36,6 +37,7 @@ import shadePlain from './shadePlain.glsl?raw';
 import shading from './shading.glsl?raw';
 import shadeThree from './shadeThree.glsl?raw';
 import shadeToon from './shadeToon.glsl?raw';
+import storedDistance from './storedDistance.glsl?raw';
 import tileDepth from './tileDepth.glsl?raw';
 import tileDepthBlocks from './tileDepthBlocks.glsl?raw';
 import tiledOutput from './tiledOutput.glsl?raw';
@@ -75,6 +77,7 @@ const sources = {
   lightVolumeCone,
   lightVolumeFragment,
   lightVolumeSphere,
+  lightVolumeWide,
   octahedralNormal,
   output,
   roundToHalf,
@@ -83,6 +86,7 @@ const sources = {
   shading,
   shadeThree,
   shadeToon,
+  storedDistance,
   tileDepth,
   tileDepthBlocks,
   tiledOutput,

@@ -6,6 +6,7 @@
 //? farol_nearFarAttenuation(4.0, 2.0, 4.0) == 0.0
 //? farol_polynomialAttenuation(2.0, vec3(1.0, 0.5, 0.5), 10.0) == 0.25
 //? farol_polynomialAttenuation(11.0, vec3(1.0, 0.5, 0.5), 10.0) == 0.0
+//? farol_polynomialAttenuation(2.0, vec3(1.0, 0.5, 0.5), 0.0) == 0.25
 float farol_distanceAttenuation(const in float lightDistance, const in float range, const in float decay) {
   float falloff = 1.0 / max(decay == 2.0 ? lightDistance * lightDistance : pow(lightDistance, decay), 0.01);
   if (range > 0.0) {
@@ -28,8 +29,8 @@ float farol_nearFarAttenuation(const in float lightDistance, const in float near
   return clamp((farDistance - lightDistance) / max(farDistance - nearDistance, 1e-6), 0.0, 1.0);
 }
 
-// factors: constant, linear (1/m), quadratic (1/m²)
+// factors: constant, linear (1/m), quadratic (1/m²); range: 0 for none
 float farol_polynomialAttenuation(const in float lightDistance, const in vec3 factors, const in float range) {
-  if (lightDistance > range) return 0.0;
+  if (range > 0.0 && lightDistance > range) return 0.0;
   return 1.0 / max(factors.x + lightDistance * (factors.y + lightDistance * factors.z), 0.01);
 }

@@ -1,8 +1,7 @@
 // The vertices of a cone for each spot light of a run, instanced, made from gl_VertexID: 72 a light.
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
 #include "lightTable"
-#include "depthMode"
-uniform highp mat4 projectionMatrix;
+#include "lightVolumeWide"
 uniform highp int farol_firstRecord;
 uniform highp vec4 farol_fit; // of the buffer to the picture: scale, shift (normalised device coordinates)
 flat out highp int farol_record;
@@ -24,7 +23,11 @@ if (corner > 0) {
   float angle = float(triangle + ((corner == 1) == cap ? 0 : 1)) * 6.28318531 / float(SEGMENTS);
   offset = axis * apex.w + radius * (cos(angle) * side + sin(angle) * up);
 }
-gl_Position = projectionMatrix * vec4(apex.xyz + offset, 1.0);
-// what lies beyond the far plane still covers its pixels
-gl_Position.z = farol_beforeFar(gl_Position);
-gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;
+vec4 around = vec4(apex.xyz, length(vec2(apex.w, radius)));
+if (farol_isTooWide(around)) {
+  gl_Position = farol_wholePicture();
+} else {
+  gl_Position = projectionMatrix * vec4(apex.xyz + offset, 1.0);
+  gl_Position.z = farol_volumeZ(gl_Position, around);
+  gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;
+}

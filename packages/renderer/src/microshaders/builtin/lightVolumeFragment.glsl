@@ -6,12 +6,12 @@ flat in highp int farol_record;
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 float depth = FAROL_SURFACE_DEPTH(pixel);
-if (farol_isEmpty(depth)) discard;
+if (FAROL_IS_EMPTY(pixel, depth)) discard;
 #ifdef FAROL_COUNT
 FAROL_COUNT_PIXEL(1.0)
 #else
 vec4 centre = farol_lightTexel(farol_record, 0);
-vec3 toLight = centre.xyz - farol_unproject(gl_FragCoord.xy / farol_size, depth);
+vec3 toLight = centre.xyz - FAROL_SURFACE_POSITION(pixel, depth);
 if (dot(toLight, toLight) >= centre.w * centre.w) discard;
 FAROL_BEGIN_PIXEL
 FAROL_BOUNDED_PIXEL(farol_record)

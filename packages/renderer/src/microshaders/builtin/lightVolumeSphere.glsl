@@ -1,8 +1,7 @@
 // The vertices of a sphere round each light of a run, instanced, made from gl_VertexID: LIGHT_VOLUME_SPHERE_VERTICES a light.
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
 #include "lightTable"
-#include "depthMode"
-uniform highp mat4 projectionMatrix;
+#include "lightVolumeWide"
 uniform highp int farol_firstRecord;
 uniform highp vec4 farol_fit; // of the buffer to the picture: scale, shift (normalised device coordinates)
 flat out highp int farol_record;
@@ -19,7 +18,10 @@ float longitude = east * 6.28318531 / float(SEGMENTS);
 float latitude = south * 3.14159265 / float(RINGS);
 // 1.06: the flat faces stay outside the sphere
 vec3 offset = centre.w * 1.06 * vec3(sin(latitude) * cos(longitude), cos(latitude), sin(latitude) * sin(longitude));
-gl_Position = projectionMatrix * vec4(centre.xyz + offset, 1.0);
-// what lies beyond the far plane still covers its pixels
-gl_Position.z = farol_beforeFar(gl_Position);
-gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;
+if (farol_isTooWide(centre)) {
+  gl_Position = farol_wholePicture();
+} else {
+  gl_Position = projectionMatrix * vec4(centre.xyz + offset, 1.0);
+  gl_Position.z = farol_volumeZ(gl_Position, centre);
+  gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;
+}

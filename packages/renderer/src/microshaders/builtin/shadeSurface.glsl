@@ -7,7 +7,7 @@ uniform highp sampler2D dfgLUT;
 FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, const in vec2 size) {
   FarolShading s;
   s.flags = int(texelFetch(farol_gAlbedo, pixel, 0).a * 255.0 + 0.5);
-  s.positionVS = farol_unproject((vec2(pixel) + 0.5) / size, depth);
+  s.positionVS = farol_surfacePosition(pixel, depth, size);
   s.normalVS = farol_decodeNormal(texelFetch(farol_gNormal, pixel, 0).xy);
   s.viewDirVS = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-s.positionVS);
   s.dotNV = dot(s.normalVS, s.viewDirVS);

@@ -7,6 +7,7 @@
 uniform highp usampler2D farol_coarseMask;
 uniform highp usampler2D farol_tileDepth;
 uniform vec2 farol_size;
+uniform highp float farol_beyond; // distance (m) from which what is drawn may look like nothing, -1e30: depths tell no distances
 layout(location = 0) out highp uvec4 farol_mask;
 
 struct FarolTile {
@@ -16,6 +17,7 @@ struct FarolTile {
   vec3 low; // box round what lies between
   vec3 high;
   uint slices;
+  float beyond; // from here on (m) there may be more
 };
 
 FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
@@ -26,11 +28,13 @@ FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
   t.scales = inversesqrt(1.0 + farol_perspective * t.slopes * t.slopes);
   t.range = vec2(-1e30, 1e30);
   t.slices = 4294967295u;
+  t.beyond = 1e38;
 #ifdef FAROL_DEPTH
   uvec4 depths = texelFetch(farol_tileDepth, tile, 0);
   // a little wider, for the rounding of positions
   t.range = uintBitsToFloat(depths.xy) * vec2(0.9999, 1.0001);
   t.slices = depths.z;
+  if (depths.w != 0u || farol_beyond < -1e29) t.beyond = farol_beyond;
   vec2 at = mix(vec2(1.0), t.range, farol_perspective);
   vec4 nearSides = t.slopes * at.x;
   vec4 farSides = t.slopes * at.y;
@@ -46,6 +50,8 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
   vec4 sides = vec4(sphere.xy - tile.slopes.xy * k, tile.slopes.zw * k - sphere.xy) * tile.scales;
   if (min(min(sides.x, sides.y), min(sides.z, sides.w)) < -radius) return false;
 #ifdef FAROL_DEPTH
+  if (radius - sphere.z >= tile.beyond) return true;
+  if (tile.range.x > tile.range.y) return false;
   vec3 outside = max(max(tile.low - sphere.xyz, sphere.xyz - tile.high), 0.0);
   if (dot(outside, outside) > radius * radius) return false;
 #ifdef FAROL_SLICES
@@ -102,7 +108,7 @@ if (position.y < grid.y) {
 #endif
   if (candidates != uvec4(0u)) {
     FarolTile tile = farol_tileAt(position, shift);
-    if (tile.range.x <= tile.range.y) {
+    if (tile.range.x <= tile.range.y || tile.beyond < 1e37) {
       farol_mask = uvec4(farol_touching(tile, candidates.x, start), farol_touching(tile, candidates.y, start + 32),
         farol_touching(tile, candidates.z, start + 64), farol_touching(tile, candidates.w, start + 96));
     }

@@ -13,13 +13,13 @@ float depth = texelFetch(farol_gDepth, pixel, 0).r;
 gl_FragDepth = depth;
 if (farol_view == 2) {
   float counted = texelFetch(farol_overdrawMap, pixel, 0).r;
-  if (!farol_isEmpty(depth)) {
-    vec3 positionVS = farol_unproject((vec2(pixel) + 0.5) / farol_size, depth);
+  if (!farol_isEmptyPixel(pixel, depth)) {
+    vec3 positionVS = farol_surfacePosition(pixel, depth, farol_size);
     counted += float(farol_lightCounts.x + farol_lightCounts.y);
     FAROL_FOR_EACH_LISTED(positionVS) counted += 1.0; FAROL_END_LISTED
   }
   gl_FragColor = vec4(farol_heatMap(counted * farol_heatScale), 1.0);
-} else if (farol_isEmpty(depth)) {
+} else if (farol_isEmptyPixel(pixel, depth)) {
   if (farol_background.a < 0.0) discard;
   gl_FragColor = farol_background;
 } else {

@@ -12,8 +12,12 @@ float farol_viewZ(const in float depth) {
   return (farol_unprojectZ.x + farol_unprojectZ.y * e) / (farol_unprojectZ.z + farol_unprojectZ.w * e);
 }
 
-// uv: 0..1 over the picture; depth: 0..1 as in the depth buffer
-vec3 farol_unproject(const in vec2 uv, const in float depth) {
-  float z = farol_viewZ(depth);
+// uv: 0..1 over the picture; z: m, negative before the camera
+vec3 farol_unprojectAt(const in vec2 uv, const in float z) {
   return vec3((uv * 2.0 - 1.0 + farol_unprojectXY.zw) * farol_unprojectXY.xy * mix(1.0, -z, farol_perspective), z);
+}
+
+// depth: 0..1 as in the depth buffer
+vec3 farol_unproject(const in vec2 uv, const in float depth) {
+  return farol_unprojectAt(uv, farol_viewZ(depth));
 }

@@ -4,6 +4,8 @@
 uniform vec2 farol_size;
 layout(location = 0) out highp vec4 farol_lighting;
 #define FAROL_SURFACE_DEPTH(pixel) texelFetch(farol_gDepth, pixel, 0).r
+#define FAROL_IS_EMPTY(pixel, depth) farol_isEmptyPixel(pixel, depth)
+#define FAROL_SURFACE_POSITION(pixel, depth) farol_surfacePosition(pixel, depth, farol_size)
 #define FAROL_BEGIN_PIXEL FarolShading shading = farol_beginShading(pixel, depth, farol_size);
 #define FAROL_UNBOUNDED_PIXEL farol_addUnbounded(shading);
 #define FAROL_BOUNDED_PIXEL(record) farol_addBounded(shading, record);

@@ -44,8 +44,9 @@ export class ShadowTiles {
     const mask = frame.uniforms as unknown as MaskUniforms;
     const { lights } = frame;
     const words = Math.min(MOST_WORDS, 2 * Math.ceil(lights.grid.count / (2 * LIGHTS_PER_WORD)));
-    // logarithmic depth is not linear over a surface
-    const finds = this.bounded > 0 && lights.bounded > 0 && !frame.webgl.capabilities.logarithmicDepthBuffer;
+    // logarithmic depth is not linear over a surface, and what is too coarse for positions is so here
+    const linear = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance && !frame.queue.reachesFar;
+    const finds = this.bounded > 0 && lights.bounded > 0 && linear;
     mask.farol_tileShadows.value = this.marks.texture;
     mask.farol_tileShadowWords.value = finds ? words : 0;
     const materials = (this.materials ??= this.make(frame, bounds));
