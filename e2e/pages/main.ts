@@ -7,6 +7,8 @@ import * as decals from '@farol/renderer/decals';
 import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
 import { Bench } from './Bench';
+import { devices } from './devices';
+import { drawDevice } from './drawDevice';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { materialScene } from './materialScene';
@@ -30,6 +32,8 @@ export interface TestPage {
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
   Bench: typeof Bench;
+  devices: typeof devices;
+  drawDevice: typeof drawDevice;
   compareImages: typeof compareImages;
   isFlat: typeof isFlat;
 }
@@ -56,6 +60,8 @@ window.testPage = {
   runSheet,
   runSettings,
   Bench,
+  devices,
+  drawDevice,
   compareImages,
   isFlat,
 };

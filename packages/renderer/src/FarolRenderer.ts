@@ -4,6 +4,7 @@ import { clearValue } from './clearValue';
 import { checkDevice } from './checkDevice';
 import { type View, isSurfaceView, views } from './debug/views';
 import { unknownName } from './errors';
+import { EffectList } from './EffectList';
 import type { FarolEffect } from './FarolEffect';
 import type { FarolInfo } from './FarolInfo';
 import type { FarolOptions } from './FarolOptions';
@@ -89,6 +90,7 @@ export class FarolRenderer {
   /** While it draws: what a callback of the host's draws by it then, three draws. */
   private draws = false;
   private readonly shadowAtlasSize: number | null;
+  private readonly effectList: EffectList;
   private activeEffects = NO_EFFECTS;
   private readonly draw = () => this.drawFrame();
   private readonly begun = () => this.frame.takeOutputBuffer();
@@ -106,6 +108,7 @@ export class FarolRenderer {
     options: FarolOptions = {},
   ) {
     checkDevice(webgl, false);
+    this.effectList = new EffectList(webgl);
     this.microshaders = createRegistry(webgl);
     this.views = new LateViews(this.microshaders);
     this.finder = new LightFinder(webgl, (code) => this.makeShadows(code));
@@ -214,7 +217,7 @@ export class FarolRenderer {
     frame.begin(scene, camera, this.views.available(this.viewName));
     if (frame.view === 'grid') frame.quarter();
     const { target, face, level } = frame;
-    this.activeEffects = frame.view === 'final' ? this.effects : NO_EFFECTS;
+    this.activeEffects = frame.view === 'final' ? this.effectList.of(this.effects) : NO_EFFECTS;
     try {
       this.draws = true;
       for (const effect of this.activeEffects) effect.begin?.(frame);

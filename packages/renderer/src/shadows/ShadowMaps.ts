@@ -7,6 +7,7 @@ import {
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
+import { lacksFloatTargets } from '../checkDevice';
 import type { DataTable } from '../lights/DataTable';
 import { cookieOf } from '../lights/lightCookie';
 import { LightLayers } from '../lights/LightLayers';
@@ -89,7 +90,12 @@ export class ShadowMaps implements LightMasks {
       () => (this.isFine ? 5 : 3),
       (size) => depthTarget(size, this.isFine),
     );
-    this.colours = new TileAtlas(Math.min(LARGEST_COLOURS, maxTextureSize), () => 8, colourTarget);
+    const floats = lacksFloatTargets(webgl) === null;
+    this.colours = new TileAtlas(
+      Math.min(LARGEST_COLOURS, maxTextureSize),
+      () => (floats ? 8 : 4),
+      (size) => colourTarget(size, floats),
+    );
     this.draws = new ShadowMapDraws(webgl, microshaders);
     this.moments = new MomentDraws(webgl, microshaders, this.draws);
     this.images = new CookieDraws(webgl, microshaders);

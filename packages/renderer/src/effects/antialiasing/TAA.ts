@@ -14,6 +14,7 @@ import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import { PassMaterial } from '../../passes/PassMaterial';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import displayTransfer from '../displayTransfer.glsl?raw';
+import { lacksFloatTargets } from '../../checkDevice';
 import type { FarolEffect } from '../../FarolEffect';
 import { Picture } from '../Picture';
 import { cellWeights } from './cellWeights';
@@ -71,6 +72,7 @@ export interface TAAOptions {
  */
 export class TAA implements FarolEffect {
   readonly name = 'TAA';
+  readonly lacks = lacksFloatTargets;
   /** Share of a sample in a quarter of a pixel that it falls in, if that moves; half of it if not: above 0, at most 1. Default 0.65. */
   share = 0.65;
   /** Standard deviations of its neighbours to which a pixel's past is clipped where it may not be believed. Default 2, above 0. */
