@@ -21,6 +21,8 @@ export interface FarolEffect {
    * An effect that lacks something is left out, with one warning. Default null.
    */
   lacks?(webgl: WebGLRenderer): string | null;
+  /** True if the frame is drawn to a picture of the effect's: it is left out in targets with several textures. Default false. */
+  readonly takesPicture?: boolean;
   /** Bytes of the targets that it holds. */
   readonly bytes: number;
   /**

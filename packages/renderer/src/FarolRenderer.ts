@@ -217,7 +217,7 @@ export class FarolRenderer {
     frame.begin(scene, camera, this.views.available(this.viewName));
     if (frame.view === 'grid') frame.quarter();
     const { target, face, level } = frame;
-    this.activeEffects = frame.view === 'final' ? this.effectList.of(this.effects) : NO_EFFECTS;
+    this.activeEffects = frame.view === 'final' ? this.effectList.of(this.effects, target) : NO_EFFECTS;
     try {
       this.draws = true;
       for (const effect of this.activeEffects) effect.begin?.(frame);

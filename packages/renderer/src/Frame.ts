@@ -26,7 +26,7 @@ import type { TwinCache } from './materials/TwinCache';
 import type { TwinKind } from './materials/TwinKind';
 import type { MicroShaderRegistry } from './microshaders';
 import type { GeometryGroup, RenderItem } from './RenderItem';
-import { RenderQueue } from './RenderQueue';
+import { hasOwnShader, RenderQueue } from './RenderQueue';
 
 /** Uniforms that every twin and pass of one renderer shares, by reference. */
 export interface FrameUniforms {
@@ -251,9 +251,24 @@ export class Frame {
     drawRange.count = count;
   }
 
-  /** Draws a mesh of Farol's own. */
+  /** Draws a mesh of Farol's own; of a host's target with several textures, to the first. */
   drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
+    const several = this.drawsToSeveral;
+    if (several) this.setDrawBuffers(1);
     this.draw(this.camera, this.scene, mesh.geometry, material, mesh, null);
+    if (several) this.setDrawBuffers(this.target!.textures.length);
+  }
+
+  /** Whether the host's target is bound and has several textures. */
+  private get drawsToSeveral(): boolean {
+    const { target, webgl } = this;
+    return target !== null && target.textures.length > 1 && webgl.getRenderTarget() === target;
+  }
+
+  /** Draws to the first so many textures of the bound target; WebGL refuses a shader that writes fewer. */
+  private setDrawBuffers(count: number): void {
+    const { gl } = this;
+    gl.drawBuffers((drawBuffers[count] ??= Array.from({ length: count }, (_, i) => gl.COLOR_ATTACHMENT0 + i)));
   }
 
   /** Draws an item with a material as it is, and calls what the host wants to be called. */
@@ -266,11 +281,17 @@ export class Frame {
     object.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, object.matrixWorld);
     object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
     (material.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);
+    // three's own shaders of lit materials write the first texture alone
+    const first = item.lit && this.drawsToSeveral && !hasOwnShader(source);
+    if (first) this.setDrawBuffers(1);
     this.draw(camera, scene, geometry, material, object, group);
+    if (first) this.setDrawBuffers(this.target!.textures.length);
     if (source.uniformsNeedUpdate === true) source.uniformsNeedUpdate = false;
     (object.onAfterRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, source as never, group);
   }
 }
 
+/** By their count. */
+const drawBuffers: number[][] = [];
 const clearValue = new Float32Array(4);
 const farDepth = new Float32Array([1]);

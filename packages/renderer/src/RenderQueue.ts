@@ -24,7 +24,8 @@ function backToFront(a: RenderItem, b: RenderItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
 }
 
-function hasOwnShader(material: Material): boolean {
+/** Whether a material is drawn by another shader than three's for its class. */
+export function hasOwnShader(material: Material): boolean {
   return (
     (material as Material & { isShaderMaterial?: boolean }).isShaderMaterial === true ||
     material.onBeforeCompile !== Material.prototype.onBeforeCompile

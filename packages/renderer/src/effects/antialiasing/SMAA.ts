@@ -26,6 +26,7 @@ const CHUNKS = { displayTransfer, smaaEdges, smaaWeights, smaaBlend };
 export class SMAA implements FarolEffect {
   readonly name = 'SMAA';
   readonly lacks = lacksFloatTargets;
+  readonly takesPicture = true;
   private readonly edges = new EffectTarget({ format: RGFormat }, 2);
   private readonly weights = new EffectTarget({}, 4);
   private readonly output = new EffectTarget({ type: HalfFloatType }, 8);

@@ -73,6 +73,7 @@ export interface TAAOptions {
 export class TAA implements FarolEffect {
   readonly name = 'TAA';
   readonly lacks = lacksFloatTargets;
+  readonly takesPicture = true;
   /** Share of a sample in a quarter of a pixel that it falls in, if that moves; half of it if not: above 0, at most 1. Default 0.65. */
   share = 0.65;
   /** Standard deviations of its neighbours to which a pixel's past is clipped where it may not be believed. Default 2, above 0. */

@@ -38,6 +38,7 @@ const CLEAR = new Vector4(0, 0, 0, 1);
 export class WeightedBlendedOIT implements FarolEffect {
   readonly name = 'order-independent transparency';
   readonly lacks = lacksFloatTargets;
+  readonly takesPicture = true;
   readonly replaces = 'transparent';
   private target: WebGLMultipleRenderTargets | null = null;
   private underTarget: WebGLRenderTarget | null = null;
