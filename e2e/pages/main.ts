@@ -9,6 +9,8 @@ import { compareImages, isFlat } from '../support/images';
 import { Bench } from './Bench';
 import { devices } from './devices';
 import { drawDevice } from './drawDevice';
+import { countGpuObjects } from './gpuObjects';
+import { loseContexts } from './loseContexts';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { materialScene } from './materialScene';
@@ -34,6 +36,8 @@ export interface TestPage {
   Bench: typeof Bench;
   devices: typeof devices;
   drawDevice: typeof drawDevice;
+  countGpuObjects: typeof countGpuObjects;
+  loseContexts: typeof loseContexts;
   compareImages: typeof compareImages;
   isFlat: typeof isFlat;
 }
@@ -62,6 +66,8 @@ window.testPage = {
   Bench,
   devices,
   drawDevice,
+  countGpuObjects,
+  loseContexts,
   compareImages,
   isFlat,
 };

@@ -134,6 +134,7 @@ export class FarolRenderer {
     this.technique = options.technique ?? 'auto';
     this.view = options.view ?? 'final';
     this.effects = options.effects ?? [];
+    webgl.getContext().canvas.addEventListener('webglcontextlost', this.free);
   }
 
   /** Key of the technique; takes effect on the next frame. @throws Error when unknown, or the device cannot run it */
@@ -307,14 +308,25 @@ export class FarolRenderer {
   dispose(): void {
     if (this.disposed) return;
     this.disposed = true;
-    this.set.dispose();
+    this.webgl.getContext().canvas.removeEventListener('webglcontextlost', this.free);
+    this.free();
     for (const effect of this.effects) effect.dispose();
+    this.recorder.dispose();
+  }
+
+  /**
+   * Frees what is on the GPU; the next frame makes it anew. Called when the context is lost too: what is disposed after it is
+   * back, three would delete in a context that it does not belong to.
+   */
+  private readonly free = (): void => {
+    this.set.dispose();
+    if (!this.disposed) this.effectList.dispose();
     this.views.dispose();
     this.twins.dispose();
     this.lights.dispose();
-    this.finder.shadows?.dispose();
-    this.recorder.dispose();
-  }
+    this.finder.dispose();
+    this.lights.layers = this.frame.findTileShadows = null;
+  };
 
   private makeShadows(code: NonNullable<(typeof shadowCode)['code']>): ShadowMaps {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);

@@ -94,6 +94,8 @@ export class Frame {
   /** Whether the canvas's colours are multiplied by alpha. */
   readonly premultiplied: boolean;
   private readonly canvasSamples: number;
+  /** Whether the host's target has several textures; effects may take its place only where it has one. */
+  private several = false;
   /** three's `renderBufferDirect`. */
   readonly draw: Draw;
 
@@ -129,6 +131,7 @@ export class Frame {
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     this.face = webgl.getActiveCubeFace();
     this.level = webgl.getActiveMipmapLevel();
+    this.several = this.target !== null && this.target.textures.length > 1;
     webgl.getCurrentViewport(this.viewport);
     this.resize();
   }
@@ -261,8 +264,7 @@ export class Frame {
 
   /** Whether the host's target is bound and has several textures. */
   private get drawsToSeveral(): boolean {
-    const { target, webgl } = this;
-    return target !== null && target.textures.length > 1 && webgl.getRenderTarget() === target;
+    return this.several && this.webgl.getRenderTarget() === this.target;
   }
 
   /** Draws to the first so many textures of the bound target; WebGL refuses a shader that writes fewer. */

@@ -77,7 +77,10 @@ export class TechniquePicker {
     if (chooser.next === null || this.asked !== 'auto') return;
     const { technique } = chooser.next;
     const { known } = this.set;
-    chooser.preparation ??= new rehearsalCode.code!.Rehearsal(frame, known[technique], this.set.passesOf(technique));
+    const passes = this.set.passesOf(technique);
+    // after a lost context they are others
+    if (chooser.preparation?.passes !== passes)
+      chooser.preparation = new rehearsalCode.code!.Rehearsal(frame, known[technique], passes);
     chooser.preparation.step(effects);
   }
 }

@@ -246,6 +246,7 @@ export class MergedCasters {
   }
 
   dispose(): void {
+    this.letAllGo();
     for (const { mesh, matrices } of this.pages) {
       mesh.dispose();
       matrices.dispose();
@@ -349,13 +350,20 @@ export class MergedCasters {
     for (const member of this.members) member.place = -1;
   }
 
-  /** Lets go of all; those that still cast shadows come again. */
-  private startAnew(): void {
+  /** Casters may come again, to others of a later frame too. */
+  private letAllGo(): void {
     for (const { caster } of this.members) {
       caster.merged = null;
       caster.waits = -1;
     }
+    for (const caster of this.waiting) caster.waits = -1;
     this.members = [];
+    this.waiting.length = 0;
+  }
+
+  /** Lets go of all; those that still cast shadows come again. */
+  private startAnew(): void {
+    this.letAllGo();
     for (const page of this.pages) {
       page.mesh.clear();
       page.objects = 0;
