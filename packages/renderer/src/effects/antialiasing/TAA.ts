@@ -16,6 +16,7 @@ import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import displayTransfer from '../displayTransfer.glsl?raw';
 import { lacksFloatTargets } from '../../checkDevice';
 import type { FarolEffect } from '../../FarolEffect';
+import { RecentlyUsed } from '../../RecentlyUsed';
 import { Picture } from '../Picture';
 import { cellWeights } from './cellWeights';
 import { halton } from './halton';
@@ -31,8 +32,6 @@ import { TemporalHistory } from './TemporalHistory';
 
 /** Places in the pixel that the frames take in turns. */
 const SAMPLES = 32;
-/** Cameras whose past is kept; the one that has not drawn for longest gives way. */
-const HISTORIES = 4;
 /** Of `share`, in a pixel that does not move while others do. */
 const STILL = 0.5;
 /** Frames after a change of light or looks in which the past is nowhere believed as it is. */
@@ -79,6 +78,10 @@ export class TAA implements FarolEffect {
   /** Standard deviations of its neighbours to which a pixel's past is clipped where it may not be believed. Default 2, above 0. */
   gamma = 2;
   private readonly histories: TemporalHistory[] = [];
+  private readonly recent = new RecentlyUsed<TemporalHistory>((history) => {
+    this.histories.splice(this.histories.indexOf(history), 1);
+    history.dispose();
+  });
   private history!: TemporalHistory;
   private readonly views = new WeakMap<Camera, Camera>();
   private readonly jitter = { value: new Vector2() };
@@ -106,7 +109,6 @@ export class TAA implements FarolEffect {
   private resolve: PassMaterial | null = null;
   private average: PassMaterial | null = null;
   private shared: Picture | null = null;
-  private frames = 0;
   private contextLists: unknown = null;
 
   constructor(private readonly options: TAAOptions = {}) {}
@@ -123,7 +125,6 @@ export class TAA implements FarolEffect {
   }
 
   begin(frame: Frame): void {
-    this.frames++;
     // three makes them anew when a lost context is back: what the targets held is gone
     if (this.contextLists !== frame.webgl.renderLists) this.reset();
     this.contextLists = frame.webgl.renderLists;
@@ -172,6 +173,7 @@ export class TAA implements FarolEffect {
   dispose(): void {
     for (const history of this.histories) history.dispose();
     this.histories.length = 0;
+    this.recent.clear();
     this.motion.dispose();
     for (const material of [this.near, this.resolve, this.average]) material?.dispose();
     this.near = this.resolve = this.average = null;
@@ -252,14 +254,8 @@ export class TAA implements FarolEffect {
     const { histories } = this;
     let history: TemporalHistory | null = null;
     for (const one of histories) if (one.camera === camera && one.scene === scene) history = one;
-    if (history === null) {
-      if (histories.length >= HISTORIES) {
-        histories.sort((one, other) => other.usedAt - one.usedAt);
-        histories.pop()!.dispose();
-      }
-      histories.push((history = new TemporalHistory(camera, scene as Object3D)));
-    }
-    history.usedAt = this.frames;
+    if (history === null) histories.push((history = new TemporalHistory(camera, scene as Object3D)));
+    this.recent.use(history);
     const beyond = 2 * Math.max(width, height) > frame.webgl.capabilities.maxTextureSize;
     const wanted = this.options.cells ?? (width * height < LARGE ? 2 : 1);
     const cells = (this.cells.value = beyond ? 1 : wanted);

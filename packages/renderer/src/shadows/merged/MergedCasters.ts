@@ -75,8 +75,6 @@ export class MergedCasters {
   private readonly capacity: number;
   private readonly material: PassMaterial;
   private readonly geometries = new WeakMap<BufferGeometry, CasterGeometry>();
-  /** The frame in which it was last used, as its owner counts them. */
-  used = 0;
   private members: MergedCaster[] = [];
   /** Those that cast shadows in this frame. */
   private readonly present: MergedCaster[] = [];
