@@ -8,6 +8,10 @@ import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
 import { Bench } from './Bench';
 import { breakFrames, brokenScene, faultsOf, messageOf } from './brokenFrames';
+import { devices } from './devices';
+import { drawDevice } from './drawDevice';
+import { countGpuObjects } from './gpuObjects';
+import { loseContexts } from './loseContexts';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { materialScene } from './materialScene';
@@ -39,6 +43,10 @@ export interface TestPage {
   /** The techniques of the matrix. */
   drawn: typeof drawn;
   Bench: typeof Bench;
+  devices: typeof devices;
+  drawDevice: typeof drawDevice;
+  countGpuObjects: typeof countGpuObjects;
+  loseContexts: typeof loseContexts;
   compareImages: typeof compareImages;
   isFlat: typeof isFlat;
 }
@@ -71,6 +79,10 @@ window.testPage = {
   settingNames: Object.keys(settings),
   drawn,
   Bench,
+  devices,
+  drawDevice,
+  countGpuObjects,
+  loseContexts,
   compareImages,
   isFlat,
 };

@@ -50,3 +50,37 @@ test('before late code is there three draws the shadows and deferred shading the
     expect(technique, name).toBe(name === 'before, light-prepass' ? 'deferred' : name.split(', ')[1]);
   }
 });
+
+test('a page that was offline gets its shadows when it is online again, with one warning meanwhile', async ({
+  page,
+  pagesURL,
+  watch,
+}) => {
+  await page.goto(`${pagesURL}?late`);
+  await page.waitForFunction(() => 'testPage' in window);
+  await page.evaluate(() => {
+    const { Bench, shadowScene } = window.testPage;
+    const bench = new Bench(64, 48);
+    bench.webgl.shadowMap.enabled = true;
+    const { scene, camera } = shadowScene(64, 48, { caster: 'spot' });
+    const maps = () => {
+      bench.byTechnique('forward-single-pass', scene, camera);
+      const { drawn, kept } = bench.farol.info.shadows;
+      return drawn + kept;
+    };
+    Object.assign(window, { maps });
+  });
+  const maps = () => page.evaluate(() => (window as unknown as { maps(): number }).maps());
+  await page.context().setOffline(true);
+  expect(await maps()).toBe(0);
+  await expect
+    .poll(() => watch.problems.filter((problem) => problem.includes('the code of shadow maps')).length)
+    .toBe(1);
+  expect(await maps()).toBe(0);
+  await page.context().setOffline(false);
+  await expect.poll(maps).toBe(2);
+  watch.forgive(/ERR_INTERNET_DISCONNECTED/);
+  expect(
+    watch.forgive(/console warning: Farol: the code of shadow maps cannot be fetched; .* three draws shadows/),
+  ).toBe(1);
+});

@@ -82,8 +82,8 @@ export class Viewer {
     this.state = state;
     this.messages.show('address', problems.join('\n'));
     this.app = new App({ parent });
-    this.setTechnique(state.technique);
-    this.setView(state.view);
+    this.chooseTechnique(state.technique, 'auto');
+    this.chooseView(state.view, 'final');
     this.resize();
     new ResizeObserver(() => this.resize()).observe(parent);
     // what the first frame may need is there before it
@@ -130,6 +130,16 @@ export class Viewer {
   setTechnique(name: string): void {
     this.farol.technique = name as TechniqueName;
     this.changed({ technique: name });
+  }
+
+  /** Draws by a technique, or, with a message, by another one where the device cannot. */
+  chooseTechnique(name: string, otherwise = this.farol.technique): void {
+    this.choose(name, otherwise, (one) => this.setTechnique(one));
+  }
+
+  /** Shows a view, or, with a message, another one where the device cannot. */
+  chooseView(name: string, otherwise = this.farol.view): void {
+    this.choose(name, otherwise, (one) => this.setView(one));
   }
 
   /** @throws Error naming the known ones when there is no such view */
@@ -278,6 +288,15 @@ export class Viewer {
   /** Draws the scene as it is, when no loop does. */
   redraw(): void {
     if (this.state.time !== null && this.app.scene.activeCamera) this.app.step(0);
+  }
+
+  private choose(name: string, otherwise: string, set: (name: string) => void): void {
+    try {
+      set(name);
+    } catch (error) {
+      this.messages.show('device', `${(error as Error).message} Shown instead: ${otherwise}.`);
+      set(otherwise);
+    }
   }
 
   private get cameraComponent(): Camera {

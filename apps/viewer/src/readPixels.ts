@@ -1,4 +1,12 @@
-import { DataUtils, FloatType, HalfFloatType, Vector2, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import {
+  DataUtils,
+  FloatType,
+  HalfFloatType,
+  UnsignedByteType,
+  Vector2,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
 
 /** An image in linear light. */
 export interface Pixels {
@@ -10,27 +18,38 @@ export interface Pixels {
 
 /**
  * Draws into a float target of the canvas's size and reads it back. Tone mapping and the screen's encoding are left out,
- * as three does for any render target. 32 bits a channel, or 16 where the device cannot blend 32.
+ * as three does for any render target. 32 bits a channel, or 16 where the device cannot blend 32, or 8 where it
+ * draws to no floats.
  *
  * @param draw draws one frame to the current render target
  */
 export function readPixels(webgl: WebGLRenderer, draw: () => void): Pixels {
   const { x: width, y: height } = webgl.getDrawingBufferSize(new Vector2());
-  const whole = webgl.extensions.has('EXT_color_buffer_float') && webgl.extensions.has('EXT_float_blend');
-  const target = new WebGLRenderTarget(width, height, { type: whole ? FloatType : HalfFloatType });
+  const { extensions } = webgl;
+  const floats = extensions.has('EXT_color_buffer_float');
+  const whole = floats && extensions.has('EXT_float_blend');
+  const type = whole
+    ? FloatType
+    : floats || extensions.has('EXT_color_buffer_half_float')
+      ? HalfFloatType
+      : UnsignedByteType;
+  const target = new WebGLRenderTarget(width, height, { type });
   const before = webgl.getRenderTarget();
   try {
     webgl.setRenderTarget(target);
     webgl.clear();
     draw();
-    const data = new Float32Array(width * height * 4);
-    if (whole) {
-      webgl.readRenderTargetPixels(target, 0, 0, width, height, data);
-    } else {
-      const halves = new Uint16Array(data.length);
-      webgl.readRenderTargetPixels(target, 0, 0, width, height, halves);
-      halves.forEach((half, index) => (data[index] = DataUtils.fromHalfFloat(half)));
-    }
+    const count = width * height * 4;
+    const read = <T extends Float32Array | Uint16Array | Uint8Array>(values: T): T => {
+      webgl.readRenderTargetPixels(target, 0, 0, width, height, values);
+      return values;
+    };
+    const data =
+      type === FloatType
+        ? read(new Float32Array(count))
+        : type === HalfFloatType
+          ? Float32Array.from(read(new Uint16Array(count)), (half) => DataUtils.fromHalfFloat(half))
+          : Float32Array.from(read(new Uint8Array(count)), (byte) => byte / 255);
     return { width, height, data };
   } finally {
     webgl.setRenderTarget(before);

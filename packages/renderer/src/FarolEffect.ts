@@ -1,3 +1,4 @@
+import type { WebGLRenderer } from 'three';
 import type { Frame } from './Frame';
 import type { Pass, Resource } from './passes/Pass';
 
@@ -15,6 +16,13 @@ export interface FarolEffect {
   readonly replaces?: string;
   /** True if it works on a G-buffer: the technique 'auto' then picks one that has it. Default false. */
   readonly needsSurfaces?: boolean;
+  /**
+   * What "this device" does not do or have that the effect needs, such as 'draws to no float colour buffers'; null if nothing.
+   * An effect that lacks something is left out, with one warning. Default null.
+   */
+  lacks?(webgl: WebGLRenderer): string | null;
+  /** True if the frame is drawn to a picture of the effect's: it is left out in targets with several textures. Default false. */
+  readonly takesPicture?: boolean;
   /** Bytes of the targets that it holds. */
   readonly bytes: number;
   /**

@@ -4,6 +4,7 @@ import { clearValue } from './clearValue';
 import { checkDevice } from './checkDevice';
 import { type View, isSurfaceView, views } from './debug/views';
 import { unknownName } from './errors';
+import { EffectList } from './EffectList';
 import type { FarolEffect } from './FarolEffect';
 import type { FarolInfo } from './FarolInfo';
 import type { FarolOptions } from './FarolOptions';
@@ -100,6 +101,7 @@ export class FarolRenderer {
   /** While it draws: what a callback of the host's draws by it then, three draws. */
   private draws = false;
   private readonly shadowAtlasSize: number | null;
+  private readonly effectList: EffectList;
   private activeEffects = NO_EFFECTS;
   private readonly draw = (backs: boolean) => (backs ? this.drawTransmittedBacks() : this.drawFrame());
   private readonly begun = () => this.frame.takeOutputBuffer();
@@ -117,6 +119,7 @@ export class FarolRenderer {
     options: FarolOptions = {},
   ) {
     checkDevice(webgl, false);
+    this.effectList = new EffectList(webgl);
     this.microshaders = createRegistry(webgl);
     this.views = new LateViews(this.microshaders);
     this.finder = new LightFinder(webgl, (code) => this.makeShadows(code));
@@ -142,6 +145,7 @@ export class FarolRenderer {
     this.technique = options.technique ?? 'auto';
     this.view = options.view ?? 'final';
     this.effects = options.effects ?? [];
+    webgl.getContext().canvas.addEventListener('webglcontextlost', this.free);
   }
 
   /** Key of the technique; takes effect on the next frame. @throws Error when unknown, or the device cannot run it */
@@ -230,7 +234,7 @@ export class FarolRenderer {
     } finally {
       this.draws = false;
       // called by a callback of the host's
-      if (this.disposed) this.free();
+      if (this.disposed) this.end();
     }
   }
 
@@ -247,7 +251,7 @@ export class FarolRenderer {
     const { target, face, level } = frame;
     const { toneMapping } = webgl;
     let done = false;
-    this.activeEffects = frame.view === 'final' ? this.effects : NO_EFFECTS;
+    this.activeEffects = frame.view === 'final' ? this.effectList.of(this.effects, target) : NO_EFFECTS;
     try {
       for (const effect of this.activeEffects) effect.begin?.(frame);
       this.lights.shadows = webgl.shadowMap.enabled;
@@ -339,18 +343,29 @@ export class FarolRenderer {
   dispose(): void {
     if (this.disposed) return;
     this.disposed = true;
-    if (!this.draws) this.free();
+    this.webgl.getContext().canvas.removeEventListener('webglcontextlost', this.free);
+    if (!this.draws) this.end();
   }
 
-  private free(): void {
-    this.set.dispose();
+  private end(): void {
+    this.free();
     for (const effect of this.effects) effect.dispose();
+    this.recorder.dispose();
+  }
+
+  /**
+   * Frees what is on the GPU; the next frame makes it anew. Called when the context is lost too: what is disposed after it is
+   * back, three would delete in a context that it does not belong to.
+   */
+  private readonly free = (): void => {
+    this.set.dispose();
+    if (!this.disposed) this.effectList.dispose();
     this.views.dispose();
     this.twins.dispose();
     this.lights.dispose();
-    this.finder.shadows?.dispose();
-    this.recorder.dispose();
-  }
+    this.finder.dispose();
+    this.lights.layers = this.frame.findTileShadows = null;
+  };
 
   private makeShadows(code: NonNullable<(typeof shadowCode)['code']>): ShadowMaps {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);

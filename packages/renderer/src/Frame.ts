@@ -29,7 +29,7 @@ import type { TwinKind } from './materials/TwinKind';
 import type { MicroShaderRegistry } from './microshaders';
 import { logarithmicFar } from './passes/unprojectUniforms';
 import type { GeometryGroup, RenderItem } from './RenderItem';
-import { RenderQueue } from './RenderQueue';
+import { hasOwnShader, RenderQueue } from './RenderQueue';
 
 /** Uniforms that every twin and pass of one renderer shares, by reference. */
 export interface FrameUniforms {
@@ -103,6 +103,8 @@ export class Frame {
   /** Whether the canvas's colours are multiplied by alpha. */
   readonly premultiplied: boolean;
   private readonly canvasSamples: number;
+  /** Whether the host's target has several textures; effects may take its place only where it has one. */
+  private several = false;
   /** three's `renderBufferDirect`. */
   readonly draw: Draw;
 
@@ -138,6 +140,7 @@ export class Frame {
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     this.face = webgl.getActiveCubeFace();
     this.level = webgl.getActiveMipmapLevel();
+    this.several = this.target !== null && this.target.textures.length > 1;
     webgl.getCurrentViewport(this.viewport);
     this.resize();
     const { elements } = camera.projectionMatrix;
@@ -283,9 +286,23 @@ export class Frame {
     drawRange.count = count;
   }
 
-  /** Draws a mesh of Farol's own. */
+  /** Draws a mesh of Farol's own; of a host's target with several textures, to the first. */
   drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
+    const several = this.drawsToSeveral;
+    if (several) this.setDrawBuffers(1);
     this.draw(this.camera, this.scene, mesh.geometry, material, mesh, null);
+    if (several) this.setDrawBuffers(this.target!.textures.length);
+  }
+
+  /** Whether the host's target is bound and has several textures. */
+  private get drawsToSeveral(): boolean {
+    return this.several && this.webgl.getRenderTarget() === this.target;
+  }
+
+  /** Draws to the first so many textures of the bound target; WebGL refuses a shader that writes fewer. */
+  private setDrawBuffers(count: number): void {
+    const { gl } = this;
+    gl.drawBuffers((drawBuffers[count] ??= Array.from({ length: count }, (_, i) => gl.COLOR_ATTACHMENT0 + i)));
   }
 
   /** Draws an item with a material as it is, and calls what the host wants to be called. */
@@ -298,11 +315,17 @@ export class Frame {
     object.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, object.matrixWorld);
     object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
     (material.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);
+    // three's own shaders of lit materials write the first texture alone
+    const first = item.lit && this.drawsToSeveral && !hasOwnShader(source);
+    if (first) this.setDrawBuffers(1);
     this.draw(camera, scene, geometry, material, object, group);
+    if (first) this.setDrawBuffers(this.target!.textures.length);
     if (source.uniformsNeedUpdate === true) source.uniformsNeedUpdate = false;
     (object.onAfterRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, source as never, group);
   }
 }
 
+/** By their count. */
+const drawBuffers: number[][] = [];
 const clearValue = new Float32Array(4);
 const farDepth = new Float32Array([1]);

@@ -44,4 +44,11 @@ export class LightFinder {
     left.shadows = left.cookies = false;
     collectLights(scene, camera, left, found);
   }
+
+  /** Frees the shadow maps; a scene may ask for them again. */
+  dispose(): void {
+    this.shadows?.dispose();
+    this.shadows = null;
+    this.found.seeksMasks = true;
+  }
 }

@@ -40,7 +40,8 @@ function farEnd(object: Object3D, geometry: BufferGeometry, camera: Camera): num
   return sphere.radius * Math.sqrt(Math.max(xs, ys, zs)) - (v[2] * wx + v[6] * wy + v[10] * wz + v[14]);
 }
 
-function hasOwnShader(material: Material): boolean {
+/** Whether a material is drawn by another shader than three's for its class. */
+export function hasOwnShader(material: Material): boolean {
   return (
     (material as Material & { isShaderMaterial?: boolean }).isShaderMaterial === true ||
     material.onBeforeCompile !== Material.prototype.onBeforeCompile

@@ -10,15 +10,25 @@ export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {
   if (typeof WebGL2RenderingContext === 'undefined' || !(gl instanceof WebGL2RenderingContext)) {
     throw new Error('Farol: needs WebGL 2; make the WebGLRenderer with a WebGL 2 context, in a browser that has it.');
   }
-  if (floatTargets && !hasFloatTargets(webgl)) {
-    throw new Error(
-      "Farol: this device draws to no float colour buffers (EXT_color_buffer_float); use the technique 'forward-single-pass', which needs none.",
-    );
-  }
+  const lacks = floatTargets ? lacksFloatTargets(webgl) : null;
+  if (lacks !== null)
+    throw new Error(`Farol: this device ${lacks}; use the technique 'forward-single-pass', which needs none.`);
 }
 
-/** Whether half float or float colour targets can be drawn to. */
-export function hasFloatTargets(webgl: WebGLRenderer): boolean {
+/** Null where half float colour targets can be drawn to, else what "this device" does not do. */
+export function lacksFloatTargets(webgl: WebGLRenderer): string | null {
   const gl = webgl.getContext();
-  return gl.getExtension('EXT_color_buffer_float') !== null || gl.getExtension('EXT_color_buffer_half_float') !== null;
+  const has = gl.getExtension('EXT_color_buffer_float') ?? gl.getExtension('EXT_color_buffer_half_float');
+  return has === null ? 'draws to no float colour buffers (EXT_color_buffer_float)' : null;
+}
+
+/** Whether colours of 32-bit floats can be drawn to and blended. */
+export function blendsFloats(gl: WebGL2RenderingContext): boolean {
+  // some devices tell of blending alone
+  return gl.getExtension('EXT_color_buffer_float') !== null && gl.getExtension('EXT_float_blend') !== null;
+}
+
+/** How many colour buffers can be drawn to at once; at least 4. */
+export function drawBuffersOf(gl: WebGL2RenderingContext): number {
+  return Math.min(gl.getParameter(gl.MAX_DRAW_BUFFERS) as number, gl.getParameter(gl.MAX_COLOR_ATTACHMENTS) as number);
 }

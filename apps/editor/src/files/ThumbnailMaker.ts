@@ -19,6 +19,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
+import { drawsFloats } from '../viewport/drawsFloats';
 import type { Viewport } from '../viewport/Viewport';
 import type { AssetEntry } from './assetKinds';
 
@@ -113,7 +114,8 @@ export class ThumbnailMaker {
     lights[1].position.set(2, 3, 2.5);
     stage.add(...lights);
     const camera = isFlat ? flatCamera() : cameraFor(stage);
-    if (!camera) return null;
+    // its pixels are read as half floats
+    if (!camera || !drawsFloats(webgl)) return null;
     const before = { target: webgl.getRenderTarget(), alpha: webgl.getClearAlpha(), autoClear: webgl.autoClear };
     webgl.setRenderTarget(this.target);
     webgl.setClearAlpha(0);

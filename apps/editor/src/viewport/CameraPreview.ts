@@ -1,16 +1,20 @@
 import type { Camera as CameraComponent, Scene as EngineScene } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry } from '@farol/renderer';
 import {
+  type ColorSpace,
   HalfFloatType,
   Mesh,
   MeshBasicMaterial,
   OrthographicCamera,
   PlaneGeometry,
   Scene,
+  SRGBColorSpace,
+  UnsignedByteType,
   Vector4,
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
+import { drawsFloats } from './drawsFloats';
 
 /** Height of the small picture (CSS pixels), and its largest width. */
 const HEIGHT = 130;
@@ -27,7 +31,7 @@ export interface PreviewPlace {
 /** What a camera of the scene sees, as a small picture in a corner of the large one. Made when it is first asked for. */
 export class CameraPreview {
   private readonly farol: FarolRenderer;
-  private readonly target = new WebGLRenderTarget(1, 1, { type: HalfFloatType, samples: 4 });
+  private readonly target: WebGLRenderTarget;
   private readonly quad: Mesh<PlaneGeometry, MeshBasicMaterial>;
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
@@ -36,6 +40,10 @@ export class CameraPreview {
   private drawnOf = '';
 
   constructor(private readonly webgl: WebGLRenderer) {
+    const colours = drawsFloats(webgl)
+      ? { type: HalfFloatType }
+      : { type: UnsignedByteType, colorSpace: SRGBColorSpace as ColorSpace };
+    this.target = new WebGLRenderTarget(1, 1, { ...colours, samples: 4 });
     this.farol = new FarolRenderer(webgl, { technique: 'forward-single-pass' });
     const material = new MeshBasicMaterial({
       map: this.target.texture,

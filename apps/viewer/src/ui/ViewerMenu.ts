@@ -42,11 +42,11 @@ export class ViewerMenu {
     gui
       .add(this.values, 'technique', names)
       .name('Render Type')
-      .onChange((name: string) => viewer.setTechnique(name));
+      .onChange((name: string) => viewer.chooseTechnique(name));
     gui
       .add(this.values, 'view', [...known.views])
       .name('View')
-      .onChange((name: string) => viewer.setView(name));
+      .onChange((name: string) => viewer.chooseView(name));
     gui
       .add(this.values, 'aa', Object.fromEntries(known.antialiasing.map((name) => [labelOf(name), name])))
       .name('Anti-aliasing')

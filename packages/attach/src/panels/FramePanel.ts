@@ -43,7 +43,9 @@ export class FramePanel {
     this.load.addEventListener('click', () => void this.choose('auto'));
     this.technique.addEventListener('change', () => void this.choose(this.technique.value as Drawer));
     this.view.addEventListener('change', () => {
-      if (drawing.farol) drawing.farol.view = this.view.value as View;
+      void this.tell(() => {
+        if (drawing.farol) drawing.farol.view = this.view.value as View;
+      });
       session.edited.emit();
     });
     this.timing.addEventListener('change', () => {
@@ -77,9 +79,14 @@ export class FramePanel {
   }
 
   private async choose(drawer: Drawer): Promise<void> {
+    await this.tell(() => this.drawing.choose(drawer));
+  }
+
+  /** Shows what is thrown, and what is chosen all the same. */
+  private async tell(change: () => void | Promise<void>): Promise<void> {
     this.problem.textContent = '';
     try {
-      await this.drawing.choose(drawer);
+      await change();
     } catch (error) {
       this.problem.textContent = error instanceof Error ? error.message : String(error);
       this.show();

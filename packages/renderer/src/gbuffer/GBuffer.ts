@@ -1,4 +1,5 @@
 import { DepthTexture, FloatType, NearestFilter, RGBAFormat, type WebGLRenderer } from 'three';
+import { drawBuffersOf } from '../checkDevice';
 import { gbufferLayout, type GBufferAttachment } from './gbufferLayout';
 import { WebGLMultipleRenderTargets } from './WebGLMultipleRenderTargets';
 
@@ -17,7 +18,7 @@ export class GBuffer {
     readonly storesDistance = false,
   ) {
     const gl = webgl.getContext() as WebGL2RenderingContext;
-    const most = gl.getParameter(gl.MAX_DRAW_BUFFERS) as number;
+    const most = drawBuffersOf(gl);
     if (most < layout.length) {
       throw new Error(
         `Farol: the G-buffer has ${layout.length} attachments and this device draws to ${most} at once; use a technique without a G-buffer, such as 'forward'.`,

@@ -13,6 +13,7 @@ import {
   type BufferGeometry,
   type Object3D,
 } from 'three';
+import { blendsFloats } from '../checkDevice';
 import type { Frame } from '../Frame';
 import { coneIntersectsSphere } from '../lights/coneIntersectsSphere';
 import { projectedSphereBounds } from '../lights/projectedSphereBounds';
@@ -105,7 +106,7 @@ export class MultipassLightsPass implements Pass {
     if (this.target !== null && this.target.samples !== samples) this.dispose();
     this.target ??= new WebGLRenderTarget(1, 1, {
       samples,
-      type: samples === 0 && gl.getExtension('EXT_float_blend') ? FloatType : HalfFloatType,
+      type: samples === 0 && blendsFloats(gl) ? FloatType : HalfFloatType,
       minFilter: NearestFilter,
       magFilter: NearestFilter,
       stencilBuffer: true,

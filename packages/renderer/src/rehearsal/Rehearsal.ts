@@ -37,7 +37,7 @@ export class Rehearsal implements Preparation {
   constructor(
     private readonly frame: Frame,
     private readonly technique: Technique,
-    private readonly passes: readonly Pass[],
+    readonly passes: readonly Pass[],
   ) {
     this.dry = Object.assign(Object.create(frame) as Frame, {
       clear() {},

@@ -39,9 +39,6 @@ type ShadowCallback = (
   group: GeometryGroup | null,
 ) => void;
 
-/** Frames for which the merged casters of a scene that is not drawn are kept. */
-const KEPT_FRAMES = 600;
-
 /** Frames after which a map that holds only what could be seen is drawn whole, if nothing changes in it. */
 const REST = 60;
 
@@ -164,6 +161,15 @@ export class ShadowMapDraws {
     this.webgl.state.setScissorTest(false);
   }
 
+  /** Lets go of the casters of a scene. */
+  release(casters: ShadowCasters): void {
+    this.merged.get(casters)?.dispose();
+    this.merged.delete(casters);
+    if (this.casters !== casters) return;
+    this.casters = this.mergedCasters = null;
+    this.stands.length = this.loose.length = 0;
+  }
+
   dispose(): void {
     this.materials.dispose();
     for (const merged of this.merged.values()) merged.dispose();
@@ -177,13 +183,6 @@ export class ShadowMapDraws {
     if (merged === undefined) {
       merged = new MergedCasters(this.webgl, this.microshaders);
       this.merged.set(casters, merged);
-    }
-    merged.used = this.frame;
-    if (this.merged.size === 1) return merged;
-    for (const [scene, other] of this.merged) {
-      if (this.frame - other.used < KEPT_FRAMES) continue;
-      other.dispose();
-      this.merged.delete(scene);
     }
     return merged;
   }

@@ -7,12 +7,14 @@ import {
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
+import { lacksFloatTargets } from '../checkDevice';
 import type { DataTable } from '../lights/DataTable';
 import { cookieOf } from '../lights/lightCookie';
 import { LightLayers } from '../lights/LightLayers';
 import type { LightMasks } from '../lights/LightRecords';
 import type { LightTable, PictureSize } from '../lights/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
+import { RecentlyUsed } from '../RecentlyUsed';
 import { atlasLimit } from './atlasLimit';
 import { colourTarget } from './colourTarget';
 import { CookieDraws } from './CookieDraws';
@@ -31,7 +33,7 @@ import { settleSizes } from './settleSizes';
 import { type AtlasTenant, TileAtlas } from './TileAtlas';
 import { ShadowBounds, ShadowTiles } from './tiles';
 
-/** Frames for which the tile of a light or image that is not lit is kept. */
+/** Frames of its scene for which the tile of a light or image that is not lit is kept. */
 const KEPT_FRAMES = 600;
 /** Frames between looks at whose tiles are halved, when an atlas is full. */
 const REBALANCE = 60;
@@ -63,6 +65,8 @@ export class ShadowMaps implements LightMasks {
   private readonly coloured: AtlasTenant[] = [];
   private readonly staleCookies: CookieSlot[] = [];
   private readonly casters = new WeakMap<Object3D, ShadowCasters>();
+  /** Scenes whose maps are held. */
+  private readonly scenes = new RecentlyUsed<Object3D>((root) => this.releaseScene(root));
   private readonly depths: TileAtlas;
   private readonly colours: TileAtlas;
   private readonly draws: ShadowMapDraws;
@@ -89,7 +93,12 @@ export class ShadowMaps implements LightMasks {
       () => (this.isFine ? 5 : 3),
       (size) => depthTarget(size, this.isFine),
     );
-    this.colours = new TileAtlas(Math.min(LARGEST_COLOURS, maxTextureSize), () => 8, colourTarget);
+    const floats = lacksFloatTargets(webgl) === null;
+    this.colours = new TileAtlas(
+      Math.min(LARGEST_COLOURS, maxTextureSize),
+      () => (floats ? 8 : 4),
+      (size) => colourTarget(size, floats),
+    );
     this.draws = new ShadowMapDraws(webgl, microshaders);
     this.moments = new MomentDraws(webgl, microshaders, this.draws);
     this.images = new CookieDraws(webgl, microshaders);
@@ -152,6 +161,7 @@ export class ShadowMaps implements LightMasks {
     this.bounds.begin();
     this.records = this.drawn = this.kept = this.texels = 0;
     if (this.layered.size > 0) this.layered.clear();
+    this.scenes.use(root);
     if (lights.length === 0 && this.slots.size === 0) return;
     const { shadowMap, capabilities } = this.webgl;
     this.followType();
@@ -224,6 +234,29 @@ export class ShadowMaps implements LightMasks {
     this.tiles.dispose();
     this.slots.clear();
     this.cookies.clear();
+    this.scenes.clear();
+  }
+
+  /** Lets go of the maps of a scene, its casters, and images that no light of another scene throws. */
+  private releaseScene(root: Object3D): void {
+    for (const slot of this.slots.values()) {
+      if (slot.root !== root) continue;
+      this.releaseMap(slot);
+      this.slots.delete(slot.light);
+    }
+    for (const cookie of this.cookies.values()) {
+      if (this.isThrown(cookie)) continue;
+      this.colours.release(cookie);
+      this.cookies.delete(cookie.texture);
+    }
+    const casters = this.casters.get(root);
+    if (casters !== undefined) this.draws.release(casters);
+    this.casters.delete(root);
+  }
+
+  private isThrown(cookie: CookieSlot): boolean {
+    for (const slot of this.slots.values()) if (slot.cookie === cookie) return true;
+    return false;
   }
 
   /** Another type of maps is drawn otherwise, and variance shadow maps lie elsewhere. */

@@ -1,9 +1,13 @@
-import { HalfFloatType, LinearFilter, WebGLRenderTarget } from 'three';
+import { HalfFloatType, LinearFilter, UnsignedByteType, WebGLRenderTarget } from 'three';
 
-/** What cookies and the moments of variance shadow maps are drawn to. @param size texels a side */
-export function colourTarget(size: number): WebGLRenderTarget {
+/**
+ * What cookies and the moments of variance shadow maps are drawn to.
+ * @param size texels a side
+ * @param floats whether the device draws to half floats; else cookies have 8 bits, and there are no moments, as in three
+ */
+export function colourTarget(size: number, floats: boolean): WebGLRenderTarget {
   return new WebGLRenderTarget(size, size, {
-    type: HalfFloatType,
+    type: floats ? HalfFloatType : UnsignedByteType,
     minFilter: LinearFilter,
     magFilter: LinearFilter,
     depthBuffer: false,

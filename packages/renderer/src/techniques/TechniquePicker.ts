@@ -1,5 +1,5 @@
 import type { WebGLRenderer } from 'three';
-import { checkDevice, hasFloatTargets } from '../checkDevice';
+import { checkDevice, lacksFloatTargets } from '../checkDevice';
 import type { FarolEffect } from '../FarolEffect';
 import type { Frame } from '../Frame';
 import { rehearsalCode } from '../late';
@@ -22,7 +22,7 @@ export class TechniquePicker {
     private readonly webgl: WebGLRenderer,
     private readonly set: TechniqueSet,
   ) {
-    this.floatTargets = hasFloatTargets(webgl);
+    this.floatTargets = lacksFloatTargets(webgl) === null;
   }
 
   /** What is asked for. @throws Error when unknown, or the device cannot run it */
@@ -77,7 +77,10 @@ export class TechniquePicker {
     if (chooser.next === null || this.asked !== 'auto') return;
     const { technique } = chooser.next;
     const { known } = this.set;
-    chooser.preparation ??= new rehearsalCode.code!.Rehearsal(frame, known[technique], this.set.passesOf(technique));
+    const passes = this.set.passesOf(technique);
+    // after a lost context they are others
+    if (chooser.preparation?.passes !== passes)
+      chooser.preparation = new rehearsalCode.code!.Rehearsal(frame, known[technique], passes);
     chooser.preparation.step(effects);
   }
 }

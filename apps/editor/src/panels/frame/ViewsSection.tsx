@@ -7,7 +7,8 @@ import { Section } from '../inspector/Section';
 
 /** All views at once, and the scale of those that count. */
 export function ViewsSection(): ReactNode {
-  const { viewport } = useEditor();
+  const editor = useEditor();
+  const { viewport } = editor;
   useSignal(viewport.changed);
   const isOn = viewport.painter instanceof ViewsPainter;
   const setMaximum = (value: number): void => viewport.setHeatMapMaximum(value);
@@ -19,7 +20,7 @@ export function ViewsSection(): ReactNode {
           value={isOn}
           label="All views at once"
           description="Every view beside the others, in the viewport; a click on one shows it alone."
-          onChange={(on) => (viewport.painter = on ? new ViewsPainter(viewport) : null)}
+          onChange={(on) => editor.attempt(() => void (viewport.painter = on ? new ViewsPainter(viewport) : null))}
         />
       </div>
       <div className="field">

@@ -16,8 +16,12 @@ export class ViewsPainter implements Painter {
   readonly isGrid = true;
   private readonly farol: FarolRenderer;
 
+  /** @throws Error naming what the device lacks */
   constructor(private readonly viewport: Viewport) {
     this.farol = viewport.farol;
+    const { view } = this.farol;
+    for (const each of gridViews) this.farol.view = each;
+    this.farol.view = view;
   }
 
   render(scene: Scene, camera: Camera): void {

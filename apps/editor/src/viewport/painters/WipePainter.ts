@@ -3,6 +3,7 @@ import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { type Camera, HalfFloatType, type Scene, Vector2, WebGLRenderTarget } from 'three';
 import type { MicroShaderEditing } from '../../microshaders/MicroShaderEditing';
 import { Signal } from '../../model/Signal';
+import { drawsFloats } from '../drawsFloats';
 import type { Painter } from '../Painter';
 import type { Viewport } from '../Viewport';
 import { type DifferenceFigures, PictureDifference } from './PictureDifference';
@@ -31,12 +32,20 @@ export class WipePainter implements Painter {
   private isMeasuring = false;
   private isDisposed = false;
 
-  /** @param technique - the other one */
+  /**
+   * @param technique - the other one
+   * @throws Error naming what the device lacks
+   */
   constructor(
     private readonly viewport: Viewport,
     microShaders: MicroShaderEditing,
     technique: TechniqueName,
   ) {
+    if (!drawsFloats(viewport.webgl, true)) {
+      throw new Error(
+        'Techniques cannot be compared: this device draws to no float colour buffers (EXT_color_buffer_float).',
+      );
+    }
     this.other = new FarolRenderer(viewport.webgl, { timing: true });
     for (const [name, each] of Object.entries(viewport.farol.techniques)) {
       if (!Object.hasOwn(this.other.techniques, name)) this.other.addTechnique(name, each);

@@ -8,6 +8,7 @@ import {
   Vector2,
   Vector4,
 } from 'three';
+import { drawBuffersOf, lacksFloatTargets } from '../../checkDevice';
 import type { FarolEffect } from '../../FarolEffect';
 import type { Frame } from '../../Frame';
 import { hasDepthTwin } from '../../materials/depthTwin';
@@ -47,13 +48,14 @@ interface Materials {
  * With `deferred`, `tiled-deferred` and `clustered-deferred` it reads the G-buffer, which then has a fifth attachment for
  * indirect light (materials that the G-buffer cannot hold get none); with `light-prepass` the thin G-buffer; with
  * `forward-plus` its depth, from which normals are rebuilt. Other techniques know no depth before they shade: there it is
- * left out, and a warning says so.
+ * left out, and a warning says so; as it is with a G-buffer on devices that draw to four buffers at once.
  * @see Jimenez, Wu, Pesce and Jarabo 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion
  */
 export class AmbientOcclusion implements FarolEffect {
   readonly name = 'ambient occlusion';
   readonly after = ['gbuffer', 'scene-depth'] as const;
   readonly needsSurfaces = true;
+  readonly lacks = lacksFloatTargets;
   /** How far off things close the sky (m), above 0. Default 0.5. */
   radius = 0.5;
   /** Power of the open share; 0 is none, 1 as it is. Default 1. */
@@ -62,6 +64,10 @@ export class AmbientOcclusion implements FarolEffect {
   halfResolution = false;
   private use: Use = 'none';
   private warned = false;
+  /** Whether the device draws to as many buffers as the G-buffer with indirect light has; asked in the first frame. */
+  private fits: boolean | null = null;
+  /** Whether the frame has a G-buffer that does not fit. */
+  private unfit = false;
   private readonly open = new EffectTarget(
     { format: RGFormat, type: HalfFloatType, minFilter: NearestFilter, magFilter: NearestFilter },
     4,
@@ -96,12 +102,16 @@ export class AmbientOcclusion implements FarolEffect {
 
   begin(frame: Frame): void {
     this.use = 'none';
-    frame.gbufferLayout = layoutWithIndirect;
+    this.fits ??= drawBuffersOf(frame.gl) >= layoutWithIndirect.length;
+    this.unfit = false;
+    if (this.fits) frame.gbufferLayout = layoutWithIndirect;
     frame.adapt = this.adapt;
   }
 
   render(frame: Frame, pass: Pass): void {
     if (pass instanceof GBufferPass) {
+      this.unfit = !this.fits;
+      if (this.unfit) return;
       const gbuffer = pass.gbuffer!;
       this.use = 'accumulation';
       this.lit.value = gbuffer.accumulation;
@@ -120,7 +130,9 @@ export class AmbientOcclusion implements FarolEffect {
     if (this.use !== 'none' || this.warned) return;
     this.warned = true;
     console.warn(
-      "Farol: ambient occlusion is left out, since the technique in use knows no depth before it shades; use 'deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass' or 'forward-plus'.",
+      this.unfit
+        ? "Farol: ambient occlusion is left out, since its G-buffer has five attachments and this device draws to four at once; use 'light-prepass' or 'forward-plus'."
+        : "Farol: ambient occlusion is left out, since the technique in use knows no depth before it shades; use 'deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass' or 'forward-plus'.",
     );
   }
 
@@ -134,7 +146,7 @@ export class AmbientOcclusion implements FarolEffect {
   }
 
   private readonly adapt = (kind: TwinKind, item: RenderItem): TwinKind => {
-    if (kind === gbufferTwin) return this.twinOf(kind);
+    if (kind === gbufferTwin) return this.fits ? this.twinOf(kind) : kind;
     if (!item.plain || !kind.key.startsWith('forward-')) return kind;
     const occluded =
       (this.use === 'prepass' && hasDepthTwin(item.material)) ||

@@ -1,4 +1,5 @@
 import { HalfFloatType, LessEqualDepth, NearestFilter, type IUniform, type Texture, WebGLRenderTarget } from 'three';
+import { lacksFloatTargets } from '../../checkDevice';
 import type { FarolEffect } from '../../FarolEffect';
 import type { Frame } from '../../Frame';
 import { gbufferLayout } from '../../gbuffer/gbufferLayout';
@@ -33,6 +34,8 @@ const SAMPLES = 4;
  */
 export class MultisampledEdges implements FarolEffect {
   readonly name = 'Multisampled edges';
+  readonly lacks = lacksFloatTargets;
+  readonly takesPicture = true;
   /** Lights up to which all edges are shaded anew. Default 32. */
   shadedLights = 32;
   /** Lights beyond which nothing is shaded: what no pixel nearby shows has edges as in the picture. Default 128. */

@@ -5,6 +5,7 @@ import { PassMaterial } from '../../passes/PassMaterial';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import displayTransfer from '../displayTransfer.glsl?raw';
 import { EffectTarget } from '../EffectTarget';
+import { lacksFloatTargets } from '../../checkDevice';
 import type { FarolEffect } from '../../FarolEffect';
 import { Picture } from '../Picture';
 import smaaBlend from './smaaBlend.glsl?raw';
@@ -24,6 +25,8 @@ const CHUNKS = { displayTransfer, smaaEdges, smaaWeights, smaaBlend };
  */
 export class SMAA implements FarolEffect {
   readonly name = 'SMAA';
+  readonly lacks = lacksFloatTargets;
+  readonly takesPicture = true;
   private readonly edges = new EffectTarget({ format: RGFormat }, 2);
   private readonly weights = new EffectTarget({}, 4);
   private readonly output = new EffectTarget({ type: HalfFloatType }, 8);

@@ -14,7 +14,9 @@ import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import { PassMaterial } from '../../passes/PassMaterial';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import displayTransfer from '../displayTransfer.glsl?raw';
+import { lacksFloatTargets } from '../../checkDevice';
 import type { FarolEffect } from '../../FarolEffect';
+import { RecentlyUsed } from '../../RecentlyUsed';
 import { Picture } from '../Picture';
 import { cellWeights } from './cellWeights';
 import { halton } from './halton';
@@ -30,8 +32,6 @@ import { TemporalHistory } from './TemporalHistory';
 
 /** Places in the pixel that the frames take in turns. */
 const SAMPLES = 32;
-/** Cameras whose past is kept; the one that has not drawn for longest gives way. */
-const HISTORIES = 4;
 /** Of `share`, in a pixel that does not move while others do. */
 const STILL = 0.5;
 /** Frames after a change of light or looks in which the past is nowhere believed as it is. */
@@ -71,11 +71,17 @@ export interface TAAOptions {
  */
 export class TAA implements FarolEffect {
   readonly name = 'TAA';
+  readonly lacks = lacksFloatTargets;
+  readonly takesPicture = true;
   /** Share of a sample in a quarter of a pixel that it falls in, if that moves; half of it if not: above 0, at most 1. Default 0.65. */
   share = 0.65;
   /** Standard deviations of its neighbours to which a pixel's past is clipped where it may not be believed. Default 2, above 0. */
   gamma = 2;
   private readonly histories: TemporalHistory[] = [];
+  private readonly recent = new RecentlyUsed<TemporalHistory>((history) => {
+    this.histories.splice(this.histories.indexOf(history), 1);
+    history.dispose();
+  });
   private history!: TemporalHistory;
   private readonly views = new WeakMap<Camera, Camera>();
   private readonly jitter = { value: new Vector2() };
@@ -103,7 +109,6 @@ export class TAA implements FarolEffect {
   private resolve: PassMaterial | null = null;
   private average: PassMaterial | null = null;
   private shared: Picture | null = null;
-  private frames = 0;
   /** From `begin` to `end`: found at `begin`, an exception has ended the last frame. */
   private open = false;
   private contextLists: unknown = null;
@@ -122,7 +127,6 @@ export class TAA implements FarolEffect {
   }
 
   begin(frame: Frame): void {
-    this.frames++;
     // what the targets hold is of a frame that broke, or gone with a lost context: three then makes its lists anew
     if (this.open || this.contextLists !== frame.webgl.renderLists) this.reset();
     this.open = true;
@@ -173,6 +177,7 @@ export class TAA implements FarolEffect {
   dispose(): void {
     for (const history of this.histories) history.dispose();
     this.histories.length = 0;
+    this.recent.clear();
     this.motion.dispose();
     for (const material of [this.near, this.resolve, this.average]) material?.dispose();
     this.near = this.resolve = this.average = null;
@@ -253,14 +258,8 @@ export class TAA implements FarolEffect {
     const { histories } = this;
     let history: TemporalHistory | null = null;
     for (const one of histories) if (one.camera === camera && one.scene === scene) history = one;
-    if (history === null) {
-      if (histories.length >= HISTORIES) {
-        histories.sort((one, other) => other.usedAt - one.usedAt);
-        histories.pop()!.dispose();
-      }
-      histories.push((history = new TemporalHistory(camera, scene as Object3D)));
-    }
-    history.usedAt = this.frames;
+    if (history === null) histories.push((history = new TemporalHistory(camera, scene as Object3D)));
+    this.recent.use(history);
     const beyond = 2 * Math.max(width, height) > frame.webgl.capabilities.maxTextureSize;
     const wanted = this.options.cells ?? (width * height < LARGE ? 2 : 1);
     const cells = (this.cells.value = beyond ? 1 : wanted);

@@ -36,8 +36,6 @@ export class TemporalHistory {
   looks = 0;
   /** Sum of the weights of the samples in each cell of a pixel, since anything changed. */
   readonly gathered = new Vector4();
-  /** When it was last drawn; the caller's count. */
-  usedAt = 0;
   private readonly targets = [
     new EffectTarget({ type: HalfFloatType }, 8),
     new EffectTarget({ type: HalfFloatType }, 8),

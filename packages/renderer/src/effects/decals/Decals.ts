@@ -19,6 +19,7 @@ import {
   Vector4,
   ZeroFactor,
 } from 'three';
+import { lacksFloatTargets } from '../../checkDevice';
 import type { FarolEffect } from '../../FarolEffect';
 import type { Frame } from '../../Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
@@ -54,6 +55,7 @@ export class Decals implements FarolEffect {
   readonly name = 'decals';
   readonly after = ['gbuffer'] as const;
   readonly needsSurfaces = true;
+  readonly lacks = lacksFloatTargets;
   private reached = false;
   private warned = false;
   private readonly framebuffers = new DecalFramebuffers();

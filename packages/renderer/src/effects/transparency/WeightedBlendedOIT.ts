@@ -9,6 +9,7 @@ import {
   type Texture,
   type WebGLRenderTarget,
 } from 'three';
+import { lacksFloatTargets } from '../../checkDevice';
 import type { FarolEffect } from '../../FarolEffect';
 import type { Frame } from '../../Frame';
 import { WebGLMultipleRenderTargets } from '../../gbuffer/WebGLMultipleRenderTargets';
@@ -36,6 +37,8 @@ const CLEAR = new Vector4(0, 0, 0, 1);
  */
 export class WeightedBlendedOIT implements FarolEffect {
   readonly name = 'order-independent transparency';
+  readonly lacks = lacksFloatTargets;
+  readonly takesPicture = true;
   readonly replaces = 'transparent';
   private target: WebGLMultipleRenderTargets | null = null;
   private underTarget: WebGLRenderTarget | null = null;

@@ -75,8 +75,6 @@ export class MergedCasters {
   private readonly capacity: number;
   private readonly material: PassMaterial;
   private readonly geometries = new WeakMap<BufferGeometry, CasterGeometry>();
-  /** The frame in which it was last used, as its owner counts them. */
-  used = 0;
   private members: MergedCaster[] = [];
   /** Those that cast shadows in this frame. */
   private readonly present: MergedCaster[] = [];
@@ -246,6 +244,7 @@ export class MergedCasters {
   }
 
   dispose(): void {
+    this.letAllGo();
     for (const { mesh, matrices } of this.pages) {
       mesh.dispose();
       matrices.dispose();
@@ -349,13 +348,20 @@ export class MergedCasters {
     for (const member of this.members) member.place = -1;
   }
 
-  /** Lets go of all; those that still cast shadows come again. */
-  private startAnew(): void {
+  /** Casters may come again, to others of a later frame too. */
+  private letAllGo(): void {
     for (const { caster } of this.members) {
       caster.merged = null;
       caster.waits = -1;
     }
+    for (const caster of this.waiting) caster.waits = -1;
     this.members = [];
+    this.waiting.length = 0;
+  }
+
+  /** Lets go of all; those that still cast shadows come again. */
+  private startAnew(): void {
+    this.letAllGo();
     for (const page of this.pages) {
       page.mesh.clear();
       page.objects = 0;

@@ -1,0 +1,157 @@
+import { FarolRenderer, type TechniqueName } from '@farol/renderer';
+import { type EffectName, effects } from '@farol/renderer/effects';
+import * as THREE from 'three';
+import { compareImages, type Difference } from '../support/images';
+import { devices, type DeviceName, subtract } from './devices';
+import { type PageImage } from './Bench';
+import { shadowScene } from './shadowScene';
+import type { TestScene } from './materialScene';
+
+const WIDTH = 160;
+const HEIGHT = 90;
+
+/** What a technique, with or without an effect, draws on a device. */
+export interface DeviceResult extends Partial<Difference> {
+  readonly technique: string;
+  readonly effect: string;
+  /** What was thrown when it was asked for, or empty. */
+  readonly refused: string;
+  /** GL errors in its frames. */
+  readonly errors: number;
+}
+
+export interface DeviceResults {
+  readonly results: DeviceResult[];
+  /** What was done beyond the device's limits. */
+  readonly beyond: string[];
+}
+
+export interface DeviceRun {
+  readonly names: readonly TechniqueName[];
+  readonly effectNames: readonly EffectName[];
+  /** Draws `shadowScene` in place of a scene of few programs. */
+  readonly whole: boolean;
+}
+
+/** A lit floor with a shadow, a box with its edges, glass: few programs. */
+function deviceScene(): TestScene {
+  const scene = new THREE.Scene();
+  scene.background = new THREE.Color(0x101418);
+  const floor = new THREE.Mesh(new THREE.PlaneGeometry(14, 14), new THREE.MeshStandardMaterial({ roughness: 0.7 }));
+  floor.rotation.x = -Math.PI / 2;
+  floor.receiveShadow = true;
+  const box = new THREE.Mesh(new THREE.BoxGeometry(2, 2, 2), new THREE.MeshPhongMaterial({ color: 0xee9966 }));
+  box.position.set(-1.2, 1, 0);
+  box.castShadow = true;
+  const glass = new THREE.Mesh(
+    new THREE.PlaneGeometry(2, 2),
+    new THREE.MeshStandardMaterial({ color: 0xffaa66, transparent: true, opacity: 0.5 }),
+  );
+  glass.position.set(1, 1.2, 1.8);
+  const edges = new THREE.LineSegments(new THREE.EdgesGeometry(box.geometry), new THREE.LineBasicMaterial());
+  edges.scale.setScalar(1.02);
+  box.add(edges);
+  scene.add(floor, box, glass, new THREE.HemisphereLight(0x8899aa, 0x332211, 0.4));
+  const sun = new THREE.DirectionalLight(0xffeecc, 0.6);
+  sun.position.set(-2, 4, 3);
+  const spot = new THREE.SpotLight(0xddeeff, 150, 20, 0.6, 0.4, 2);
+  spot.position.set(3, 6, 3);
+  spot.castShadow = true;
+  spot.shadow.mapSize.set(256, 256);
+  spot.shadow.bias = -0.004;
+  spot.map = new THREE.DataTexture(new Uint8Array([255, 200, 90, 255, 90, 160, 255, 255]), 2, 1);
+  spot.map.magFilter = THREE.LinearFilter;
+  spot.map.needsUpdate = true;
+  const lights: THREE.Light[] = [sun, spot];
+  for (let i = 0; i < 6; i++) {
+    const point = new THREE.PointLight(new THREE.Color().setHSL(i / 6, 0.8, 0.6), 8, 5);
+    point.position.set(3 * Math.cos(i), 1 + (i % 3) / 2, 3 * Math.sin(i));
+    lights.push(point);
+  }
+  scene.add(...lights);
+  const camera = new THREE.PerspectiveCamera(50, WIDTH / HEIGHT, 0.1, 60);
+  camera.position.set(0, 3.4, 7);
+  camera.lookAt(0, 1, 0);
+  return { scene, camera, lights };
+}
+
+/**
+ * Draws a scene of lights, shadows, lines and glass on a device that lacks something, by techniques and by stock three, into
+ * a target of the finest colour that the device draws to. Each effect is drawn by `deferred` and by `forward-plus`.
+ */
+export function drawDevice(device: DeviceName, { names, effectNames, whole }: DeviceRun): DeviceResults {
+  const beyond = subtract(devices[device]);
+  const webgl = new THREE.WebGLRenderer({ antialias: false });
+  webgl.setSize(WIDTH, HEIGHT, false);
+  webgl.shadowMap.enabled = true;
+  const gl = webgl.getContext() as WebGL2RenderingContext;
+  const { extensions } = webgl;
+  const type = extensions.has('EXT_color_buffer_float')
+    ? THREE.FloatType
+    : extensions.has('EXT_color_buffer_half_float')
+      ? THREE.HalfFloatType
+      : THREE.UnsignedByteType;
+  const blends = type !== THREE.FloatType || extensions.has('EXT_float_blend');
+  const target = new THREE.WebGLRenderTarget(WIDTH, HEIGHT, { type: blends ? type : THREE.HalfFloatType });
+  const { scene, camera } = whole ? shadowScene(WIDTH, HEIGHT, { caster: 'mixed' }) : deviceScene();
+  const edges = new THREE.LineSegments(
+    new THREE.EdgesGeometry(new THREE.BoxGeometry(1.1, 1.7, 1.1)),
+    new THREE.LineBasicMaterial({ color: 0x00ffaa }),
+  );
+  edges.position.set(-1.6, 0.8, 0);
+  scene.add(edges);
+  let errors = 0;
+  const draw = (render: () => void): PageImage => {
+    webgl.setRenderTarget(target);
+    render();
+    errors = 0;
+    while (gl.getError() !== 0) errors++;
+    const image = read(webgl, target);
+    webgl.setRenderTarget(null);
+    return image;
+  };
+  const farol = new FarolRenderer(webgl);
+  const stock = draw(() => webgl.render(scene, camera));
+  const results: DeviceResult[] = [];
+  const run = (technique: TechniqueName, effect: EffectName | null): void => {
+    const told = { technique, effect: effect ?? 'none' };
+    try {
+      farol.technique = technique;
+      farol.effects = effect === null ? [] : [effects[effect].make()];
+      let image!: PageImage;
+      // the second frame has all code and programs
+      let all = 0;
+      for (let i = 0; i < (effect === null ? 1 : 2); i++) {
+        image = draw(() => farol.render(scene, camera));
+        all += errors;
+      }
+      results.push({ ...told, refused: '', errors: all, ...compareImages(stock, image) });
+    } catch (error) {
+      while (gl.getError() !== 0);
+      webgl.setRenderTarget(null);
+      results.push({ ...told, refused: (error as Error).message, errors: 0 });
+    }
+    for (const one of farol.effects) one.dispose();
+    farol.effects = [];
+  };
+  for (const name of names) run(name, null);
+  for (const name of effectNames) for (const technique of ['deferred', 'forward-plus'] as const) run(technique, name);
+  return { results, beyond: [...beyond] };
+}
+
+function read(webgl: THREE.WebGLRenderer, target: THREE.WebGLRenderTarget): PageImage {
+  const { width, height } = target;
+  const count = width * height * 4;
+  const take = <T extends Float32Array | Uint16Array | Uint8Array>(values: T): T => {
+    webgl.readRenderTargetPixels(target, 0, 0, width, height, values);
+    return values;
+  };
+  const { type } = target.texture;
+  const data =
+    type === THREE.FloatType
+      ? take(new Float32Array(count))
+      : type === THREE.HalfFloatType
+        ? Float32Array.from(take(new Uint16Array(count)), (half) => THREE.DataUtils.fromHalfFloat(half))
+        : Float32Array.from(take(new Uint8Array(count)), (byte) => byte / 255);
+  return { width, height, data };
+}

@@ -1,0 +1,74 @@
+import type { FarolEffect, TechniqueName } from '@farol/renderer';
+import { effects } from '@farol/renderer/effects';
+import { Decal } from '@farol/renderer/decals';
+import * as THREE from 'three';
+import { Bench, type PageImage } from './Bench';
+import { countGpuObjects, type GpuObjects } from './gpuObjects';
+import { shadowScene } from './shadowScene';
+
+/** What was seen over some losses of the context. */
+export interface LossResults {
+  /** Losses after which a picture was not the same, to the bit. */
+  readonly changed: number[];
+  /** GPU objects after the first frames, and after the last loss. */
+  readonly before: GpuObjects;
+  readonly after: GpuObjects;
+  /** What three counts at the end of both. */
+  readonly memory: [object, object];
+}
+
+/** Frames in which maps, merged casters and the past of TAA become what they stay. */
+const FRAMES = 4;
+
+/**
+ * Loses the context again and again, and draws the same frames after each as at first: shadows of each kind of light, a decal,
+ * a light's image, glass. The size changes at each loss and back, so that targets of the context that was lost are let go of.
+ */
+export async function loseContexts(
+  technique: TechniqueName,
+  losses: number,
+  effectNames: readonly (keyof typeof effects)[],
+): Promise<LossResults> {
+  const count = countGpuObjects();
+  const bench = new Bench(96, 64);
+  bench.webgl.shadowMap.enabled = true;
+  // as a host must: three would delete what it has of a target in a context that it does not belong to
+  bench.webgl.domElement.addEventListener('webglcontextlost', () => bench.target.dispose());
+  const image = new THREE.DataTexture(new Uint8Array([255, 200, 90, 255, 90, 160, 255, 255]), 2, 1);
+  image.needsUpdate = true;
+  const { scene, camera } = shadowScene(96, 64, { caster: 'mixed', map: image });
+  const decal = new Decal(new THREE.MeshStandardMaterial({ color: 0x00ff00 }));
+  decal.position.set(1, 0, 1.5);
+  decal.rotation.x = -Math.PI / 2;
+  if (effectNames.includes('decals')) scene.add(decal);
+  const list: FarolEffect[] = effectNames.map((name) => effects[name].make());
+  const frames = (): PageImage => {
+    // with and without: what is switched off holds targets too
+    bench.farol.effects = [];
+    bench.byTechnique(technique, scene, camera);
+    bench.farol.effects = list;
+    let picture!: PageImage;
+    for (let i = 0; i < FRAMES; i++) picture = bench.byTechnique(technique, scene, camera);
+    bench.farol.effects = [];
+    return picture;
+  };
+  const first = frames();
+  const before = count();
+  const memory = () => ({ ...bench.webgl.info.memory, programs: bench.programs });
+  const memoryBefore = memory();
+  const changed: number[] = [];
+  for (let loss = 1; loss <= losses; loss++) {
+    await bench.loseContext();
+    const { data } = frames();
+    if (data.some((value, i) => value !== first.data[i])) changed.push(loss);
+    bench.setSize(80, 60);
+    frames();
+    bench.setSize(96, 64);
+  }
+  frames();
+  const after = count();
+  const memoryAfter = memory();
+  bench.farol.dispose();
+  for (const effect of list) effect.dispose();
+  return { changed, before, after, memory: [memoryBefore, memoryAfter] };
+}

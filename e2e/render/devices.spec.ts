@@ -1,0 +1,94 @@
+import type { TechniqueName } from '@farol/renderer';
+import type { EffectName } from '@farol/renderer/effects';
+import type { DeviceName } from '../pages/devices';
+import { expect, test } from '../support/test';
+
+/**
+ * Devices by subtraction: what a device lacks is hidden from the page, and what is drawn must be as by stock three there, or
+ * be refused or left out by one sentence. `npm test` takes a few devices and techniques; `npm run devices` all, with a larger
+ * scene and every effect.
+ */
+const WHOLE = Boolean(process.env.FAROL_DEVICES);
+const FEW: readonly TechniqueName[] = ['auto', 'forward', 'deferred', 'inferred', 'tiled-deferred', 'forward-plus'];
+const OTHERS: readonly TechniqueName[] = [
+  ...(['forward-single-pass', 'light-prepass', 'tiled-forward'] as const),
+  ...(['clustered-deferred', 'clustered-forward'] as const),
+];
+const EFFECTS: readonly EffectName[] = [
+  ...(['decals', 'ambient-occlusion', 'order-independent-transparency', 'smaa', 'edges', 'taa'] as const),
+];
+/** Those that change the picture of a scene without decals. */
+const CHANGES: readonly EffectName[] = ['smaa', 'edges', 'taa'];
+
+/** Devices by what they lack, with the effects that are drawn in `npm test`; null for those that `npm run devices` has. */
+const LACKS: Record<DeviceName, readonly EffectName[] | null> = {
+  nothing: null,
+  'colour buffers of whole floats': [],
+  'float colour buffers': EFFECTS,
+  'blending of floats': [],
+  'linear filtering of floats': [],
+  timers: null,
+  'a fifth draw buffer': null,
+  'textures above 2048': null,
+  'textures above 4096': null,
+  'texture units above 16': null,
+  'varyings above 15': null,
+  'fragment uniforms above 224': null,
+  'highp in fragments': [],
+  'several draws a call': null,
+  'anisotropic filtering': null,
+  'compiling aside': null,
+  'anything above the least limits': ['decals', 'ambient-occlusion'],
+  'anything but WebGL 2 itself': null,
+};
+
+/** Of shadows: seams of cube maps, and edges of texels. */
+const WHOLE_SCENE = { psnr: 55, share: 0.006 };
+const SCENE = { psnr: 60, share: 0.001 };
+
+for (const name of Object.keys(LACKS) as DeviceName[]) {
+  if (LACKS[name] === null && !WHOLE) continue;
+  test(`a device without ${name}: the picture of stock three, or one sentence`, async ({ page, pagesURL, watch }) => {
+    test.setTimeout(WHOLE ? 600_000 : 120_000);
+    await page.goto(pagesURL);
+    await page.waitForFunction(() => 'testPage' in window);
+    const run = {
+      names: WHOLE ? [...FEW, ...OTHERS] : FEW,
+      effectNames: WHOLE ? EFFECTS : LACKS[name]!,
+      whole: WHOLE,
+    };
+    const { results, beyond } = await page.evaluate(([name, run]) => window.testPage.drawDevice(name, run), [
+      name,
+      run,
+    ] as const);
+    const floats = name !== 'float colour buffers' && name !== 'anything but WebGL 2 itself';
+    const asked = new Set<string>();
+    for (const { technique, effect, refused, errors, psnr = 0, share = 0 } of results) {
+      const said = `${technique}, effect ${effect}: ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(2)}% off ${refused}`;
+      test.info().annotations.push({ type: 'device', description: said });
+      if (refused !== '') {
+        expect.soft(floats, said).toBe(false);
+        expect
+          .soft(refused)
+          .toMatch(/^Farol: this device draws to no float colour buffers .*; use the technique '.*\.$/);
+        continue;
+      }
+      asked.add(effect);
+      expect.soft(errors, `${said}: GL errors`).toBe(0);
+      const changes = floats && CHANGES.includes(effect as EffectName);
+      const limits = technique === 'inferred' ? { psnr: 35, share: 0.12 } : WHOLE ? WHOLE_SCENE : SCENE;
+      expect.soft(psnr, said).toBeGreaterThanOrEqual(changes ? 25 : limits.psnr);
+      expect.soft(share, said).toBeLessThanOrEqual(changes ? 0.1 : limits.share);
+    }
+    expect(asked.has('none')).toBe(true);
+    expect(beyond).toEqual([]);
+    // three tells of what it misses; Farol of each effect once for each object
+    watch.forgive(/THREE.WebGLRenderer: .* not supported/);
+    const left = watch.forgive(/Farol: [A-Za-z -]+ (is|are) left out, since (this|its)/);
+    const wanted = !floats ? run.effectNames.length : beyondFour(name) ? 1 : 0;
+    expect(left, 'effects that were left out').toBe(wanted);
+  });
+}
+
+const beyondFour = (name: DeviceName): boolean =>
+  name === 'a fifth draw buffer' || name === 'anything above the least limits';

@@ -1,0 +1,47 @@
+/** How long one that is not used is kept, while others are (ms). */
+const KEPT = 2000;
+/** Those that are kept beside the one in use, at most. */
+const MOST = 3;
+
+/**
+ * What is held for scenes or cameras that take turns: one that is used no more is released, the sooner the more there are, by
+ * time and not by frames, since a host may draw none. The one that was used last is kept.
+ */
+export class RecentlyUsed<Key> {
+  private current: Key | null = null;
+  /** When the others were last used (ms), in that order. */
+  private readonly others = new Map<Key, number>();
+  private timer: ReturnType<typeof setTimeout> | null = null;
+
+  constructor(private readonly release: (key: Key) => void) {}
+
+  /** To be called for each use. */
+  use(key: Key): void {
+    const { current, others } = this;
+    if (key === current) return;
+    if (current !== null) others.set(current, performance.now());
+    this.current = key;
+    others.delete(key);
+    for (const oldest of others.keys()) if (others.size > MOST) this.drop(oldest);
+    if (others.size > 0) this.timer ??= setTimeout(this.sweep, KEPT);
+  }
+
+  /** Forgets all, without a release. */
+  clear(): void {
+    if (this.timer !== null) clearTimeout(this.timer);
+    this.timer = this.current = null;
+    this.others.clear();
+  }
+
+  private drop(key: Key): void {
+    this.others.delete(key);
+    this.release(key);
+  }
+
+  private readonly sweep = (): void => {
+    this.timer = null;
+    const now = performance.now();
+    for (const [key, since] of this.others) if (now - since >= KEPT) this.drop(key);
+    if (this.others.size > 0) this.timer = setTimeout(this.sweep, KEPT);
+  };
+}
