@@ -22,6 +22,9 @@ import { watchErrors } from './watchErrors';
 /** Scene of the engine's that is there at first, and its parameters. */
 const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
 
+/** How long frames must have been drawn before the message that they cannot be is taken away (ms). */
+const RECOVERED = 1000;
+
 /** The file that the document is saved to. */
 export interface OpenFile {
   /** Its name; null for a document that has not been saved. */
@@ -218,18 +221,26 @@ export class Editor {
 
   private watchPicture(): void {
     const { viewport, notices } = this;
+    /** What is told of a picture that cannot be drawn, and since when (ms); 0 for nothing. */
+    let failure = 0;
+    let failedAt = 0;
     viewport.onError = (error) => {
+      failedAt = performance.now();
       const text = `The picture cannot be drawn: ${error instanceof Error ? error.message : String(error)}`;
       if (notices.current.some((notice) => notice.text === text)) return;
       console.error(error);
-      notices.show('error', text, 'picture');
+      failure = notices.show('error', text, 'picture');
     };
-    viewport.canvas.addEventListener('webglcontextlost', () => {
-      notices.show(
-        'error',
-        'The graphics device was lost. The picture comes back by itself; if not, save and reload.',
-        'picture',
-      );
+    viewport.drawn.subscribe(() => {
+      if (failure === 0 || performance.now() - failedAt < RECOVERED) return;
+      notices.remove(failure);
+      failure = 0;
     });
+    let loss = 0;
+    viewport.canvas.addEventListener('webglcontextlost', () => {
+      const text = 'The graphics device was lost. The picture comes back by itself; if not, save and reload.';
+      loss = notices.show('error', text, 'picture');
+    });
+    viewport.canvas.addEventListener('webglcontextrestored', () => notices.remove(loss));
   }
 }
