@@ -5,6 +5,7 @@ import type { Command } from './model/Command';
 import type { CommandStack } from './model/CommandStack';
 import { Clipboard } from './model/Clipboard';
 import { ConsoleLog } from './model/ConsoleLog';
+import { Drafts } from './model/Drafts';
 import { MicroShaderEditing } from './microshaders/MicroShaderEditing';
 import { PlaceToShow } from './microshaders/PlaceToShow';
 import { Dialogs } from './model/Dialogs';
@@ -54,6 +55,8 @@ export class Editor {
   /** What the Console panel shows. */
   readonly log = new ConsoleLog();
   readonly notices = new Notices(this.log);
+  /** Whether changes are kept for a tab that is killed. */
+  readonly drafts = new Drafts();
   /** Emits when the user asks to rename the selected object. */
   readonly renameRequested = new Signal();
   /** Emits when another file, or another scene, is edited. */
@@ -110,7 +113,12 @@ export class Editor {
   private async openFirst(name: string | null): Promise<void> {
     if (name === 'empty') this.show(makeEmptyScene(this.document.assets), { name: null, handle: null });
     else if (name !== null && Object.hasOwn(scenes, name)) await this.openScene(name);
-    else await this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
+    else {
+      await this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
+      if (name === null) return;
+      const text = name.length > 60 ? `${name.slice(0, 60)}…` : name;
+      this.notices.show('info', `There is no scene “${text}”: known are empty, ${Object.keys(scenes).join(', ')}.`);
+    }
   }
 
   /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
