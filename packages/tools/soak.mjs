@@ -75,7 +75,8 @@ async function soakRenderer(context, url, seed) {
 | rounds | pictures that differ | messages | heap, kB a minute | GPU objects a minute | GPU objects at rest |
 |---|---|---|---|---|---|
 | ${result.rounds} | ${result.mismatches.length} | ${result.messages.length} | ${figure(heap)} | ${figure(objects)} | ${result.samples.at(-1)?.objects ?? 0} |
-${JSON.stringify(result.table)}`);
+at rest: ${JSON.stringify(result.table)}
+left once all is disposed: ${JSON.stringify(result.left)}`);
   const faults = soakFaults(result);
   for (const fault of faults.slice(-20)) console.log(fault);
   return faults.length;

@@ -6,6 +6,9 @@
 /** Share of the samples that are left out at first: programs, pools and code come in then. */
 const WARM_UP = 0.25;
 
+/** Samples, once warm, from which a slope is believed. */
+const ENOUGH = 12;
+
 /** How many standard errors a slope must differ from none to count. */
 const CERTAIN = 4;
 
@@ -56,7 +59,7 @@ export function growthOf(samples) {
   );
   const span = warm.length > 1 ? minutes[minutes.length - 1] - minutes[0] : 0;
   /** @param {Slope} slope @param {number} most */
-  const isGrowing = ({ slope, error }, most) => slope > CERTAIN * error && slope * span > most;
+  const isGrowing = ({ slope, error }, most) => warm.length >= ENOUGH && slope > CERTAIN * error && slope * span > most;
   const grows = [];
   if (isGrowing(heap, noise.heap)) grows.push(`the heap grows by ${figure(heap)} kB a minute`);
   if (isGrowing(objects, noise.objects)) grows.push(`GPU objects grow by ${figure(objects)} a minute`);

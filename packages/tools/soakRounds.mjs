@@ -4,7 +4,7 @@ import { growthOf } from './soakReport.mjs';
  * @typedef {import('playwright-core').Page} Page
  * @typedef {{ acts: string[], difference: number, share: number, technique: string, problems: string[] }} Round
  * @typedef {{ rounds: number, mismatches: string[], messages: string[], samples: import('./soakReport.mjs').Sample[],
- *   table: Record<string, number> }} SoakResult
+ *   table: Record<string, number>, left: Record<string, number> }} SoakResult left: GPU objects once all is disposed
  */
 
 /** What the browser says of a context that the soak takes away itself. */
@@ -20,15 +20,15 @@ const NEAR = 1;
  * @param {object} options
  * @param {string} options.url where e2e/pages are served
  * @param {number} options.seed
- * @param {() => boolean} options.isOver asked after each round
+ * @param {(rounds: number) => boolean} options.isOver asked after each round
  * @param {number} [options.every] rounds from one measurement to the next
  * @param {readonly string[]} [options.without] kinds of acts that are left out
  * @param {(line: string) => void} [options.say]
  * @returns {Promise<SoakResult>}
  */
-export async function soakRounds(page, { url, seed, isOver, every = 4, without = [], say = () => {} }) {
+export async function soakRounds(page, { url, seed, isOver, every = 10, without = [], say = () => {} }) {
   /** @type {SoakResult} */
-  const result = { rounds: 0, mismatches: [], messages: [], samples: [], table: {} };
+  const result = { rounds: 0, mismatches: [], messages: [], samples: [], table: {}, left: {} };
   /** @type {string[]} */
   let heard = [];
   page.on('console', (message) => {
@@ -71,7 +71,8 @@ export async function soakRounds(page, { url, seed, isOver, every = 4, without =
       result.table = table;
       result.samples.push({ minutes: (performance.now() - begin) / 60_000, heap: usedSize / 1024, objects });
     }
-  } while (!isOver());
+  } while (!isOver(result.rounds));
+  result.left = await page.evaluate(() => /** @type {any} */ (window).soak.end());
   await cdp.detach();
   return result;
 }

@@ -1,7 +1,7 @@
 import { type FarolEffect, FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { type EffectName, effects } from '@farol/renderer/effects';
 import * as THREE from 'three';
-import { random } from '../materialScene';
+import { random, type TestScene } from '../materialScene';
 import { type ActName, acts, THROWN } from './acts';
 import { GpuObjects } from './GpuObjects';
 import { casters, disposeScene, soakScenes } from './soakScenes';
@@ -23,6 +23,15 @@ const SIZE = [160, 96] as const;
 /** Effects of a picture that is the same whatever was drawn before: not TAA. */
 const still = (Object.keys(effects) as EffectName[]).filter((name) => name !== 'taa');
 
+/** Techniques that ambient occlusion works with. */
+const knowsDepth: ReadonlySet<string> = new Set([
+  'deferred',
+  'tiled-deferred',
+  'clustered-deferred',
+  'light-prepass',
+  'forward-plus',
+]);
+
 /** One renderer that lives through everything, and one beside it that knows nothing of that, on which fresh ones are made. */
 export class Soak {
   readonly random: () => number;
@@ -31,6 +40,8 @@ export class Soak {
   readonly objects: GpuObjects;
   /** Rounds so far. */
   count = 0;
+  /** Those that were opened. */
+  readonly scenes = new Map<string, TestScene>();
   scene!: THREE.Scene;
   camera!: THREE.Camera;
   /** Lights that the soak has put into the scene. */
@@ -41,6 +52,10 @@ export class Soak {
 
   private readonly calm = new THREE.WebGLRenderer({ antialias: false });
   private readonly made = new Map<EffectName, FarolEffect>();
+  /** What disposes the last fresh renderer of each technique. */
+  private readonly last = new Map<string, () => void>();
+  /** Objects on the GPU of a renderer that has drawn nothing. */
+  private readonly first: Record<string, number>;
   private chosen: EffectName[] = [];
   private problems: string[] = [];
   private width: number = SIZE[0];
@@ -57,8 +72,9 @@ export class Soak {
       webgl.shadowMap.enabled = true;
       webgl.setSize(...SIZE, false);
     }
+    this.first = this.objects.table;
     this.farol = new FarolRenderer(this.webgl, { shadowAtlasSize: 1024 });
-    this.openScene('materials');
+    this.openScene('edges');
   }
 
   set shadowType(type: THREE.ShadowMapType) {
@@ -82,6 +98,7 @@ export class Soak {
     }
     const fixed = Object.keys(this.farol.techniques).filter((name) => name !== 'auto') as TechniqueName[];
     if (this.farol.technique === 'auto') this.farol.technique = fixed[Math.floor(this.random() * fixed.length)];
+    this.applyEffects();
     if (this.chosen.includes('taa')) this.setEffects(this.chosen.filter((name) => name !== 'taa'));
     return { acts: done, technique: this.farol.technique, ...this.compare(), problems: this.problems };
   }
@@ -96,9 +113,21 @@ export class Soak {
     this.shadowType = THREE.PCFShadowMap;
     this.setEffects([]);
     this.resize(...SIZE);
+    for (const { scene } of this.scenes.values()) disposeScene(scene);
+    this.scenes.clear();
     this.openScene('edges');
     for (let i = 0; i < 3; i++) this.draw();
     return { objects: this.objects.count, table: this.objects.table };
+  }
+
+  /** Frees everything. @returns what is left on the GPU of each kind, less what was there before the first frame */
+  end(): Record<string, number> {
+    for (const dispose of this.last.values()) dispose();
+    for (const { scene } of this.scenes.values()) disposeScene(scene);
+    for (const effect of this.made.values()) effect.dispose();
+    this.farol.dispose();
+    const left = Object.entries(this.objects.table).map(([kind, count]) => [kind, count - (this.first[kind] ?? 0)]);
+    return Object.fromEntries(left.filter(([, count]) => count !== 0)) as Record<string, number>;
   }
 
   /** Draws a frame; what it throws is a problem, unless the soak had it thrown. */
@@ -111,14 +140,24 @@ export class Soak {
     }
   }
 
-  openScene(name: string): string {
-    if (this.scene) disposeScene(this.scene);
-    this.added = [];
-    const { scene, camera } = soakScenes[name](this.width, this.height);
-    for (const light of casters(scene)) light.shadow.mapSize.set(64, 64);
+  /** Shows a scene. @param anew - whether one that was there before is disposed, and made once more */
+  openScene(name: string, anew = false): string {
+    for (const light of this.added.splice(0)) {
+      light.removeFromParent();
+      light.dispose();
+    }
+    const before = this.scenes.get(name);
+    if (before && anew) disposeScene(before.scene);
+    if (!before || anew) {
+      const made = soakScenes[name](...SIZE);
+      for (const light of casters(made.scene)) light.shadow.mapSize.set(64, 64);
+      this.scenes.set(name, made);
+    }
+    const { scene, camera } = this.scenes.get(name)!;
     this.scene = scene;
     this.camera = camera;
-    return name;
+    this.resize(this.width, this.height);
+    return anew ? `${name} anew` : name;
   }
 
   resize(width: number, height: number): string {
@@ -160,7 +199,14 @@ export class Soak {
 
   private setEffects(names: readonly EffectName[]): void {
     this.chosen = [...names];
-    this.farol.effects = names.map((name) => {
+    this.applyEffects();
+  }
+
+  /** Uses the chosen effects, less those that the technique says it has no use for. */
+  applyEffects(): void {
+    const { technique } = this.farol;
+    this.chosen = this.chosen.filter((name) => name !== 'ambient-occlusion' || knowsDepth.has(technique));
+    this.farol.effects = this.chosen.map((name) => {
       let effect = this.made.get(name);
       if (!effect) this.made.set(name, (effect = effects[name].make()));
       return effect;
@@ -183,8 +229,12 @@ export class Soak {
     const seen = this.read(this.webgl);
     fresh.render(scene, camera);
     const right = this.read(calm);
-    for (const effect of own) effect.dispose();
-    fresh.dispose();
+    // the one before of this technique goes now: what both need, the programs, need not be compiled anew
+    this.last.get(farol.technique)?.();
+    this.last.set(farol.technique, () => {
+      for (const effect of own) effect.dispose();
+      fresh.dispose();
+    });
     let difference = 0;
     let off = 0;
     for (let i = 0; i < seen.length; i++) {

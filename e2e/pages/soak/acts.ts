@@ -111,6 +111,7 @@ export const acts = {
   exception: exceptions,
   technique: (soak: Soak) => {
     soak.farol.technique = pick(soak, Object.keys(techniques) as TechniqueName[]);
+    soak.applyEffects();
     return soak.farol.technique;
   },
   view: (soak: Soak) => {
@@ -121,7 +122,7 @@ export const acts = {
     return '';
   },
   effects: (soak: Soak) => soak.chooseEffects(),
-  scene: (soak: Soak) => soak.openScene(pick(soak, Object.keys(soakScenes))),
+  scene: (soak: Soak) => soak.openScene(pick(soak, Object.keys(soakScenes)), soak.random() < 0.25),
   size: (soak: Soak) => soak.resize(96 + 16 * Math.floor(soak.random() * 5), 64 + 16 * Math.floor(soak.random() * 3)),
   shadows,
   cascades: (soak: Soak) => {

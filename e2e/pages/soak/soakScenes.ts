@@ -1,11 +1,10 @@
 import * as THREE from 'three';
 import { edgeScene } from '../edgeScene';
-import { materialScene, type TestScene } from '../materialScene';
+import type { TestScene } from '../materialScene';
 import { shadowScene } from '../shadowScene';
 
 /** The scenes that the soak goes through. Each call makes all of it anew. */
 export const soakScenes: Readonly<Record<string, (width: number, height: number) => TestScene>> = {
-  materials: (width, height) => materialScene(width, height),
   edges: edgeScene,
   spots: (width, height) => shadowScene(width, height, { caster: 'spot' }),
   mixed: (width, height) => shadowScene(width, height, { caster: 'mixed' }),
