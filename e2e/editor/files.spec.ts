@@ -246,7 +246,9 @@ test('a second save goes to the same file, through its handle; a failed one leav
       name: 'kept.json',
       getFile: async () => new File([], 'kept.json'),
       createWritable: async () => {
-        if (Reflect.get(window, 'diskIsFull')) throw new Error('The disk is full.');
+        const failure = Reflect.get(window, 'failure') as [string, string] | undefined;
+        if (failure?.[1] === 'Error') throw new Error(failure[0]);
+        if (failure) throw new DOMException(...failure);
         let text = '';
         return new WritableStream<Uint8Array>({
           write: (chunk) => void (text += new TextDecoder().decode(chunk)),
@@ -275,11 +277,40 @@ test('a second save goes to the same file, through its handle; a failed one leav
   }
   expect(await page.evaluate(() => Reflect.get(window, 'asked') as number)).toBe(1);
 
+  // each way to fail: why, and what to do, in one sentence that names the file
   await addObject(page, 'Mesh', 'Box');
-  await page.evaluate(() => Reflect.set(window, 'diskIsFull', true));
+  const notices = page.locator('.notices');
+  for (const [name, message, text] of [
+    ['Error', 'The disk is full.', 'the disk is full. Save again, or choose another place.'],
+    ['QuotaExceededError', '', 'there is no room left. Free space on the disk, or choose another place.'],
+    ['NotAllowedError', 'x', 'the browser may not write there any more. Allow it when the browser asks, or choose'],
+    ['AbortError', 'Blocked by Safe Browsing.', 'the browser refused the file. Save again under another name.'],
+  ]) {
+    await page.evaluate(([name, message]) => Reflect.set(window, 'failure', [message, name]), [name, message]);
+    await page.keyboard.press('Control+s');
+    await expect(notices).toContainText(`“kept.json” was not saved: ${text}`);
+    expect(await page.evaluate(() => window.editor.commands.isDirty)).toBe(true);
+  }
+
+  // to turn back from choosing a file is no failure; a save takes away what was said of the last one
+  await page.evaluate(() => {
+    Reflect.deleteProperty(window, 'failure');
+    const choose: unknown = Reflect.get(window, 'showSaveFilePicker');
+    Object.assign(window, {
+      showSaveFilePicker: async () => {
+        Object.assign(window, { showSaveFilePicker: choose, turnedBack: true });
+        throw new DOMException('The user aborted a request.', 'AbortError');
+      },
+    });
+  });
+  const before = await notices.textContent();
+  await page.keyboard.press('Control+Shift+s');
+  await page.waitForFunction(() => 'turnedBack' in window);
   await page.keyboard.press('Control+s');
-  await expect(page.locator('.notices')).toContainText('The disk is full.');
-  expect(await page.evaluate(() => window.editor.commands.isDirty)).toBe(true);
+  await expect(notices).toContainText('Saved kept.json');
+  expect(before).not.toContain('aborted');
+  await expect(notices).not.toContainText('refused the file');
+  await expect(notices).not.toContainText('aborted');
 });
 
 test('a page that is left with nothing unsaved offers nothing to recover', async ({ page }) => {

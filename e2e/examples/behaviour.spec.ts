@@ -95,3 +95,26 @@ test('r3f: lights reach only what shares their layers where that is asked for', 
   expect(await page.evaluate(() => window.example.farol.lightLayers)).toBe(true);
   watch.forgive(/THREE\.Clock: This module has been deprecated/);
 });
+
+test('without WebGL 2 every example says what to do', async ({ page, watch }) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  for (const name of [
+    'attach',
+    'attach-r3f',
+    'composer',
+    'controls',
+    'gltf',
+    'mixed',
+    'postprocessing',
+    'r3f',
+    'stats',
+  ]) {
+    await page.goto(`./examples/${name}/index.html`);
+    await expect(page.getByRole('alert'), name).toContainText(/WebGL 2.*hardware acceleration.*get\.webgl\.org/);
+    expect(watch.forgive(/WebGL/), name).toBeGreaterThan(0);
+  }
+  // React and its renderer, of their own trouble
+  watch.forgive(/THREE.Clock|error-boundaries/);
+});

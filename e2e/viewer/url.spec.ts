@@ -129,5 +129,37 @@ test('a browser without WebGL 2 is told so', async ({ page, watch }) => {
   });
   await page.goto('./');
   await expect(page.locator('.message')).toContainText(/cannot start.*WebGL 2.*hardware acceleration/);
-  expect(watch.forgive(/WebGL 2/)).toBe(1);
+  expect(watch.forgive(/WebGL/)).toBeGreaterThan(0);
+});
+
+test('an address of another host in its path, unknown names and a size beyond the device are borne and told', async ({
+  page,
+  watch,
+}) => {
+  // the server may not know such a path: the page is that of the root
+  await page.route(/\/\/x\/\?/, async (route) => {
+    const root = new URL('/', route.request().url()).href;
+    const response = await route.fetch({ url: root });
+    const body = (await response.text()).replaceAll('./assets/', '/assets/');
+    await route.fulfill({ response, body });
+  });
+  const query = new URLSearchParams({ ...Object.fromEntries(Object.entries(still).map(([k, v]) => [k, `${v}`])) });
+  query.set('width', '8192');
+  query.set('height', '4');
+  query.set('dpr', '8');
+  await page.goto(`.//x/?${query}&__proto__=1&constructor=2`);
+  await page.evaluate(() => window.viewer.ready);
+  expect(new URL(page.url()).pathname).toBe('//x/');
+  expect(new URL(page.url()).searchParams.get('scene')).toBe('benchmarkLights');
+  const messages = page.locator('.messages');
+  await expect(messages).toContainText('__proto__ in the address is unknown and left out.');
+  await expect(messages).toContainText('constructor in the address is unknown');
+  await expect(messages).toContainText('The picture would have 65,536 × 32 pixels. It is drawn with');
+  const drawn = await page.evaluate(() => {
+    const gl = window.viewer.three.getContext();
+    return { width: gl.drawingBufferWidth, most: gl.getParameter(gl.MAX_TEXTURE_SIZE) as number, error: gl.getError() };
+  });
+  expect(drawn).toMatchObject({ width: Math.min(drawn.most, 65_536), error: 0 });
+  // the development server's own, of a page that it did not serve
+  watch.forgive(/@vite\/client/);
 });

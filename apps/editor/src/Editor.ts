@@ -5,6 +5,7 @@ import type { Command } from './model/Command';
 import type { CommandStack } from './model/CommandStack';
 import { Clipboard } from './model/Clipboard';
 import { ConsoleLog } from './model/ConsoleLog';
+import { Drafts } from './model/Drafts';
 import { MicroShaderEditing } from './microshaders/MicroShaderEditing';
 import { PlaceToShow } from './microshaders/PlaceToShow';
 import { Dialogs } from './model/Dialogs';
@@ -21,6 +22,9 @@ import { watchErrors } from './watchErrors';
 
 /** Scene of the engine's that is there at first, and its parameters. */
 const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
+
+/** How long frames must have been drawn before the message that they cannot be is taken away (ms). */
+const RECOVERED = 1000;
 
 /** The file that the document is saved to. */
 export interface OpenFile {
@@ -51,6 +55,8 @@ export class Editor {
   /** What the Console panel shows. */
   readonly log = new ConsoleLog();
   readonly notices = new Notices(this.log);
+  /** Whether changes are kept for a tab that is killed. */
+  readonly drafts = new Drafts();
   /** Emits when the user asks to rename the selected object. */
   readonly renameRequested = new Signal();
   /** Emits when another file, or another scene, is edited. */
@@ -107,7 +113,12 @@ export class Editor {
   private async openFirst(name: string | null): Promise<void> {
     if (name === 'empty') this.show(makeEmptyScene(this.document.assets), { name: null, handle: null });
     else if (name !== null && Object.hasOwn(scenes, name)) await this.openScene(name);
-    else await this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
+    else {
+      await this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
+      if (name === null) return;
+      const text = name.length > 60 ? `${name.slice(0, 60)}…` : name;
+      this.notices.show('info', `There is no scene “${text}”: known are empty, ${Object.keys(scenes).join(', ')}.`);
+    }
   }
 
   /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
@@ -218,18 +229,26 @@ export class Editor {
 
   private watchPicture(): void {
     const { viewport, notices } = this;
+    /** What is told of a picture that cannot be drawn, and since when (ms); 0 for nothing. */
+    let failure = 0;
+    let failedAt = 0;
     viewport.onError = (error) => {
+      failedAt = performance.now();
       const text = `The picture cannot be drawn: ${error instanceof Error ? error.message : String(error)}`;
       if (notices.current.some((notice) => notice.text === text)) return;
       console.error(error);
-      notices.show('error', text, 'picture');
+      failure = notices.show('error', text, 'picture');
     };
-    viewport.canvas.addEventListener('webglcontextlost', () => {
-      notices.show(
-        'error',
-        'The graphics device was lost. The picture comes back by itself; if not, save and reload.',
-        'picture',
-      );
+    viewport.drawn.subscribe(() => {
+      if (failure === 0 || performance.now() - failedAt < RECOVERED) return;
+      notices.remove(failure);
+      failure = 0;
     });
+    let loss = 0;
+    viewport.canvas.addEventListener('webglcontextlost', () => {
+      const text = 'The graphics device was lost. The picture comes back by itself; if not, save and reload.';
+      loss = notices.show('error', text, 'picture');
+    });
+    viewport.canvas.addEventListener('webglcontextrestored', () => notices.remove(loss));
   }
 }

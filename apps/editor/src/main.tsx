@@ -62,6 +62,7 @@ try {
   );
 } catch (error) {
   const reason = error instanceof Error ? error.message : String(error);
-  place.textContent = `Farol cannot start: ${reason}`;
+  place.innerHTML = '<main class="no-start" role="alert"><h1>Farol cannot start</h1><p></p></main>';
+  place.querySelector('p')!.textContent = reason;
   throw error;
 }

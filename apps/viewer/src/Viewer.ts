@@ -18,7 +18,9 @@ import { collectFiles } from '@farol/engine';
 import { loadModel, type LoadedModel } from './model/loadModel';
 import { disposeModel, modelParameters, modelScene } from './model/modelScene';
 import { type Pixels, readPixels } from './readPixels';
+import { fitSize } from './state/fitSize';
 import { withDefaults } from './state/withDefaults';
+import { writeAddress } from './state/writeAddress';
 import { readState } from './state/readState';
 import type { KnownNames, ViewerState } from './state/ViewerState';
 import { writeState } from './state/writeState';
@@ -203,7 +205,7 @@ export class Viewer {
    */
   async chooseScene(name: string, keepCamera = false, parameters = this.state.parameters): Promise<void> {
     const fields = scenes[name]?.parameters ?? {};
-    const own = Object.entries(parameters).filter(([parameter]) => parameter in fields);
+    const own = Object.entries(parameters).filter(([parameter]) => Object.hasOwn(fields, parameter));
     try {
       await this.loadScene(name, Object.fromEntries(own), keepCamera);
       this.messages.show('scene', '');
@@ -281,7 +283,9 @@ export class Viewer {
     ];
     if (size.join() === this.size) return;
     this.size = size.join();
-    this.app.resize(...size);
+    const fitted = fitSize(...size, this.largestSide);
+    this.messages.show('size', fitted.problem);
+    this.app.resize(size[0], size[1], fitted.dpr);
     this.redraw();
   }
 
@@ -297,6 +301,15 @@ export class Viewer {
       this.messages.show('device', `${(error as Error).message} Shown instead: ${otherwise}.`);
       set(otherwise);
     }
+  }
+
+  /** Most pixels a side that the device can draw. */
+  private get largestSide(): number {
+    const gl = this.three.getContext();
+    const [width, height] = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
+    const asked = [gl.MAX_TEXTURE_SIZE, gl.MAX_RENDERBUFFER_SIZE].map((name) => gl.getParameter(name) as number);
+    // a lost context answers null
+    return Math.min(...[width, height, ...asked].map((side) => side || Infinity));
   }
 
   private get cameraComponent(): Camera {
@@ -352,7 +365,7 @@ export class Viewer {
     this.setEffects();
     // Timer queries cannot be nested: without the menu they are left to whoever measures.
     this.farol.timing = this.state.gui;
-    history.replaceState(history.state, '', `${location.pathname}${writeState(this.state, known)}${location.hash}`);
+    writeAddress(writeState(this.state, known));
     for (const listener of this.listeners) listener();
     if (!this.app.scene.activeCamera) return; // the first scene is on its way
     if (this.state.time === null) this.app.start();

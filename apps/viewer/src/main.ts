@@ -28,11 +28,6 @@ declare global {
 
 const parent = document.getElementById('app')!;
 try {
-  if (!document.createElement('canvas').getContext('webgl2')) {
-    throw new Error(
-      'this browser gives no WebGL 2. Use a current Chrome, Edge, Firefox or Safari, and switch hardware acceleration on in its settings.',
-    );
-  }
   const viewer = new Viewer(parent, location.search);
   window.viewer = viewer;
   const menu = new ViewerMenu(viewer);

@@ -87,5 +87,6 @@ export { serialize, serializeHead, serializeObject, type SerializeOptions } from
 
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 export { App, type AppOptions, type FrameInfo } from './app/App';
+export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
 export { followDecals } from './app/followDecals';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';

@@ -1,6 +1,6 @@
 import { containerContent, inlineAssets, writeContainer } from '@farol/engine';
-import { fileSave } from 'browser-fs-access';
 import type { Editor } from '../Editor';
+import { notSaved, saveFile } from '../files/saveFile';
 import type { Action } from './Action';
 
 /** What the file dialogs of open and save offer. */
@@ -14,26 +14,46 @@ export const fileType = {
 /** A name that every system takes for a file. */
 export const fileNameOf = (name: string): string => name.replaceAll(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'Scene';
 
-/** The scene as a file: JSON with all assets inside where the name ends so, else a container. */
+/**
+ * The scene as a file: JSON with all assets inside where the name ends so, else a container.
+ * @throws Error that names the file and says why it was not saved
+ */
 async function bytesFor(editor: Editor, name: string): Promise<Blob> {
-  const content = containerContent(editor.document.scene);
-  const isJson = name.toLowerCase().endsWith('.json');
-  const part = isJson ? `${JSON.stringify(await inlineAssets(content), null, 1)}\n` : await writeContainer(content);
-  return new Blob([part], { type: isJson ? 'application/json' : fileType.mimeTypes[0] });
+  try {
+    const content = containerContent(editor.document.scene);
+    const isJson = name.toLowerCase().endsWith('.json');
+    const part = isJson ? `${JSON.stringify(await inlineAssets(content), null, 1)}\n` : await writeContainer(content);
+    return new Blob([part], { type: isJson ? 'application/json' : fileType.mimeTypes[0] });
+  } catch (error) {
+    throw notSaved(name, error);
+  }
 }
 
+/** The message of the last save that failed, which one that does not takes away. */
+const failures = new WeakMap<Editor, number>();
+
 async function write(editor: Editor, handle: FileSystemFileHandle | null): Promise<void> {
+  const { notices } = editor;
+  try {
+    await writeTo(editor, handle);
+    notices.remove(failures.get(editor) ?? 0);
+    notices.show('info', `Saved ${editor.file.name}`);
+  } catch (error) {
+    if (!(error instanceof Error) || error.name === 'AbortError') throw error;
+    failures.set(editor, notices.show('error', error.message, 'file'));
+  }
+}
+
+async function writeTo(editor: Editor, handle: FileSystemFileHandle | null): Promise<void> {
   const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(editor.document.scene.name)}.farol`;
   const step = editor.commands.last;
-  const blob = await bytesFor(editor, fileName);
   // the picker gives the file; a browser without one downloads, and gives none
-  let saved = await fileSave(blob, { ...fileType, mimeTypes: [...fileType.mimeTypes], fileName }, handle);
+  let saved = await saveFile(await bytesFor(editor, fileName), { ...fileType, fileName }, handle);
   if (saved && saved.name.endsWith('.json') !== fileName.endsWith('.json')) {
     // another kind was chosen in the picker than the name stood for
-    saved = await fileSave(await bytesFor(editor, saved.name), { ...fileType, fileName: saved.name }, saved);
+    saved = await saveFile(await bytesFor(editor, saved.name), { ...fileType, fileName: saved.name }, saved);
   }
   editor.saved({ name: saved?.name ?? fileName, handle: saved }, step);
-  editor.notices.show('info', `Saved ${editor.file.name}`);
 }
 
 export const save: Action = {

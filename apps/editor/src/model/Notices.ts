@@ -22,14 +22,17 @@ export class Notices {
     return this.list;
   }
 
-  /** Shows a message; the same text is there once only. */
-  show(kind: Notice['kind'], text: string, source: ConsoleSource = 'editor'): void {
+  /** Shows a message; the same text is there once only. @returns its id, for `remove` */
+  show(kind: Notice['kind'], text: string, source: ConsoleSource = 'editor'): number {
     this.log?.add(kind, source, text);
     this.list = [...this.list.filter((notice) => notice.text !== text).slice(-3), { id: ++this.count, kind, text }];
     this.changed.emit();
+    return this.count;
   }
 
+  /** Takes a message away that says what is so no longer. */
   remove(id: number): void {
+    if (!this.list.some((notice) => notice.id === id)) return;
     this.list = this.list.filter((notice) => notice.id !== id);
     this.changed.emit();
   }

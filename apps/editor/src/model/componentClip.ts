@@ -25,7 +25,7 @@ export function readComponentClip(text: string | null): ComponentClip | null {
 export function fittingValues(clip: ComponentClip, fields: FieldTable): Record<string, FieldValue> {
   return Object.fromEntries(
     Object.entries(clip.values).filter(
-      ([name, value]) => name in fields && checkFieldValue(fields[name], value) === null,
+      ([name, value]) => Object.hasOwn(fields, name) && checkFieldValue(fields[name], value) === null,
     ),
   );
 }

@@ -1,6 +1,12 @@
-import { Camera as CameraComponent, followDecals, type GameObject, InputRouter } from '@farol/engine';
+import {
+  Camera as CameraComponent,
+  createWebGLRenderer,
+  followDecals,
+  type GameObject,
+  InputRouter,
+} from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName, type View } from '@farol/renderer';
-import { type Box2, type Camera, type Material, Vector2, WebGLRenderer } from 'three';
+import { type Box2, type Camera, type Material, Vector2, type WebGLRenderer } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
 import { Signal } from '../model/Signal';
 import { boundsOf } from './boundsOf';
@@ -73,7 +79,7 @@ export class Viewport {
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
     canvas.setAttribute('aria-label', 'Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
-    this.webgl = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
     this.effects = new ViewportEffects(this.farol, this.redraw, (error) => this.onError(error));

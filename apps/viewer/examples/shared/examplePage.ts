@@ -59,7 +59,7 @@ export function examplePage({ webgl, farol, frame, resize, ready = Promise.resol
     ...Object.entries(techniques).map(([name, { label }]) => new Option(`Farol: ${label}`, name)),
   );
   const asked = address.get('technique');
-  select.value = asked !== null && (asked === 'three' || asked in techniques) ? asked : 'auto';
+  select.value = asked !== null && (asked === 'three' || Object.hasOwn(techniques, asked)) ? asked : 'auto';
   document.querySelector('nav')!.append(select);
 
   const draw = (by: Drawer, seconds: number) => {

@@ -35,29 +35,53 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
       read(text);
     } catch (error) {
       if (!(error instanceof BadValue)) throw error;
-      problems.push(`${name}=${text} in the address: ${error.message} The default is used.`);
+      problems.push(`${name}=${shown(text)} in the address: ${error.message} The default is used.`);
     }
   };
 
+  const own = <T>(table: Readonly<Record<string, T>>, name: string): T | undefined =>
+    Object.hasOwn(table, name) ? table[name] : undefined;
   for (const [name, read] of Object.entries(readers)) {
     const text = query.get(name);
     if (text !== null) attempt(name, text, read);
   }
   // Parameters come after the scene is known: two scenes may give one name two ranges.
+  const scenes = [known.scenes[state.scene], ...Object.values(known.scenes)];
   const fieldOf = (name: string): Field | undefined =>
-    known.scenes[state.scene]?.parameters[name] ??
-    Object.values(known.scenes).find(({ parameters }) => name in parameters)?.parameters[name];
+    own(scenes.find(({ parameters }) => Object.hasOwn(parameters, name))?.parameters ?? {}, name);
   const names = [
     ...new Set([...Object.keys(readers), ...Object.values(known.scenes).flatMap((s) => Object.keys(s.parameters))]),
   ];
+  const unknown: string[] = [];
+  /** How often each name is there. */
+  const times = new Map<string, number>();
   for (const [name, text] of query) {
-    if (name in readers) continue;
+    const before = times.get(name) ?? 0;
+    times.set(name, before + 1);
+    if (before > 0 || Object.hasOwn(readers, name)) continue;
     const field = fieldOf(name);
     if (field) attempt(name, text, () => void (state.parameters[name] = fieldValue(field, text)));
-    else problems.push(`${name} in the address is unknown and left out. Known are ${names.join(', ')}.`);
+    else unknown.push(name);
   }
+  const isUnknown = new Set(unknown);
+  for (const [name, count] of times) {
+    if (count > 1 && !isUnknown.has(name)) problems.push(`${name} is in the address ${count} times: the first counts.`);
+  }
+  for (const name of unknown.slice(0, MOST_UNKNOWN)) {
+    problems.push(`${shown(name) || 'A name of no letters'} in the address is unknown and left out.`);
+  }
+  if (unknown.length > MOST_UNKNOWN) problems.push(`So are ${unknown.length - MOST_UNKNOWN} others.`);
+  if (unknown.length > 0) problems.push(`Known are ${names.join(', ')}.`);
   return { state, problems };
 }
+
+/** Unknown names that are told one by one. */
+const MOST_UNKNOWN = 3;
+
+/** Letters of a name or a value that are told. */
+const MOST_LETTERS = 60;
+
+const shown = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
 function oneOf(text: string, allowed: readonly string[]): string {
   if (!allowed.includes(text)) throw new BadValue(`it is unknown. Known are ${allowed.join(', ')}.`);

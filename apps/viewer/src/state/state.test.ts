@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { fitSize } from './fitSize';
 import { readState } from './readState';
 import type { KnownNames, ViewerState } from './ViewerState';
 import { writeState } from './writeState';
@@ -71,14 +72,51 @@ describe('readState', () => {
     ['ao=yes', /ao=yes .* 1 or 0/],
     ['gui=no', /gui=no .* 1 or 0/],
     ['lights=many', /lights=many .* whole number from 0 to 4096/],
-    ['lihgts=3', /lihgts .* unknown .* lights/],
     ['scene=planes&mesh=cat', /mesh=cat .* box, dragon/],
     ['scene=planes&centre=1,2', /centre=1,2 .* three numbers/],
+    ['scene=__proto__', /scene=__proto__ .* temple, planes/],
+    ['technique=constructor', /technique=constructor .* auto, forward/],
+    ['lights=1e999', /lights=1e999 .* from 0 to 4096/],
+    ['lights=Infinity', /lights=Infinity .* from 0 to 4096/],
+    ['lights=%E0%A4%A', /lights=.* in the address: a whole number/],
+    ['seed=1e400', /seed=1e400 .* whole number/],
   ])('names what is wrong with %s, and takes the default', (query, message) => {
     const { state, problems } = readState(query, known);
     expect(problems).toHaveLength(1);
     expect(problems[0]).toMatch(message);
     expect({ ...state, scene: 'temple' }).toEqual(known.defaults);
+  });
+
+  it.each(['lihgts', '__proto__', 'constructor', 'hasOwnProperty', 'toString', '%E0%A4%A', ''])(
+    'names %s as unknown, with what is known, and leaves it out',
+    (name) => {
+      const { state, problems } = readState(`${name}=1`, known);
+      const shown = name === '' ? 'A name of no letters' : new URLSearchParams(name).keys().next().value;
+      expect(problems).toEqual([
+        `${shown} in the address is unknown and left out.`,
+        expect.stringMatching(/Known are .*lights/),
+      ]);
+      expect(state).toEqual(known.defaults);
+      expect(Object.getPrototypeOf(state.parameters)).toBe(Object.prototype);
+      expect(Reflect.ownKeys(state.parameters)).toEqual([]);
+    },
+  );
+
+  it('takes the first of a name that is there more than once, and says so', () => {
+    const { state, problems } = readState('lights=3&view=albedo&lights=4&view=final&lights=x', known);
+    expect(state).toMatchObject({ view: 'albedo', parameters: { lights: 3 } });
+    expect(problems).toEqual([
+      'lights is in the address 3 times: the first counts.',
+      'view is in the address 2 times: the first counts.',
+    ]);
+  });
+
+  it('tells little of an address of a million letters', () => {
+    const long = 'x'.repeat(1_000_000);
+    const many = Array.from({ length: 50_000 }, (_, i) => `name${i}=1`).join('&');
+    for (const query of [`scene=${long}`, `${long}=1`, `lights=${long}`, many]) {
+      expect(readState(query, known).problems.join('\n').length).toBeLessThan(1000);
+    }
   });
 
   it("takes a parameter's range from the scene at hand", () => {
@@ -107,5 +145,25 @@ describe('writeState', () => {
   it('leaves defaults out, and what the scene does not have', () => {
     const parameters = { lights: 50, n: 3 };
     expect(writeState({ ...known.defaults, parameters }, known)).toBe('?scene=temple&technique=deferred&view=final');
+  });
+});
+
+describe('fitSize', () => {
+  it('leaves a size that the device draws as it is', () => {
+    expect(fitSize(1280, 720, 2, 8192)).toEqual({ dpr: 2, problem: '' });
+    expect(fitSize(7680, 4320, 1, 8192)).toEqual({ dpr: 1, problem: '' });
+  });
+
+  it.each([
+    [8192, 8192, 8, 8192],
+    [8192, 8, 8, 8192],
+    [4096, 4096, 1, 2048],
+    [8192, 1, 0.5, 2048],
+  ])('%i × %i at %f, at most %i a side, is drawn smaller, and that is said', (width, height, dpr, side) => {
+    const fitted = fitSize(width, height, dpr, side);
+    expect(fitted.dpr).toBeLessThan(dpr);
+    expect(Math.max(width, height) * fitted.dpr).toBeLessThanOrEqual(side);
+    expect(width * height * fitted.dpr ** 2).toBeLessThanOrEqual(7680 * 4320 * 1.001);
+    expect(fitted.problem).toMatch(/would have [\d,]+ × [\d,]+ pixels\. It is drawn with/);
   });
 });

@@ -1,7 +1,8 @@
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
-import { WebGLRenderer, type WebGLRendererParameters } from 'three';
+import type { WebGLRenderer, WebGLRendererParameters } from 'three';
 import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
 import { Scene } from '../core/Scene';
+import { createWebGLRenderer } from './createWebGLRenderer';
 import { followDecals } from './followDecals';
 import { InputRouter } from './InputRouter';
 import { MicroShaderOverrides } from './MicroShaderOverrides';
@@ -65,7 +66,7 @@ export class App {
     this.ownsWebgl = !options.webgl;
     this.ownsCanvas = !options.webgl && !options.canvas;
     const { canvas } = options;
-    this.webgl = options.webgl ?? new WebGLRenderer({ ...options.renderer, ...(canvas ? { canvas } : {}) });
+    this.webgl = options.webgl ?? createWebGLRenderer({ ...options.renderer, ...(canvas ? { canvas } : {}) });
     this.canvas = this.webgl.domElement;
     if (!options.webgl) this.webgl.shadowMap.enabled = true;
     this.renderer = new FarolRenderer(this.webgl, options.technique ? { technique: options.technique } : {});

@@ -78,6 +78,11 @@ export class Scene implements GameObjectContainer {
     return this.childList;
   }
 
+  /** How many objects it has, however deep in the tree. */
+  get size(): number {
+    return this.index.objectsById.size;
+  }
+
   /** Every Light of the scene, active or not; the same array all along. Its order is not that of the tree. */
   get lights(): readonly Light[] {
     return this.index.lights.array;

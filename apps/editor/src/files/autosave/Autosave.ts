@@ -3,21 +3,24 @@ import type { Editor } from '../../Editor';
 import { Signal } from '../../model/Signal';
 import { AutosaveStore, lockOf } from './AutosaveStore';
 import { noteClean } from './cleanSessions';
+import { draftReason } from './draftReason';
 import { SceneDelta } from './SceneDelta';
+import { SliceBudget } from './SliceBudget';
 import type { SessionInfo } from './store';
 
-/** How long after a change it is stored (ms), so that a drag is stored once. */
-const QUIET = 800;
+/** How long after a change it is read (ms), so that a drag is stored some times a second and not each frame. */
+const QUIET = 200;
 
-/** Time of the page that is used at a stretch (ms); a part that is begun is read to its end. */
-const BUDGET = 1;
+/** Longest wait for an idle moment (ms). */
+const IDLE_WAIT = 100;
 
-/** Parts of the first slice: code that has not run before is slow. Each slice may have twice as many as the one before. */
-const FIRST = 8;
+/** Waits after writes that were refused, one after another (ms); the last one for as long as it goes on. */
+const RETRIES = [1000, 2000, 5000, 10_000, 30_000];
 
 /**
- * Stores what changes in the document, so that a tab that is killed loses nothing. Only changed parts are read, in idle
- * moments of at most a few milliseconds; a worker stores them.
+ * Stores what changes in the document, so that a tab that is killed loses at most the last second. The scene is read part
+ * by part in idle moments, all of it once it is open, later what changed; a worker stores that from the first change on.
+ * A write that is refused is told of, and tried again after a while and with each change.
  */
 export class Autosave {
   /** Emits after each time that everything up to now was stored. */
@@ -28,15 +31,21 @@ export class Autosave {
   private session = createId();
   private delta: SceneDelta;
   private readonly files = new Map<string, Blob>();
+  private readonly budget = new SliceBudget();
   private timer = 0;
-  /** Parts that the next slice may read. */
-  private most = FIRST;
-  private isRunning = false;
-  /** Whether something happened while it was running. */
-  private again = false;
-  /** Whether the whole scene has been noted: from the first change on. */
-  private hasBegun = false;
-  private failed = false;
+  /** When the timer ends (ms since the page began). */
+  private due = 0;
+  private isReading = false;
+  /** Commits that are not answered yet. */
+  private writes = 0;
+  /** When the first change came that is not stored (ms since 1970); null when all is. */
+  private changedAt: number | null = null;
+  /** When all was last stored; null for never in this session. */
+  private storedAt: number | null = null;
+  private refusals = 0;
+  private restarts = 0;
+  /** The message that drafts are not kept. */
+  private notice = 0;
   /** A session that this one takes the place of, once it is stored. */
   private replaced: string | null = null;
 
@@ -48,30 +57,48 @@ export class Autosave {
     this.delta = new SceneDelta(document.scene);
     this.hold();
     document.opened.subscribe(() => this.restart());
-    document.assetsChanged.subscribe(() => this.hasBegun && this.delta.noteAssets());
-    editor.fileChanged.subscribe(() => this.hasBegun && this.wake());
+    document.assetsChanged.subscribe(() => this.delta.noteAssets());
+    editor.fileChanged.subscribe(() => this.storedAt !== null && this.wake());
     const before = document.onSceneChange;
     document.onSceneChange = (change) => {
       before(change);
-      if (this.hasBegun) this.delta.note(change);
-      this.wake();
+      this.delta.note(change);
+      this.wakeIfEdited();
     };
-    commands.changed.subscribe(() => this.wake());
+    commands.changed.subscribe(() => this.wakeIfEdited());
+    // a page that nobody sees may be ended without a word
+    window.document.addEventListener('visibilitychange', () => window.document.hidden && this.flush());
     window.addEventListener('pagehide', () => {
-      if (this.hasBegun && !commands.isDirty) noteClean(this.session);
+      this.flush();
+      if (this.storedAt !== null && !commands.isDirty) noteClean(this.session);
     });
+    this.delta.noteAll();
+    this.readOn();
+    this.wakeIfEdited();
   }
 
   /** Whether everything is stored as it is now. */
   get isUpToDate(): boolean {
-    return !this.timer && !this.isRunning && this.delta.isEmpty;
+    return this.changedAt === null && !this.isReading && this.writes === 0 && this.delta.isEmpty;
   }
 
   /** Edits a scene that was recovered: all of it is stored again, and takes the place of the old session then. */
   replace(session: string): void {
     this.replaced = session;
-    this.begin();
     this.wake();
+  }
+
+  /** Something of the store's was refused: it is told of, and what is not stored is tried again. */
+  refused(error: unknown): void {
+    const { drafts, notices } = this.editor;
+    drafts.fail(draftReason(error), this.storedAt ?? this.changedAt ?? Date.now());
+    if (this.refusals++ === 0) this.notice = notices.show('error', drafts.problem!);
+    if (this.store.restarts !== this.restarts) {
+      this.restarts = this.store.restarts;
+      this.files.clear();
+      this.delta.noteAll();
+    }
+    if (this.changedAt !== null) this.schedule(RETRIES[Math.min(this.refusals, RETRIES.length) - 1]);
   }
 
   /** Another scene: nothing is stored until it is changed. */
@@ -79,87 +106,142 @@ export class Autosave {
     clearTimeout(this.timer);
     this.timer = 0;
     const old = this.session;
-    const isKept = this.hasBegun && !this.failed;
+    const wasStored = this.storedAt !== null;
     this.session = createId();
-    this.hasBegun = false;
+    this.storedAt = null;
+    this.changedAt = null;
     this.files.clear();
     this.delta = new SceneDelta(this.editor.document.scene);
     this.hold();
-    void this.store.send({ kind: 'drop' });
+    this.post(this.store.send({ kind: 'drop' }));
     // the user has left it: saved, or thrown away after being asked; what cannot be deleted is offered once more at worst
-    if (isKept) void this.store.delete(old).catch(() => {});
-  }
-
-  private begin(): void {
-    if (this.hasBegun) return;
-    this.hasBegun = true;
+    if (wasStored) void this.store.delete(old).catch(() => {});
     this.delta.noteAll();
+    this.readOn();
   }
 
+  private wakeIfEdited(): void {
+    const { commands } = this.editor;
+    // what a simulation changes is no edit; once something is stored, it follows whatever comes
+    const hasBegun = this.storedAt !== null || this.changedAt !== null || this.writes > 0;
+    if (hasBegun || commands.isDirty || commands.isGestureOpen) this.wake();
+  }
+
+  /** Something changed that is to be stored. */
   private wake(): void {
-    this.again = this.isRunning;
-    if (this.failed || this.timer || this.isRunning) return;
-    if (!this.hasBegun && !this.editor.commands.isDirty) return;
+    this.changedAt ??= Date.now();
+    if (this.writes > 0) return;
+    // a write that was refused need not wait for its next turn
+    if (!this.timer || this.refusals > 0) this.schedule(this.refusals > 0 ? RETRIES[0] : QUIET);
+  }
+
+  private schedule(delay: number): void {
+    const due = performance.now() + delay;
+    if (this.timer && this.due <= due) return;
+    clearTimeout(this.timer);
+    this.due = due;
     this.timer = window.setTimeout(() => {
       this.timer = 0;
-      this.begin();
-      this.isRunning = true;
-      this.next();
-    }, QUIET);
+      this.readOn();
+    }, delay);
+  }
+
+  /** Reads what is to be read, and stores it then if something changed. */
+  private readOn(): void {
+    if (this.isReading) return;
+    this.isReading = true;
+    this.budget.begin();
+    this.next();
   }
 
   private next(): void {
-    if ('requestIdleCallback' in window) requestIdleCallback((deadline) => this.slice(deadline), { timeout: 1000 });
-    else setTimeout(() => this.slice(null), 30);
+    if (!('requestIdleCallback' in window)) setTimeout(() => this.slice(null), 30);
+    else requestIdleCallback((idle) => this.slice(idle), { timeout: IDLE_WAIT });
   }
 
-  /** @param deadline - until when the page has nothing else to do; null when it cannot be known */
-  private slice(deadline: IdleDeadline | null): void {
-    if (!this.hasBegun) {
-      this.isRunning = false;
-      if (this.again) this.wake();
-      return;
-    }
+  /** @param idle - until when the page has nothing else to do; null when it cannot be known */
+  private slice(idle: IdleDeadline | null): void {
+    if (!this.isReading) return;
     const start = performance.now();
-    const budget = Math.min(BUDGET, deadline?.didTimeout === false ? deadline.timeRemaining() : BUDGET);
-    const parts = this.delta.read(() => performance.now() - start > budget, this.most);
-    this.most *= 2;
+    const left = idle?.didTimeout === false ? idle.timeRemaining() : Infinity;
+    const late = this.changedAt === null ? 0 : Date.now() - this.changedAt;
+    const budget = this.budget.of(left, late);
+    this.read(() => performance.now() - start > budget, this.budget.most());
+    if (this.delta.isEmpty) this.finishReading();
+    const { slices } = this.statistics;
+    slices.push(performance.now() - start);
+    if (slices.length > 1000) slices.shift();
+    if (this.isReading) this.next();
+  }
+
+  private read(isOver: () => boolean, most?: number): void {
+    const parts = this.delta.read(isOver, most);
     if (parts.length > 0) this.post(this.store.send({ kind: 'parts', parts }));
-    const isDone = this.delta.isEmpty;
-    if (isDone) this.commit();
-    const { statistics } = this;
-    statistics.slices.push(performance.now() - start);
-    if (statistics.slices.length > 1000) statistics.slices.shift();
-    statistics.parts += parts.length;
-    if (!isDone) this.next();
+    this.statistics.parts += parts.length;
+  }
+
+  private finishReading(): void {
+    this.isReading = false;
+    if (this.changedAt !== null && this.writes === 0) this.commit();
+  }
+
+  /** Reads and sends what waits, at once. */
+  private flush(): void {
+    if (this.changedAt === null) return;
+    clearTimeout(this.timer);
+    this.timer = 0;
+    this.read(() => false);
+    this.isReading = false;
+    this.commit();
   }
 
   /** Everything that changed has been sent: it may be stored. */
   private commit(): void {
     this.sendFiles();
-    const { replaced, session, editor } = this;
+    const { replaced, session, editor, changedAt } = this;
     const { document, commands, file } = editor;
     const info: SessionInfo = {
       id: session,
       name: document.scene.name,
       fileName: file.name,
-      handle: file.handle,
+      // what stands in for one cannot be stored
+      handle: 'FileSystemFileHandle' in window && file.handle instanceof FileSystemFileHandle ? file.handle : null,
       time: Date.now(),
-      isDirty: commands.isDirty,
+      objects: document.scene.size,
+      edit: commands.last?.label ?? null,
+      isDirty: commands.isDirty || commands.isGestureOpen,
     };
-    this.post(
-      this.store.send({ kind: 'commit', info }).then(async () => {
-        this.isRunning = false;
-        this.statistics.commits++;
-        if (replaced) {
-          if (this.replaced === replaced) this.replaced = null;
-          await this.store.delete(replaced);
-        }
-        this.stored.emit();
-        // what changed meanwhile
-        if (this.again || !this.delta.isEmpty) this.wake();
-      }),
+    this.writes++;
+    this.changedAt = null;
+    this.store.send({ kind: 'commit', info }).then(
+      () => this.committed(info, replaced),
+      (error: unknown) => {
+        this.writes--;
+        // another scene has been opened meanwhile: what was refused is not its
+        if (session === this.session) this.changedAt = changedAt;
+        this.refused(error);
+      },
     );
+  }
+
+  private async committed(info: SessionInfo, replaced: string | null): Promise<void> {
+    if (replaced) {
+      await this.store.delete(replaced).catch(() => {});
+      if (this.replaced === replaced) this.replaced = null;
+    }
+    this.writes--;
+    this.statistics.commits++;
+    if (info.id === this.session) this.storedAt = info.time;
+    else void this.store.delete(info.id).catch(() => {});
+    if (this.refusals > 0) {
+      this.refusals = 0;
+      this.editor.drafts.work();
+      this.editor.notices.remove(this.notice);
+      this.editor.notices.show('info', 'Drafts are kept again.');
+    }
+    this.stored.emit();
+    // what changed meanwhile
+    if (this.changedAt !== null) this.schedule(QUIET);
   }
 
   private sendFiles(): void {
@@ -177,17 +259,15 @@ export class Autosave {
     }
   }
 
+  /** What is not answered is not stored either: the commit that comes after it says so. */
   private post(sent: Promise<unknown>): void {
-    sent.catch((error: unknown) => {
-      if (this.failed) return;
-      this.failed = true;
-      const reason = error instanceof Error ? error.message : String(error);
-      this.editor.notices.show('error', `Changes are not stored by themselves any more. ${reason} Save by Ctrl+S.`);
-    });
+    sent.catch((error: unknown) => this.refused(error));
   }
 
   /** Tells other tabs that this session is alive, for as long as the tab is. */
   private hold(): void {
-    void navigator.locks.request(lockOf(this.session), () => new Promise(() => {}));
+    const held = navigator.locks.request(lockOf(this.session), () => new Promise(() => {}));
+    // at worst another tab offers what is open here
+    held.catch(() => {});
   }
 }

@@ -1,31 +1,31 @@
 import type { StoredScene, WorkerRequest, WorkerResponse } from './messages';
 import type { SessionInfo } from './store';
 
-/** The autosave's worker, asked by promises. */
-export class AutosaveStore {
-  private readonly worker = new Worker(new URL('./autosaveWorker.ts', import.meta.url), { type: 'module' });
-  private readonly waiting = new Map<number, { resolve(result: unknown): void; reject(error: Error): void }>();
-  private count = 0;
+interface Asked {
+  resolve(result: unknown): void;
+  reject(error: unknown): void;
+}
 
-  constructor() {
-    this.worker.addEventListener('message', ({ data }: MessageEvent<WorkerResponse>) => {
-      const asked = this.waiting.get(data.id);
-      this.waiting.delete(data.id);
-      if (data.error === undefined) asked?.resolve(data.result);
-      else asked?.reject(new Error(`The autosave: ${data.error}`));
-    });
-    this.worker.addEventListener('error', () => {
-      for (const { reject } of this.waiting.values()) reject(new Error('The autosave does not work in this browser.'));
-      this.waiting.clear();
-    });
+/** The autosave's worker, asked by promises. One that dies is made anew, and knows nothing then: see `restarts`. */
+export class AutosaveStore {
+  private worker: Worker | null = null;
+  private readonly waiting = new Map<number, Asked>();
+  private count = 0;
+  private deaths = 0;
+
+  /** How often the worker died, and with it all that was sent and not committed. */
+  get restarts(): number {
+    return this.deaths;
   }
 
+  /** @returns the answer; rejected with the error of the browser's, by its name and message */
   send(request: WorkerRequest): Promise<unknown> {
     const id = ++this.count;
     return new Promise((resolve, reject) => {
-      this.waiting.set(id, { resolve, reject });
+      this.worker ??= this.start();
       // oxlint-disable-next-line unicorn/require-post-message-target-origin -- a worker has none
       this.worker.postMessage({ id, request });
+      this.waiting.set(id, { resolve, reject });
     });
   }
 
@@ -46,7 +46,26 @@ export class AutosaveStore {
   }
 
   dispose(): void {
-    this.worker.terminate();
+    this.worker?.terminate();
+  }
+
+  private start(): Worker {
+    const worker = new Worker(new URL('./autosaveWorker.ts', import.meta.url), { type: 'module' });
+    worker.addEventListener('message', ({ data }: MessageEvent<WorkerResponse>) => {
+      const asked = this.waiting.get(data.id);
+      this.waiting.delete(data.id);
+      if (data.error === undefined) asked?.resolve(data.result);
+      else asked?.reject(data.error);
+    });
+    worker.addEventListener('error', () => {
+      worker.terminate();
+      this.worker = null;
+      this.deaths++;
+      const asked = [...this.waiting.values()];
+      this.waiting.clear();
+      for (const { reject } of asked) reject(new Error('The autosave could not be loaded: is the server there?'));
+    });
+    return worker;
   }
 }
 

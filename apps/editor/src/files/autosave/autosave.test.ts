@@ -3,7 +3,12 @@ import { expect, it } from 'vitest';
 import { EditorDocument } from '../../model/EditorDocument';
 import { canMoveTo, deleteObjects, duplicateObjects, moveObjects } from '../../model/edits';
 import { assembleParts, type PartChange } from './parts';
+import { describeSession } from './describeSession';
+import { draftReason } from './draftReason';
+import { PendingParts } from './PendingParts';
 import { SceneDelta } from './SceneDelta';
+import { SliceBudget } from './SliceBudget';
+import type { SessionInfo } from './store';
 
 const keep = (changes: readonly PartChange[], parts: Map<string, string>): number => {
   for (const [key, json] of changes) {
@@ -108,4 +113,61 @@ it('reads a large prefab in pieces, and forgets those that it has no more', () =
 
 it('says which part is missing of a damaged store', () => {
   expect(() => assembleParts(new Map([['c/', '["a"]']]))).toThrow("The part 'o/a' of the autosave is missing.");
+});
+
+it('a write that is refused is kept for the next, less what came anew', async () => {
+  const pending = new PendingParts();
+  pending.addParts([
+    ['o/a', 'old'],
+    ['o/b', 'b'],
+  ]);
+  pending.addFile('assets/x', null);
+  const refuse = (): Promise<void> => {
+    pending.addParts([['o/a', 'new']]);
+    return Promise.reject(new DOMException('', 'QuotaExceededError'));
+  };
+  await expect(pending.store(refuse)).rejects.toMatchObject({ name: 'QuotaExceededError' });
+  let stored: unknown = null;
+  await pending.store(async (parts, files) => {
+    stored = [Object.fromEntries(parts), [...files.keys()]];
+  });
+  expect(stored).toEqual([{ 'o/a': 'new', 'o/b': 'b' }, ['assets/x']]);
+  await pending.store(async ({ size }) => expect(size).toBe(0));
+});
+
+it.each([
+  [new DOMException('', 'QuotaExceededError'), 'it has no room left for this page; free space on the disk.'],
+  [{ name: 'QuotaExceededError', message: '' }, 'it has no room left for this page; free space on the disk.'],
+  [new DOMException('', 'ConstraintError'), 'the browser gives no reason but ConstraintError.'],
+  [new Error('Internal error.'), 'internal error.'],
+])('the reason of a refused draft is a sentence: %s', (error, sentence) => {
+  expect(draftReason(error)).toBe(sentence);
+});
+
+it('drafts of one scene and minute are told apart by seconds, objects and the last edit', () => {
+  const session: SessionInfo = {
+    ...{ id: 'a', name: 'Untitled', fileName: null, handle: null, time: 1_700_000_000_000, isDirty: true },
+    ...{ objects: 4, edit: 'Add Torus' },
+  };
+  const others = [
+    { time: session.time + 1000 },
+    { objects: 1 },
+    { edit: 'Set x' },
+    { fileName: 'a.farol' },
+    { edit: null },
+  ];
+  const lines = [session, ...others.map((other) => ({ ...session, ...other }))].map(describeSession);
+  expect(new Set(lines).size).toBe(lines.length);
+  expect(lines[0]).toContain('4 objects · last edit: Add Torus');
+  expect(lines[2]).toContain('1 object ·');
+  // what versions before this one stored
+  expect(describeSession({ ...session, objects: undefined, edit: undefined })).not.toMatch(/object|edit/);
+});
+
+it('a slice takes 1 ms, a little more when a change has waited, and whatever is needed when it has for long', () => {
+  const budget = new SliceBudget();
+  budget.begin();
+  expect([budget.of(50, 0), budget.of(0.5, 100), budget.of(50, 400)]).toEqual([1, 0.5, 3]);
+  expect([5100, 5200, 5300].map((late) => budget.of(0, late))).toEqual([6, 12, 24]);
+  expect([budget.most(), budget.most(), budget.most()]).toEqual([8, 16, 32]);
 });

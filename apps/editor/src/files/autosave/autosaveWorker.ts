@@ -1,38 +1,38 @@
+import { namedError } from '../browserReason';
 import type { WorkerRequest, WorkerResponse } from './messages';
-import { assembleParts, type PartChange } from './parts';
+import { assembleParts } from './parts';
+import { PendingParts } from './PendingParts';
 import { deleteSession, listSessions, readSession, writeSession } from './store';
 
 /** What was sent since the last commit. It is stored at once, so that what is stored is always a whole scene. */
-let waiting: PartChange[] = [];
-const files = new Map<string, Blob | null>();
+const pending = new PendingParts();
+/** Sessions of which something is stored. */
+const stored = new Set<string>();
 /** Writes are done one after another. */
 let last: Promise<unknown> = Promise.resolve();
 
 async function answer(request: WorkerRequest): Promise<unknown> {
   switch (request.kind) {
     case 'parts':
-      waiting.push(...request.parts);
+      pending.addParts(request.parts);
       return null;
     case 'file':
-      files.set(request.path, request.blob);
+      pending.addFile(request.path, request.blob);
       return null;
     case 'drop':
-      waiting = [];
-      files.clear();
+      pending.clear();
       return null;
     case 'commit': {
-      const parts = waiting;
-      const blobs = new Map(files);
-      waiting = [];
-      files.clear();
-      await writeSession(request.info, parts, blobs);
+      const { info } = request;
+      await pending.store((parts, files) => writeSession(info, parts, files, !stored.has(info.id)));
+      stored.add(info.id);
       return null;
     }
     case 'list':
       return listSessions();
     case 'read': {
-      const stored = await readSession(request.id);
-      return { text: JSON.stringify(assembleParts(stored.parts)), files: stored.files };
+      const { parts, files } = await readSession(request.id);
+      return { text: JSON.stringify(assembleParts(parts)), files };
     }
     case 'delete':
       await deleteSession(request.id);
@@ -46,6 +46,6 @@ addEventListener('message', ({ data }: MessageEvent<{ id: number; request: Worke
     .then(() => answer(data.request))
     .then(
       (result) => reply({ id: data.id, result }),
-      (error: unknown) => reply({ id: data.id, error: error instanceof Error ? error.message : String(error) }),
+      (error: unknown) => reply({ id: data.id, error: namedError(error) }),
     );
 });

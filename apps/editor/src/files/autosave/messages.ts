@@ -17,7 +17,7 @@ export type WorkerRequest =
 export interface WorkerResponse {
   readonly id: number;
   readonly result?: unknown;
-  readonly error?: string;
+  readonly error?: { readonly name: string; readonly message: string };
 }
 
 /** A scene that was stored, put together. */

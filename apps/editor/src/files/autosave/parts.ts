@@ -17,6 +17,18 @@ export const pieceKey = (id: string, index: number): PartKey => `r/${id}/${index
 export const HEAD = 'head';
 export const PREFAB_ORDER = 'q';
 
+/** Parts as they were, and what became of some since. */
+export function mergeParts(base: readonly PartChange[], changes: Iterable<PartChange>): Map<PartKey, string> {
+  const parts = new Map<PartKey, string>();
+  for (const list of [base, changes]) {
+    for (const [key, json] of list) {
+      if (json === null) parts.delete(key);
+      else parts.set(key, json);
+    }
+  }
+  return parts;
+}
+
 /** A prefab without its objects, which are in pieces: a large one would hold up the page as a whole. */
 export interface PrefabPart {
   readonly id: string;

@@ -2,6 +2,7 @@ import type { Editor } from '../../Editor';
 import { Autosave } from './Autosave';
 import { AutosaveStore } from './AutosaveStore';
 import { takeClean } from './cleanSessions';
+import { missingForDrafts } from './draftReason';
 import type { SessionInfo } from './store';
 
 /** Puts a scene that was stored back, as one that is not saved. @returns whether it was opened */
@@ -25,15 +26,24 @@ export async function offerRecovery(editor: Editor, autosave: Autosave): Promise
 }
 
 /**
- * Begins to store changes, and offers what a tab that was killed has left. Without IndexedDB or locks, as in some private
- * windows, it says so once and does nothing.
+ * Begins to store changes, and offers what a tab that was killed has left.
+ * @returns null without IndexedDB or locks, as in some private windows: the user is told so
  */
 export async function startAutosave(editor: Editor): Promise<Autosave | null> {
-  if (!('indexedDB' in window) || !navigator.locks) return null;
+  const missing = missingForDrafts();
+  if (missing !== null) {
+    editor.drafts.fail(missing);
+    editor.notices.show('info', editor.drafts.problem!);
+    return null;
+  }
   const autosave = new Autosave(editor, new AutosaveStore());
-  const lost = await autosave.store.lost();
-  const clean = takeClean();
-  for (const { id, isDirty } of lost) if (!isDirty || clean.has(id)) await autosave.store.delete(id);
-  await offerRecovery(editor, autosave);
+  try {
+    const lost = await autosave.store.lost();
+    const clean = takeClean();
+    for (const { id, isDirty } of lost) if (!isDirty || clean.has(id)) await autosave.store.delete(id);
+    await offerRecovery(editor, autosave);
+  } catch (error) {
+    autosave.refused(error);
+  }
   return autosave;
 }

@@ -1,4 +1,4 @@
-import type { PartChange, PartKey } from './parts';
+import { mergeParts, type PartChange, type PartKey } from './parts';
 
 /** What is known of an autosave without reading it. */
 export interface SessionInfo {
@@ -10,31 +10,48 @@ export interface SessionInfo {
   readonly handle: FileSystemFileHandle | null;
   /** When it was last written (ms since 1970). */
   readonly time: number;
+  /** How many GameObjects it has; absent in what versions before this one stored, as is the next. */
+  readonly objects?: number;
+  /** Label of the last edit; null when that was undone or forgotten. */
+  readonly edit?: string | null;
   /** Whether it has changes that are in no file. */
   readonly isDirty: boolean;
 }
 
 const NAME = 'farol-autosave';
 
+/** Of a session's parts, the record that holds many: all that were there when it was first written, as pairs. */
+const BASE = 'base';
+
+const refused = (error: DOMException | null | undefined): Error => error ?? new Error('The browser refused to store.');
+
 const done = <T>(request: IDBRequest<T>): Promise<T> =>
   new Promise((resolve, reject) => {
     request.addEventListener('success', () => resolve(request.result));
-    request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store.')));
+    request.addEventListener('error', () => reject(refused(request.error)));
+    request.addEventListener('blocked', () => reject(new Error('Another tab holds the store: close it.')));
   });
 
 const finished = (transaction: IDBTransaction): Promise<void> =>
   new Promise((resolve, reject) => {
     transaction.addEventListener('complete', () => resolve());
-    const fail = (): void => reject(transaction.error ?? new Error('The browser refused to store.'));
-    transaction.addEventListener('error', fail);
-    transaction.addEventListener('abort', fail);
+    // the transaction itself knows why only once it is aborted
+    transaction.addEventListener('error', ({ target }) => reject(refused((target as IDBRequest).error)));
+    transaction.addEventListener('abort', () => reject(refused(transaction.error)));
   });
 
 let database: Promise<IDBDatabase> | null = null;
 
-/** The store: `sessions` by id; `parts` and `files` by session and key. */
+/** The store: `sessions` by id; `parts` and `files` by session and key. What fails, or is closed, is tried anew. */
 function open(): Promise<IDBDatabase> {
-  if (database) return database;
+  database ??= connect().catch((error: unknown) => {
+    database = null;
+    throw error;
+  });
+  return database;
+}
+
+async function connect(): Promise<IDBDatabase> {
   const request = indexedDB.open(NAME, 1);
   request.addEventListener('upgradeneeded', () => {
     const { result } = request;
@@ -42,31 +59,45 @@ function open(): Promise<IDBDatabase> {
     result.createObjectStore('parts');
     result.createObjectStore('files');
   });
-  database = done(request);
-  return database;
+  const opened = await done(request);
+  const forget = (): void => {
+    database = null;
+  };
+  // the user has cleared the browser's data, or the disk failed
+  opened.addEventListener('close', forget);
+  opened.addEventListener('versionchange', () => {
+    opened.close();
+    forget();
+  });
+  return opened;
 }
 
 const all = (session: string): IDBKeyRange => IDBKeyRange.bound([session], [session, []]);
 
-/** Writes changes of a session as one transaction: all of them, or none. @param files - null takes one out */
+/**
+ * Writes changes of a session as one transaction: all of them, or none.
+ * @param parts - null for a part that is gone
+ * @param files - null takes one out
+ * @param isFirst - whether nothing of the session is stored: its parts are written as one record then, which takes a
+ *   fraction of the time of thousands
+ */
 export async function writeSession(
   info: SessionInfo,
-  parts: readonly PartChange[],
+  parts: ReadonlyMap<PartKey, string | null>,
   files: ReadonlyMap<string, Blob | null>,
+  isFirst: boolean,
 ): Promise<void> {
-  const transaction = (await open()).transaction(['sessions', 'parts', 'files'], 'readwrite');
-  transaction.objectStore('sessions').put(info);
-  const store = transaction.objectStore('parts');
-  for (const [key, json] of parts) {
-    if (json === null) store.delete([info.id, key]);
-    else store.put(json, [info.id, key]);
-  }
-  const blobs = transaction.objectStore('files');
-  for (const [path, blob] of files) {
-    if (blob === null) blobs.delete([info.id, path]);
-    else blobs.put(blob, [info.id, path]);
-  }
-  await finished(transaction);
+  await write((sessions, store, blobs) => {
+    sessions.put(info);
+    if (isFirst) {
+      store.delete(all(info.id));
+      store.put([...parts], [info.id, BASE]);
+    } else for (const [key, json] of parts) store.put(json, [info.id, key]);
+    for (const [path, blob] of files) {
+      if (blob === null) blobs.delete([info.id, path]);
+      else blobs.put(blob, [info.id, path]);
+    }
+  });
 }
 
 /** Every session, newest first. */
@@ -84,15 +115,33 @@ export async function readSession(id: string): Promise<{ parts: Map<PartKey, str
     const [keys, values] = await Promise.all([done(store.getAllKeys(all(id))), done(store.getAll(all(id)))]);
     return new Map(keys.map((key, i) => [(key as [string, string])[1], values[i] as T]));
   };
-  const [parts, files] = await Promise.all([read<string>('parts'), read<Blob>('files')]);
-  return { parts, files };
+  const [parts, files] = await Promise.all([read<string | null>('parts'), read<Blob>('files')]);
+  const base = (parts.get(BASE) ?? []) as unknown as readonly PartChange[];
+  parts.delete(BASE);
+  return { parts: mergeParts(base, parts), files };
 }
 
 /** Forgets a session. */
 export async function deleteSession(id: string): Promise<void> {
+  await write((sessions, parts, files) => {
+    sessions.delete(id);
+    parts.delete(all(id));
+    files.delete(all(id));
+  });
+}
+
+/** Writes as one transaction: nothing of it when anything is refused. */
+async function write(
+  act: (sessions: IDBObjectStore, parts: IDBObjectStore, files: IDBObjectStore) => void,
+): Promise<void> {
   const transaction = (await open()).transaction(['sessions', 'parts', 'files'], 'readwrite');
-  transaction.objectStore('sessions').delete(id);
-  transaction.objectStore('parts').delete(all(id));
-  transaction.objectStore('files').delete(all(id));
-  await finished(transaction);
+  const end = finished(transaction);
+  try {
+    act(transaction.objectStore('sessions'), transaction.objectStore('parts'), transaction.objectStore('files'));
+  } catch (error) {
+    end.catch(() => {});
+    transaction.abort();
+    throw error;
+  }
+  await end;
 }

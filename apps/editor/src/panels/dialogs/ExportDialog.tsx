@@ -1,8 +1,8 @@
 import { Dialog } from '@base-ui/react/dialog';
-import { fileSave } from 'browser-fs-access';
 import { type ReactNode, useEffect, useState } from 'react';
 import { fileNameOf } from '../../actions/save';
 import { embedCode } from '../../files/share/embedCode';
+import { saveFile } from '../../files/saveFile';
 import { exportGltf } from '../../files/share/exportGltf';
 import { exportHtml } from '../../files/share/exportHtml';
 import { linkHash } from '../../files/share/shareLink';
@@ -12,7 +12,7 @@ import { Icon } from '../../ui/Icon';
 
 async function download(blob: Blob, fileName: string, description: string): Promise<void> {
   const extensions = [fileName.slice(fileName.lastIndexOf('.'))];
-  await fileSave(blob, { fileName, description, extensions, mimeTypes: [blob.type], id: 'farol-export' });
+  await saveFile(blob, { fileName, description, extensions, mimeTypes: [blob.type], id: 'farol-export' });
 }
 
 async function saveHtml({ document, notices }: Editor): Promise<void> {
@@ -67,7 +67,8 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const { hash, problem } = useLink(editor);
   const { name } = editor.document.scene;
-  const here = new URL(location.pathname, location.href);
+  const here = new URL(location.href);
+  here.search = here.hash = '';
   const link = hash && here.href + hash;
   const frame = embedCode(hash ? new URL('player.html', here).href + hash : `${fileNameOf(name)}.html`, name);
   return (

@@ -3,8 +3,9 @@ import type { Notice } from '../../model/Notices';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** How long a message that is no error stays (ms). */
+/** How long a message that is no error stays (ms): a short one, and each letter. */
 const SHOWN = 4000;
+const READ = 70;
 
 /** Messages over the picture. Errors stay until they are closed. */
 export function NoticeList(): ReactNode {
@@ -23,7 +24,7 @@ function NoticeItem({ notice, onClose }: { notice: Notice; onClose(): void }): R
   const { id, kind, text } = notice;
   useEffect(() => {
     if (kind === 'error') return;
-    const timer = setTimeout(onClose, SHOWN);
+    const timer = setTimeout(onClose, Math.max(SHOWN, text.length * READ));
     return () => clearTimeout(timer);
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- one time for each message
   }, [id, kind]);

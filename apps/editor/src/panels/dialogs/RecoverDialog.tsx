@@ -1,10 +1,9 @@
 import { Dialog } from '@base-ui/react/dialog';
 import { type ReactNode, useState } from 'react';
+import { describeSession } from '../../files/autosave/describeSession';
 import { recover } from '../../files/autosave/startAutosave';
 import type { RecoverDialog as RecoverRequest } from '../../model/Dialogs';
 import { useEditor } from '../../ui/EditorContext';
-
-const when = new Intl.DateTimeFormat(undefined, { dateStyle: 'medium', timeStyle: 'short' });
 
 /** What tabs that were closed without warning have left; each can be brought back, or thrown away. */
 export function RecoverDialog({ request, onClose }: { request: RecoverRequest; onClose(): void }): ReactNode {
@@ -18,16 +17,14 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
       <ul className="sessions">
         {sessions.map((session) => (
           <li key={session.id}>
-            <span className="session-name">
+            <span className="session-name" id={`session-${session.id}`}>
               {session.name}
-              <span className="session-time">
-                {when.format(session.time)}
-                {session.fileName && `, ${session.fileName}`}
-              </span>
+              <span className="session-time">{describeSession(session)}</span>
             </span>
             <button
               type="button"
               className="button framed"
+              aria-describedby={`session-${session.id}`}
               onClick={() =>
                 editor.attempt(async () => {
                   await autosave.store.delete(session.id);
@@ -42,6 +39,7 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
             <button
               type="button"
               className="button primary"
+              aria-describedby={`session-${session.id}`}
               onClick={() => {
                 onClose();
                 editor.attempt(() => recover(editor, autosave, session));

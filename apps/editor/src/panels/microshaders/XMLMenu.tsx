@@ -1,6 +1,7 @@
 import { formatMicroShaderXML } from '@farol/renderer/authoring';
-import { fileOpen, fileSave } from 'browser-fs-access';
+import { fileOpen } from 'browser-fs-access';
 import type { ReactNode } from 'react';
+import { saveFile } from '../../files/saveFile';
 import { useEditor } from '../../ui/EditorContext';
 import { MenuButton } from '../../ui/MenuButton';
 
@@ -36,7 +37,7 @@ export function XMLMenu(): ReactNode {
   const save = async (): Promise<void> => {
     const chunks = microShaders.exported();
     const blob = new Blob([formatMicroShaderXML(chunks)], { type: 'text/xml' });
-    await fileSave(blob, { ...fileType, fileName: 'microshaders.xml' });
+    await saveFile(blob, { ...fileType, fileName: 'microshaders.xml' });
     notices.show('info', `Exported ${chunks.length} microshaders`, 'file');
   };
   return (

@@ -1,21 +1,25 @@
 import { type ReactNode, useCallback, useEffect } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
 import { usePoll } from '../../ui/usePoll';
 import './status.css';
 
 /** How often the figures are read, a second. */
 const RATE = 4;
 
+const clock = new Intl.DateTimeFormat(undefined, { timeStyle: 'medium' });
 const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const short = new Intl.NumberFormat('en', { notation: 'compact', maximumFractionDigits: 1 });
 
 /** What is edited, and the figures of the last frame. */
 export function StatusBar(): ReactNode {
-  const { document, viewport, commands, file, fileChanged } = useEditor();
+  const { document, viewport, commands, file, fileChanged, drafts, notices } = useEditor();
   useSignal(document.selection.changed);
   useSignal(document.structure);
   useSignal(commands.changed);
   useSignal(fileChanged);
+  useSignal(drafts.changed);
+  const { problem } = drafts;
   const name = file.name ?? document.scene.name;
   useEffect(() => {
     window.document.title = `${name} – Farol`;
@@ -53,6 +57,12 @@ export function StatusBar(): ReactNode {
         {name}
         {commands.isDirty && <span className="dirty" role="img" title="Not saved" aria-label="not saved" />}
       </span>
+      {problem !== null && (
+        <button type="button" className="status-drafts" title={problem} onClick={() => notices.show('info', problem)}>
+          <Icon name="warning" size={12} />
+          {drafts.since === null ? 'no drafts' : `no drafts since ${clock.format(drafts.since)}`}
+        </button>
+      )}
       <span className="dim">{selected === 0 ? 'nothing selected' : `${selected} selected`}</span>
       <span className="status-space" />
       <span className="status-passes" title="Time of each pass of the last frame (ms)">

@@ -1,0 +1,13 @@
+import type { SessionInfo } from './store';
+
+const when = new Intl.DateTimeFormat(undefined, { dateStyle: 'medium', timeStyle: 'medium' });
+const integer = new Intl.NumberFormat('en');
+
+/** What tells two drafts of one scene apart: when it was stored, its file, how many objects, the last edit. */
+export function describeSession({ time, fileName, objects, edit }: SessionInfo): string {
+  const parts = [when.format(time)];
+  if (fileName) parts.push(fileName);
+  if (objects !== undefined) parts.push(`${integer.format(objects)} ${objects === 1 ? 'object' : 'objects'}`);
+  if (edit) parts.push(`last edit: ${edit}`);
+  return parts.join(' · ');
+}

@@ -1,0 +1,141 @@
+import type { Page } from '@playwright/test';
+import { axeProblems } from '../support/axeProblems';
+import { expect, test } from '../support/test';
+import { addObject, openEditor, waitUntilReady } from './editor';
+
+test.use({ viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' });
+
+/** The part of the status bar that says that drafts are not kept. */
+const status = (page: Page) => page.getByRole('contentinfo').getByRole('button', { name: /no drafts/ });
+
+const drafts = (page: Page): Promise<void> =>
+  expect.poll(() => page.evaluate(() => window.editor.autosave?.isUpToDate)).toBe(true);
+
+for (const { lacks, text, hide } of [
+  {
+    lacks: 'IndexedDB',
+    text: 'it has no IndexedDB, as in some private windows',
+    hide: () => Object.defineProperty(window, 'indexedDB', { value: undefined }),
+  },
+  {
+    lacks: 'Web Locks',
+    text: 'it has no Web Locks, which pages have only over https',
+    hide: () => Object.defineProperty(navigator, 'locks', { value: undefined }),
+  },
+]) {
+  test(`without ${lacks} the editor says that no drafts are kept`, async ({ page }) => {
+    await page.addInitScript(hide);
+    await openEditor(page, 'empty');
+    const said = `This browser keeps no drafts here: ${text}. Save to a file by Ctrl+S.`;
+    await expect(page.locator('.notices')).toHaveText(said);
+    await expect(status(page)).toHaveAttribute('title', said);
+    expect(await axeProblems(page)).toEqual([]);
+    // the message goes, the status stays and gives the message again
+    await page.getByRole('button', { name: 'Close message' }).click();
+    await expect(page.locator('.notices')).toHaveText('');
+    await status(page).click();
+    await expect(page.locator('.notices')).toHaveText(said);
+    expect(await page.evaluate(() => window.editor.autosave)).toBe(null);
+  });
+}
+
+test('a draft that the browser refuses for its quota is told of with the reason, and kept later, in each scene', async ({
+  page,
+}) => {
+  await openEditor(page, 'empty');
+  await drafts(page);
+  const [worker] = page.workers();
+  // as Chromium does it: without a message
+  await worker.evaluate(() => {
+    const put = IDBObjectStore.prototype.put;
+    IDBObjectStore.prototype.put = function (this: IDBObjectStore, ...args: [unknown, IDBValidKey?]) {
+      if (Reflect.get(self, 'isFull')) throw new DOMException('', 'QuotaExceededError');
+      return put.apply(this, args);
+    };
+  });
+  const fill = (isFull: boolean): Promise<void> =>
+    worker.evaluate((isFull) => void Object.assign(self, { isFull }), isFull);
+  const notices = page.locator('.notices');
+  const commits = (): Promise<number> => page.evaluate(() => window.editor.autosave!.statistics.commits);
+
+  for (const scene of ['first', 'second']) {
+    await fill(true);
+    await addObject(page, 'Mesh', 'Torus');
+    await expect(notices, scene).toContainText(
+      /This browser keeps no drafts here since [\d:APM\s ]+: it has no room left for this page; free space on the disk\. Save/,
+    );
+    await expect(status(page)).toContainText(/no drafts since \d/);
+    const before = await commits();
+
+    // nobody does anything: it is tried again
+    await fill(false);
+    await expect(notices).toContainText('Drafts are kept again.');
+    await expect(notices).not.toContainText('no drafts');
+    await expect(status(page)).toHaveCount(0);
+    await drafts(page);
+    expect(await commits()).toBeGreaterThan(before);
+    await page.evaluate(async () => {
+      const text = window.editor.serialize();
+      await window.editor.openFileBytes(text, { name: null, handle: null });
+    });
+    await page.getByRole('button', { name: 'Close message' }).click();
+  }
+});
+
+test('two tabs of one minute are two different lines in the dialog, and each comes back', async ({ page, context }) => {
+  const other = await context.newPage();
+  for (const [tab, meshes] of [
+    [page, ['Torus']],
+    [other, ['Torus', 'Cone']],
+  ] as const) {
+    await openEditor(tab, 'empty');
+    for (const mesh of meshes) await addObject(tab, 'Mesh', mesh);
+    await drafts(tab);
+  }
+  await other.close({ runBeforeUnload: false });
+  await page.close({ runBeforeUnload: false });
+
+  const next = await context.newPage();
+  await openEditor(next, 'empty');
+  const lines = next.getByRole('dialog').locator('.session-time');
+  await expect(lines).toHaveCount(2);
+  const texts = await lines.allTextContents();
+  expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 4 objects · last edit: Add Torus$/.test(text))).toHaveLength(1);
+  expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 5 objects · last edit: Add Cone$/.test(text))).toHaveLength(1);
+  await next.getByRole('button', { name: 'Recover', description: /5 objects/ }).click();
+  await expect(next.getByRole('treeitem', { name: 'Cone' })).toBeVisible();
+  await next.close({ runBeforeUnload: false });
+});
+
+test('what is dragged and typed is stored while that goes on', async ({ page }) => {
+  await openEditor(page, 'empty');
+  await waitUntilReady(page);
+  await drafts(page);
+  const seen = await page.evaluate(async () => {
+    const { commands, document, autosave } = window.editor as unknown as {
+      commands: { begin(): { preview(command: object): void; discard(): void }; isDirty: boolean };
+      document: { scene: { roots: { transform: { position: number[] } }[] } };
+      autosave: { statistics: { commits: number }; stored: { subscribe(listener: () => void): void } };
+    };
+    const [object] = document.scene.roots;
+    const gesture = commands.begin();
+    let x = 0;
+    const count = { commits: 0 };
+    autosave.stored.subscribe(() => count.commits++);
+    const command = {
+      label: 'Drag',
+      isEmpty: false,
+      do: () => (object.transform.position = [++x, 0, 0]),
+      undo: () => {},
+    };
+    while (count.commits < 3) {
+      gesture.preview(command);
+      await new Promise(requestAnimationFrame);
+    }
+    const result = { isDirty: commands.isDirty, x };
+    gesture.discard();
+    return result;
+  });
+  expect(seen.isDirty, 'the drag is still going on').toBe(false);
+  expect(seen.x).toBeGreaterThan(3);
+});

@@ -1,0 +1,255 @@
+import { type FarolEffect, FarolRenderer, type TechniqueName } from '@farol/renderer';
+import { type EffectName, effects } from '@farol/renderer/effects';
+import * as THREE from 'three';
+import { random, type TestScene } from '../materialScene';
+import { type ActName, acts, THROWN } from './acts';
+import { GpuObjects } from './GpuObjects';
+import { casters, disposeScene, soakScenes } from './soakScenes';
+
+/** What a round did, and what came of it. */
+export interface Round {
+  readonly acts: readonly string[];
+  /** Largest difference of a channel from a fresh renderer's picture, of 255. */
+  readonly difference: number;
+  /** How many of the channels differ by more than 1. */
+  readonly share: number;
+  readonly technique: string;
+  /** Errors that nobody threw on purpose, and GL errors. */
+  readonly problems: readonly string[];
+}
+
+const SIZE = [160, 96] as const;
+
+/** Effects of a picture that is the same whatever was drawn before: not TAA. */
+const still = (Object.keys(effects) as EffectName[]).filter((name) => name !== 'taa');
+
+/** Techniques that ambient occlusion works with. */
+const knowsDepth: ReadonlySet<string> = new Set([
+  'deferred',
+  'tiled-deferred',
+  'clustered-deferred',
+  'light-prepass',
+  'forward-plus',
+]);
+
+/** One renderer that lives through everything, and one beside it that knows nothing of that, on which fresh ones are made. */
+export class Soak {
+  readonly random: () => number;
+  readonly webgl = new THREE.WebGLRenderer({ antialias: false });
+  readonly farol: FarolRenderer;
+  readonly objects: GpuObjects;
+  /** Rounds so far. */
+  count = 0;
+  /** Those that were opened. */
+  readonly scenes = new Map<string, TestScene>();
+  scene!: THREE.Scene;
+  camera!: THREE.Camera;
+  /** Lights that the soak has put into the scene. */
+  added: THREE.Light[] = [];
+
+  /** Everything that can be done. */
+  static readonly kinds = Object.keys(acts) as ActName[];
+
+  private readonly calm = new THREE.WebGLRenderer({ antialias: false });
+  private readonly made = new Map<EffectName, FarolEffect>();
+  /** What disposes the last fresh renderer of each technique. */
+  private readonly last = new Map<string, () => void>();
+  /** Objects on the GPU of a renderer that has drawn nothing. */
+  private readonly first: Record<string, number>;
+  private chosen: EffectName[] = [];
+  private problems: string[] = [];
+  private width: number = SIZE[0];
+  private height: number = SIZE[1];
+
+  /** @param kinds acts that may be done */
+  constructor(
+    seed: number,
+    private readonly kinds: readonly ActName[] = Object.keys(acts) as ActName[],
+  ) {
+    this.random = random(seed);
+    this.objects = new GpuObjects(this.webgl.domElement, this.webgl.getContext() as WebGL2RenderingContext);
+    for (const webgl of [this.webgl, this.calm]) {
+      webgl.shadowMap.enabled = true;
+      webgl.setSize(...SIZE, false);
+    }
+    this.first = this.objects.table;
+    this.farol = new FarolRenderer(this.webgl, { shadowAtlasSize: 1024 });
+    this.openScene('edges');
+  }
+
+  set shadowType(type: THREE.ShadowMapType) {
+    for (const webgl of [this.webgl, this.calm]) webgl.shadowMap.type = type;
+  }
+
+  get shadowType(): THREE.ShadowMapType {
+    return this.webgl.shadowMap.type;
+  }
+
+  /** Does some things, draws after each, and compares the last picture with that of a fresh renderer. */
+  async round(): Promise<Round> {
+    this.count++;
+    this.problems = [];
+    const done: string[] = [];
+    for (let i = 2 + Math.floor(this.random() * 5); i > 0; i--) {
+      const name = this.kinds[Math.floor(this.random() * this.kinds.length)];
+      const what = await acts[name](this);
+      done.push(what === '' ? name : `${name} (${what})`);
+      this.draw();
+    }
+    const fixed = Object.keys(this.farol.techniques).filter((name) => name !== 'auto') as TechniqueName[];
+    if (this.farol.technique === 'auto') this.farol.technique = fixed[Math.floor(this.random() * fixed.length)];
+    this.applyEffects();
+    if (this.chosen.includes('taa')) this.setEffects(this.chosen.filter((name) => name !== 'taa'));
+    return { acts: done, technique: this.farol.technique, ...this.compare(), problems: this.problems };
+  }
+
+  /** Brings all back to where it began, and counts the objects on the GPU. */
+  rest(): { objects: number; table: Record<string, number> } {
+    const { farol } = this;
+    farol.technique = 'forward';
+    farol.view = 'final';
+    farol.shadowCascades = 1;
+    farol.lightLayers = false;
+    this.shadowType = THREE.PCFShadowMap;
+    this.setEffects([]);
+    this.resize(...SIZE);
+    for (const { scene } of this.scenes.values()) disposeScene(scene);
+    this.scenes.clear();
+    this.openScene('edges');
+    for (let i = 0; i < 3; i++) this.draw();
+    return { objects: this.objects.count, table: this.objects.table };
+  }
+
+  /** Frees everything. @returns what is left on the GPU of each kind, less what was there before the first frame */
+  end(): Record<string, number> {
+    for (const dispose of this.last.values()) dispose();
+    for (const { scene } of this.scenes.values()) disposeScene(scene);
+    for (const effect of this.made.values()) effect.dispose();
+    this.farol.dispose();
+    const left = Object.entries(this.objects.table).map(([kind, count]) => [kind, count - (this.first[kind] ?? 0)]);
+    return Object.fromEntries(left.filter(([, count]) => count !== 0)) as Record<string, number>;
+  }
+
+  /** Draws a frame; what it throws is a problem, unless the soak had it thrown. */
+  draw(): void {
+    try {
+      this.farol.render(this.scene, this.camera);
+    } catch (error) {
+      const text = error instanceof Error ? error.message : String(error);
+      if (text !== THROWN) this.problems.push(text);
+    }
+  }
+
+  /** Shows a scene. @param anew - whether one that was there before is disposed, and made once more */
+  openScene(name: string, anew = false): string {
+    for (const light of this.added.splice(0)) {
+      light.removeFromParent();
+      light.dispose();
+    }
+    const before = this.scenes.get(name);
+    if (before && anew) disposeScene(before.scene);
+    if (!before || anew) {
+      const made = soakScenes[name](...SIZE);
+      for (const light of casters(made.scene)) light.shadow.mapSize.set(64, 64);
+      this.scenes.set(name, made);
+    }
+    const { scene, camera } = this.scenes.get(name)!;
+    this.scene = scene;
+    this.camera = camera;
+    this.resize(this.width, this.height);
+    return anew ? `${name} anew` : name;
+  }
+
+  resize(width: number, height: number): string {
+    this.width = width;
+    this.height = height;
+    for (const webgl of [this.webgl, this.calm]) webgl.setSize(width, height, false);
+    if (this.camera instanceof THREE.PerspectiveCamera) {
+      this.camera.aspect = width / height;
+      this.camera.updateProjectionMatrix();
+    }
+    return `${width} × ${height}`;
+  }
+
+  chooseEffects(): string {
+    const names = still.filter((name) => effects[name].group === null && this.random() < 0.3);
+    const smoothing = (['smaa', 'edges', 'taa', null, null] as const)[Math.floor(this.random() * 5)];
+    this.setEffects(smoothing ? [...names, smoothing] : names);
+    this.draw();
+    return this.chosen.join(', ') || 'none';
+  }
+
+  /** Loses the context, draws as a page does that knows nothing of it, and has it restored. */
+  async loseContext(): Promise<string> {
+    const { domElement: canvas } = this.webgl;
+    const extension = this.webgl.getContext().getExtension('WEBGL_lose_context');
+    if (!extension) throw new Error('The context cannot be lost: it is.');
+    const event = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+    const lost = event('webglcontextlost');
+    extension.loseContext();
+    if (this.random() < 0.5) this.draw();
+    await lost;
+    this.draw();
+    const restored = event('webglcontextrestored');
+    // the browser takes back only what it has told of
+    setTimeout(() => extension.restoreContext());
+    await restored;
+    return '';
+  }
+
+  private setEffects(names: readonly EffectName[]): void {
+    this.chosen = [...names];
+    this.applyEffects();
+  }
+
+  /** Uses the chosen effects, less those that the technique says it has no use for. */
+  applyEffects(): void {
+    const { technique } = this.farol;
+    this.chosen = this.chosen.filter((name) => name !== 'ambient-occlusion' || knowsDepth.has(technique));
+    this.farol.effects = this.chosen.map((name) => {
+      let effect = this.made.get(name);
+      if (!effect) this.made.set(name, (effect = effects[name].make()));
+      return effect;
+    });
+  }
+
+  private compare(): { difference: number; share: number } {
+    const { farol, scene, camera, calm } = this;
+    const fresh = new FarolRenderer(calm, { shadowAtlasSize: 1024, technique: farol.technique });
+    fresh.shadowCascades = farol.shadowCascades;
+    fresh.lightLayers = farol.lightLayers;
+    const own = this.chosen.map((name) => effects[name].make());
+    fresh.effects = own;
+    // effects and shadow maps may need a frame before theirs is whole
+    for (let i = 0; i < 2; i++) {
+      this.draw();
+      fresh.render(scene, camera);
+    }
+    this.draw();
+    const seen = this.read(this.webgl);
+    fresh.render(scene, camera);
+    const right = this.read(calm);
+    // the one before of this technique goes now: what both need, the programs, need not be compiled anew
+    this.last.get(farol.technique)?.();
+    this.last.set(farol.technique, () => {
+      for (const effect of own) effect.dispose();
+      fresh.dispose();
+    });
+    let difference = 0;
+    let off = 0;
+    for (let i = 0; i < seen.length; i++) {
+      const apart = Math.abs(seen[i] - right[i]);
+      if (apart > difference) difference = apart;
+      if (apart > 1) off++;
+    }
+    return { difference, share: off / seen.length };
+  }
+
+  private read(webgl: THREE.WebGLRenderer): Uint8Array {
+    const gl = webgl.getContext();
+    const data = new Uint8Array(this.width * this.height * 4);
+    gl.readPixels(0, 0, this.width, this.height, gl.RGBA, gl.UNSIGNED_BYTE, data);
+    for (let error = gl.getError(); error !== 0; error = gl.getError()) this.problems.push(`GL error ${error}`);
+    return data;
+  }
+}

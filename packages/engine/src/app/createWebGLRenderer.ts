@@ -1,0 +1,15 @@
+import { WebGLRenderer, type WebGLRendererParameters } from 'three';
+
+/** What a user without WebGL 2 is told: what is missing, and the mend. */
+export const noWebGL2 =
+  'This browser gives no WebGL 2, which Farol draws with. Switch hardware acceleration on in the settings of the ' +
+  'browser, or update it; https://get.webgl.org/webgl2/ shows whether WebGL 2 works.';
+
+/** Makes three's renderer. @throws Error that says what to do, where the browser has no WebGL 2 */
+export function createWebGLRenderer(parameters?: WebGLRendererParameters): WebGLRenderer {
+  try {
+    return new WebGLRenderer(parameters);
+  } catch (error) {
+    throw document.createElement('canvas').getContext('webgl2') ? error : new Error(noWebGL2, { cause: error });
+  }
+}

@@ -1,0 +1,136 @@
+/**
+ * @typedef {import('playwright-core').BrowserContext} BrowserContext
+ * @typedef {import('playwright-core').Page} Page
+ * @typedef {{ mode: string, offered: boolean, edits: number, lost: number, lostMs: number, stallMs: number }} Kill
+ *   edits that were made and those that are gone; the age of the oldest of these at the kill, and the longest that the
+ *   page's own thread stood still in the seconds before (ms)
+ */
+
+/** What is edited while the tab is killed. */
+export const killModes = /** @type {const} */ (['steps', 'drag', 'objects', 'slow']);
+
+/** Most that may be lost (ms), beside the time that the page stood still. */
+export const MOST_LOST = 1000;
+
+/**
+ * Kills a tab of the editor while edits go on, and looks what the next tab is offered.
+ *
+ * @param {BrowserContext} context one that is kept: its store outlives the tab
+ * @param {object} options
+ * @param {string} options.url of the editor
+ * @param {() => number} options.random
+ * @param {(typeof killModes)[number]} options.mode
+ * @returns {Promise<Kill>}
+ */
+export async function killTab(context, { url, random, mode }) {
+  const page = await openEditor(context, url);
+  /** @type {{ n: number, time: number }[]} */
+  const edits = [];
+  let stallMs = 0;
+  /** @type {{ time: number, ms: number }[]} */
+  const stalls = [];
+  await page.exposeFunction(
+    'soakEdit',
+    (/** @type {number} */ n, /** @type {number} */ time, /** @type {number} */ ms) => {
+      edits.push({ n, time });
+      stalls.push({ time, ms });
+    },
+  );
+  if (mode === 'slow') await slowWrites(page);
+  await page.evaluate(edit, mode);
+  await new Promise((resolve) => setTimeout(resolve, 1500 + random() * 3000));
+  const crashed = new Promise((resolve) => page.once('crash', resolve));
+  const cdp = await context.newCDPSession(page);
+  const killedAt = Date.now();
+  // never answered: there is nobody left to
+  void cdp.send('Page.crash').catch(() => {});
+  await crashed;
+  await page.close().catch(() => {});
+  for (const { time, ms } of stalls) if (time > killedAt - 3000) stallMs = Math.max(stallMs, ms);
+  const last = edits.filter(({ time }) => time <= killedAt);
+  const next = await openEditor(context, url);
+  const dialog = next.getByRole('dialog');
+  const offered = await dialog.waitFor({ timeout: 20_000 }).then(
+    () => true,
+    () => false,
+  );
+  let kept = 0;
+  if (offered) {
+    await dialog.getByRole('button', { name: 'Recover' }).first().click();
+    await next.waitForFunction(() => /** @type {any} */ (window).editor.commands.isDirty);
+    kept = await next.evaluate(() => {
+      const { scene } = /** @type {any} */ (window).editor.document;
+      return Math.max(
+        0,
+        ...scene.roots.map((/** @type {{ name: string }} */ root) => Number(/^edit (\d+)$/.exec(root.name)?.[1] ?? 0)),
+      );
+    });
+  }
+  // as if it was saved: nothing of this one is offered to the next
+  await next.evaluate(async () => {
+    const { autosave, commands } = /** @type {any} */ (window).editor;
+    commands.markSaved();
+    for (const { id } of await autosave.store.send({ kind: 'list' })) await autosave.store.delete(id);
+  });
+  await next.close({ runBeforeUnload: false });
+  const gone = last.filter(({ n }) => n > kept);
+  return {
+    mode,
+    offered,
+    edits: last.length,
+    lost: gone.length,
+    lostMs: gone.length > 0 ? killedAt - gone[0].time : 0,
+    stallMs,
+  };
+}
+
+/** @param {BrowserContext} context @param {string} url */
+async function openEditor(context, url) {
+  const page = await context.newPage();
+  await page.goto(`${url}?scene=empty`);
+  await page.waitForFunction(() => Boolean(/** @type {any} */ (window).editor?.autosave));
+  return page;
+}
+
+/** A disk on which each write takes a while. @param {Page} page */
+async function slowWrites(page) {
+  const [worker] = page.workers();
+  await worker.evaluate(() => {
+    const { put } = IDBObjectStore.prototype;
+    IDBObjectStore.prototype.put = function (...args) {
+      for (const end = performance.now() + 40; performance.now() < end;);
+      return put.apply(this, /** @type {any} */ (args));
+    };
+  });
+}
+
+/** Edits on and on, in the page; each edit is told to the test with its time. @param {string} mode */
+function edit(mode) {
+  const page = /** @type {any} */ (window);
+  const { commands, document } = page.editor;
+  let n = 0;
+  let last = performance.now();
+  /** @param {() => void} act */
+  const command = (act) => ({ label: `Edit ${n}`, isEmpty: false, do: act, undo: () => {} });
+  const gesture = mode === 'drag' ? commands.begin() : null;
+  const step = () => {
+    const now = performance.now();
+    const gap = now - last;
+    last = now;
+    n++;
+    const act = () => {
+      const { scene } = document;
+      if (mode === 'objects' && n % 3 === 0) {
+        const first = scene.roots[0];
+        scene.remove(first);
+        scene.add(first);
+      }
+      document.scene.roots[0].name = `edit ${n}`;
+    };
+    if (gesture) gesture.preview(command(act));
+    else commands.run(command(act));
+    page.soakEdit(n, Date.now(), gap);
+    setTimeout(step, gesture ? 16 : 60);
+  };
+  step();
+}
