@@ -4,6 +4,7 @@ import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { assetUses } from './assetUses';
+import { OwnAssets } from './OwnAssets';
 import type { FarolFile, FileObject } from './FarolFile';
 import { FileError, type FileProblem } from './FileError';
 import { parseFile } from './parseFile';
@@ -77,12 +78,6 @@ async function registerAssets(
   return missing.map(({ name }) => name);
 }
 
-/** The asset that has to be loaded before a name is known: the model of a part, else the asset itself. */
-function loadedFor(name: string, file: FarolFile, assets: AssetLibrary): string {
-  if (assets.has(name)) return name;
-  return file.assets.find((own) => own.type === 'model' && name.startsWith(`${own.name}/`))?.name ?? name;
-}
-
 /** The bytes of a `data:` address. @throws FileError naming the asset when it is damaged */
 async function readInline(file: FarolFile): Promise<Map<string, Blob>> {
   const blobs = new Map<string, Blob>();
@@ -100,7 +95,10 @@ async function readInline(file: FarolFile): Promise<Map<string, Blob>> {
 
 async function loadAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary): Promise<void> {
   const uses = assetUses(file, registry);
-  const needed = new Map(uses.map((use) => [loadedFor(use.name, file, assets), use.path]));
+  const own = new OwnAssets(file.assets);
+  /** What has to be loaded before a name is known: the model of a part, else the asset itself. */
+  const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
+  const needed = new Map(uses.map((use) => [loadedFor(use.name), use.path]));
   const names = [...needed.keys()];
   const results = await Promise.allSettled(names.map((name) => assets.load(name)));
   const problems = results.flatMap((result, i): FileProblem[] =>
