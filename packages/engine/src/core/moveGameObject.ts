@@ -47,11 +47,21 @@ function checkDepth(gameObject: GameObject, depth: number): void {
   }
 }
 
+/** What three's `removeFromParent` does, but looked for from the end, where what is disposed of lies: three begins at the first. */
+function removeFromParent(object: Object3D): void {
+  const { parent } = object;
+  if (!parent) return;
+  parent.children.splice(parent.children.lastIndexOf(object), 1);
+  object.parent = null;
+  object.dispatchEvent({ type: 'removed' });
+  parent.dispatchEvent({ type: 'childremoved', child: object });
+}
+
 function unlink(gameObject: GameObject): void {
   const siblings = gameObject.container?.childList;
-  if (siblings) siblings.splice(siblings.indexOf(gameObject), 1);
+  if (siblings) siblings.splice(siblings.lastIndexOf(gameObject), 1);
   gameObject.container = null;
-  gameObject.object3D.removeFromParent();
+  removeFromParent(gameObject.object3D);
 }
 
 function link(gameObject: GameObject, container: GameObjectContainer, index: number): void {
