@@ -39,7 +39,9 @@ export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';
 export { AddressRefusedError, foreignOrigin } from './assets/foreignOrigin';
 export { type FetchBytes, type FetchOptions, readableEndings, typeOfUrl } from './assets/loadAsset';
 export { Model } from './assets/Model';
-export { packGltf } from './assets/packGltf';
+export { checkModel } from './assets/checkModel';
+export { decodedUri, packGltf } from './assets/packGltf';
+export { checkModelFile, modelError } from './assets/readModel';
 export { type GltfJson, readGltfJson } from './assets/readGltfJson';
 export { computeCreaseNormals } from './geometry/computeCreaseNormals';
 export { MeshBuilder } from './geometry/MeshBuilder';
@@ -86,6 +88,7 @@ export { FileError, type FileErrorOptions, type FileProblem } from './file/FileE
 export { fileLimits } from './file/fileLimits';
 export { type ForeignAddress, foreignAddresses } from './file/foreignAddresses';
 export { parseFile, type ParseOptions } from './file/parseFile';
+export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './file/unpack';
 export { serialize, serializeHead, serializeObject, type SerializeOptions } from './file/serialize';
 
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';

@@ -4,6 +4,7 @@ import type { AssetType } from '../fields/Field';
 import { fitGeometry } from '../geometry/fitGeometry';
 import { parsePly } from '../geometry/parsePly';
 import type { Asset } from './Asset';
+import { checkImageSize } from './imageSize';
 import { readEnvironment } from './readEnvironment';
 import { readModel } from './readModel';
 
@@ -63,6 +64,7 @@ function signatureOf(bytes: ArrayBuffer): string | null {
 }
 
 async function readTexture(bytes: ArrayBuffer): Promise<Texture> {
+  checkImageSize(new Uint8Array(bytes));
   let image: ImageBitmap;
   try {
     image = await createImageBitmap(new Blob([bytes]), { imageOrientation: 'flipY' });
