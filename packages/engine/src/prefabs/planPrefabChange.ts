@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import { makeObjects } from '../file/deserialize';
@@ -63,7 +64,10 @@ function checkChange(scene: Scene, next: Prefab): void {
     if (!link || free.has(link.prefab)) continue;
     free.add(link.prefab);
     if (scene.prefabs.contains(link.prefab, next.id)) {
-      throw new PrefabError(next.name, `would hold itself, by its object '${name}': take that one out, or unpack it.`);
+      throw new PrefabError(
+        next.name,
+        `would hold itself, by its object '${shortText(name)}': take that one out, or unpack it.`,
+      );
     }
   }
   const prefabs = new Map(scene.prefabs.list.map((prefab) => [prefab.id, prefab]));
