@@ -4,7 +4,11 @@ import { defineConfig } from 'vitest/config';
 const include = ['packages/*/**/*.test.ts', 'apps/*/src/**/*.test.{ts,tsx}', 'e2e/support/*.test.ts'];
 const exclude = ['**/node_modules/**', '**/dist/**'];
 /** Files that replace modules, or need modules that nothing has used before. */
-const alone = ['packages/engine/src/app/App.test.ts', 'packages/engine/src/components/Decal.test.ts'];
+const alone = [
+  'packages/engine/src/app/App.test.ts',
+  'packages/engine/src/app/appSize.test.ts',
+  'packages/engine/src/components/Decal.test.ts',
+];
 
 /** One run over the unit tests of all workspaces, in Node. */
 export default defineConfig({

@@ -1,4 +1,13 @@
-import { AssetLibrary, deserialize, FileError, readSceneFile, type Scene, scenes } from '@farol/engine';
+import {
+  AssetLibrary,
+  deserialize,
+  FileError,
+  readSceneFile,
+  type Scene,
+  scenes,
+  sizesText,
+  type UnpackQuestion,
+} from '@farol/engine';
 import { MathUtils } from 'three';
 import type { Autosave } from './files/autosave/Autosave';
 import type { Command } from './model/Command';
@@ -147,7 +156,7 @@ export class Editor {
   ): Promise<boolean> {
     const assets = this.libraryForNext();
     try {
-      const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes);
+      const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes, this.mayUnpack);
       this.show(await deserialize(content.text, { assets, fileOf: content.fileOf }), file);
       return true;
     } catch (error) {
@@ -166,6 +175,15 @@ export class Editor {
       return false;
     }
   }
+
+  /** Asks before packed data become large. */
+  readonly mayUnpack = (sizes: UnpackQuestion): Promise<boolean> =>
+    this.dialogs.show({
+      kind: 'confirm',
+      title: 'A large scene',
+      text: `The scene grows ${sizesText(sizes)} when it is unpacked, which may take long or end this tab. Open it only if you know where it comes from.`,
+      action: 'Open it',
+    });
 
   /** Asks whether unsaved changes may be lost, when there are any. */
   async mayLoseChanges(): Promise<boolean> {

@@ -34,7 +34,7 @@ try {
     editor.autosave = await startAutosave(editor);
   };
   const openLink = async (): Promise<void> => {
-    const text = await decodeLink(location.hash);
+    const text = await decodeLink(location.hash, editor.mayUnpack);
     await editor.openFileBytes(text, { name: null, handle: null });
   };
   const plugins = startPlugins(editor).catch((error: Error) => editor.notices.show('error', error.message, 'plugin'));

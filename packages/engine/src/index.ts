@@ -36,9 +36,12 @@ export { type Asset, type AssetChange } from './assets/Asset';
 export { type AssetFile, type TakenAsset } from './assets/Asset';
 export { AssetError } from './assets/AssetError';
 export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';
-export { type FetchBytes, readableEndings, typeOfUrl } from './assets/loadAsset';
+export { AddressRefusedError, foreignOrigin } from './assets/foreignOrigin';
+export { type FetchBytes, type FetchOptions, readableEndings, typeOfUrl } from './assets/loadAsset';
 export { Model } from './assets/Model';
-export { packGltf } from './assets/packGltf';
+export { checkModel } from './assets/checkModel';
+export { decodedUri, packGltf } from './assets/packGltf';
+export { checkModelFile, modelError } from './assets/readModel';
 export { type GltfJson, readGltfJson } from './assets/readGltfJson';
 export { computeCreaseNormals } from './geometry/computeCreaseNormals';
 export { MeshBuilder } from './geometry/MeshBuilder';
@@ -79,10 +82,13 @@ export {
   type SceneFile,
   writeContainer,
 } from './file/container';
-export { deserialize, type DeserializeOptions, makeObjects } from './file/deserialize';
+export { deserialize, type DeserializeOptions, makeObjects, type MayFetch } from './file/deserialize';
 export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type FileObject } from './file/FarolFile';
-export { FileError, type FileProblem } from './file/FileError';
+export { FileError, type FileErrorOptions, type FileProblem } from './file/FileError';
+export { fileLimits } from './file/fileLimits';
+export { type ForeignAddress, foreignAddresses } from './file/foreignAddresses';
 export { parseFile, type ParseOptions } from './file/parseFile';
+export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './file/unpack';
 export { serialize, serializeHead, serializeObject, type SerializeOptions } from './file/serialize';
 
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';

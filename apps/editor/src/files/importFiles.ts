@@ -1,4 +1,4 @@
-import { type AssetLibrary, packGltf, readableEndings, typeOfUrl } from '@farol/engine';
+import { type AssetLibrary, decodedUri, packGltf, readableEndings, typeOfUrl } from '@farol/engine';
 import type { Editor } from '../Editor';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine';
@@ -29,7 +29,7 @@ async function knownAs(assets: AssetLibrary, blob: Blob): Promise<string | null>
 
 function find(files: FileMap, model: string, uri: string): [string, File] | null {
   const parts = model.split('/').slice(0, -1);
-  for (const part of decodeURIComponent(uri).replaceAll('\\', '/').split('/')) {
+  for (const part of decodedUri(uri).replaceAll('\\', '/').split('/')) {
     if (part === '..') parts.pop();
     else if (part !== '.' && part !== '') parts.push(part);
   }

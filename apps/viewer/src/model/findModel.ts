@@ -1,5 +1,4 @@
-import type { GltfJson } from '@farol/engine';
-import type { FileMap } from '@farol/engine';
+import { decodedUri, type FileMap, type GltfJson } from '@farol/engine';
 
 /**
  * Path of the model among dropped files: the .glb or .gltf that is nearest to the top.
@@ -18,7 +17,7 @@ export function findModel(files: FileMap): string {
 export function resolveUri(modelPath: string, uri: string): string | null {
   if (/^(data|blob):/i.test(uri)) return null;
   const parts = modelPath.split('/').slice(0, -1);
-  for (const part of decodeURIComponent(uri).replaceAll('\\', '/').split('/')) {
+  for (const part of decodedUri(uri).replaceAll('\\', '/').split('/')) {
     if (part === '..') parts.pop();
     else if (part !== '.' && part !== '') parts.push(part);
   }

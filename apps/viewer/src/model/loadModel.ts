@@ -1,4 +1,4 @@
-import { readGltfJson } from '@farol/engine';
+import { checkModel, checkModelFile, modelError, readGltfJson } from '@farol/engine';
 import { LoadingManager, type WebGLRenderer } from 'three';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
 import type { FileMap } from '@farol/engine';
@@ -23,9 +23,15 @@ export async function loadModel(files: FileMap, renderer: WebGLRenderer): Promis
   try {
     const bytes = await file.arrayBuffer();
     const json = readGltfJson(bytes);
+    checkModelFile(bytes, json, (uri) => {
+      const target = resolveUri(path, uri);
+      return target === null ? null : (lookUp(files, target)?.size ?? null);
+    });
     const missing = missingFiles(files, path, json);
     if (missing.length > 0) {
-      throw new Error(`it needs ${missing.join(', ')}: drop the whole folder, or all of its files together.`);
+      throw new Error(
+        `it needs ${missing.slice(0, 8).join(', ')}: drop the whole folder, or all of its files together.`,
+      );
     }
     return { name: file.name, gltf: await parse(bytes, json.extensionsUsed ?? [], path, files, renderer) };
   } catch (error) {
@@ -51,7 +57,11 @@ async function parse(
   });
   const { loader, dispose } = await createLoader(extensions, manager, renderer);
   try {
-    return await loader.parseAsync(bytes, '');
+    const gltf = await loader.parseAsync(bytes, '');
+    checkModel(gltf.scene);
+    return gltf;
+  } catch (error) {
+    throw modelError(error);
   } finally {
     dispose();
     for (const url of blobs.values()) URL.revokeObjectURL(url);

@@ -10,7 +10,7 @@ import { MicroShaderOverrides } from './MicroShaderOverrides';
 export interface AppOptions {
   /** Canvas to draw to; one is made when absent. */
   canvas?: HTMLCanvasElement;
-  /** Element that the canvas is put into, and whose size it takes at first. */
+  /** Element that the canvas is put into, and whose size it follows, unless `resize` is called: from then on that counts. */
   parent?: HTMLElement;
   /** Parameters of three's WebGLRenderer, such as `antialias`. */
   renderer?: WebGLRendererParameters;
@@ -52,6 +52,7 @@ export class App {
   private readonly maxDelta: number;
   private readonly overrides: MicroShaderOverrides;
   private unwatch: () => void = () => {};
+  private sizes: ResizeObserver | null = null;
   private currentScene: Scene;
   private request = 0;
   private lastFrame = 0;
@@ -77,7 +78,7 @@ export class App {
     if (options.parent && !options.webgl) {
       if (this.ownsCanvas) Object.assign(this.canvas.style, { display: 'block', touchAction: 'none' });
       options.parent.append(this.canvas);
-      this.resize(options.parent.clientWidth || 1, options.parent.clientHeight || 1);
+      this.follow(options.parent);
     }
     const keys = options.keys === undefined ? globalThis.window : options.keys;
     this.input = new InputRouter(this.canvas, keys ?? null, {
@@ -156,12 +157,34 @@ export class App {
   }
 
   /**
-   * Sets the size of the canvas.
+   * Sets the size of the canvas. It does not follow the parent's any more.
    * @param width - CSS pixels, at least 1
    * @param height - CSS pixels, at least 1
    * @param pixelRatio - device pixels for each CSS pixel; as it was when absent
    */
   resize(width: number, height: number, pixelRatio?: number): void {
+    this.sizes?.disconnect();
+    this.setSize(width, height, pixelRatio);
+  }
+
+  /** Keeps the canvas as large as an element. */
+  private follow(parent: HTMLElement): void {
+    const fit = (): void => {
+      const width = Math.max(1, parent.clientWidth);
+      const height = Math.max(1, parent.clientHeight);
+      if (width === this.aspectWidth && height === this.aspectHeight) return;
+      this.setSize(width, height);
+      // another size empties the canvas: it is filled again before it is seen
+      this.render();
+    };
+    this.setSize(parent.clientWidth, parent.clientHeight);
+    // absent where there is no layout
+    if (typeof ResizeObserver === 'undefined') return;
+    this.sizes = new ResizeObserver(fit);
+    this.sizes.observe(parent);
+  }
+
+  private setSize(width: number, height: number, pixelRatio?: number): void {
     this.aspectWidth = Math.max(1, width);
     this.aspectHeight = Math.max(1, height);
     if (pixelRatio !== undefined) this.webgl.setPixelRatio(pixelRatio);
@@ -177,6 +200,7 @@ export class App {
   /** Ends loop and input and frees the renderers. The scene stays, as do a canvas or a WebGLRenderer of the host's. */
   dispose(): void {
     this.isDisposed = true;
+    this.sizes?.disconnect();
     this.stop();
     this.input.dispose();
     this.listeners.clear();

@@ -8,7 +8,13 @@ export type Asset = BufferGeometry | Texture | Material | ShaderMaterial | Model
 /** How an asset comes to be: at once, or after loading. */
 export type AssetSource =
   | { readonly type: AssetType; readonly make: () => Asset; readonly partOf?: string }
-  | { readonly type: AssetType; readonly load: () => Promise<Asset>; readonly url?: string; readonly file?: Blob };
+  | {
+      readonly type: AssetType;
+      readonly load: () => Promise<Asset>;
+      readonly url?: string;
+      readonly file?: Blob;
+      readonly partOf?: string;
+    };
 
 /** A file that a library has taken in: the asset of this name is read from its bytes. */
 export interface AssetFile {

@@ -1,3 +1,5 @@
+import { shortText } from '@farol/renderer';
+
 /** An asset that is unknown, of another type, not loaded yet, or that failed to load. */
 export class AssetError extends Error {
   constructor(
@@ -5,7 +7,7 @@ export class AssetError extends Error {
     readonly problem: string,
     options?: ErrorOptions,
   ) {
-    super(`The asset '${asset}' ${problem}`, options);
+    super(`The asset '${shortText(asset, 80)}' ${shortText(problem, 400)}`, options);
     this.name = 'AssetError';
   }
 }

@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import { type BufferGeometry, type Material, RepeatWrapping, type Texture, type WebGLRenderer } from 'three';
 import type { AssetType } from '../fields/Field';
 import { computeCreaseNormals } from '../geometry/computeCreaseNormals';
@@ -5,6 +6,7 @@ import { type Asset, type AssetChange, type AssetFile, type AssetSource, assetTy
 import { AssetError } from './AssetError';
 import { builtinAssets } from './builtinAssets';
 import { type FetchBytes, fetchBytes, readableEndings, readAsset, type ReadOptions, typeOfUrl } from './loadAsset';
+import { AddressRefusedError, foreignOrigin } from './foreignOrigin';
 import { MaterialCache } from './MaterialCache';
 import { Model } from './Model';
 import { modelParts } from './modelParts';
@@ -23,7 +25,11 @@ export interface AssetLibraryOptions {
 }
 
 /** Nearest thing that was meant, for messages: at most eight names of the type. */
-const sample = (names: readonly string[]): string => names.slice(0, 8).join(', ') + (names.length > 8 ? ', …' : '');
+const sample = (names: readonly string[]): string =>
+  names
+    .slice(0, 8)
+    .map((name) => shortText(name, 24))
+    .join(', ') + (names.length > 8 ? ', …' : '');
 
 /** The meshes, textures, materials and shaders that scenes name. Built-in ones are made on demand. */
 export class AssetLibrary {
@@ -32,18 +38,32 @@ export class AssetLibrary {
   /** Users of shared geometries and textures. */
   readonly uses = new UseCounter();
 
+  /**
+   * Origins besides the page's that assets may be fetched from, as `foreignOrigin` writes them; null for any, which is the
+   * default. What leads elsewhere is refused by an AddressRefusedError. The addresses in `options.urls` are the host's own,
+   * and always allowed. See `mayFetch` of `deserialize`.
+   */
+  allowedOrigins: ReadonlySet<string> | null = null;
+
   private readonly sources = new Map<string, AssetSource>();
   private readonly values = new Map<string, Asset>();
   private readonly loading = new Map<string, Promise<Asset>>();
   /** For each name what is derived from the asset: normals by crease angle, textures by repeat. */
   private readonly variants = new Map<string, Map<number, Asset>>();
+  /** Names of parts by that of their model; some may be gone. */
+  private readonly parts = new Map<string, Set<string>>();
   private readonly listeners = new Set<(change: AssetChange) => void>();
+  /** Names of those that were refused for their address, so that each is told once. */
+  private readonly refused = new Set<string>();
+  /** Addresses that the host gave. */
+  private readonly trusted: ReadonlySet<string>;
   private readonly readBytes: FetchBytes;
   private readonly renderer: WebGLRenderer | null;
 
   constructor(options: AssetLibraryOptions = {}) {
     this.readBytes = options.fetchBytes ?? fetchBytes;
     this.renderer = options.renderer ?? null;
+    this.trusted = new Set(Object.values(options.urls ?? {}));
     for (const [name, source] of Object.entries(builtinAssets)) this.sources.set(name, source);
     for (const [name, url] of Object.entries(options.urls ?? {})) this.registerUrl(name, url);
   }
@@ -76,10 +96,10 @@ export class AssetLibrary {
     const dragon = name === 'dragon';
     const known = dragon ? 'mesh' : type;
     if (known !== 'mesh' && known !== 'texture' && known !== 'model') {
-      throw new AssetError(name, `cannot be read from '${url}': only ${readableEndings} can.`);
+      throw new AssetError(name, `cannot be read from '${shortText(url, 80)}': only ${readableEndings} can.`);
     }
     const options: ReadOptions = { normalise: dragon, renderer: this.renderer };
-    const load = async (): Promise<Asset> => readAsset(await this.readBytes(url), url, known, options);
+    const load = async (): Promise<Asset> => readAsset(await this.fetchFor(name, url), url, known, options);
     this.sources.set(name, { type: known, url, load });
     this.tell({ kind: 'registered', name, type: known });
     return this;
@@ -122,7 +142,7 @@ export class AssetLibrary {
 
   /** The assets that came with a model. */
   partsOf(name: string): string[] {
-    return [...this.sources].filter(([, source]) => 'partOf' in source && source.partOf === name).map(([part]) => part);
+    return [...(this.parts.get(name) ?? [])].filter((part) => this.modelOf(part) === name);
   }
 
   /** Whether an asset came with the library, as the box does. */
@@ -147,6 +167,7 @@ export class AssetLibrary {
   restore({ name, source, value, parts }: TakenAsset): void {
     this.checkFree(name);
     this.sources.set(name, source);
+    if ('partOf' in source && source.partOf !== undefined) this.addPart(source.partOf, name);
     if (value) this.values.set(name, value);
     for (const part of parts) this.restore(part);
     this.tell({ kind: 'registered', name, type: source.type });
@@ -160,6 +181,7 @@ export class AssetLibrary {
     this.sources.delete(name);
     this.values.delete(name);
     this.variants.delete(name);
+    this.refused.delete(name);
     this.tell({ kind: 'removed', name, type: source.type });
   }
 
@@ -187,10 +209,10 @@ export class AssetLibrary {
   problemWith(type: AssetType, name: string): string | null {
     const source = this.sources.get(name);
     if (source?.type === type) return null;
-    if (source) return `names '${name}', which is a ${source.type}: a ${type} is needed.`;
+    if (source) return `names '${shortText(name)}', which is a ${source.type}: a ${type} is needed.`;
     const known = this.list(type);
     const choices = known.length > 0 ? `known: ${sample(known)}` : `there is no ${type} yet`;
-    return `names the ${type} '${name}', which is unknown (${choices}): register it with the AssetLibrary first.`;
+    return `names the ${type} '${shortText(name)}', which is unknown (${choices}): register it with the AssetLibrary first.`;
   }
 
   /** Whether the asset can be had at once. */
@@ -231,6 +253,7 @@ export class AssetLibrary {
       },
       (cause: unknown) => {
         this.loading.delete(name);
+        if (cause instanceof AddressRefusedError) throw this.refusal(name, source.type, cause);
         const reason = cause instanceof Error ? cause.message : String(cause);
         const error = new AssetError(name, `could not be loaded: ${reason}`, { cause });
         this.tell({ kind: 'failed', name, type: source.type, error });
@@ -299,6 +322,37 @@ export class AssetLibrary {
     this.listeners.clear();
   }
 
+  /**
+   * Names a part of a model that is not loaded, as a scene needs it whose model was refused: it is there once the model is.
+   * @internal
+   */
+  registerPart(name: string, type: AssetType, model: string): void {
+    this.checkFree(name);
+    const load = async (): Promise<Asset> => {
+      await this.load(model);
+      return this.getAs(type, name);
+    };
+    this.sources.set(name, { type, load, partOf: model });
+    this.addPart(model, name);
+    this.tell({ kind: 'registered', name, type });
+  }
+
+  /** @throws AddressRefusedError (as a rejection) before anything is asked for */
+  private async fetchFor(name: string, url: string): Promise<ArrayBuffer> {
+    const origin = this.trusted.has(url) ? null : foreignOrigin(url);
+    const isLimited = origin !== null && this.allowedOrigins !== null;
+    if (isLimited && !this.allowedOrigins!.has(origin)) throw new AddressRefusedError(name, url, origin);
+    return this.readBytes(url, { isLimited });
+  }
+
+  private refusal(name: string, type: AssetType, error: AddressRefusedError): AddressRefusedError {
+    if (!this.refused.has(name)) {
+      this.refused.add(name);
+      this.tell({ kind: 'failed', name, type, error });
+    }
+    return error;
+  }
+
   private getAs<T extends Asset>(type: AssetType, name: string): T {
     const problem = this.has(name) && !this.has(name, type) ? `is a ${this.typeOf(name)}: a ${type} is needed.` : null;
     if (problem) throw new AssetError(name, problem);
@@ -315,10 +369,19 @@ export class AssetLibrary {
 
   private registerParts(name: string, model: Model): void {
     for (const [asset, part] of modelParts(model, name)) {
-      if (this.sources.has(part)) continue;
+      const known = this.sources.get(part);
+      // one that was named before the model came takes its place
+      if (known && !('load' in known && 'partOf' in known)) continue;
       this.sources.set(part, { type: assetTypeOf(asset), make: () => asset, partOf: name });
+      this.addPart(name, part);
       this.values.set(part, asset);
     }
+  }
+
+  private addPart(model: string, part: string): void {
+    const parts = this.parts.get(model);
+    if (parts) parts.add(part);
+    else this.parts.set(model, new Set([part]));
   }
 
   private checkFree(name: string): void {

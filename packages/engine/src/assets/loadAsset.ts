@@ -1,13 +1,23 @@
+import { shortText } from '@farol/renderer';
 import { RepeatWrapping, SRGBColorSpace, Texture, type WebGLRenderer } from 'three';
 import type { AssetType } from '../fields/Field';
 import { fitGeometry } from '../geometry/fitGeometry';
 import { parsePly } from '../geometry/parsePly';
 import type { Asset } from './Asset';
+import { checkImageSize } from './imageSize';
 import { readEnvironment } from './readEnvironment';
 import { readModel } from './readModel';
 
+export interface FetchOptions {
+  /**
+   * The address leads away from the page, by leave: no cookies, no referrer, and no going on to a third place, which nobody
+   * was asked about.
+   */
+  readonly isLimited?: boolean;
+}
+
 /** Reads the bytes of an address. */
-export type FetchBytes = (url: string) => Promise<ArrayBuffer>;
+export type FetchBytes = (url: string, options?: FetchOptions) => Promise<ArrayBuffer>;
 
 /** Types of assets that are read from files. */
 export type FileAssetType = Extract<AssetType, 'mesh' | 'texture' | 'model'>;
@@ -15,10 +25,19 @@ export type FileAssetType = Extract<AssetType, 'mesh' | 'texture' | 'model'>;
 /** Endings of the files that can be read, for messages. */
 export const readableEndings = '.glb, .gltf, .ply, .ply.gz, .png, .jpg, .webp, .hdr and .exr';
 
+const limited: RequestInit = { credentials: 'omit', referrerPolicy: 'no-referrer', redirect: 'error' };
+
 /** Reads an address with `fetch`. @throws Error with the HTTP status when it is not there */
-export async function fetchBytes(url: string): Promise<ArrayBuffer> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url} answered ${response.status} ${response.statusText}`.trim());
+export async function fetchBytes(url: string, { isLimited = false }: FetchOptions = {}): Promise<ArrayBuffer> {
+  const address = shortText(url, 120);
+  let response: Response;
+  try {
+    response = await fetch(url, isLimited ? limited : {});
+  } catch (cause) {
+    const reason = isLimited ? ', refuses other pages, or sends on to another address' : '';
+    throw new Error(`${address} cannot be reached${reason}.`, { cause });
+  }
+  if (!response.ok) throw new Error(`${address} answered ${response.status} ${shortText(response.statusText)}`.trim());
   return response.arrayBuffer();
 }
 
@@ -45,6 +64,7 @@ function signatureOf(bytes: ArrayBuffer): string | null {
 }
 
 async function readTexture(bytes: ArrayBuffer): Promise<Texture> {
+  checkImageSize(new Uint8Array(bytes));
   let image: ImageBitmap;
   try {
     image = await createImageBitmap(new Blob([bytes]), { imageOrientation: 'flipY' });

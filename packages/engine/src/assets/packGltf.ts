@@ -1,3 +1,6 @@
+import { shortText } from '@farol/renderer';
+import { sampleOf } from '../file/ProblemList';
+import { checkGltf } from './checkGltf';
 import { readGltfJson } from './readGltfJson';
 
 const HEADER = 12;
@@ -16,6 +19,15 @@ async function bytesOfDataUri(uri: string): Promise<Uint8Array> {
   return new Uint8Array(await (await fetch(uri)).arrayBuffer());
 }
 
+/** An address without its escapes; as it is when they are damaged. */
+export function decodedUri(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
 /**
  * Packs a .gltf and the files that it names into one GLB, unchanged otherwise.
  * @param bytes - the .gltf
@@ -28,6 +40,7 @@ export async function packGltf(
   find: (uri: string) => Promise<ArrayBuffer | null>,
 ): Promise<ArrayBuffer> {
   const json = readGltfJson(bytes);
+  checkGltf(json, { binary: 0, sizeOf: () => null });
   const parts: Uint8Array[] = [];
   const missing: string[] = [];
   let length = 0;
@@ -42,7 +55,7 @@ export async function packGltf(
     if (/^data:/i.test(uri)) return bytesOfDataUri(uri);
     const found = await find(uri);
     if (found) return new Uint8Array(found);
-    missing.push(decodeURIComponent(uri));
+    missing.push(shortText(decodedUri(uri), 80));
     return new Uint8Array();
   };
 
@@ -66,9 +79,7 @@ export async function packGltf(
     views.push({ buffer: 0, byteOffset: append(data), byteLength: data.length });
   }
   if (missing.length > 0) {
-    throw new Error(
-      `it needs ${[...new Set(missing)].join(', ')}: drop the whole folder, or all of its files together.`,
-    );
+    throw new Error(`it needs ${sampleOf(new Set(missing))}: drop the whole folder, or all of its files together.`);
   }
   const whole = {
     ...json,

@@ -1,5 +1,7 @@
 import { ClampToEdgeWrapping, LinearFilter, RepeatWrapping, type Texture } from 'three';
+import { shortText } from '@farol/renderer';
 import { checkExr } from './checkExr';
+import { checkImageSize } from './imageSize';
 
 /**
  * Reads an equirectangular picture of linear light. The loader is fetched when it is first needed.
@@ -11,11 +13,12 @@ export async function readEnvironment(bytes: ArrayBuffer, format: 'HDR' | 'EXR')
       ? new (await import('three/addons/loaders/HDRLoader.js')).HDRLoader()
       : new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader();
   let texture: Texture;
+  checkImageSize(new Uint8Array(bytes));
   try {
     if (format === 'EXR') checkExr(bytes);
     texture = loader.createDataTexture(bytes);
   } catch (cause) {
-    const reason = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
+    const reason = cause instanceof Error ? shortText(cause.message.replace(/^THREE\.\w+:\s*/, ''), 160) : '';
     throw new Error(`its ${format} data are damaged or cut short (${reason}): export it again.`, { cause });
   }
   const { width, height } = texture.image as { width: number; height: number };

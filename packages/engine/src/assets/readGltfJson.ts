@@ -1,3 +1,5 @@
+import { shortText } from '@farol/renderer';
+
 /** What is read of a glTF file before the loader does. @see glTF 2.0, 3.1 */
 export interface GltfJson {
   asset?: { version?: string };
@@ -5,6 +7,8 @@ export interface GltfJson {
   buffers?: { uri?: string; byteLength?: number }[];
   bufferViews?: { buffer: number; byteOffset?: number; byteLength: number }[];
   images?: { uri?: string; mimeType?: string; bufferView?: number }[];
+  /** Index of the scene that is shown. */
+  scene?: number;
 }
 
 const glbMagic = 0x46546c67;
@@ -23,9 +27,20 @@ export function readGltfJson(bytes: ArrayBuffer): GltfJson {
   if (typeof json !== 'object' || json === null || !('asset' in json)) {
     throw new Error("it is no glTF: the entry 'asset' is missing.");
   }
-  const version = String((json as GltfJson).asset?.version);
+  const version = shortText(String((json as GltfJson).asset?.version));
   if (!version.startsWith('2.')) throw new Error(`it is glTF ${version}, and only glTF 2.x can be read: convert it.`);
   return json as GltfJson;
+}
+
+const binaryChunk = 0x004e4942;
+
+/** The bytes of a GLB's own buffer; null when it has none, as a .gltf. Its JSON must have been read before. */
+export function binaryOf(bytes: ArrayBuffer): Uint8Array<ArrayBuffer> | null {
+  const view = new DataView(bytes);
+  if (view.getUint32(0, true) !== glbMagic) return null;
+  const at = 20 + view.getUint32(12, true);
+  if (at + 8 > bytes.byteLength || view.getUint32(at + 4, true) !== binaryChunk) return null;
+  return new Uint8Array(bytes, at + 8, Math.min(view.getUint32(at, true), bytes.byteLength - at - 8));
 }
 
 function binaryJson(view: DataView): ArrayBuffer {
@@ -47,7 +62,7 @@ function parseJson(bytes: ArrayBuffer): unknown {
   try {
     return JSON.parse(new TextDecoder().decode(bytes));
   } catch (error) {
-    throw new Error(`its JSON cannot be read: ${error instanceof Error ? error.message : String(error)}`, {
+    throw new Error(`its JSON cannot be read: ${shortText((error as Error).message, 160)}`, {
       cause: error,
     });
   }

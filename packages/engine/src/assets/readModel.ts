@@ -1,7 +1,11 @@
+import { shortText } from '@farol/renderer';
 import type { WebGLRenderer } from 'three';
 import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { checkGltf } from './checkGltf';
+import { checkModel } from './checkModel';
+import { checkImageSize } from './imageSize';
 import { Model } from './Model';
-import { readGltfJson } from './readGltfJson';
+import { binaryOf, type GltfJson, readGltfJson } from './readGltfJson';
 
 /** A GLTFLoader with the decoders that a file asks for; each is fetched when a file first uses it. */
 async function loaderFor(
@@ -31,6 +35,48 @@ async function loaderFor(
   return { loader, dispose: () => disposables.forEach((each) => each.dispose()) };
 }
 
+const dataSize = (uri: string): number | null =>
+  /^data:/i.test(uri) ? Math.ceil(((uri.length - uri.indexOf(',') - 1) * 3) / 4) : null;
+
+/** Letters of base64 that hold the head of a picture. */
+const HEAD = 65_536;
+
+function* headsOf(json: GltfJson, binary: Uint8Array | null): Generator<Uint8Array> {
+  for (const { uri, bufferView } of json.images ?? []) {
+    const view = bufferView === undefined ? null : json.bufferViews![bufferView];
+    if (view && view.buffer === 0 && binary)
+      yield binary.subarray(view.byteOffset ?? 0, (view.byteOffset ?? 0) + view.byteLength);
+    const [, base64] = /^data:[^,]*;base64,([\w+/]*)/i.exec(uri ?? '') ?? [];
+    if (base64) yield Uint8Array.from(atob(base64.slice(0, HEAD & ~3)), (letter) => letter.charCodeAt(0));
+  }
+}
+
+/**
+ * Checks a glTF before it is given to a loader: see `checkGltf`.
+ * @param json - what `readGltfJson` made of the bytes
+ * @param sizeOf - bytes of a file beside it; null when it is not known
+ * @throws Error that says what is wrong with it, in one sentence
+ */
+export function checkModelFile(
+  bytes: ArrayBuffer,
+  json: GltfJson,
+  sizeOf: (uri: string) => number | null = () => null,
+): void {
+  const binary = binaryOf(bytes);
+  checkGltf(json, { binary: binary?.length ?? 0, sizeOf: (uri) => dataSize(uri) ?? sizeOf(uri) });
+  for (const head of headsOf(json, binary)) checkImageSize(head);
+}
+
+/** What a loader threw, as one sentence on the file. */
+export function modelError(cause: unknown): Error {
+  const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
+  if (cause instanceof Error && said.endsWith(' export it again.')) return cause;
+  // what an engine says of a value that is not there tells a user nothing
+  const isRaw = cause instanceof TypeError || cause instanceof RangeError;
+  const reason = isRaw ? 'something in it is missing, or of another kind than glTF says' : shortText(said, 160);
+  return new Error(`its glTF data are damaged or cut short (${reason}): export it again.`, { cause });
+}
+
 /**
  * Reads a glTF of one file: a GLB, or a .gltf with its data inside.
  * @param renderer - draws it later; asked which compressed textures the device takes, needed for KTX2 only
@@ -38,15 +84,16 @@ async function loaderFor(
  */
 export async function readModel(bytes: ArrayBuffer, renderer: WebGLRenderer | null = null): Promise<Model> {
   const json = readGltfJson(bytes);
+  checkModelFile(bytes, json);
   const outside = [...(json.buffers ?? []), ...(json.images ?? [])].find(({ uri }) => uri && !/^data:/i.test(uri));
-  if (outside) throw new Error(`it needs ${outside.uri}: choose both files together.`);
+  if (outside) throw new Error(`it needs ${shortText(outside.uri!, 120)}: choose both files together.`);
   const { loader, dispose } = await loaderFor(json.extensionsUsed ?? [], renderer);
   try {
     const { scene, animations } = await loader.parseAsync(bytes, '');
+    checkModel(scene);
     return new Model(scene, animations);
   } catch (cause) {
-    const reason = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
-    throw new Error(`its glTF data are damaged or cut short (${reason}): export it again.`, { cause });
+    throw modelError(cause);
   } finally {
     dispose();
   }

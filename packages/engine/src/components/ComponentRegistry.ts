@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import type { Component, ComponentClass } from '../core/Component';
 import type { FieldValue } from '../fields/Field';
 
@@ -30,7 +31,7 @@ export class ComponentRegistry {
     const found = this.classes.get(typeName);
     if (!found) {
       const known = [...this.classes.keys()].join(', ');
-      throw new Error(`Unknown component '${typeName}'; known: ${known}. Register its class first.`);
+      throw new Error(`Unknown component '${shortText(typeName)}'; known: ${known}. Register its class first.`);
     }
     return found;
   }

@@ -115,12 +115,7 @@ export class ObjectRenderer extends component({
 
   private takeMaterial(scene: Scene): Material {
     const { assets } = scene;
-    const given =
-      this.shader !== null
-        ? assets.shader(this.shader)
-        : this.material !== null
-          ? assets.material(this.material)
-          : null;
+    const given = this.givenMaterial(scene);
     if (given) {
       this.releaseMaterial(scene);
       return given;
@@ -130,6 +125,18 @@ export class ObjectRenderer extends component({
       ? assets.materials.change(this.ownMaterial, values)
       : assets.materials.acquire(values);
     return this.ownMaterial;
+  }
+
+  /** The material of the library that is named; null where none is, and until it is loaded. */
+  private givenMaterial(scene: Scene): Material | null {
+    const [type, name] =
+      this.shader !== null ? (['shader', this.shader] as const) : (['material', this.material] as const);
+    if (name === null) return null;
+    if (scene.assets.isReady(type, name)) return scene.assets[type](name);
+    scene.assets.whenReady(type, name, () => {
+      if (this.scene === scene && this[type] === name) this.refreshMaterial();
+    });
+    return null;
   }
 
   private materialValues(): Pick<this, keyof typeof materialFields> {

@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import { Object3D } from 'three';
 import { builtinComponents } from '../components/builtinComponents';
 import { Transform } from '../components/Transform';
@@ -147,7 +148,8 @@ export class GameObject implements GameObjectContainer {
 
   /** Takes a child out, with all below it; it may be added again. @throws Error when it is no child of this object */
   remove(child: GameObject): this {
-    if (child.container !== this) throw new Error(`'${child.name}' is no child of '${this.name}'.`);
+    if (child.container !== this)
+      throw new Error(`'${shortText(child.name)}' is no child of '${shortText(this.name)}'.`);
     moveGameObject(child, null, undefined, { keepWorld: false });
     return this;
   }
@@ -179,9 +181,9 @@ export class GameObject implements GameObjectContainer {
     const registry = this.scene?.registry ?? builtinComponents;
     const component = typeof type === 'string' ? registry.create(type) : typeof type === 'function' ? new type() : type;
     if (component.isAttached)
-      throw new Error(`This ${component.typeName} is already on '${component.gameObject.name}'.`);
+      throw new Error(`This ${component.typeName} is already on '${shortText(component.gameObject.name)}'.`);
     if (component.componentClass.unique && this.getComponent(component.typeName)) {
-      throw new Error(`'${this.name}' has a ${component.typeName} already, and can have one only.`);
+      throw new Error(`'${shortText(this.name)}' has a ${component.typeName} already, and can have one only.`);
     }
     for (const name of Object.keys(values)) component.set(name, values[name]);
     if (options.enabled === false) component.enabled = false;
@@ -198,7 +200,7 @@ export class GameObject implements GameObjectContainer {
   /** Takes a component off; it may be added again, or disposed. @throws Error for the Transform or a stranger */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
-    if (index < 0) throw new Error(`This ${component.typeName} is not on '${this.name}'.`);
+    if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);
     if (component === this.transform) throw new Error('The Transform cannot be removed.');
     this.scene?.componentLeaves(component);
     component.detach();
@@ -209,7 +211,7 @@ export class GameObject implements GameObjectContainer {
   /** Moves a component to another place in the list; the Transform stays first. */
   moveComponent(component: Component, index: number): void {
     const from = this.componentList.indexOf(component);
-    if (from < 1) throw new Error(`This ${component.typeName} cannot be moved within '${this.name}'.`);
+    if (from < 1) throw new Error(`This ${component.typeName} cannot be moved within '${shortText(this.name)}'.`);
     this.componentList.splice(from, 1);
     this.componentList.splice(Math.min(Math.max(index, 1), this.componentList.length), 0, component);
     this.scene?.notify({ kind: 'component-move', gameObject: this, component });
@@ -288,7 +290,8 @@ export class GameObject implements GameObjectContainer {
   /** Takes the object out of its parent or scene, and gives back what it and all below it hold. */
   dispose(): void {
     if (this.container) moveGameObject(this, null, undefined, { keepWorld: false });
-    for (const child of [...this.childList]) child.dispose();
+    // from the last one on: each leaves the end of its list
+    for (const child of this.childList.toReversed()) child.dispose();
     for (const component of this.componentList.toReversed()) {
       component.detach();
       component.dispose();

@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import type { Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { builtinComponents } from '../components/builtinComponents';
@@ -142,7 +143,8 @@ export class Scene implements GameObjectContainer {
 
   /** Takes an object out of the scene, wherever in the tree it is; it keeps its ids and may be added again. */
   remove(gameObject: GameObject): this {
-    if (gameObject.scene !== this) throw new Error(`'${gameObject.name}' is not in the scene '${this.name}'.`);
+    if (gameObject.scene !== this)
+      throw new Error(`'${shortText(gameObject.name)}' is not in the scene '${shortText(this.name)}'.`);
     moveGameObject(gameObject, null, undefined, { keepWorld: false });
     return this;
   }
@@ -255,7 +257,7 @@ export class Scene implements GameObjectContainer {
     gameObject.traverse((each) => {
       if (this.index.objectsById.has(each.id)) {
         throw new Error(
-          `The scene has an object with the id '${each.id}' ('${each.name}') already: clone() it instead.`,
+          `The scene has an object with the id '${shortText(each.id)}' ('${shortText(each.name)}') already: clone() it instead.`,
         );
       }
       for (const component of each.components) this.checkComponent(component);

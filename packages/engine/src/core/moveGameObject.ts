@@ -1,4 +1,6 @@
+import { shortText } from '@farol/renderer';
 import { Matrix4, type Object3D } from 'three';
+import { fileLimits } from '../file/fileLimits';
 import type { GameObject } from './GameObject';
 import type { Scene } from './Scene';
 
@@ -17,22 +19,49 @@ export interface MoveOptions {
   keepWorld?: boolean;
 }
 
-function checkNoCycle(gameObject: GameObject, container: GameObjectContainer): void {
+/** Checks that an object is not put below itself. @returns how many objects deep the container lies; 0 for a scene */
+function checkNoCycle(gameObject: GameObject, container: GameObjectContainer): number {
   let above = container === container.scene ? null : (container as GameObject);
+  let depth = 0;
   for (; above; above = above.parent) {
     if (above === gameObject) {
       throw new Error(
-        `'${gameObject.name}' cannot be put below itself: choose a parent that is not among its children.`,
+        `'${shortText(gameObject.name)}' cannot be put below itself: choose a parent that is not among its children.`,
       );
     }
+    depth++;
   }
+  return depth;
+}
+
+/** Checks that a scene does not become deeper than its file may be: level by level, as a tree that is in no scene has no limit. */
+function checkDepth(gameObject: GameObject, depth: number): void {
+  let level: readonly GameObject[] = [gameObject];
+  for (let deep = depth + 1; level.length > 0; deep++) {
+    if (deep > fileLimits.depth) {
+      throw new Error(
+        `'${shortText(gameObject.name)}' cannot be put there: the scene would be more than ${fileLimits.depth} objects deep. Choose a parent nearer to the top.`,
+      );
+    }
+    level = level.flatMap(({ childList }) => childList);
+  }
+}
+
+/** What three's `removeFromParent` does, but looked for from the end, where what is disposed of lies: three begins at the first. */
+function removeFromParent(object: Object3D): void {
+  const { parent } = object;
+  if (!parent) return;
+  parent.children.splice(parent.children.lastIndexOf(object), 1);
+  object.parent = null;
+  object.dispatchEvent({ type: 'removed' });
+  parent.dispatchEvent({ type: 'childremoved', child: object });
 }
 
 function unlink(gameObject: GameObject): void {
   const siblings = gameObject.container?.childList;
-  if (siblings) siblings.splice(siblings.indexOf(gameObject), 1);
+  if (siblings) siblings.splice(siblings.lastIndexOf(gameObject), 1);
   gameObject.container = null;
-  gameObject.object3D.removeFromParent();
+  removeFromParent(gameObject.object3D);
 }
 
 function link(gameObject: GameObject, container: GameObjectContainer, index: number): void {
@@ -54,7 +83,8 @@ export function moveGameObject(
 ): void {
   const from = gameObject.sceneOf;
   const to = container?.scene ?? null;
-  if (container) checkNoCycle(gameObject, container);
+  const depth = container ? checkNoCycle(gameObject, container) : 0;
+  if (to) checkDepth(gameObject, depth);
   if (to && to !== from) to.checkSubtree(gameObject);
 
   let world: Matrix4 | null = null;

@@ -1,3 +1,5 @@
+import { shortText } from '@farol/renderer';
+
 /** A value that a field does not allow, or a field that does not exist. */
 export class FieldError extends Error {
   /**
@@ -10,7 +12,7 @@ export class FieldError extends Error {
     readonly field: string,
     readonly problem: string,
   ) {
-    super(`${owner}.${field} ${problem}`);
+    super(`${shortText(owner)}.${shortText(field)} ${shortText(problem, 400)}`);
     this.name = 'FieldError';
   }
 }

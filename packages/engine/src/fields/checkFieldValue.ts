@@ -1,17 +1,24 @@
+import { shortText } from '@farol/renderer';
 import type { Field, FieldValue } from './Field';
 import { fieldTypeOf } from './fieldTypes';
 
 const isFiniteNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 
 /** Writes a value for a message, short and never throwing: NaN stays NaN, text is quoted. */
-export function describeValue(value: unknown): string {
+export function describeValue(value: unknown, depth = 0): string {
   if (typeof value === 'number' || value === undefined) return String(value);
-  if (Array.isArray(value))
-    return `[${value.slice(0, 4).map(describeValue).join(', ')}${value.length > 4 ? ', …' : ''}]`;
-  if (typeof value === 'string') return JSON.stringify(value.length > 40 ? `${value.slice(0, 39)}…` : value);
+  if (Array.isArray(value)) {
+    if (depth > 0) return 'a list';
+    const parts = value.slice(0, 4).map((each) => describeValue(each, depth + 1));
+    return `[${parts.join(', ')}${value.length > 4 ? ', …' : ''}]`;
+  }
+  if (typeof value === 'string') return quoted(value);
   if (typeof value === 'object' && value !== null) return 'an object';
-  return typeof value === 'function' ? 'a function' : String(value);
+  return typeof value === 'function' ? 'a function' : shortText(String(value));
 }
+
+/** A text of a user's in quotes, for messages. */
+const quoted = (text: string): string => `"${shortText(text).replaceAll('"', '\\"')}"`;
 
 function describeRange(field: { min?: number; max?: number; unit?: string }): string {
   const unit = field.unit ? ` ${field.unit}` : '';

@@ -1,3 +1,5 @@
+import { shortText } from '@farol/renderer';
+
 /** One thing that is wrong with a file. */
 export interface FileProblem {
   /** Where in the file: 'objects[3].components[1].values.roughness'; '' for the file as a whole. */
@@ -6,17 +8,40 @@ export interface FileProblem {
   readonly problem: string;
 }
 
-const SHOWN = 20;
+export interface FileErrorOptions extends ErrorOptions {
+  /** How many problems there are besides those of the list; 0 when absent. */
+  more?: number;
+}
 
-/** A file that cannot be loaded, with everything that is wrong with it. Nothing of it has been loaded. */
+/** Letters of the whole message, of one problem, and of one path. */
+const MESSAGE = 1800;
+const PROBLEM = 400;
+const PATH = 160;
+
+/**
+ * A file that cannot be loaded, with what is wrong with it. Nothing of it has been loaded. Its message has less than 2,000
+ * letters, each problem 400 at most, whatever the file holds.
+ */
 export class FileError extends Error {
-  constructor(
-    readonly problems: readonly FileProblem[],
-    options?: ErrorOptions,
-  ) {
-    const lines = problems.slice(0, SHOWN).map(({ path, problem }) => (path ? `${path} ${problem}` : problem));
-    if (problems.length > SHOWN) lines.push(`… and ${problems.length - SHOWN} more`);
+  readonly problems: readonly FileProblem[];
+
+  constructor(problems: readonly FileProblem[], options: FileErrorOptions = {}) {
+    const short = problems.map(({ path, problem }) => ({
+      path: shortText(path, PATH),
+      problem: shortText(problem, PROBLEM),
+    }));
+    const lines: string[] = [];
+    let length = 0;
+    for (const { path, problem } of short) {
+      const line = path ? `${path} ${problem}` : problem;
+      length += line.length + 1;
+      if (lines.length > 0 && length > MESSAGE) break;
+      lines.push(line);
+    }
+    const more = short.length - lines.length + (options.more ?? 0);
+    if (more > 0) lines.push(`… and ${more} more`);
     super(`The scene file cannot be loaded:\n${lines.join('\n')}`, options);
     this.name = 'FileError';
+    this.problems = short;
   }
 }

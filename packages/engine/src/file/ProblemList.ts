@@ -1,5 +1,7 @@
+import { shortText } from '@farol/renderer';
 import { describeValue } from '../fields/checkFieldValue';
-import type { FileProblem } from './FileError';
+import { FileError, type FileProblem } from './FileError';
+import { fileLimits } from './fileLimits';
 
 export type JsonRecord = Record<string, unknown>;
 
@@ -10,8 +12,21 @@ export const isRecord = (value: unknown): value is JsonRecord =>
 export class ProblemList {
   readonly problems: FileProblem[] = [];
 
+  private count = 0;
+
+  /** Whether more problems would be counted only. */
+  get isFull(): boolean {
+    return this.problems.length >= fileLimits.problems;
+  }
+
   add(path: string, problem: string): void {
-    this.problems.push({ path, problem });
+    this.count++;
+    if (!this.isFull) this.problems.push({ path, problem });
+  }
+
+  /** @throws FileError when there is a problem */
+  throwIfAny(): void {
+    if (this.count > 0) throw new FileError(this.problems, { more: this.count - this.problems.length });
   }
 
   /** The value as a record; an empty one, and a problem, when it is none. */
@@ -52,5 +67,25 @@ export class ProblemList {
 }
 
 /** Path of a member. */
-export const join = (path: string, key: string | number): string =>
-  typeof key === 'number' ? `${path}[${key}]` : path ? `${path}.${key}` : key;
+export function join(path: string, key: string | number): string {
+  if (typeof key === 'number') return `${path}[${key}]`;
+  const name = shortText(key);
+  return path ? `${path}.${name}` : name;
+}
+
+/** A few names of many, for messages. */
+export function sampleOf(names: Iterable<string>, most = 8): string {
+  const shown: string[] = [];
+  for (const name of names) {
+    if (shown.length === most) return `${shown.join(', ')}, …`;
+    shown.push(shortText(name));
+  }
+  return shown.join(', ') || 'none';
+}
+
+/** The way round a ring, first and last the same, for messages: 'a below b below a'. */
+export function ringOf(names: readonly string[], word: string): string {
+  const short = names.map((name) => shortText(name, 24));
+  if (short.length > 6) short.splice(4, short.length - 5, '…');
+  return short.join(` ${word} `);
+}

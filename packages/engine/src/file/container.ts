@@ -1,7 +1,9 @@
 import type { Scene } from '../core/Scene';
 import type { FarolFile } from './FarolFile';
 import { FileError } from './FileError';
+import { readZip } from './readZip';
 import { serialize } from './serialize';
+import type { MayUnpack } from './unpack';
 
 /** Name of the scene in a container. */
 export const SCENE_ENTRY = 'scene.json';
@@ -55,30 +57,22 @@ const fail = (problem: string, cause?: unknown): never => {
   throw new FileError([{ path: '', problem }], { cause });
 };
 
-async function unzip(bytes: Uint8Array): Promise<Record<string, Uint8Array>> {
-  const { unzipSync } = await import('three/addons/libs/fflate.module.js');
-  try {
-    return unzipSync(bytes);
-  } catch (cause) {
-    const reason = cause instanceof Error ? cause.message : String(cause);
-    return fail(`The file is cut short or damaged (${reason}): open another copy of it.`, cause);
-  }
-}
-
 /**
  * Reads a scene file: a `.farol` container, or plain JSON. The scene is not checked here: give it to `deserialize`, with
  * `fileOf`.
- * @throws FileError (as a rejection) when the bytes are neither, or are cut short
+ * @param mayUnpack - asked before the container becomes large; such a one is refused when absent. See `unpackLimits`
+ * @throws FileError (as a rejection) when the bytes are neither, are cut short, or become too large; AbortError when
+ * `mayUnpack` answers no
  */
-export async function readSceneFile(bytes: Uint8Array): Promise<SceneFile> {
+export async function readSceneFile(bytes: Uint8Array, mayUnpack?: MayUnpack): Promise<SceneFile> {
   if (bytes.length === 0) fail('The file is empty: open another copy of it.');
   if (bytes[0] === 0x50 && bytes[1] === 0x4b) {
-    const entries = await unzip(bytes);
-    const scene = entries[SCENE_ENTRY];
+    const entries = await readZip(bytes as Uint8Array<ArrayBuffer>, mayUnpack);
+    const scene = entries.get(SCENE_ENTRY);
     if (!scene) fail(`The ZIP holds no ${SCENE_ENTRY}: choose a .farol file, or drop models and textures on Assets.`);
     return {
-      text: textOf(scene),
-      fileOf: (path) => (Object.hasOwn(entries, path) ? new Blob([entries[path] as Uint8Array<ArrayBuffer>]) : null),
+      text: textOf(scene!),
+      fileOf: (path) => (entries.has(path) ? new Blob([entries.get(path)!]) : null),
     };
   }
   if (textOf(bytes.subarray(0, 4)) === 'glTF') fail('The file is a GLB, no scene of Farol: drop it on Assets.');

@@ -1,12 +1,18 @@
+import { shortText } from '@farol/renderer';
+import type { AssetError } from '../assets/AssetError';
 import type { AssetLibrary } from '../assets/AssetLibrary';
+import { AddressRefusedError } from '../assets/foreignOrigin';
 import { builtinComponents } from '../components/builtinComponents';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { assetUses } from './assetUses';
+import { OwnAssets } from './OwnAssets';
 import type { FarolFile, FileObject } from './FarolFile';
-import { FileError, type FileProblem } from './FileError';
+import { FileError } from './FileError';
+import { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 import { parseFile } from './parseFile';
+import { ProblemList } from './ProblemList';
 
 export interface DeserializeOptions {
   /** Where the assets come from; a library of the scene's own when absent. */
@@ -14,7 +20,16 @@ export interface DeserializeOptions {
   registry?: ComponentRegistry;
   /** The bytes of a file of the container that the scene came in, such as 'assets/robot.glb'; null when it has none. */
   fileOf?: (path: string) => Blob | null;
+  /**
+   * Asked once, before anything is fetched, when the file names addresses away from the page: true for all, false for none,
+   * or the origins that may be asked. What is refused stays away, told by an AddressRefusedError to `assets.onChange`; the
+   * rest of the scene opens. From then on the library fetches from those origins only. All are fetched when absent.
+   */
+  mayFetch?: (addresses: readonly ForeignAddress[]) => MayFetch | Promise<MayFetch>;
 }
+
+/** Which foreign origins may be fetched from: all of those asked about, none, or these. */
+export type MayFetch = boolean | Iterable<string>;
 
 /** One GameObject without its children and parent, from checked data. */
 function makeObject(data: FileObject, registry: ComponentRegistry): GameObject {
@@ -49,38 +64,36 @@ export function makeObjects(
   return roots;
 }
 
-/** Registers the file's own assets that the library does not have. @returns their names */
+/** Registers the file's own assets that the library does not have, their names in `registered`. */
 async function registerAssets(
   file: FarolFile,
   assets: AssetLibrary,
   fileOf: (path: string) => Blob | null,
-): Promise<string[]> {
+  registered: string[],
+): Promise<void> {
   const inline = await readInline(file);
-  const missing = file.assets.filter(({ name }) => !assets.has(name));
-  const blobs = missing.map(({ name, file: path }) => (path === undefined ? (inline.get(name) ?? null) : fileOf(path)));
-  const problems = missing.flatMap((asset, i): FileProblem[] =>
-    asset.file === undefined || blobs[i]
-      ? []
-      : [
-          {
-            path: `assets[${file.assets.indexOf(asset)}].file`,
-            problem: `names '${asset.file}', which did not come with the scene: open the .farol file that holds both.`,
-          },
-        ],
-  );
-  if (problems.length > 0) throw new FileError(problems);
-  missing.forEach(({ name, type, url }, i) => {
-    const blob = blobs[i];
-    if (blob) assets.registerFile(name, blob);
-    else assets.registerUrl(name, url ?? '', type);
+  const problems = new ProblemList();
+  file.assets.forEach(({ name, type, url, file: path }, i) => {
+    if (assets.has(name)) return;
+    const blob = path === undefined ? inline.get(name) : fileOf(path);
+    if (path !== undefined && !blob) {
+      const problem = `names '${shortText(path)}', which did not come with the scene: open the .farol file that holds both.`;
+      problems.add(`assets[${i}].file`, problem);
+      return;
+    }
+    try {
+      if (blob) assets.registerFile(name, blob);
+      else assets.registerUrl(name, url ?? '', type);
+      registered.push(name);
+    } catch (error) {
+      problems.add(`assets[${i}]`, (error as AssetError).problem);
+      return;
+    }
+    const own = assets.typeOf(name);
+    if (own !== type)
+      problems.add(`assets[${i}].type`, `says ${type}, and by its name it is a ${own}: correct one of them.`);
   });
-  return missing.map(({ name }) => name);
-}
-
-/** The asset that has to be loaded before a name is known: the model of a part, else the asset itself. */
-function loadedFor(name: string, file: FarolFile, assets: AssetLibrary): string {
-  if (assets.has(name)) return name;
-  return file.assets.find((own) => own.type === 'model' && name.startsWith(`${own.name}/`))?.name ?? name;
+  problems.throwIfAny();
 }
 
 /** The bytes of a `data:` address. @throws FileError naming the asset when it is damaged */
@@ -91,7 +104,7 @@ async function readInline(file: FarolFile): Promise<Map<string, Blob>> {
     try {
       blobs.set(name, await (await fetch(url)).blob());
     } catch (cause) {
-      const problem = `holds the bytes of '${name}' as damaged base64: open another copy of the file.`;
+      const problem = `holds the bytes of '${shortText(name)}' as damaged base64: open another copy of the file.`;
       throw new FileError([{ path: `assets[${i}].url`, problem }], { cause });
     }
   }
@@ -100,20 +113,38 @@ async function readInline(file: FarolFile): Promise<Map<string, Blob>> {
 
 async function loadAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary): Promise<void> {
   const uses = assetUses(file, registry);
-  const needed = new Map(uses.map((use) => [loadedFor(use.name, file, assets), use.path]));
+  const own = new OwnAssets(file.assets);
+  /** What has to be loaded before a name is known: the model of a part, else the asset itself. */
+  const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
+  const needed = new Map(uses.map((use) => [loadedFor(use.name), use.path]));
   const names = [...needed.keys()];
   const results = await Promise.allSettled(names.map((name) => assets.load(name)));
-  const problems = results.flatMap((result, i): FileProblem[] =>
-    result.status === 'rejected'
-      ? [{ path: needed.get(names[i])!, problem: `needs an asset: ${(result.reason as Error).message}` }]
-      : [],
-  );
-  if (problems.length > 0) throw new FileError(problems);
+  const problems = new ProblemList();
+  const refused = new Set<string>();
+  results.forEach((result, i) => {
+    if (result.status === 'fulfilled') return;
+    const { reason } = result as { reason: Error };
+    if (reason instanceof AddressRefusedError) refused.add(names[i]);
+    else problems.add(needed.get(names[i])!, `needs an asset: ${reason.message}`);
+  });
+  problems.throwIfAny();
   for (const { path, type, name } of uses) {
+    const model = assets.has(name) ? name : loadedFor(name);
+    if (model !== name && refused.has(model)) assets.registerPart(name, type, model);
     const problem = assets.problemWith(type, name);
-    if (problem) problems.push({ path, problem });
+    if (problem) problems.add(path, problem);
+    if (problems.isFull) break;
   }
-  if (problems.length > 0) throw new FileError(problems);
+  problems.throwIfAny();
+}
+
+/** Asks whether the foreign addresses of a file may be fetched. @returns the origins that may; null for any */
+async function allowedOrigins(file: FarolFile, { mayFetch }: DeserializeOptions): Promise<ReadonlySet<string> | null> {
+  if (!mayFetch) return null;
+  const addresses = foreignAddresses(file);
+  const answer = addresses.length > 0 && (await mayFetch(addresses));
+  if (typeof answer !== 'boolean') return new Set(answer);
+  return new Set(answer ? addresses.map(({ origin }) => origin) : []);
 }
 
 /**
@@ -124,10 +155,13 @@ async function loadAssets(file: FarolFile, registry: ComponentRegistry, assets: 
 export async function deserialize(file: unknown, options: DeserializeOptions = {}): Promise<Scene> {
   const registry = options.registry ?? builtinComponents;
   const scene = new Scene({ assets: options.assets, registry });
-  let registered: string[] = [];
+  const registered: string[] = [];
+  const originsBefore = scene.assets.allowedOrigins;
   try {
     const checked = parseFile(file, { registry, assets: scene.assets });
-    registered = await registerAssets(checked, scene.assets, options.fileOf ?? (() => null));
+    const origins = await allowedOrigins(checked, options);
+    if (options.mayFetch) scene.assets.allowedOrigins = origins;
+    await registerAssets(checked, scene.assets, options.fileOf ?? (() => null), registered);
     await loadAssets(checked, registry, scene.assets);
     scene.name = checked.name;
     for (const prefab of checked.prefabs ?? []) scene.prefabs.set(prefab);
@@ -139,6 +173,7 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     return scene;
   } catch (error) {
     for (const name of registered) scene.assets.unregister(name);
+    scene.assets.allowedOrigins = originsBefore;
     scene.dispose();
     throw error;
   }

@@ -1,17 +1,20 @@
+import { shortText } from '@farol/renderer';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { builtinComponents } from '../components/builtinComponents';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { sceneFields } from '../core/SceneSettings';
 import { describeValue } from '../fields/checkFieldValue';
-import { assetUses, type AssetUse } from './assetUses';
+import { assetUses } from './assetUses';
+import { checkDepth } from './checkDepth';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from './FarolFile';
 import { FileError } from './FileError';
 import { isRecord, join, type JsonRecord, ProblemList } from './ProblemList';
 import { readValues } from './readComponent';
 import { readMicroShaders } from './readMicroShaders';
 import { migrateFile } from './migrateFile';
+import { OwnAssets } from './OwnAssets';
 import { readObjects } from './readObjects';
-import { checkLinks, readPrefabs } from './readPrefabs';
+import { checkLinks, checkSizes, readPrefabs } from './readPrefabs';
 
 export interface ParseOptions {
   /** Known components; the built-in ones when absent. */
@@ -24,7 +27,8 @@ function parseJson(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (cause) {
-    const problem = `is no JSON: ${(cause as Error).message}. Choose a scene that was saved by Farol.`;
+    const reason = shortText((cause as Error).message, 120);
+    const problem = `is no JSON: ${reason}. Choose a scene that was saved by Farol.`;
     throw new FileError([{ path: '', problem: `The file ${problem}` }], { cause });
   }
 }
@@ -34,6 +38,7 @@ function fail(path: string, problem: string): never {
 }
 
 function checkHead(file: unknown): JsonRecord {
+  checkDepth(file);
   if (!isRecord(file)) return fail('', `The file must hold an object, not ${describeValue(file)}.`);
   if (file.format !== 'farol-scene') fail('format', `must be "farol-scene", not ${describeValue(file.format)}.`);
   const { version } = file;
@@ -52,7 +57,7 @@ function readAssets(value: unknown, path: string, problems: ProblemList): FileAs
     const record = problems.record(each, at);
     problems.onlyKeys(record, at, ['name', 'type', 'url', 'file']);
     const name = problems.text(record.name, join(at, 'name'));
-    if (names.has(name)) problems.add(join(at, 'name'), `'${name}' is there twice. Remove one.`);
+    if (names.has(name)) problems.add(join(at, 'name'), `'${shortText(name)}' is there twice. Remove one.`);
     names.add(name);
     const { type } = record;
     if (type !== 'mesh' && type !== 'texture' && type !== 'model') {
@@ -89,7 +94,8 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
   ]);
   const prefabs = readPrefabs(raw.prefabs ?? [], 'prefabs', registry, problems);
   const objects = readObjects(raw.objects, 'objects', registry, problems);
-  checkLinks(objects, 'objects', prefabs, problems);
+  checkLinks(objects, 'objects', new Set(prefabs.map(({ id }) => id)), problems);
+  checkSizes(prefabs, objects, 'prefabs', problems);
   const file: FarolFile = {
     format: 'farol-scene',
     version: FILE_VERSION,
@@ -104,17 +110,15 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
     objects,
   };
   if (options.assets) checkAssets(file, registry, options.assets, problems);
-  if (problems.problems.length > 0) throw new FileError(problems.problems);
+  problems.throwIfAny();
   return file;
 }
 
-/** Whether an asset of the file is the one that is meant, or a model whose part it may be: that shows once it is loaded. */
-const mayHold = (own: FileAsset, use: AssetUse): boolean =>
-  own.name === use.name ? own.type === use.type : own.type === 'model' && use.name.startsWith(`${own.name}/`);
-
 function checkAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary, problems: ProblemList): void {
+  const own = new OwnAssets(file.assets);
   for (const use of assetUses(file, registry)) {
-    if (!assets.has(use.name) && file.assets.some((own) => mayHold(own, use))) continue;
+    if (problems.isFull) return;
+    if (!assets.has(use.name) && own.mayHold(use)) continue;
     const problem = assets.problemWith(use.type, use.name);
     if (problem) problems.add(use.path, problem);
   }

@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import type { ComponentClass } from '../core/Component';
 import { checkFieldValue, describeValue } from '../fields/checkFieldValue';
@@ -47,7 +48,10 @@ function migrate(type: ComponentClass, record: JsonRecord, path: string, problem
   try {
     return type.migrate({ ...problems.record(values, join(path, 'values')) }, version);
   } catch (error) {
-    problems.add(at, `is ${version}, and its migration to version ${type.version} failed: ${String(error)}`);
+    problems.add(
+      at,
+      `is ${version}, and its migration to version ${type.version} failed: ${shortText(String(error), 200)}`,
+    );
     return null;
   }
 }
@@ -71,7 +75,7 @@ export function readComponent(
     if (typeName)
       problems.add(
         join(path, 'type'),
-        `names the unknown component '${typeName}' (known: ${known}): register its class.`,
+        `names the unknown component '${shortText(typeName)}' (known: ${known}): register its class.`,
       );
     return null;
   }

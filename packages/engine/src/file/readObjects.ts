@@ -1,7 +1,9 @@
+import { shortText } from '@farol/renderer';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { describeValue } from '../fields/checkFieldValue';
 import type { FileComponent, FileObject } from './FarolFile';
-import { isRecord, join, type ProblemList } from './ProblemList';
+import { counted, fileLimits } from './fileLimits';
+import { isRecord, join, type ProblemList, ringOf } from './ProblemList';
 import { readComponent } from './readComponent';
 import { readLink } from './readLink';
 
@@ -16,10 +18,12 @@ function readComponents(
   problems: ProblemList,
 ): FileComponent[] {
   const components: FileComponent[] = [];
+  const types = new Set<string>();
   problems.array(value, path).forEach((each, i) => {
     const component = readComponent(each, join(path, i), registry, problems);
     if (!component) return;
-    const isSecond = components.some((other) => other.type === component.type);
+    const isSecond = types.has(component.type);
+    types.add(component.type);
     if (isSecond && registry.types.get(component.type)?.unique) {
       problems.add(join(path, i), `is a second ${component.type}, and an object can have one only. Remove it.`);
     }
@@ -67,42 +71,59 @@ function checkIds(objects: readonly ReadObject[], problems: ProblemList): Map<st
   for (const object of objects) {
     const other = byId.get(object.id);
     if (other && object.id)
-      problems.add(join(object.path, 'id'), `'${object.id}' is the id of ${other.path} too: ids must differ.`);
+      problems.add(
+        join(object.path, 'id'),
+        `'${shortText(object.id)}' is the id of ${other.path} too: ids must differ.`,
+      );
     else byId.set(object.id, object);
     for (const { id, type } of object.components) {
       const path = `${object.path} ${type}`;
       const taken = componentPaths.get(id);
-      if (taken && id) problems.add(path, `has the id '${id}', which is that of ${taken} too: ids must differ.`);
+      if (taken && id)
+        problems.add(path, `has the id '${shortText(id)}', which is that of ${taken} too: ids must differ.`);
       else componentPaths.set(id, path);
     }
   }
   return byId;
 }
 
+/** Names missing parents, circles, and what lies too deep. Each object is visited once. */
 function checkParents(
   objects: readonly ReadObject[],
   byId: ReadonlyMap<string, ReadObject>,
   problems: ProblemList,
 ): void {
+  const depths = new Map<ReadObject, number>();
+  let isTold = false;
   for (const object of objects) {
-    if (object.parent === null || object.parent === '') continue;
-    const path = join(object.path, 'parent');
-    if (!byId.has(object.parent)) {
+    const way: ReadObject[] = [];
+    const places = new Map<ReadObject, number>();
+    let above: ReadObject | undefined = object;
+    while (above && !depths.has(above) && !places.has(above)) {
+      places.set(above, way.length);
+      way.push(above);
+      above = above.parent === null || above.parent === '' ? undefined : byId.get(above.parent);
+    }
+    if (above && !depths.has(above)) {
+      isTold = true;
+      const ring = way.slice(places.get(above)).map(({ id }) => id);
       problems.add(
-        path,
+        join(above.path, 'parent'),
+        `makes a cycle: ${ringOf([...ring, above.id], 'below')}. Give one of them another parent.`,
+      );
+    }
+    let depth = (above && depths.get(above)) ?? 0;
+    for (const each of way.toReversed()) depths.set(each, ++depth);
+    if (depth > fileLimits.depth && !isTold) {
+      isTold = true;
+      const problem = `makes it ${counted(depth)} objects deep, and ${fileLimits.depth} is the limit: give it a parent nearer to the top.`;
+      problems.add(join(object.path, 'parent'), problem);
+    }
+    if (object.parent && !byId.has(object.parent)) {
+      problems.add(
+        join(object.path, 'parent'),
         `names the object ${describeValue(object.parent)}, which is not in the file: use null for none.`,
       );
-      continue;
-    }
-    const seen = new Set<ReadObject>();
-    let above: ReadObject | undefined = object;
-    while (above && !seen.has(above)) {
-      seen.add(above);
-      above = above.parent === null ? undefined : byId.get(above.parent);
-    }
-    if (above === object) {
-      const ring = [...seen].map(({ id }) => id).join(' below ');
-      problems.add(path, `makes a cycle: ${ring} below ${object.id}. Give one of them another parent.`);
     }
   }
 }
@@ -118,7 +139,10 @@ function checkReferences(
       const fields = registry.types.get(type)?.fields ?? {};
       for (const [name, value] of Object.entries(values)) {
         if (fields[name].kind !== 'object' || typeof value !== 'string' || byId.has(value)) continue;
-        problems.add(`${object.path} ${type}.${name}`, `names the object '${value}', which is not in the file.`);
+        problems.add(
+          `${object.path} ${type}.${name}`,
+          `names the object '${shortText(value)}', which is not in the file.`,
+        );
       }
     }
   }

@@ -1,46 +1,50 @@
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { describeValue } from '../fields/checkFieldValue';
 import type { Prefab } from '../prefabs/Prefab';
+import { PrefabSizes } from '../prefabs/PrefabSizes';
 import type { FileObject } from './FarolFile';
-import { join, type ProblemList } from './ProblemList';
+import { counted, fileLimits } from './fileLimits';
+import { join, type ProblemList, ringOf, sampleOf } from './ProblemList';
 import { readObjects } from './readObjects';
 
-/** Names links to prefabs that are not there. A source that is not in its prefab any more is no problem: it was removed. */
+/** Names links to prefabs that are not among those known by their ids. A source that is not in its prefab any more is no problem: it was removed. */
 export function checkLinks(
   objects: readonly FileObject[],
   path: string,
-  prefabs: readonly Prefab[],
+  known: ReadonlySet<string>,
   problems: ProblemList,
 ): void {
-  const known = new Set(prefabs.map(({ id }) => id));
   objects.forEach(({ prefab }, i) => {
     if (!prefab || known.has(prefab.prefab)) return;
-    const names = [...known].join(', ') || 'none';
     problems.add(
       `${join(path, i)}.prefab.prefab`,
-      `names the prefab ${describeValue(prefab.prefab)}, which is not in the file (there: ${names}): remove "prefab".`,
+      `names the prefab ${describeValue(prefab.prefab)}, which is not in the file (there: ${sampleOf(known)}): remove "prefab".`,
     );
   });
 }
 
-function checkNesting(prefabs: readonly Prefab[], path: string, problems: ProblemList): void {
-  const byId = new Map(prefabs.map((prefab) => [prefab.id, prefab]));
-  const visit = (prefab: Prefab, above: readonly string[]): string[] | null => {
-    if (above.includes(prefab.id)) return [...above, prefab.id];
-    const inner = new Set(prefab.objects.flatMap((object) => object.prefab?.prefab ?? []));
-    for (const id of inner) {
-      const next = byId.get(id);
-      const ring = next && visit(next, [...above, prefab.id]);
-      if (ring) return ring;
-    }
-    return null;
-  };
-  prefabs.forEach((prefab, i) => {
-    const ring = visit(prefab, []);
-    if (ring?.at(-1) === prefab.id) {
-      problems.add(join(path, i), `holds itself: ${ring.join(' in ')}. Take the inner one out of its objects.`);
-    }
-  });
+/** Checks that no prefab is within itself, and that instances, once whole, are not too deep and not too many objects. */
+export function checkSizes(
+  prefabs: readonly Prefab[],
+  objects: readonly FileObject[],
+  path: string,
+  problems: ProblemList,
+): void {
+  const sizes = new PrefabSizes(new Map(prefabs.map((prefab) => [prefab.id, prefab])));
+  const indices = new Map(prefabs.map(({ id }, i) => [id, i]));
+  for (const ring of sizes.rings) {
+    const at = join(path, indices.get(ring[0])!);
+    problems.add(at, `holds itself: ${ringOf(ring, 'holds')}. Take the inner one out of its objects.`);
+  }
+  if (sizes.rings.length > 0) return;
+  const tooDeep = prefabs.findIndex(({ id }) => sizes.depthOf(id) > fileLimits.prefabDepth);
+  if (tooDeep >= 0) {
+    problems.add(join(path, tooDeep), `holds prefabs more than ${fileLimits.prefabDepth} deep: take some out.`);
+  }
+  const many = `would come to more than ${counted(fileLimits.objects)} objects with all that their prefabs hold: take some out.`;
+  const tooLarge = prefabs.findIndex(({ id }) => sizes.sizeOf(id) > fileLimits.objects);
+  if (tooLarge >= 0) problems.add(`${join(path, tooLarge)}.objects`, many);
+  else if (sizes.sizeOfObjects(objects) > fileLimits.objects) problems.add('objects', many);
 }
 
 /** Reads the prefabs of a file, and checks that each has one root of its own id and that none is within itself. */
@@ -56,7 +60,7 @@ export function readPrefabs(
     const record = problems.record(each, at);
     problems.onlyKeys(record, at, ['id', 'name', 'objects']);
     const id = problems.text(record.id, join(at, 'id'));
-    if (ids.has(id)) problems.add(join(at, 'id'), `'${id}' is there twice. Remove one.`);
+    if (ids.has(id)) problems.add(join(at, 'id'), `${describeValue(id)} is there twice. Remove one.`);
     ids.add(id);
     const objects = readObjects(record.objects, join(at, 'objects'), registry, problems);
     const roots = objects.filter(({ parent }) => parent === null);
@@ -68,7 +72,6 @@ export function readPrefabs(
     }
     return { id, name: problems.text(record.name, join(at, 'name'), true), objects };
   });
-  prefabs.forEach(({ objects }, i) => checkLinks(objects, `${join(path, i)}.objects`, prefabs, problems));
-  checkNesting(prefabs, path, problems);
+  prefabs.forEach(({ objects }, i) => checkLinks(objects, `${join(path, i)}.objects`, ids, problems));
   return prefabs;
 }

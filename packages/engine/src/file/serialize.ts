@@ -89,7 +89,12 @@ export function serializeHead(scene: Scene, options: SerializeOptions = {}): Far
 export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFile {
   const file = serializeHead(scene, options);
   scene.traverse((gameObject) => file.objects.push(serializeObject(gameObject)));
-  const used = new Set(assetUses(file, scene.registry).map((use) => use.name));
+  const used = new Set<string>();
+  for (const { name } of assetUses(file, scene.registry)) {
+    used.add(name);
+    // a part of a model needs the model
+    used.add(scene.assets.modelOf(name) ?? name);
+  }
   file.assets = file.assets.filter(({ name, file: path }) => path !== undefined || used.has(name));
   return file;
 }

@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import type { FileObject } from '../file/FarolFile';
 
 /** A tree of objects to be placed any number of times. It is data: nothing of it is drawn. Never changed in place. */
@@ -27,7 +28,7 @@ export class PrefabError extends Error {
     readonly prefab: string,
     readonly problem: string,
   ) {
-    super(`The prefab '${prefab}' ${problem}`);
+    super(`The prefab '${shortText(prefab)}' ${shortText(problem, 300)}`);
     this.name = 'PrefabError';
   }
 }

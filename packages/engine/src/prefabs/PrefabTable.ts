@@ -30,8 +30,17 @@ export class PrefabTable {
 
   /** Whether a prefab is, or holds at any depth, an instance of another. */
   contains(id: string, inner: string): boolean {
-    if (id === inner) return true;
-    const links = new Set(this.get(id)?.objects.flatMap((object) => object.prefab?.prefab ?? []));
-    return [...links].some((each) => this.contains(each, inner));
+    return this.anyContains([id], inner);
+  }
+
+  /** Whether one of some prefabs is, or holds at any depth, an instance of another. Each is visited once. */
+  anyContains(ids: Iterable<string>, inner: string): boolean {
+    const seen = new Set(ids);
+    for (const id of seen) {
+      if (id === inner) return true;
+      // a Set that grows is walked to its end
+      for (const { prefab } of this.get(id)?.objects ?? []) if (prefab) seen.add(prefab.prefab);
+    }
+    return false;
   }
 }

@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import { builtinComponents } from '../components/builtinComponents';
 import { createId } from '../core/createId';
 import type { GameObject } from '../core/GameObject';
@@ -20,7 +21,10 @@ export interface MadePrefab {
 export function makePrefab(object: GameObject, name = object.name, id = createId()): MadePrefab {
   const outer = instanceRootOf(object);
   if (outer && outer !== object) {
-    throw new PrefabError(name, `cannot be made of a part of '${outer.name}', an instance itself: unpack that first.`);
+    throw new PrefabError(
+      name,
+      `cannot be made of a part of '${shortText(outer.name)}', an instance itself: unpack that first.`,
+    );
   }
   return readPrefab(object, name, id, new Map([[object, id]]));
 }

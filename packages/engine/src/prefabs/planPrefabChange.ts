@@ -1,11 +1,14 @@
+import { shortText } from '@farol/renderer';
 import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import { makeObjects } from '../file/deserialize';
+import { counted, fileLimits } from '../file/fileLimits';
 import { serializeObject } from '../file/serialize';
 import { InstanceUpdate } from './InstanceUpdate';
 import { isInstanceRoot } from './instances';
 import { type Prefab, PrefabError } from './Prefab';
 import { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
+import { PrefabSizes } from './PrefabSizes';
 
 /** What follows when a prefab becomes another. */
 export interface PrefabPlan {
@@ -54,18 +57,41 @@ function inOrder(scene: Scene, except: string): Prefab[] {
   return ordered;
 }
 
+/** @throws PrefabError when a prefab would hold itself, or come to more than a file may hold */
+function checkChange(scene: Scene, next: Prefab): void {
+  const free = new Set<string>();
+  for (const { name, prefab: link } of next.objects) {
+    if (!link || free.has(link.prefab)) continue;
+    free.add(link.prefab);
+    if (scene.prefabs.contains(link.prefab, next.id)) {
+      throw new PrefabError(
+        next.name,
+        `would hold itself, by its object '${shortText(name)}': take that one out, or unpack it.`,
+      );
+    }
+  }
+  const prefabs = new Map(scene.prefabs.list.map((prefab) => [prefab.id, prefab]));
+  prefabs.set(next.id, next);
+  const sizes = new PrefabSizes(prefabs);
+  for (const { id, name } of prefabs.values()) {
+    if (sizes.depthOf(id) > fileLimits.prefabDepth) {
+      throw new PrefabError(name, `would hold prefabs more than ${fileLimits.prefabDepth} deep: unpack some of them.`);
+    }
+    if (sizes.sizeOf(id) > fileLimits.objects) {
+      const most = counted(fileLimits.objects);
+      throw new PrefabError(name, `would come to more than ${most} objects: take instances out of it.`);
+    }
+  }
+}
+
 /**
  * Finds what has to change when a prefab becomes `next`: prefabs that hold it, and every instance in the scene, their
  * overrides kept. Nothing is changed by this; see `changePrefab`.
  * @param except - root of an instance that is as it shall be already
- * @throws PrefabError when it would hold itself
+ * @throws PrefabError when it would hold itself, or come to more than a file may hold
  */
 export function planPrefabChange(scene: Scene, next: Prefab, except: GameObject | null = null): PrefabPlan {
-  for (const { name, prefab: link } of next.objects) {
-    if (link && scene.prefabs.contains(link.prefab, next.id)) {
-      throw new PrefabError(next.name, `would hold itself, by its object '${name}': take that one out, or unpack it.`);
-    }
-  }
+  checkChange(scene, next);
   const before = scene.prefabs.get(next.id);
   const changed = new Map([[next.id, next]]);
   if (!before) return { prefabs: [next], edits: [] };

@@ -4,6 +4,7 @@ import type { MicroShader } from './MicroShader';
 import { completeMicroShader, parseMicroShader } from './parseMicroShader';
 import type { MicroShaderCompiler, Shader } from './Shader';
 import { ShaderCache } from './ShaderCache';
+import { shortText } from './shortText';
 
 export interface MicroShaderRegistryOptions<Program> {
   /** Makes the programs of `getShader`. Without it their `program` is null. */
@@ -58,7 +59,9 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     const names = new Set<string>();
     for (const { name } of added) {
       if (this.has(name) || names.has(name)) {
-        throw new Error(`Microshader "${name}" exists already; use replace() to change it, or give it another name.`);
+        throw new Error(
+          `Microshader "${shortText(name)}" exists already; use replace() to change it, or give it another name.`,
+        );
       }
       names.add(name);
     }
@@ -81,7 +84,10 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     const { parseMicroShaderXML } = await import('./parseMicroShaderXML');
     const chunks = parseMicroShaderXML(text, file);
     const known = chunks.find(({ name }) => this.has(name));
-    if (known) throw new Error(`${file}: microshader "${known.name}" exists already; give it another name.`);
+    if (known)
+      throw new Error(
+        `${shortText(file)}: microshader "${shortText(known.name)}" exists already; give it another name.`,
+      );
     this.add(chunks);
     return chunks.map(({ name }) => name);
   }

@@ -1,5 +1,9 @@
 import type { MicroShader } from './MicroShader';
 import { nearestName } from './nearestName';
+import { shortText } from './shortText';
+
+/** Chunks that may need one another in a row: they are followed by recursion. */
+const DEEPEST = 200;
 
 /** Where chunks are looked up. */
 export interface MicroShaderSource {
@@ -17,7 +21,8 @@ export function dependencyOrder(names: readonly string[], source: MicroShaderSou
   const visit = (name: string, path: readonly string[]) => {
     if (done.has(name)) return;
     const here = [...path, name];
-    if (path.includes(name)) throw new Error(`Microshader cycle: ${here.slice(path.indexOf(name)).join(' -> ')}`);
+    if (path.includes(name)) throw new Error(`Microshader cycle: ${wayOf(here.slice(path.indexOf(name)))}`);
+    if (path.length > DEEPEST) throw new Error(`Microshaders more than ${DEEPEST} deep in one another: ${wayOf(here)}`);
     const chunk = source.get(name);
     if (chunk === undefined) throw new Error(unknownMessage(name, here, source));
     for (const dependency of chunk.dependencies) visit(dependency, here);
@@ -28,10 +33,16 @@ export function dependencyOrder(names: readonly string[], source: MicroShaderSou
   return order;
 }
 
+/** Names on the way, its middle left out where it is long. */
+function wayOf(names: readonly string[]): string {
+  const way = names.map((name) => shortText(name));
+  return (way.length > 8 ? [...way.slice(0, 4), '…', ...way.slice(-3)] : way).join(' -> ');
+}
+
 function unknownMessage(name: string, path: readonly string[], source: MicroShaderSource): string {
-  const nearest = nearestName(name, source.names());
+  const nearest = name.length > 100 ? undefined : nearestName(name, source.names());
   return (
-    `Unknown microshader "${name}"${path.length > 1 ? ` (${path.join(' -> ')})` : ''}` +
+    `Unknown microshader "${shortText(name)}"${path.length > 1 ? ` (${wayOf(path)})` : ''}` +
     (nearest === undefined ? '; add it to the registry first.' : `; did you mean "${nearest}"?`)
   );
 }

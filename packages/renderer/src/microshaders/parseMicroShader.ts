@@ -1,4 +1,5 @@
 import type { MicroShader, MicroShaderStage } from './MicroShader';
+import { shortText } from './shortText';
 
 const MAIN_LINE = /^[ \t]*\/\/#[ \t]*main[ \t]*$/m;
 export const STAGE_LINE = /^[ \t]*\/\/#[ \t]*stage[ \t]+(\w*)[ \t]*$/m;
@@ -35,13 +36,17 @@ export function parseMicroShader(name: string, text: string): MicroShader {
 export function completeMicroShader(chunk: MicroShader): MicroShader {
   const { name, header, main, stage = 'both' } = chunk;
   if (!/^[\w./-]+$/.test(name)) {
-    throw new Error(`Microshader name "${name}": use letters, digits, "_", "-", "." and "/" only.`);
+    throw new Error(`Microshader name "${shortText(name)}": use letters, digits, "_", "-", "." and "/" only.`);
   }
   if (!['vertex', 'fragment', 'both'].includes(stage)) {
-    throw new Error(`Microshader "${name}" has the stage "${stage}"; stages are vertex, fragment and both.`);
+    throw new Error(
+      `Microshader "${shortText(name)}" has the stage "${shortText(stage)}"; stages are vertex, fragment and both.`,
+    );
   }
   if (includesOf(main).length > 0) {
-    throw new Error(`Microshader "${name}" includes a chunk in its main part; put the #include line into its header.`);
+    throw new Error(
+      `Microshader "${shortText(name)}" includes a chunk in its main part; put the #include line into its header.`,
+    );
   }
   return { ...chunk, dependencies: [...new Set([...chunk.dependencies, ...includesOf(header)])] };
 }

@@ -1,5 +1,6 @@
 import type { MicroShader, MicroShaderStage } from './MicroShader';
 import { completeMicroShader } from './parseMicroShader';
+import { shortText } from './shortText';
 import { parseXML, type XMLElement } from './parseXML';
 
 const ATTRIBUTES = ['name', 'stage', 'dependencies'];
@@ -14,13 +15,14 @@ const ATTRIBUTES = ['name', 'stage', 'dependencies'];
  */
 export function parseMicroShaderXML(text: string, file: string): MicroShader[] {
   const root = parseXML(text, file);
-  if (root.name !== 'microshaders') fail(file, root, `the root is <${root.name}>, not <microshaders>`);
+  if (root.name !== 'microshaders') fail(file, root, `the root is <${shortText(root.name)}>, not <microshaders>`);
   noText(file, root);
   const chunks = new Map<string, MicroShader>();
   for (const element of root.children) {
-    if (element.name !== 'microshader') fail(file, element, `<${element.name}> where only <microshader> may be`);
+    if (element.name !== 'microshader')
+      fail(file, element, `<${shortText(element.name)}> where only <microshader> may be`);
     const chunk = microShaderOf(file, element);
-    if (chunks.has(chunk.name)) fail(file, element, `a second microshader named "${chunk.name}"`);
+    if (chunks.has(chunk.name)) fail(file, element, `a second microshader named "${shortText(chunk.name)}"`);
     chunks.set(chunk.name, chunk);
   }
   return [...chunks.values()];
@@ -29,17 +31,25 @@ export function parseMicroShaderXML(text: string, file: string): MicroShader[] {
 function microShaderOf(file: string, element: XMLElement): MicroShader {
   const { name, stage, dependencies = '' } = element.attributes;
   const stray = Object.keys(element.attributes).find((key) => !ATTRIBUTES.includes(key));
-  if (stray) fail(file, element, `attribute "${stray}" is unknown; there are ${ATTRIBUTES.join(', ')}`);
+  if (stray) fail(file, element, `attribute "${shortText(stray)}" is unknown; there are ${ATTRIBUTES.join(', ')}`);
   if (!name) fail(file, element, '<microshader> without a name');
   noText(file, element);
   const parts: Partial<Record<'header' | 'main', XMLElement>> = {};
   for (const child of element.children) {
     const part = child.name === 'maincode' ? 'main' : child.name;
     if (part !== 'header' && part !== 'main')
-      return fail(file, child, `<${child.name}> in microshader "${name}"; there are <header> and <main>`);
-    if (parts[part]) fail(file, child, `a second <${child.name}> in microshader "${name}"`);
+      return fail(
+        file,
+        child,
+        `<${shortText(child.name)}> in microshader "${shortText(name)}"; there are <header> and <main>`,
+      );
+    if (parts[part]) fail(file, child, `a second <${shortText(child.name)}> in microshader "${shortText(name)}"`);
     if (child.children.length > 0)
-      fail(file, child.children[0], `<${child.children[0].name}> in the code of "${name}"; use <![CDATA[ … ]]>`);
+      fail(
+        file,
+        child.children[0],
+        `<${shortText(child.children[0].name)}> in the code of "${shortText(name)}"; use <![CDATA[ … ]]>`,
+      );
     parts[part] = child;
   }
   try {
@@ -63,5 +73,5 @@ function noText(file: string, element: XMLElement): void {
 }
 
 function fail(file: string, element: XMLElement, message: string): never {
-  throw new Error(`${file}:${element.line}: ${message}`);
+  throw new Error(`${shortText(file)}:${element.line}: ${shortText(message, 240)}`);
 }

@@ -1,3 +1,5 @@
+import { shortText } from './shortText';
+
 export interface XMLElement {
   readonly name: string;
   readonly attributes: Readonly<Record<string, string>>;
@@ -36,7 +38,7 @@ export function parseXML(text: string, file: string): XMLElement {
   const xml = text.replace(/^\uFEFF/, '').replace(/\r\n?/g, '\n');
   let line = 1;
   const fail = (message: string, before = ''): never => {
-    throw new Error(`${file}:${line + newlines(before)}: ${message}`);
+    throw new Error(`${shortText(file)}:${line + newlines(before)}: ${shortText(message, 240)}`);
   };
   const unescaped = (value: string): string =>
     value.replace(/&([^;\s&]*)(;?)/g, (whole, reference: string, end: string, offset: number) => {
@@ -44,7 +46,10 @@ export function parseXML(text: string, file: string): XMLElement {
       const point = code ? Number.parseInt(code[1] ?? code[2], code[1] ? 16 : 10) : 0;
       if (end && point > 0 && point <= 0x10ffff) return String.fromCodePoint(point);
       if (end && Object.hasOwn(ENTITIES, reference)) return ENTITIES[reference];
-      return fail(`"${whole}" is no entity; write "&amp;" for "&", or use <![CDATA[ … ]]>`, value.slice(0, offset));
+      return fail(
+        `"${shortText(whole)}" is no entity; write "&amp;" for "&", or use <![CDATA[ … ]]>`,
+        value.slice(0, offset),
+      );
     });
   const stack: XMLElement[] = [];
   let root: XMLElement | undefined;
@@ -56,12 +61,12 @@ export function parseXML(text: string, file: string): XMLElement {
   const open = (name: string, attributes: string, end: number): XMLElement => {
     const values: Record<string, string> = {};
     for (const [, key, quoted] of attributes.matchAll(new RegExp(ATTRIBUTE, 'g'))) {
-      if (Object.hasOwn(values, key)) fail(`attribute "${key}" twice in <${name}>`);
+      if (Object.hasOwn(values, key)) fail(`attribute "${shortText(key)}" twice in <${shortText(name)}>`);
       values[key] = unescaped(quoted.slice(1, -1).replace(/\s/g, ' '));
     }
     const element = { name, attributes: values, children: [], text: '', line, textLine: end };
     if (stack.length > 0) stack.at(-1)!.children.push(element);
-    else if (root) fail(`a second root element <${name}>`);
+    else if (root) fail(`a second root element <${shortText(name)}>`);
     root ??= element;
     return element;
   };
@@ -80,8 +85,9 @@ export function parseXML(text: string, file: string): XMLElement {
       const element = open(name, attributes, end);
       if (empty === '') stack.push(element);
     } else if (close !== undefined) {
-      const opened = stack.pop() ?? fail(`</${close}> closes nothing`);
-      if (opened.name !== close) fail(`</${close}> where </${opened.name}> (line ${opened.line}) should be`);
+      const opened = stack.pop() ?? fail(`</${shortText(close)}> closes nothing`);
+      if (opened.name !== close)
+        fail(`</${shortText(close)}> where </${shortText(opened.name)}> (line ${opened.line}) should be`);
     } else if (data !== undefined) {
       if (stack.length === 0) fail('CDATA outside of the root element');
       append(data);
@@ -91,7 +97,7 @@ export function parseXML(text: string, file: string): XMLElement {
     }
     line = end;
   }
-  if (stack.length > 0) fail(`<${stack.at(-1)!.name}> of line ${stack.at(-1)!.line} is never closed`);
+  if (stack.length > 0) fail(`<${shortText(stack.at(-1)!.name)}> of line ${stack.at(-1)!.line} is never closed`);
   return root ?? fail('no element');
 }
 

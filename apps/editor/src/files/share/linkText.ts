@@ -1,3 +1,5 @@
+import { FileError, type MayUnpack, unpack } from '@farol/engine';
+
 const PREFIX = '#scene=';
 
 async function through(
@@ -18,14 +20,19 @@ export async function encodeLink(text: string): Promise<string> {
   return PREFIX + btoa(letters).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
-/** The text of a link. @throws Error when there is none, or it was cut short on its way */
-export async function decodeLink(hash: string): Promise<string> {
+/**
+ * The text of a link.
+ * @param mayUnpack - asked before it becomes large; such a one is refused when absent
+ * @throws Error when there is none, it was cut short on its way, or it becomes too large; AbortError when the answer was no
+ */
+export async function decodeLink(hash: string, mayUnpack?: MayUnpack): Promise<string> {
   if (!isLink(hash)) throw new Error('The address holds no scene: it must go on with #scene=…');
   try {
     const base64 = hash.slice(PREFIX.length).replaceAll('-', '+').replaceAll('_', '/');
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    return new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')));
+    return new TextDecoder().decode(await unpack(bytes, 'deflate-raw', { mayUnpack }));
   } catch (cause) {
+    if (cause instanceof FileError || (cause instanceof DOMException && cause.name === 'AbortError')) throw cause;
     throw new Error('The link is damaged or cut short: copy all of it, to its last letter.', { cause });
   }
 }

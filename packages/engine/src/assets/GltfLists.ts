@@ -1,0 +1,96 @@
+import { describeValue } from '../fields/checkFieldValue';
+import { counted } from '../file/fileLimits';
+import type { GltfJson } from './readGltfJson';
+
+type JsonRecord = Record<string, unknown>;
+
+/** Lists of a glTF that others name by index, with what one of each is called. */
+const names = {
+  accessors: 'accessor',
+  animations: 'animation',
+  buffers: 'buffer',
+  bufferViews: 'buffer view',
+  cameras: 'camera',
+  images: 'image',
+  materials: 'material',
+  meshes: 'mesh',
+  nodes: 'node',
+  samplers: 'sampler',
+  scenes: 'scene',
+  skins: 'skin',
+  textures: 'texture',
+} as const;
+
+export type GltfListName = keyof typeof names;
+
+/** Lists and objects within one another: extras may hold anything, and three copies them. */
+const DEEPEST = 128;
+
+/** Reads the JSON of a glTF as what it must be. Each method throws an Error of one sentence. */
+export class GltfLists {
+  private readonly lists = new Map<GltfListName, JsonRecord[]>();
+
+  constructor(readonly json: GltfJson) {
+    this.checkDepth();
+    for (const name of Object.keys(names) as GltfListName[]) {
+      const list = (json as JsonRecord)[name];
+      if (list === undefined) continue;
+      this.lists.set(
+        name,
+        this.listOf(list, `'${name}'`).map((each, i) => {
+          if (typeof each !== 'object' || each === null) this.fail(`${names[name]} ${i} is no object`);
+          return each as JsonRecord;
+        }),
+      );
+    }
+  }
+
+  fail(problem: string): never {
+    throw new Error(`${problem}: export it again.`);
+  }
+
+  show(value: unknown): string {
+    return describeValue(value);
+  }
+
+  all(name: GltfListName): readonly JsonRecord[] {
+    return this.lists.get(name) ?? [];
+  }
+
+  listOf(value: unknown, what: string): unknown[] {
+    if (!Array.isArray(value)) this.fail(`${what} must be a list, not ${describeValue(value)}`);
+    return value as unknown[];
+  }
+
+  /** The value where it is an object; an empty one otherwise. */
+  record(value: unknown): JsonRecord {
+    return typeof value === 'object' && value !== null ? (value as JsonRecord) : {};
+  }
+
+  /** A whole number of 0 or more. */
+  whole(value: unknown, what: string): number {
+    if (!Number.isSafeInteger(value) || (value as number) < 0) {
+      this.fail(`${what} must be a whole number of at least 0, not ${describeValue(value)}`);
+    }
+    return value as number;
+  }
+
+  /** The place of an entry that is there. @param who - names it */
+  index(value: unknown, list: GltfListName, who: string): number {
+    const { length } = this.all(list);
+    if (!Number.isInteger(value) || (value as number) < 0 || (value as number) >= length) {
+      this.fail(`${who} names the ${names[list]} ${describeValue(value)}, and there are ${counted(length)}`);
+    }
+    return value as number;
+  }
+
+  private checkDepth(): void {
+    let level: unknown[] = [this.json];
+    for (let depth = 0; level.length > 0; depth++) {
+      if (depth > DEEPEST) this.fail(`its JSON is more than ${DEEPEST} lists and objects deep`);
+      level = level.flatMap((each) =>
+        Object.values(each as JsonRecord).filter((inner) => typeof inner === 'object' && inner),
+      );
+    }
+  }
+}

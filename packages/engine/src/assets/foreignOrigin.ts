@@ -1,0 +1,38 @@
+import { shortText } from '@farol/renderer';
+import { AssetError } from './AssetError';
+
+/** What addresses of scenes are relative to where there is no page, as in Node. */
+const NOWHERE = 'http://here.invalid/';
+
+/**
+ * The origin of an address that leads away from the page: 'https://example.com', or scheme and host where there is no
+ * origin, 'file://server'. Null for what is beside the page, `data:` and `blob:`, and for what is no address at all.
+ * @param base - address of the page; the document's when absent
+ */
+export function foreignOrigin(url: string, base: string = globalThis.document?.baseURI ?? NOWHERE): string | null {
+  let address: URL;
+  let page: URL;
+  try {
+    page = new URL(base);
+    address = new URL(url, page);
+  } catch {
+    return null;
+  }
+  const { protocol, host, origin } = address;
+  if (protocol === 'data:' || protocol === 'blob:') return null;
+  if (protocol === page.protocol && host === page.host) return null;
+  return origin === 'null' ? `${protocol}//${host}` : origin;
+}
+
+/** An asset that was not fetched, since its address leads to where the scene may not go. */
+export class AddressRefusedError extends AssetError {
+  /** @param origin - see `foreignOrigin` */
+  constructor(
+    asset: string,
+    readonly url: string,
+    readonly origin: string,
+  ) {
+    super(asset, `was not fetched: ${shortText(origin, 80)} is not allowed. Open the scene again and allow it.`);
+    this.name = 'AddressRefusedError';
+  }
+}

@@ -1,0 +1,22 @@
+import { FileError } from './FileError';
+import { fileLimits } from './fileLimits';
+
+/**
+ * Checks how deep the values of a file lie within one another, without recursion.
+ * @throws FileError beyond the limit, or for a value that holds itself
+ */
+export function checkDepth(value: unknown): void {
+  let level: unknown[] = [value];
+  for (let depth = 0; level.length > 0; depth++) {
+    if (depth > fileLimits.jsonDepth) {
+      const problem = `The file holds lists or objects more than ${fileLimits.jsonDepth} deep in one another: it is damaged, or no scene of Farol.`;
+      throw new FileError([{ path: '', problem }]);
+    }
+    const next: unknown[] = [];
+    for (const each of level) {
+      if (typeof each !== 'object' || each === null) continue;
+      for (const inner of Object.values(each)) if (typeof inner === 'object' && inner !== null) next.push(inner);
+    }
+    level = next;
+  }
+}

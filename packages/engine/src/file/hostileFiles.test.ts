@@ -1,0 +1,183 @@
+import { describe, expect, test } from 'vitest';
+import { Scene } from '../core/Scene';
+import type { Prefab } from '../prefabs/Prefab';
+import { changePrefab } from '../prefabs/planPrefabChange';
+import { deserialize } from './deserialize';
+import type { FarolFile, FileObject } from './FarolFile';
+import { FileError } from './FileError';
+import { parseFile } from './parseFile';
+
+const sceneOf = (objects: FileObject[], prefabs?: Prefab[]): FarolFile => ({
+  format: 'farol-scene',
+  version: 2,
+  name: 'Hostile',
+  settings: {},
+  activeCamera: null,
+  assets: [],
+  ...(prefabs ? { prefabs } : {}),
+  objects,
+});
+
+const object = (id: string, parent: string | null = null, prefab?: string): FileObject => ({
+  id,
+  name: id,
+  parent,
+  ...(prefab === undefined ? {} : { prefab: { prefab, source: prefab } }),
+  components: [],
+});
+
+/** Each object below the one before it. */
+const chain = (count: number): FileObject[] =>
+  Array.from({ length: count }, (_, i) => object(`o${i}`, i === 0 ? null : `o${i - 1}`));
+
+/** Prefabs that hold the one before `times` times each, without a circle. */
+const nest = (count: number, times: number): Prefab[] =>
+  Array.from({ length: count }, (_, i) => {
+    const inner = Array.from({ length: i === 0 ? 0 : times }, (_, n) => object(`p${i}-${n}`, `p${i}`, `p${i - 1}`));
+    return { id: `p${i}`, name: `p${i}`, objects: [object(`p${i}`), ...inner] };
+  });
+
+/** What a file is refused with. The time limit is some twenty times what it takes. */
+function refusal(input: unknown, seconds = 3): FileError {
+  const start = performance.now();
+  try {
+    parseFile(input);
+  } catch (error) {
+    expect((performance.now() - start) / 1000).toBeLessThan(seconds);
+    expect(error).toBeInstanceOf(FileError);
+    expect((error as Error).message.length).toBeLessThan(2000);
+    return error as FileError;
+  }
+  throw new Error('The file was taken.');
+}
+
+describe('a file is checked in time that grows with its size alone', () => {
+  test('prefabs that hold one another without a circle', () => {
+    const start = performance.now();
+    // each holds all before it: as many ways through them as 2 to the 22nd
+    const prefabs = Array.from({ length: 23 }, (_, i): Prefab => {
+      const inner = Array.from({ length: i }, (_, n) => object(`p${i}-${n}`, `p${i}`, `p${n}`));
+      return { id: `p${i}`, name: `p${i}`, objects: [object(`p${i}`), ...inner.slice(0, 2)] };
+    });
+    expect(parseFile(sceneOf([], prefabs)).prefabs).toHaveLength(23);
+    expect(performance.now() - start).toBeLessThan(3000);
+  });
+
+  test('prefabs that would become too many objects are refused before one is made', () => {
+    expect(refusal(sceneOf([], nest(45, 2))).message).toMatch(/prefabs\[19\]\.objects .*more than 1,000,000 objects/);
+    expect(refusal(sceneOf([object('a', null, 'p19'), object('b', null, 'p19')], nest(20, 2))).message).toMatch(
+      /objects .*more than 1,000,000 objects/,
+    );
+  });
+
+  test('prefabs nested too deep, and circles of them', () => {
+    expect(refusal(sceneOf([], nest(8000, 1))).message).toMatch(/more than 64 deep/);
+    const circle = nest(8000, 1);
+    const [first, ...rest] = circle;
+    const closed = [{ ...first, objects: [object('p0'), object('x', 'p0', 'p7999')] }, ...rest];
+    expect(refusal(sceneOf([], closed)).message).toMatch(
+      /holds itself: p0 holds p7999 holds p7998 holds p7997 holds … holds p0\./,
+    );
+  });
+
+  test('a circle of parents is told once, and shortened', () => {
+    const circle = chain(8000);
+    circle[0].parent = 'o7999';
+    const error = refusal(sceneOf(circle));
+    expect(error.problems).toHaveLength(1);
+    expect(error.message).toMatch(/makes a cycle: o0 below o7999 below .*… below o0/);
+  });
+
+  test('what hangs below a circle does not repeat it', () => {
+    const objects = [object('a', 'b'), object('b', 'a'), ...chain(8000)];
+    objects[2].parent = 'a';
+    expect(refusal(sceneOf(objects)).problems).toHaveLength(1);
+  });
+
+  test('names of prefabs, assets and components that are not there', () => {
+    const prefabs = Array.from({ length: 5000 }, (_, i): Prefab => ({
+      id: `p${i}`,
+      name: 'p',
+      objects: [object(`p${i}`)],
+    }));
+    refusal(
+      sceneOf(
+        Array.from({ length: 5000 }, (_, i) => object(`o${i}`, null, `gone${i}`)),
+        prefabs,
+      ),
+    );
+    const file = sceneOf(
+      Array.from({ length: 5000 }, (_, i) => ({
+        ...object(`o${i}`),
+        components: [{ type: 'ObjectRenderer', version: 1, id: `c${i}`, values: { mesh: `gone${i}` } }],
+      })),
+    );
+    file.assets = Array.from({ length: 5000 }, (_, i) => ({ name: `m${i}`, type: 'model' as const, url: 'a.glb' }));
+    const { assets } = new Scene();
+    const start = performance.now();
+    expect(() => parseFile(file, { assets })).toThrow(FileError);
+    expect(performance.now() - start).toBeLessThan(3000);
+  });
+});
+
+describe('depth', () => {
+  const nested = (depth: number, open: string, close: string): string =>
+    JSON.stringify(sceneOf([object('a')])).replace(
+      '"components":[]',
+      `"components":${open.repeat(depth)}1${close.repeat(depth)}`,
+    );
+
+  test('parents are taken 500 deep and no deeper', async () => {
+    const scene = await deserialize(sceneOf(chain(500)));
+    scene.three.updateMatrixWorld();
+    scene.dispose();
+    expect(refusal(sceneOf(chain(501))).message).toMatch(/objects\[500\]\.parent .*501 objects deep.*500/);
+    expect(refusal(sceneOf(chain(50_000).toReversed())).problems).toHaveLength(1);
+  });
+
+  test('values nested too deep', () => {
+    for (const text of [nested(4000, '[', ']'), nested(200_000, '{"a":', '}'), nested(5000, '[{"a":', '}]')]) {
+      expect(refusal(text).message).toMatch(/more than 32 deep/);
+    }
+  });
+
+  test('a scene takes no object deeper than its file could be read again', () => {
+    const scene = new Scene();
+    return deserialize(sceneOf(chain(500))).then((deep) => {
+      const root = deep.roots[0];
+      scene.add(root);
+      const top = deep.scene;
+      top.dispose();
+      let deepest = root;
+      while (deepest.children.length > 0) deepest = deepest.children[0];
+      const extra = root.clone();
+      expect(() => deepest.add(extra)).toThrow(/more than 500 objects deep/);
+      expect(extra.parent).toBeNull();
+      expect(deepest.children).toHaveLength(0);
+    });
+  });
+});
+
+test('a prefab is looked for in others in one visit to each, and must not come to too many objects', () => {
+  const scene = new Scene();
+  const prefabs = Array.from({ length: 36 }, (_, i): Prefab => {
+    const inner = [i - 1, i - 2].filter((n) => n >= 0);
+    return {
+      id: `p${i}`,
+      name: `p${i}`,
+      objects: [object(`p${i}`), ...inner.map((n) => object(`${i}-${n}`, `p${i}`, `p${n}`))],
+    };
+  });
+  for (const prefab of prefabs) scene.prefabs.set(prefab);
+  const start = performance.now();
+  expect(scene.prefabs.contains('p35', 'none')).toBe(false);
+  expect(scene.prefabs.contains('p35', 'p0')).toBe(true);
+  expect(performance.now() - start).toBeLessThan(3000);
+  expect(() => changePrefab(scene, { ...prefabs[0], objects: [object('p0'), object('x', 'p0', 'p35')] })).toThrow(
+    /'p0' would hold itself/,
+  );
+  expect(() => changePrefab(scene, { ...prefabs[0], name: 'other' })).toThrow(
+    /'p\d+' would come to more than 1,000,000/,
+  );
+  scene.dispose();
+});

@@ -1,0 +1,102 @@
+import { FileError } from './FileError';
+import { counted } from './fileLimits';
+import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from './unpack';
+
+const END = 0x06054b50;
+const END_SIZE = 22;
+const LONGEST_COMMENT = 0xffff;
+const ENTRY = 0x02014b50;
+const ENTRY_SIZE = 46;
+const LOCAL = 0x04034b50;
+const LOCAL_SIZE = 30;
+const STORED = 0;
+const DEFLATED = 8;
+const IS_ENCRYPTED = 1;
+
+interface Entry {
+  readonly name: string;
+  readonly method: number;
+  readonly packed: number;
+  readonly unpacked: number;
+  readonly at: number;
+}
+
+function fail(problem: string, cause?: unknown): never {
+  throw new FileError([{ path: '', problem }], { cause });
+}
+
+const damaged = (reason: string, cause?: unknown): never =>
+  fail(`The file is cut short or damaged (${reason}): open another copy of it.`, cause);
+
+/** The list at the end of a ZIP. */
+function readEntries(view: DataView<ArrayBuffer>): Entry[] {
+  const size = view.byteLength;
+  const first = Math.max(0, size - END_SIZE - LONGEST_COMMENT);
+  let end = size - END_SIZE;
+  while (end >= first && view.getUint32(end, true) !== END) end--;
+  if (end < first) damaged('its end is not there');
+  const count = view.getUint16(end + 10, true);
+  let at = view.getUint32(end + 16, true);
+  if (count === 0xffff || at === 0xffffffff) fail('The ZIP is of the kind for more than 4 GB: make a smaller one.');
+  if (count > unpackLimits.entries) {
+    fail(`The ZIP holds ${counted(count)} files, and ${counted(unpackLimits.entries)} is the limit.`);
+  }
+  const entries: Entry[] = [];
+  for (let i = 0; i < count; i++) {
+    if (at + ENTRY_SIZE > end || view.getUint32(at, true) !== ENTRY) damaged('its list of files is not whole');
+    const [nameLength, extraLength, commentLength] = [28, 30, 32].map((offset) => view.getUint16(at + offset, true));
+    const next = at + ENTRY_SIZE + nameLength + extraLength + commentLength;
+    const local = view.getUint32(at + 42, true);
+    if (next > end || local + LOCAL_SIZE > size) damaged('its list of files is not whole');
+    if ((view.getUint16(at + 8, true) & IS_ENCRYPTED) !== 0) fail('The ZIP has a password: save it without one.');
+    if (view.getUint32(local, true) !== LOCAL) damaged('a file is not where the list says');
+    entries.push({
+      name: new TextDecoder().decode(new Uint8Array(view.buffer, view.byteOffset + at + ENTRY_SIZE, nameLength)),
+      method: view.getUint16(at + 10, true),
+      packed: view.getUint32(at + 20, true),
+      unpacked: view.getUint32(at + 24, true),
+      at: local + LOCAL_SIZE + view.getUint16(local + 26, true) + view.getUint16(local + 28, true),
+    });
+    at = next;
+  }
+  return entries;
+}
+
+/**
+ * Reads the files of a ZIP, deflated or stored. What they come to is checked, and asked about, before any is unpacked, and
+ * counted while it is.
+ * @throws FileError when it is damaged or beyond `unpackLimits`, AbortError when the answer was no
+ * @see PKWARE APPNOTE.TXT
+ */
+export async function readZip(
+  bytes: Uint8Array<ArrayBuffer>,
+  mayUnpack?: MayUnpack,
+): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
+  if (bytes.length < END_SIZE) damaged('its end is not there');
+  const entries = readEntries(new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength));
+  const files = new Map<string, Uint8Array<ArrayBuffer>>();
+  let packed = 0;
+  let unpacked = 0;
+  for (const entry of entries) {
+    packed += entry.packed;
+    unpacked += entry.unpacked;
+    if (entry.at + entry.packed > bytes.length) damaged('a file reaches beyond the end');
+    if (entry.method !== STORED && entry.method !== DEFLATED)
+      fail('The ZIP is packed in another way than by deflating.');
+    if (entry.method === STORED && entry.packed !== entry.unpacked) damaged('a file has two sizes');
+    if (files.has(entry.name)) damaged('two files have one name');
+    files.set(entry.name, bytes);
+  }
+  // files that share bytes come to any size
+  if (packed > bytes.length) damaged('its files overlap');
+  await checkUnpacking({ packed: bytes.length, unpacked }, mayUnpack);
+  for (const { name, method, at, packed: length, unpacked: exact } of entries) {
+    const data = bytes.subarray(at, at + length);
+    try {
+      files.set(name, method === STORED ? data : await unpack(data, 'deflate-raw', { exact }));
+    } catch (cause) {
+      damaged('a file cannot be unpacked', cause);
+    }
+  }
+  return files;
+}
