@@ -15,6 +15,9 @@ export interface ExampleHandle {
   readonly scene?: Scene;
   readonly camera?: Camera;
   drawFrame?(seconds: number): void;
+  /** Of a page that shows one of several things: their names, and another of them. */
+  readonly parts?: readonly string[];
+  show?(part: string): Promise<void>;
 }
 
 interface Pixels {

@@ -40,6 +40,9 @@ export interface ShadowDraws {
   readonly calls: ShadowMapCalls;
 }
 
+/** A host's scene as three is shown it by Farol. */
+export type FarolView = Object3D & { readonly isFarolView?: true };
+
 /** Render lists are kept by nesting depth of render calls; a render inside a render inside a render is the most met. */
 const NESTING = 3;
 
@@ -89,6 +92,7 @@ export class SceneView {
     }
     this.own('children', this.children);
     this.own('matrixWorldAutoUpdate', false);
+    this.own('isFarolView', true);
     this.driver = this.makeDriver();
     this.takeLists();
   }

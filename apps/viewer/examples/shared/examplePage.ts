@@ -29,6 +29,9 @@ export interface Example {
   readonly editor?: AttachedEditor | null;
   readonly scene?: Scene;
   readonly camera?: Camera;
+  /** Of a page that shows one of several things: their names, and another of them. */
+  readonly parts?: readonly string[];
+  show?(part: string): Promise<void>;
 }
 
 export interface CanvasPixels {
