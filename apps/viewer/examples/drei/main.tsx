@@ -7,10 +7,11 @@ import { StrictMode, useState } from 'react';
 import { createRoot } from 'react-dom/client';
 import type { WebGLRenderer } from 'three';
 import { type Drawer, readCanvas } from '../shared/examplePage';
-import { parts } from './parts';
+import { parts, partsWithFarol } from './parts';
 
 const address = new URLSearchParams(location.search);
 const still = address.has('still');
+const names = [...Object.keys(parts), ...Object.keys(partsWithFarol)];
 
 /** For the browser tests. */
 const page: {
@@ -26,7 +27,17 @@ function App() {
   const [by, setBy] = useState<Drawer>((address.get('technique') as Drawer | null) ?? 'auto');
   const [part, setPart] = useState(address.get('part') ?? 'View');
   Object.assign(page, { choose: setBy, show: setPart, part });
+  const farol = (
+    <Farol
+      enabled={by !== 'three'}
+      technique={by === 'three' ? 'auto' : by}
+      ref={(farol) => {
+        page.farol = farol;
+      }}
+    />
+  );
   const Part = parts[part];
+  const PartWithFarol = partsWithFarol[part];
   return (
     <>
       <nav>
@@ -40,15 +51,14 @@ function App() {
           ))}
         </select>
         <select aria-label="Component" value={part} onChange={({ target }) => setPart(target.value)}>
-          {Object.keys(parts).map((name) => (
+          {names.map((name) => (
             <option key={name}>{name}</option>
           ))}
         </select>
       </nav>
       <Canvas
-        key={part}
         dpr={1}
-        shadows
+        shadows="percentage"
         gl={{ antialias: address.has('antialias') }}
         camera={{ position: [0, 3.4, 8.5], fov: 50 }}
         frameloop={still ? 'never' : 'always'}
@@ -57,14 +67,8 @@ function App() {
           camera.lookAt(0, 1.4, 0);
         }}
       >
-        <Farol
-          enabled={by !== 'three'}
-          technique={by === 'three' ? 'auto' : by}
-          ref={(farol) => {
-            page.farol = farol;
-          }}
-        />
-        <Part />
+        {PartWithFarol ? <PartWithFarol key={part} farol={farol} /> : farol}
+        {Part && <Part key={part} />}
       </Canvas>
     </>
   );
@@ -92,13 +96,11 @@ window.example = {
   get webgl() {
     return page.webgl!;
   },
-  parts: Object.keys(parts),
+  parts: names,
   async show(part) {
-    if (part === page.part) return;
-    page.webgl = null;
     page.settled = false;
     page.show(part);
-    await until(() => page.webgl !== null);
+    await until(() => page.part === part);
   },
   async draw(by) {
     page.choose(by);

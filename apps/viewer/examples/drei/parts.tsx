@@ -11,12 +11,11 @@ import {
   MeshReflectorMaterial,
   PerspectiveCamera,
   Preload,
-  RandomizedLight,
   RenderTexture,
   View,
 } from '@react-three/drei';
 import { Bloom, EffectComposer, Vignette } from '@react-three/postprocessing';
-import { type ReactNode, useLayoutEffect, useState } from 'react';
+import { type ComponentType, memo, type ReactNode, useLayoutEffect, useState } from 'react';
 
 const hues = Array.from({ length: 12 }, (_, i) => i * 30);
 
@@ -79,6 +78,23 @@ function Inside({ at = [0, 0, 4] }: { at?: [number, number, number] }) {
   );
 }
 
+/** A box with another scene on its faces. */
+function Screen({ farol }: { farol?: ReactNode }) {
+  return (
+    <Square>
+      <mesh position-y={1.7}>
+        <boxGeometry args={[2.4, 2.4, 2.4]} />
+        <meshStandardMaterial>
+          <RenderTexture attach="map" width={128} height={128} samples={0}>
+            <Inside />
+            {farol}
+          </RenderTexture>
+        </meshStandardMaterial>
+      </mesh>
+    </Square>
+  );
+}
+
 function Portal({ blend }: { blend: number }) {
   return (
     <Square>
@@ -96,7 +112,7 @@ function Portal({ blend }: { blend: number }) {
 }
 
 /** Two parts of the canvas, each with a scene and camera of its own, placed by elements of the page. */
-function Views() {
+function Views({ farol }: { farol?: ReactNode }) {
   const [places] = useState(() => [
     placeOf('top:0; left:0; width:60%; height:100%'),
     placeOf('top:20%; left:65%; width:30%; height:50%'),
@@ -115,6 +131,7 @@ function Views() {
       </View>
       <View index={2} track={{ current: places[1] }}>
         <Inside />
+        {farol}
       </View>
     </>
   );
@@ -127,7 +144,7 @@ function placeOf(style: string): HTMLElement {
 }
 
 /** What is drawn by other means than the canvas's own draw, each as drei's manual has it. */
-export const parts: Record<string, () => ReactNode> = {
+export const parts: Record<string, ComponentType> = {
   View: () => <Views />,
   Hud: () => (
     <Square>
@@ -151,18 +168,7 @@ export const parts: Record<string, () => ReactNode> = {
       </GizmoHelper>
     </Square>
   ),
-  RenderTexture: () => (
-    <Square>
-      <mesh position-y={1.7}>
-        <boxGeometry args={[2.4, 2.4, 2.4]} />
-        <meshStandardMaterial>
-          <RenderTexture attach="map" width={128} height={128} samples={0}>
-            <Inside />
-          </RenderTexture>
-        </meshStandardMaterial>
-      </mesh>
-    </Square>
-  ),
+  RenderTexture: () => <Screen />,
   MeshPortalMaterial: () => <Portal blend={0} />,
   'MeshPortalMaterial, half way in': () => <Portal blend={0.5} />,
   EffectComposer: () => (
@@ -181,13 +187,14 @@ export const parts: Record<string, () => ReactNode> = {
         {(texture) => (
           <mesh>
             <sphereGeometry args={[1.3, 48, 32]} />
-            <meshStandardMaterial envMap={texture} metalness={1} roughness={0.1} />
+            <meshLambertMaterial envMap={texture} color="#d0d0d0" reflectivity={0.8} />
           </mesh>
         )}
       </CubeCamera>
     </Square>
   ),
-  Environment: () => (
+  // made once: a render of the component would have it made again
+  Environment: memo(() => (
     <Square>
       <Knot />
       <Environment resolution={64}>
@@ -195,7 +202,7 @@ export const parts: Record<string, () => ReactNode> = {
         <Lightformer position={[5, 1, 3]} scale={[3, 3, 1]} intensity={3} target={[0, 0, 0]} />
       </Environment>
     </Square>
-  ),
+  )),
   MeshReflectorMaterial: () => (
     <Square
       floor={<MeshReflectorMaterial color="#9a9488" resolution={128} mirror={0.7} mixStrength={2} roughness={0.8} />}
@@ -216,9 +223,15 @@ export const parts: Record<string, () => ReactNode> = {
         <meshStandardMaterial color="#c98f5a" />
       </mesh>
       <AccumulativeShadows position-y={0.01} frames={6} resolution={128} scale={10} alphaTest={0.7} opacity={0.9}>
-        <RandomizedLight amount={4} radius={4} position={[4, 6, 3]} bias={0.01} />
+        <directionalLight castShadow position={[4, 6, 3]} intensity={3} />
       </AccumulativeShadows>
       <Preload all />
     </Square>
   ),
+};
+
+/** Where `<Farol>` is for the scene of a portal alone, and three draws the rest of the canvas. */
+export const partsWithFarol: Record<string, ComponentType<{ farol: ReactNode }>> = {
+  'Farol in a View': Views,
+  'Farol in a RenderTexture': Screen,
 };

@@ -32,6 +32,9 @@ export interface Example {
   /** Of a page that shows one of several things: their names, and another of them. */
   readonly parts?: readonly string[];
   show?(part: string): Promise<void>;
+  /** Of a page of components: how many FarolRenderers it has made, and one more component that waits for something. */
+  readonly made?: number;
+  suspend?(promise: Promise<unknown>): void;
 }
 
 export interface CanvasPixels {

@@ -36,6 +36,11 @@ export interface Technique {
   readonly lightOrder: LightOrder;
   /** True if it draws to float colour targets. */
   readonly needsFloatTargets: boolean;
+  /**
+   * True if it rebuilds positions from depth, which takes a camera whose near plane is not oblique; 'clustered-forward' draws
+   * those that have one. Default false.
+   */
+  readonly rebuildsPositions?: boolean;
   /** Its part in clearing the target: what it writes where nothing is. Default 'behind'. */
   readonly fills?: Fills;
   /** Code that it needs and that is fetched when it is first drawn by; 'deferred' draws until it is there. Default none. */

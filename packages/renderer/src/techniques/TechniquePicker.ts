@@ -39,12 +39,7 @@ export class TechniquePicker {
    * Sets `active` and `reason`; to be called when the lights of the frame are collected.
    * @param chooser of the scene that is drawn
    */
-  pick(
-    chooser: TechniqueChooser<Rehearsal>,
-    frame: Frame,
-    { bounded, coverage, directional, unbounded }: LightTable,
-    effects: readonly FarolEffect[],
-  ): void {
+  pick(chooser: TechniqueChooser<Rehearsal>, frame: Frame, table: LightTable, effects: readonly FarolEffect[]): void {
     this.active = this.asked;
     this.reason = 'asked for';
     const { late } = this.set.known[this.active];
@@ -53,7 +48,22 @@ export class TechniquePicker {
       this.active = 'deferred';
       this.reason = `the code of "${this.asked}" is being fetched`;
     }
-    if (this.asked !== 'auto') return;
+    if (this.asked === 'auto') this.choose(chooser, frame, table, effects);
+    const { elements } = frame.camera.projectionMatrix;
+    // a mirror's camera, whose near plane is the mirror
+    const isOblique = elements[2] !== 0 || elements[6] !== 0;
+    if (isOblique && this.set.known[this.active].rebuildsPositions) {
+      this.active = 'clustered-forward';
+      this.reason = "the camera's near plane is oblique";
+    }
+  }
+
+  private choose(
+    chooser: TechniqueChooser<Rehearsal>,
+    frame: Frame,
+    { bounded, coverage, directional, unbounded }: LightTable,
+    effects: readonly FarolEffect[],
+  ): void {
     let surfaces = false;
     for (const effect of effects) surfaces ||= effect.needsSurfaces === true;
     const choice = chooser.choose(

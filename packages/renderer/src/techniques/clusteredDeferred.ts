@@ -13,6 +13,7 @@ export const clusteredDeferred: Technique = {
   help: 'Light lists by tile and depth, over a G-buffer.',
   lightOrder: 'by-grid',
   needsFloatTargets: true,
+  rebuildsPositions: true,
   fills: 'every-pixel',
   passes({ tiles, grid }) {
     const gbuffer = new GBufferPass();

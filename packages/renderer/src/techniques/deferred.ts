@@ -13,6 +13,7 @@ export const deferred: Technique = {
   help: 'Surfaces into a G-buffer once, then each light over the pixels of its volume.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
+  rebuildsPositions: true,
   fills: 'every-pixel',
   passes() {
     const gbuffer = new GBufferPass();

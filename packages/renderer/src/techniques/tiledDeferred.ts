@@ -14,6 +14,7 @@ export const tiledDeferred: Technique = {
   help: 'A light list for each tile, within the depths in it, over a G-buffer.',
   lightOrder: 'by-depth',
   needsFloatTargets: true,
+  rebuildsPositions: true,
   fills: 'every-pixel',
   passes({ tiles }) {
     const gbuffer = new GBufferPass();
