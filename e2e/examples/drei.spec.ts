@@ -18,11 +18,18 @@ const forgiven = /THREE\.Clock: This module has been deprecated/;
 const groups = [
   ['View', 'Hud', 'GizmoHelper', 'EffectComposer', 'CubeCamera'],
   ['RenderTexture', 'MeshPortalMaterial', 'MeshPortalMaterial, half way in', 'Environment'],
-  ['MeshReflectorMaterial', 'ContactShadows', 'AccumulativeShadows', 'Farol in a View', 'Farol in a RenderTexture'],
+  [
+    'MeshReflectorMaterial',
+    'ContactShadows',
+    'AccumulativeShadows',
+    'Farol in a View',
+    'Farol in a RenderTexture',
+    'FarolPass in an EffectComposer',
+  ],
 ];
 
 for (const group of groups) {
-  test(`drei: ${group.join(', ')}: the picture of three`, async ({ page, watch }) => {
+  test(`drei: ${group.join('; ')}: the picture of three`, async ({ page, watch }) => {
     await openExample(page, 'drei');
     const parts = await page.evaluate(() => window.example.parts!);
     expect([...parts].sort(), 'parts of the page').toEqual(groups.flat().sort());

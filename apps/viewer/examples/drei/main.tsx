@@ -1,7 +1,7 @@
 /** drei and @react-three/postprocessing, drawn by Farol: what draws by itself, such as views, portals and gizmos. */
 import '../shared/example.css';
 import { type FarolRenderer, techniques } from '@farol/renderer';
-import { Farol } from '@farol/renderer/r3f';
+import { Farol, type FarolProps } from '@farol/renderer/r3f';
 import { advance, Canvas } from '@react-three/fiber';
 import { StrictMode, useState } from 'react';
 import { createRoot } from 'react-dom/client';
@@ -27,15 +27,13 @@ function App() {
   const [by, setBy] = useState<Drawer>((address.get('technique') as Drawer | null) ?? 'auto');
   const [part, setPart] = useState(address.get('part') ?? 'View');
   Object.assign(page, { choose: setBy, show: setPart, part });
-  const farol = (
-    <Farol
-      enabled={by !== 'three'}
-      technique={by === 'three' ? 'auto' : by}
-      ref={(farol) => {
-        page.farol = farol;
-      }}
-    />
-  );
+  const farol: FarolProps = {
+    enabled: by !== 'three',
+    technique: by === 'three' ? 'auto' : by,
+    ref: (farol) => {
+      page.farol = farol;
+    },
+  };
   const Part = parts[part];
   const PartWithFarol = partsWithFarol[part];
   return (
@@ -67,7 +65,7 @@ function App() {
           camera.lookAt(0, 1.4, 0);
         }}
       >
-        {PartWithFarol ? <PartWithFarol key={part} farol={farol} /> : farol}
+        {PartWithFarol ? <PartWithFarol key={part} farol={farol} /> : <Farol {...farol} />}
         {Part && <Part key={part} />}
       </Canvas>
     </>

@@ -14,6 +14,8 @@ import {
   RenderTexture,
   View,
 } from '@react-three/drei';
+import { Farol, type FarolProps } from '@farol/renderer/r3f';
+import { FarolPass } from '@farol/renderer/r3f-postprocessing';
 import { Bloom, EffectComposer, Vignette } from '@react-three/postprocessing';
 import { type ComponentType, memo, type ReactNode, useLayoutEffect, useState } from 'react';
 
@@ -79,7 +81,7 @@ function Inside({ at = [0, 0, 4] }: { at?: [number, number, number] }) {
 }
 
 /** A box with another scene on its faces. */
-function Screen({ farol }: { farol?: ReactNode }) {
+function Screen({ farol }: { farol?: FarolProps }) {
   return (
     <Square>
       <mesh position-y={1.7}>
@@ -87,10 +89,23 @@ function Screen({ farol }: { farol?: ReactNode }) {
         <meshStandardMaterial>
           <RenderTexture attach="map" width={128} height={128} samples={0}>
             <Inside />
-            {farol}
+            {farol && <Farol {...farol} />}
           </RenderTexture>
         </meshStandardMaterial>
       </mesh>
+    </Square>
+  );
+}
+
+function Glow({ farol }: { farol?: FarolProps }) {
+  return (
+    <Square>
+      <Knot />
+      <EffectComposer multisampling={0}>
+        <>{farol && <FarolPass {...farol} />}</>
+        <Bloom luminanceThreshold={0.4} intensity={0.8} mipmapBlur />
+        <Vignette />
+      </EffectComposer>
     </Square>
   );
 }
@@ -112,7 +127,7 @@ function Portal({ blend }: { blend: number }) {
 }
 
 /** Two parts of the canvas, each with a scene and camera of its own, placed by elements of the page. */
-function Views({ farol }: { farol?: ReactNode }) {
+function Views({ farol }: { farol?: FarolProps }) {
   const [places] = useState(() => [
     placeOf('top:0; left:0; width:60%; height:100%'),
     placeOf('top:20%; left:65%; width:30%; height:50%'),
@@ -131,7 +146,7 @@ function Views({ farol }: { farol?: ReactNode }) {
       </View>
       <View index={2} track={{ current: places[1] }}>
         <Inside />
-        {farol}
+        {farol && <Farol {...farol} />}
       </View>
     </>
   );
@@ -171,15 +186,7 @@ export const parts: Record<string, ComponentType> = {
   RenderTexture: () => <Screen />,
   MeshPortalMaterial: () => <Portal blend={0} />,
   'MeshPortalMaterial, half way in': () => <Portal blend={0.5} />,
-  EffectComposer: () => (
-    <Square>
-      <Knot />
-      <EffectComposer multisampling={0}>
-        <Bloom luminanceThreshold={0.4} intensity={0.8} mipmapBlur />
-        <Vignette />
-      </EffectComposer>
-    </Square>
-  ),
+  EffectComposer: () => <Glow />,
   CubeCamera: () => (
     <Square>
       <Knot x={-2.4} />
@@ -230,8 +237,9 @@ export const parts: Record<string, ComponentType> = {
   ),
 };
 
-/** Where `<Farol>` is for the scene of a portal alone, and three draws the rest of the canvas. */
-export const partsWithFarol: Record<string, ComponentType<{ farol: ReactNode }>> = {
+/** Where Farol is for one scene alone, and three draws the rest of the canvas. */
+export const partsWithFarol: Record<string, ComponentType<{ farol: FarolProps }>> = {
   'Farol in a View': Views,
   'Farol in a RenderTexture': Screen,
+  'FarolPass in an EffectComposer': Glow,
 };
