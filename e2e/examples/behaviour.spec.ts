@@ -105,6 +105,7 @@ test('without WebGL 2 every example says what to do', async ({ page, watch }) =>
     'attach-r3f',
     'composer',
     'controls',
+    'drei',
     'gltf',
     'mixed',
     'postprocessing',
@@ -117,4 +118,61 @@ test('without WebGL 2 every example says what to do', async ({ page, watch }) =>
   }
   // React and its renderer, of their own trouble
   watch.forgive(/THREE.Clock|error-boundaries/);
+});
+
+test('r3f: one FarolRenderer serves the canvas, also while a sibling suspends', async ({ page, watch }) => {
+  await openExample(page, 'r3f', 'deferred');
+  const plain = await drawExample(page, 'deferred');
+  expect(await page.evaluate(() => window.example.made), 'under StrictMode').toBe(1);
+  const during = await page.evaluate(async () => {
+    const { example } = window;
+    const { farol, webgl } = example;
+    const textures = webgl.info.memory.textures;
+    let end = () => {};
+    example.suspend!(new Promise<void>((resolve) => (end = resolve)));
+    while (example.farol === farol) await new Promise(requestAnimationFrame); // React takes refs away meanwhile
+    const kept = webgl.info.memory.textures === textures;
+    end();
+    while (!example.farol) await new Promise(requestAnimationFrame);
+    return { kept, same: example.farol === farol };
+  });
+  expect(during).toEqual({ kept: true, same: true });
+  expect(compareImages(await drawExample(page, 'deferred'), plain).largest).toBe(0);
+  await drawExample(page, 'clustered-forward');
+  expect(await page.evaluate(() => window.example.made)).toBe(1);
+
+  // what stands in for the canvas's own functions goes with it
+  const own = () =>
+    page.evaluate(() => {
+      const { render, compile, compileAsync } = window.example.webgl;
+      return [render, compile, compileAsync].map(String);
+    });
+  const withFarol = await own();
+  await drawExample(page, 'three');
+  const without = await own();
+  for (const [i, text] of without.entries()) expect(text).not.toBe(withFarol[i]);
+  await drawExample(page, 'deferred');
+  expect(await own()).toEqual(withFarol);
+  await drawExample(page, 'three');
+  expect(await own()).toEqual(without);
+  expect(await page.evaluate(() => window.example.made)).toBe(2);
+  watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+});
+
+test('r3f: edges are smooth where the canvas asks for it', async ({ page, watch }) => {
+  await page.setViewportSize({ width: 320, height: 180 });
+  await page.goto('./examples/r3f/index.html?still&antialias&technique=three');
+  await page.waitForFunction(() => 'example' in window);
+  await page.evaluate(() => window.example.ready);
+  const stock = await drawExample(page, 'three');
+  expect(compareImages(await drawExample(page, 'clustered-forward'), stock).psnr).toBeGreaterThan(60);
+  const psnr = async () => compareImages(await drawExample(page, 'deferred'), stock).psnr;
+  const smooth = () => page.evaluate(() => window.example.farol.effects[0]?.bytes);
+  await psnr(); // has the code of SMAA fetched
+  await expect.poll(async () => (await psnr(), smooth())).toBeGreaterThan(0);
+  const withEdges = await psnr();
+  await page.evaluate(() => (window.example.farol.effects = []));
+  const without = await psnr();
+  expect(withEdges - without, `${withEdges} dB, and ${without} without`).toBeGreaterThan(1);
+  watch.forgive(/THREE\.Clock: This module has been deprecated/);
 });

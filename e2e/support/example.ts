@@ -15,6 +15,12 @@ export interface ExampleHandle {
   readonly scene?: Scene;
   readonly camera?: Camera;
   drawFrame?(seconds: number): void;
+  /** Of a page that shows one of several things: their names, and another of them. */
+  readonly parts?: readonly string[];
+  show?(part: string): Promise<void>;
+  /** Of a page of components: how many FarolRenderers it has made, and one more component that waits for something. */
+  readonly made?: number;
+  suspend?(promise: Promise<unknown>): void;
 }
 
 interface Pixels {

@@ -11,6 +11,6 @@ export default defineConfig({
     target: 'es2022',
     lib: { entry: 'src/index.ts', formats: ['es'], fileName: 'index' },
     emptyOutDir: false,
-    rolldownOptions: { external: [/^three($|\/)/, '@farol/renderer'], output: { minify: true } },
+    rolldownOptions: { external: [/^three($|\/)/, /^@farol\/renderer($|\/)/], output: { minify: true } },
   },
 });

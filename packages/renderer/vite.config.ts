@@ -12,7 +12,7 @@ const peers = Object.keys(manifest.peerDependencies);
 
 const source = fileURLToPath(new URL('src/', import.meta.url));
 const apart =
-  /^(?:effects|authoring|three-pass|postprocessing|r3f)\/|\/(?:parseXML|parseMicroShaderXML|findClaims)\.ts$|^index\.ts$|commented|^GpuTimer|^debug\/(?!views)|^compileByDrawing|^lights\/LightLayers|^light-buffer\/|^rehearsal\/|^shadows\/(?!maskUniforms)/;
+  /^(?:effects|authoring|three-pass|postprocessing|intercept|r3f|r3f-postprocessing)\/|\/(?:parseXML|parseMicroShaderXML|findClaims)\.ts$|^index\.ts$|commented|^GpuTimer|^debug\/(?!views)|^compileByDrawing|^lights\/LightLayers|^light-buffer\/|^rehearsal\/|^shadows\/(?!maskUniforms)/;
 const isCore = (id: string): boolean => id.startsWith(source) && !apart.test(id.slice(source.length));
 
 /**

@@ -16,7 +16,12 @@ export const importRules = [
   { from: 'packages/renderer/src/three-pass', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
   { from: 'packages/renderer/src/authoring', may: ['packages/renderer', 'three'] },
+  { from: 'packages/renderer/src/intercept', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/r3f', may: ['packages/renderer', 'three', 'react', '@react-three/fiber'] },
+  {
+    from: 'packages/renderer/src/r3f-postprocessing',
+    may: ['packages/renderer', 'three', 'react', '@react-three/fiber', '@react-three/postprocessing'],
+  },
   {
     from: 'packages/renderer',
     may: ['packages/renderer', 'three'],
@@ -24,7 +29,9 @@ export const importRules = [
       'packages/renderer/src/effects',
       'packages/renderer/src/three-pass',
       'packages/renderer/src/postprocessing',
+      'packages/renderer/src/intercept',
       'packages/renderer/src/r3f',
+      'packages/renderer/src/r3f-postprocessing',
       'packages/renderer/src/authoring',
     ],
   },
@@ -118,7 +125,9 @@ function declared(name, path, manifests) {
   // e2e is no workspace: it belongs to the root, whose packages are linked in
   if (workspace === undefined) return name.startsWith('@farol/') || name in (manifests.get('')?.devDependencies ?? {});
   const own = manifests.get(workspace);
-  return name in { ...own?.dependencies, ...own?.peerDependencies };
+  // an app is built, not published
+  const ofApp = path.startsWith('apps/') ? own?.devDependencies : {};
+  return name in { ...own?.dependencies, ...own?.peerDependencies, ...ofApp };
 }
 
 /**

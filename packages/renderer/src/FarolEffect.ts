@@ -1,6 +1,7 @@
 import type { WebGLRenderer } from 'three';
 import type { Frame } from './Frame';
 import type { Pass, Resource } from './passes/Pass';
+import type { Technique } from './techniques/Technique';
 
 /**
  * Something optional that takes part in a frame of any technique: `farol.effects = [new TAA()]`. The core knows only this;
@@ -30,6 +31,11 @@ export interface FarolEffect {
    * jittered one), `frame.target` with its viewport, `frame.adapt` and `frame.gbufferLayout`.
    */
   begin?(frame: Frame): void;
+  /**
+   * Called when it is known which technique draws the frame, still before anything is drawn; may set `frame.target` with its
+   * viewport of the same size.
+   */
+  picked?(frame: Frame, technique: Technique): void;
   /** Draws, inside three's `render`. @param pass the pass that was drawn, or that is to be replaced */
   render?(frame: Frame, pass: Pass): void;
   /** Called inside three's `render` after all passes; has figures in `FarolInfo.passes` unless there is `after`. */

@@ -260,11 +260,13 @@ export class FarolRenderer {
       this.lights.layers?.end();
       this.sceneView = this.viewOf(scene);
       picker.pick(this.sceneView.chooser, frame, this.lights, this.activeEffects);
+      const technique = this.set.known[picker.active];
+      for (const effect of this.activeEffects) effect.picked?.(frame, technique);
       if (shadows !== null) shadows.cascades = Math.min(4, Math.max(1, Math.round(this.shadowCascades)));
       shadows?.update(scene, frame.camera, this.lights.masked, frame);
       frame.shadowMapsDrawn = shadows?.drawn ?? 0;
       frame.queue.layers = this.lights.layers?.reference ?? 0;
-      const { fills = 'behind', lightOrder } = this.set.known[picker.active];
+      const { fills = 'behind', lightOrder } = technique;
       this.lights.write(frame.camera, lightOrder, frame, shadows);
       this.uniforms.set(webgl, frame, shadows, this.heatMapMaximum);
       this.sceneView.render(

@@ -49,6 +49,9 @@ export interface ShadowDraws {
 /** @param backs only the back faces of what transmits and is double-sided, into three's transmission target */
 export type DrawScene = (backs: boolean) => void;
 
+/** A host's scene as three is shown it by Farol. */
+export type FarolView = Object3D & { readonly isFarolView?: true };
+
 const NOTHING = () => undefined;
 const NEVER = [false, false, false, false];
 
@@ -101,6 +104,7 @@ export class SceneView {
     }
     this.own('children', this.children);
     this.own('matrixWorldAutoUpdate', false);
+    this.own('isFarolView', true);
     this.driver = makeDriver(() => {
       this.restoreClear();
       this.drawAll(false);

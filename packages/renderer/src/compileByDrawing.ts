@@ -8,6 +8,15 @@ interface Program {
 
 /** Draws one pixel, which starts the compilation of everything the scene needs, then waits until the device is done. */
 export async function compileByDrawing(farol: FarolRenderer, scene: Object3D, camera: Camera): Promise<void> {
+  drawOnePixel(farol, scene, camera);
+  const programs = (farol.webgl.info.programs ?? []) as unknown as Program[];
+  while (!programs.every((program) => program.isReady?.() ?? true)) {
+    await new Promise((resolve) => setTimeout(resolve, 4));
+  }
+}
+
+/** Draws a scene to a target of one pixel. */
+export function drawOnePixel(farol: FarolRenderer, scene: Object3D, camera: Camera): void {
   const { webgl } = farol;
   const before = webgl.getRenderTarget();
   const face = webgl.getActiveCubeFace();
@@ -19,9 +28,5 @@ export async function compileByDrawing(farol: FarolRenderer, scene: Object3D, ca
   } finally {
     webgl.setRenderTarget(before, face, level);
     target.dispose();
-  }
-  const programs = (webgl.info.programs ?? []) as unknown as Program[];
-  while (!programs.every((program) => program.isReady?.() ?? true)) {
-    await new Promise((resolve) => setTimeout(resolve, 4));
   }
 }

@@ -3,7 +3,7 @@ import { type FarolRenderer, type TechniqueName, techniques } from '@farol/rende
 import { SMAA } from '@farol/renderer/antialiasing';
 import { Farol } from '@farol/renderer/r3f';
 import { advance, Canvas, useFrame } from '@react-three/fiber';
-import { StrictMode, useMemo, useRef, useState } from 'react';
+import { StrictMode, use, useMemo, useRef, useState } from 'react';
 import { createRoot } from 'react-dom/client';
 import type { Group, Mesh, WebGLRenderer } from 'three';
 import { type Drawer, readCanvas } from '../shared/examplePage';
@@ -13,11 +13,19 @@ const still = address.has('still');
 const hues = Array.from({ length: 24 }, (_, i) => i * 15);
 
 /** For the browser tests. */
-const page: { choose(by: Drawer): void; farol: FarolRenderer | null; webgl: WebGLRenderer | null } = {
-  choose: () => {},
-  farol: null,
-  webgl: null,
-};
+const page: {
+  choose(by: Drawer): void;
+  suspend(promise: Promise<unknown>): void;
+  farol: FarolRenderer | null;
+  webgl: WebGLRenderer | null;
+} = { choose: () => {}, suspend: () => {}, farol: null, webgl: null };
+const made = new Set<FarolRenderer>();
+
+/** Loads something. */
+function Sibling({ loads }: { loads: Promise<unknown> | null }) {
+  if (loads) use(loads);
+  return null;
+}
 
 function Lanterns() {
   const group = useRef<Group>(null);
@@ -52,8 +60,9 @@ function Knot() {
 function App() {
   const [by, setBy] = useState<Drawer>((address.get('technique') as Drawer | null) ?? 'auto');
   const [smooth, setSmooth] = useState(false);
-  const effects = useMemo(() => (smooth ? [new SMAA()] : []), [smooth]);
-  page.choose = setBy;
+  const effects = useMemo(() => (smooth ? [new SMAA()] : address.has('antialias') ? undefined : []), [smooth]);
+  const [loads, suspend] = useState<Promise<unknown> | null>(null);
+  Object.assign(page, { choose: setBy, suspend });
   return (
     <>
       <nav>
@@ -72,7 +81,7 @@ function App() {
       </nav>
       <Canvas
         dpr={1}
-        gl={{ antialias: false }}
+        gl={{ antialias: address.has('antialias') }}
         camera={{ position: [0, 3.4, 8.5], fov: 50 }}
         frameloop={still ? 'never' : 'always'}
         onCreated={({ gl, camera }) => {
@@ -87,6 +96,7 @@ function App() {
           lightLayers={address.has('layers')}
           ref={(farol) => {
             page.farol = farol;
+            if (farol) made.add(farol);
           }}
         />
         <color attach="background" args={['#10141c']} />
@@ -97,6 +107,7 @@ function App() {
         </mesh>
         <Knot />
         <Lanterns />
+        <Sibling loads={loads} />
       </Canvas>
     </>
   );
@@ -122,6 +133,10 @@ window.example = {
   get webgl() {
     return page.webgl!;
   },
+  get made() {
+    return made.size;
+  },
+  suspend: (promise) => page.suspend(promise),
   async draw(by) {
     page.choose(by);
     await until(() => chosen(by));

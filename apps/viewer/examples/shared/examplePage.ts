@@ -29,6 +29,12 @@ export interface Example {
   readonly editor?: AttachedEditor | null;
   readonly scene?: Scene;
   readonly camera?: Camera;
+  /** Of a page that shows one of several things: their names, and another of them. */
+  readonly parts?: readonly string[];
+  show?(part: string): Promise<void>;
+  /** Of a page of components: how many FarolRenderers it has made, and one more component that waits for something. */
+  readonly made?: number;
+  suspend?(promise: Promise<unknown>): void;
 }
 
 export interface CanvasPixels {

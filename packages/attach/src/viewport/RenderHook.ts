@@ -1,7 +1,6 @@
 import type { FarolRenderer } from '@farol/renderer';
-import type { Camera, Object3D, WebGLRenderer } from 'three';
-
-type Render = WebGLRenderer['render'];
+import { type Interception, interceptRender } from '@farol/renderer/intercept';
+import type { Object3D, WebGLRenderer } from 'three';
 
 const IDLE = 500; // ms
 
@@ -15,21 +14,21 @@ export class RenderHook {
   /** Frames that the page has drawn to the canvas. */
   frames = 0;
   private drawnAt = -Infinity;
-  private readonly original: Render;
-  private readonly hooked: Render;
-  private depth = 0;
+  private readonly interception: Interception;
   private planned = false;
   private attached = true;
 
   /** @param overlay draws over the finished frame, by the function that it is given */
   constructor(
     private readonly webgl: WebGLRenderer,
-    private readonly scene: Object3D,
-    private readonly overlay: (render: Render) => void,
+    scene: Object3D,
+    private readonly overlay: (render: WebGLRenderer['render']) => void,
   ) {
-    this.original = webgl.render;
-    this.hooked = (scene, camera) => this.render(scene, camera);
-    webgl.render = this.hooked;
+    this.interception = interceptRender(webgl, (drawn, camera, next) => {
+      if (this.farol && drawn === scene && !webgl.xr.isPresenting) this.farol.render(drawn, camera);
+      else next(drawn, camera);
+      if (webgl.getRenderTarget() === null && !webgl.xr.isPresenting) this.plan();
+    });
   }
 
   /** Whether the page has drawn nothing for a while: it draws on demand, or not at all. */
@@ -41,24 +40,7 @@ export class RenderHook {
   dispose(): void {
     this.attached = false;
     this.farol = null;
-    // Another tool may have wrapped ours since: then it stays, and only passes calls on.
-    if (this.webgl.render === this.hooked) this.webgl.render = this.original;
-  }
-
-  private render(scene: Object3D, camera: Camera): void {
-    const { webgl, farol } = this;
-    if (!this.attached || this.depth > 0) {
-      this.original.call(webgl, scene, camera);
-      return;
-    }
-    this.depth++;
-    try {
-      if (farol && scene === this.scene && !webgl.xr.isPresenting) farol.render(scene, camera);
-      else this.original.call(webgl, scene, camera);
-    } finally {
-      this.depth--;
-    }
-    if (webgl.getRenderTarget() === null && !webgl.xr.isPresenting) this.plan();
+    this.interception.remove();
   }
 
   /** The overlay follows when the page's code has returned, so after its last draw, and before the browser shows it. */
@@ -70,12 +52,7 @@ export class RenderHook {
       if (!this.attached || this.webgl.getContext().isContextLost()) return;
       this.frames++;
       this.drawnAt = performance.now();
-      this.depth++;
-      try {
-        this.overlay(this.original);
-      } finally {
-        this.depth--;
-      }
+      this.overlay(this.interception.stock);
     });
   }
 }

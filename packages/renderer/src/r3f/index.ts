@@ -1,1 +1,3 @@
-export { Farol, type FarolProps } from './Farol';
+export { Farol } from './Farol';
+export { useFarol } from './useFarol';
+export type { FarolProps } from './useFarolSettings';

@@ -1,0 +1,1 @@
+export { type Interception, type Interceptor, interceptRender } from './interceptRender';

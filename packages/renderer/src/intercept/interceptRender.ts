@@ -1,0 +1,84 @@
+import type { Camera, Object3D, WebGLRenderer } from 'three';
+
+type Render = WebGLRenderer['render'];
+
+/** Stands in for a renderer's `render`. @param next draws as it would be drawn without it */
+export type Interceptor = (scene: Object3D, camera: Camera, next: Render) => void;
+
+export interface Interception {
+  /** The renderer's own `render`, past all that stands in for it. */
+  readonly stock: Render;
+  /** Takes it out; with the last one the renderer has its own `render` again. */
+  remove(): void;
+}
+
+const chains = new WeakMap<WebGLRenderer, RenderChain>();
+
+/**
+ * Has a function stand in for `render` of one renderer; of several the last one comes first. What is drawn from inside of
+ * it, Farol's own calls and those of callbacks among them, goes to three.
+ */
+export function interceptRender(webgl: WebGLRenderer, interceptor: Interceptor): Interception {
+  let chain = chains.get(webgl);
+  if (chain === undefined || !chain.isInPlace) chains.set(webgl, (chain = new RenderChain(webgl)));
+  return chain.add(interceptor);
+}
+
+/** What stands in for `render` of one renderer. */
+class RenderChain {
+  private readonly original: Render;
+  private readonly hooked: Render = (scene, camera) => this.render(scene, camera);
+  private readonly interceptors: Interceptor[] = [];
+  /** What draws when each of `interceptors` passes a call on; the last entry draws first. */
+  private readonly draws: Render[];
+  private depth = 0;
+
+  constructor(private readonly webgl: WebGLRenderer) {
+    this.original = webgl.render;
+    this.draws = [(scene, camera) => this.original.call(webgl, scene, camera)];
+    webgl.render = this.hooked;
+  }
+
+  /** Whether calls of `render` come here: directly, or, as has to be taken for granted, through a wrapper put round it. */
+  get isInPlace(): boolean {
+    return this.webgl.render === this.hooked || this.interceptors.length > 0;
+  }
+
+  add(interceptor: Interceptor): Interception {
+    this.interceptors.push(interceptor);
+    this.link();
+    return {
+      stock: (scene, camera) => this.nested(this.draws[0], scene, camera),
+      remove: () => {
+        const index = this.interceptors.indexOf(interceptor);
+        if (index < 0) return;
+        this.interceptors.splice(index, 1);
+        this.link();
+        // another tool may have wrapped it since: then it stays, and only passes calls on
+        if (this.interceptors.length === 0 && this.webgl.render === this.hooked) this.webgl.render = this.original;
+      },
+    };
+  }
+
+  private link(): void {
+    const { draws } = this;
+    draws.length = 1;
+    for (const interceptor of this.interceptors) {
+      const next = draws[draws.length - 1];
+      draws.push((scene, camera) => interceptor(scene, camera, next));
+    }
+  }
+
+  private render(scene: Object3D, camera: Camera): void {
+    this.nested(this.draws[this.depth > 0 ? 0 : this.draws.length - 1], scene, camera);
+  }
+
+  private nested(draw: Render, scene: Object3D, camera: Camera): void {
+    this.depth++;
+    try {
+      draw(scene, camera);
+    } finally {
+      this.depth--;
+    }
+  }
+}

@@ -1,0 +1,2 @@
+export { FarolPass } from './FarolPass';
+export type { FarolProps } from '../r3f/useFarolSettings';
