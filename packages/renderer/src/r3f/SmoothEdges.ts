@@ -4,7 +4,11 @@ import type { Frame } from '../Frame';
 import { LateCode } from '../late/LateCode';
 import type { Technique } from '../techniques/Technique';
 
-const smaaCode = new LateCode(() => import('../effects/antialiasing/SMAA'), 'no code of SMAA; edges are not smooth');
+const smaaCode = new LateCode(
+  () => import('../effects/antialiasing/SMAA'),
+  'smooth edges',
+  'edges are drawn from one sample a pixel',
+);
 
 /**
  * SMAA where a canvas or target asks for samples (`antialias: true`, `samples`) that the technique does not draw: those with
@@ -12,6 +16,7 @@ const smaaCode = new LateCode(() => import('../effects/antialiasing/SMAA'), 'no 
  */
 export class SmoothEdges implements FarolEffect {
   readonly name = 'SMAA';
+  readonly takesPicture = true;
   private smaa: SMAA | null = null;
   private isOn = false;
   private asked = false;
