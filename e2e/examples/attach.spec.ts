@@ -1,7 +1,8 @@
 import type { Page } from '@playwright/test';
 import type { Mesh, MeshStandardMaterial, PointLight } from 'three';
 import { axeProblems } from '../support/axeProblems';
-import { openExample } from '../support/example';
+import { drawExample, openExample } from '../support/example';
+import { compareImages } from '../support/images';
 import { expect, test } from '../support/test';
 
 async function open(page: Page, name: string): Promise<void> {
@@ -183,6 +184,30 @@ test('on React Three Fiber: what React adds is in the tree, edits are drawn', as
   await page.getByRole('button', { name: 'Undo' }).click();
   expect((await picture(page)).equals(before)).toBe(true);
   expect(await axeProblems(page)).toEqual([]);
+  watch.forgive(clockOfR3F);
+});
+
+test('on React Three Fiber beside <Farol>: the editor passes its draw on, or draws by itself', async ({
+  page,
+  watch,
+}) => {
+  await openExample(page, 'attach-r3f');
+  const stock = await drawExample(page, 'three');
+  await page.goto('./examples/attach-r3f/index.html?still&farol');
+  await page.waitForFunction(() => 'example' in window);
+  await page.evaluate(() => window.example.ready);
+  const seen = async (by: string) => {
+    const { psnr } = compareImages(await drawExample(page, by), stock);
+    return {
+      close: psnr > 55,
+      exact: psnr > 80,
+      technique: await page.evaluate(() => window.example.farol?.technique),
+    };
+  };
+  // by <Farol technique="deferred">, then by the editor's own forward technique over it
+  expect(await seen('three')).toEqual({ close: true, exact: false, technique: undefined });
+  expect(await seen('clustered-forward')).toEqual({ close: true, exact: true, technique: 'clustered-forward' });
+  expect(await seen('three')).toEqual({ close: true, exact: false, technique: undefined });
   watch.forgive(clockOfR3F);
 });
 

@@ -1,13 +1,15 @@
 /** Opens Farol's editor over a React Three Fiber page. */
 import '../shared/example.css';
 import { type AttachedEditor, attachEditor } from '@farol/attach';
+import { Farol } from '@farol/renderer/r3f';
 import { advance, Canvas, useFrame, useThree } from '@react-three/fiber';
 import { StrictMode, useEffect, useRef, useState } from 'react';
 import { createRoot } from 'react-dom/client';
 import type { Camera, Group, Scene, WebGLRenderer } from 'three';
 import { readCanvas } from '../shared/examplePage';
 
-const still = new URLSearchParams(location.search).has('still');
+const address = new URLSearchParams(location.search);
+const still = address.has('still');
 const hues = Array.from({ length: 24 }, (_, i) => i * 15);
 
 /** For the browser tests. */
@@ -61,6 +63,7 @@ function App() {
         onCreated={({ camera }) => camera.lookAt(0, 1.4, 0)}
       >
         <Editor />
+        {address.has('farol') && <Farol technique="deferred" />}
         <color attach="background" args={['#10141c']} />
         <hemisphereLight args={['#8fa8d8', '#40342a', 0.35]} />
         <mesh name="floor" rotation-x={-Math.PI / 2}>
