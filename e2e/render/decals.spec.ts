@@ -74,6 +74,11 @@ test('a decal on a plane is as a mesh of the same material laid on it, under all
         const { psnr, share } = compareImages(wanted, bench.byTechnique(technique, scene, camera), 6);
         return { technique, psnr, share };
       });
+      // where depth is too coarse, and distances are stored
+      const usual = bench.byTechnique('deferred', scene, camera);
+      const wide = camera.clone();
+      Object.assign(wide, { near: 1e-5, far: 1e4 }).updateProjectionMatrix();
+      const coarse = compareImages(usual, bench.byTechnique('deferred', scene, wide)).psnr;
       // with ambient occlusion, which has its own share of indirect light: a plane alone closes nothing
       bench.farol.effects = [...list, new effects.AmbientOcclusion()];
       const occluded = compareImages(wanted, bench.byTechnique('deferred', scene, camera)).psnr;
@@ -102,7 +107,7 @@ test('a decal on a plane is as a mesh of the same material laid on it, under all
       decal.rotation.x = -Math.PI / 2;
       decal.position.y = 0.2; // its box ends above the floor
       const above = compareImages(without, bench.byTechnique('deferred', scene, camera)).largest;
-      return { figures, occluded, over, under, away, above, seen: compareImages(wanted, without).psnr };
+      return { figures, occluded, over, under, away, above, coarse, seen: compareImages(wanted, without).psnr };
     },
     [160, 120, TECHNIQUES] as const,
   );
@@ -112,6 +117,7 @@ test('a decal on a plane is as a mesh of the same material laid on it, under all
     expect(psnr, technique).toBeGreaterThan(42);
     expect(share, technique).toBeLessThan(0.05);
   }
+  expect(results.coarse, 'near 1e-5, far 1e4').toBeGreaterThan(50);
   expect(results.occluded).toBeGreaterThan(42);
   expect(results.over[1]).toBeGreaterThan(20 * results.over[0]);
   expect(results.under[1]).toBeLessThan(20 * results.under[0]);

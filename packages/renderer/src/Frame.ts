@@ -244,19 +244,30 @@ export class Frame {
     webgl.state.unbindTexture();
   }
 
-  /** Copies depth between targets of one size, both with a depth texture of the same format. */
-  copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget): void {
-    this.copy(from, '__webglFramebuffer', to, this.gl.DEPTH_BUFFER_BIT);
+  /**
+   * Copies depth to all of a target, both with a depth texture of the same format.
+   * @param x first pixel of what is copied, with y
+   */
+  copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget, x = 0, y = 0): void {
+    this.copy(from, '__webglFramebuffer', to, this.gl.DEPTH_BUFFER_BIT, x, y);
   }
 
-  private copy(from: WebGLRenderTarget, name: keyof Framebuffers, to: WebGLRenderTarget, bits: number): void {
+  /** @param x first pixel of what is copied, of `from`, with y */
+  private copy(
+    from: WebGLRenderTarget,
+    name: keyof Framebuffers,
+    to: WebGLRenderTarget,
+    bits: number,
+    x = 0,
+    y = 0,
+  ): void {
     const { gl, webgl } = this;
     const { properties, state } = webgl;
     const { width, height } = to;
     const written = (properties.get(to) as Framebuffers).__webglFramebuffer;
     state.bindFramebuffer(gl.READ_FRAMEBUFFER, (properties.get(from) as Framebuffers)[name]);
     state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, written);
-    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, bits, gl.NEAREST);
+    gl.blitFramebuffer(x, y, x + width, y + height, 0, 0, width, height, bits, gl.NEAREST);
     state.bindFramebuffer(gl.READ_FRAMEBUFFER, written);
   }
 

@@ -7,7 +7,8 @@ layout(location = 0) out highp vec4 farol_sums0;
 layout(location = 1) out highp vec4 farol_sums1;
 layout(location = 2) out highp vec4 farol_sums2;
 #define FAROL_SURFACE_DEPTH(pixel) texelFetch(farol_thinDepth, pixel, 0).r
-#define FAROL_IS_EMPTY(pixel, depth) ((farol_thinStored != 0 || farol_isEmpty(depth)) && texelFetch(farol_thinSurface, pixel, 0).w == 0.0)
+#define FAROL_IS_EMPTY(pixel, depth) \
+  ((farol_thinStored != 0 || farol_isEmpty(depth)) && texelFetch(farol_thinSurface, pixel, 0).w == 0.0)
 #define FAROL_SURFACE_POSITION(pixel, depth) farol_thinPosition(pixel, farol_size)
 #define FAROL_BEGIN_PIXEL \
   vec3 positionVS = farol_thinPosition(pixel, farol_size); \

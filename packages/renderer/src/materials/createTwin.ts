@@ -1,6 +1,9 @@
 import { type Material, Material as BaseMaterial, type ShaderMaterial, UniformsLib, type WebGLRenderer } from 'three';
 import type { TwinKind, TwinShader } from './TwinKind';
 
+/** What several programs draw of one surface has one depth: drivers may not round positions otherwise in each. */
+const INVARIANT = 'invariant gl_Position;\n';
+
 /** What twins of one renderer share. */
 export interface TwinContext {
   /** Uniforms given to every twin, by reference. */
@@ -53,6 +56,7 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
       ...context.uniforms,
     } as TwinShader['uniforms'];
     kind.patch(shader, source, context.header(chunks));
+    shader.vertexShader = `${INVARIANT}${shader.vertexShader}`;
   });
   // what a kind computes, it computes at each draw
   const properties = Object.getOwnPropertyDescriptors(kind.properties ?? {});

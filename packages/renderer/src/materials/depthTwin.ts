@@ -25,8 +25,12 @@ export const depthBehindTwin: TwinKind = {
   properties: { colorWrite: false, polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: 4 },
 };
 
-/** True for materials of which the depth twin can be made. */
+/**
+ * True for materials of which the depth twin can be made. Units of an offset are not the same in depth of 24 bits and of
+ * floats: what is pushed back by more than one has none.
+ */
 export function hasDepthTwin(material: Material): boolean {
   const m = material as Material & { isShaderMaterial?: boolean };
+  if (m.polygonOffset && m.polygonOffsetUnits > 1) return false;
   return m.isShaderMaterial !== true && [FrontSide, BackSide, DoubleSide].includes(m.side as never);
 }

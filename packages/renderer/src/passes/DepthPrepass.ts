@@ -17,6 +17,8 @@ export class DepthPrepass implements Pass {
   readonly reads = [] as const;
   readonly writes = ['scene-depth', 'target'] as const;
   target: WebGLRenderTarget | null = null;
+  /** In its place where the viewport does not begin at the corner: elsewhere, vertices might be rounded to other places. */
+  private shifted: WebGLRenderTarget | null = null;
   private readonly depth: IUniform<Texture | null> = { value: null };
   private readonly depthMode = { value: new Vector2() };
   private readonly offset = { value: new Vector2() };
@@ -24,31 +26,43 @@ export class DepthPrepass implements Pass {
   private material: OutputMaterial | null = null;
 
   get bytes(): number {
-    return this.target ? this.target.width * this.target.height * 8 : 0;
+    return bytesOf(this.target) + bytesOf(this.shifted);
   }
 
   render(frame: Frame): void {
-    const { width, height } = frame;
-    this.target ??= new WebGLRenderTarget(1, 1, {
-      minFilter: NearestFilter,
-      magFilter: NearestFilter,
-      depthTexture: new DepthTexture(1, 1, FloatType),
-    });
+    const { width, height, viewport } = frame;
+    this.target ??= makeTarget();
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     frame.bind(this.target);
+    const isShifted = viewport.x !== 0 || viewport.y !== 0;
+    if (isShifted) this.bindShifted(frame);
     frame.clear(1, true);
     for (const item of frame.queue.opaque) {
       if (item.splits && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
     }
+    if (isShifted) frame.copyDepth(this.shifted!, this.target, viewport.x, viewport.y);
     if (frame.samples === 0) this.show(frame);
     else this.drawSamples(frame);
   }
 
   dispose(): void {
-    this.target?.depthTexture?.dispose();
-    this.target?.dispose();
+    for (const target of [this.target, this.shifted]) {
+      target?.depthTexture?.dispose();
+      target?.dispose();
+    }
     this.material?.dispose();
-    this.target = this.material = null;
+    this.target = this.shifted = this.material = null;
+  }
+
+  /** Draws where the host's target is drawn to. */
+  private bindShifted(frame: Frame): void {
+    const { viewport } = frame;
+    const target = (this.shifted ??= makeTarget());
+    const width = Math.max(target.width, viewport.x + frame.width);
+    const height = Math.max(target.height, viewport.y + frame.height);
+    if (target.width < width || target.height < height) target.setSize(width, height);
+    frame.bind(target);
+    frame.webgl.state.viewport(viewport);
   }
 
   private drawSamples(frame: Frame): void {
@@ -80,4 +94,16 @@ export class DepthPrepass implements Pass {
     frame.bindTarget();
     frame.drawMesh(this.triangle, this.material);
   }
+}
+
+function makeTarget(): WebGLRenderTarget {
+  return new WebGLRenderTarget(1, 1, {
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    depthTexture: new DepthTexture(1, 1, FloatType),
+  });
+}
+
+function bytesOf(target: WebGLRenderTarget | null): number {
+  return target === null ? 0 : target.width * target.height * 8;
 }

@@ -1,5 +1,6 @@
 import { forwardTwins } from '../materials/forwardTwin';
 import type { ForwardTwins } from '../materials/forwardTwin';
+import { hasDepthTwin } from '../materials/depthTwin';
 import type { Frame } from '../Frame';
 import type { RenderItem } from '../RenderItem';
 import { BackgroundDraw } from './BackgroundDraw';
@@ -43,7 +44,8 @@ export class ForwardPass implements Pass {
     const twins = this.twins(frame.view);
     const outside = this.outside(frame.view);
     const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
-    for (const item of items) this.draw(frame, item, item.splits ? twins : outside, onlyLit);
+    for (const item of items)
+      this.draw(frame, item, item.splits && hasDepthTwin(item.material) ? twins : outside, onlyLit);
     if (fills) this.background.draw(frame);
   }
 

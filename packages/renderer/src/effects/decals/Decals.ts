@@ -23,6 +23,7 @@ import { lacksFloatTargets } from '../../checkDevice';
 import type { FarolEffect } from '../../FarolEffect';
 import type { Frame } from '../../Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
+import { storedKind } from '../../passes/gbufferUniforms';
 import { GBufferPass } from '../../passes/GBufferPass';
 import type { Pass } from '../../passes/Pass';
 import { PassMaterial } from '../../passes/PassMaterial';
@@ -65,6 +66,7 @@ export class Decals implements FarolEffect {
     ...unprojectUniforms(),
     farol_surfaceDepth: { value: null } as IUniform<Texture | null>,
     farol_surfaceNormal: { value: null } as IUniform<Texture | null>,
+    farol_surfaceStored: { value: 0 },
     farol_surfaceAlbedo: { value: null } as IUniform<Texture | null>,
     farol_surfaceMaterial: { value: null } as IUniform<Texture | null>,
     farol_environment: { value: false },
@@ -129,6 +131,7 @@ export class Decals implements FarolEffect {
     setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
     uniforms.farol_surfaceDepth.value = gbuffer.depth;
     uniforms.farol_surfaceNormal.value = copies.normal;
+    uniforms.farol_surfaceStored.value = gbuffer.storesDistance ? storedKind(frame.camera) : 0;
     uniforms.farol_surfaceAlbedo.value = copies.albedo;
     uniforms.farol_surfaceMaterial.value = gbuffer.material;
     uniforms.farol_environment.value = Boolean(frame.scene.environment);

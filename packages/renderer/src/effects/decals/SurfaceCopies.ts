@@ -9,6 +9,8 @@ const NEAREST = { minFilter: NearestFilter, magFilter: NearestFilter } as const;
 /** Copies of a G-buffer's normals and albedo, which are read while the G-buffer itself is written. */
 export class SurfaceCopies {
   private readonly normalTarget = new EffectTarget({ format: RGFormat, type: HalfFloatType, ...NEAREST }, 4);
+  /** Of a G-buffer that stores distances. */
+  private readonly distanceTarget = new EffectTarget({ type: HalfFloatType, ...NEAREST }, 8);
   private readonly albedoTarget = new EffectTarget({ ...NEAREST }, 4);
   private gbuffer!: WebGLRenderTarget;
   private normals!: WebGLRenderTarget;
@@ -18,10 +20,10 @@ export class SurfaceCopies {
   private boxes = 0;
 
   get bytes(): number {
-    return this.normalTarget.bytes + this.albedoTarget.bytes;
+    return this.normalTarget.bytes + this.distanceTarget.bytes + this.albedoTarget.bytes;
   }
 
-  /** Normals of the surfaces below all decals. */
+  /** Normals of the surfaces below all decals, and distances where they are stored. */
   get normal() {
     return this.normals.texture;
   }
@@ -32,10 +34,10 @@ export class SurfaceCopies {
   }
 
   /** Copies all of a G-buffer; another target is bound then. */
-  take(frame: Frame, { target }: GBuffer): void {
+  take(frame: Frame, { target, storesDistance }: GBuffer): void {
     const { width, height } = target;
     this.gbuffer = target;
-    this.normals = this.normalTarget.of(width, height);
+    this.normals = (storesDistance ? this.distanceTarget : this.normalTarget).of(width, height);
     this.albedos = this.albedoTarget.of(width, height);
     this.boxes = 0;
     const whole = this.rectangle(0).set(0, 0, width, height);
@@ -62,6 +64,7 @@ export class SurfaceCopies {
 
   dispose(): void {
     this.normalTarget.dispose();
+    this.distanceTarget.dispose();
     this.albedoTarget.dispose();
   }
 

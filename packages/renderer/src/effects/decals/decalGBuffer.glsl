@@ -20,7 +20,7 @@ if (farol_decalValues.z < 1e8) {
   vec3 bitangent = cross(decal.normal, tangent);
   vec3 normal = normalize(tangent * bent.x + bitangent * bent.y + decal.normal * bent.z);
   normal = normalize(mix(decal.normal, normal, decal.opacity));
-  farol_normal = vec4(farol_roundToHalf(farol_encodeNormal(normal)), 0.0, 1.0);
+  farol_normal = vec4(farol_roundToHalf(farol_encodeNormal(normal)), texelFetch(farol_surfaceNormal, pixel, 0).z, 1.0);
 }
 // standard surfaces alone have a roughness; 0.2: square root of the usual reflectance at normal incidence
 bool covers = farol_decalBlending == 1 && (decal.flags & 3) == 1;

@@ -2,8 +2,10 @@
 // Krishnan 2012 / Persson, Volume Decals (GPU Pro 2, 2011); gradients from neighbours of the same surface: Wronski 2015
 #include "unproject"
 #include "octahedralNormal"
+#include "storedDistance"
 uniform highp sampler2D farol_surfaceDepth;
-uniform highp sampler2D farol_surfaceNormal; // octahedral
+uniform highp sampler2D farol_surfaceNormal; // octahedral; stored distances
+uniform highp int farol_surfaceStored; // 0; distances are stored: 1 in perspective, 2 orthographic
 uniform lowp sampler2D farol_surfaceAlbedo; // square root of the albedo, flags
 uniform sampler2D farol_decalMap;
 uniform sampler2D farol_decalNormalMap;
@@ -31,7 +33,10 @@ struct FarolDecal {
 vec3 farol_inDecal(const in ivec2 pixel) {
   ivec2 size = textureSize(farol_surfaceDepth, 0);
   ivec2 at = clamp(pixel, ivec2(0), size - 1);
-  vec3 position = farol_unproject((vec2(at) + 0.5) / vec2(size), texelFetch(farol_surfaceDepth, at, 0).r);
+  float z = farol_surfaceStored == 0
+    ? farol_viewZ(texelFetch(farol_surfaceDepth, at, 0).r)
+    : -farol_unpackDistance(texelFetch(farol_surfaceNormal, at, 0).zw, farol_surfaceStored == 2);
+  vec3 position = farol_unprojectAt((vec2(at) + 0.5) / vec2(size), z);
   return (farol_decalInverse * vec4(position, 1.0)).xyz;
 }
 

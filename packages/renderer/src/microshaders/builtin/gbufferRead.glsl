@@ -8,7 +8,8 @@ uniform highp sampler2D farol_gNormal;
 uniform lowp sampler2D farol_gAlbedo;
 uniform lowp sampler2D farol_gMaterial;
 uniform highp sampler2D farol_gDepth;
-// x: distances along the view are stored, 1 in perspective, 2 orthographic; y: 1 where flags tell nothing from what is drawn at its depth
+// x: distances along the view are stored, 1 in perspective, 2 orthographic; y: 1 where flags tell nothing from what is
+// drawn at its depth
 uniform highp ivec2 farol_gStored;
 
 struct FarolSurface {
@@ -26,7 +27,9 @@ bool farol_isEmptyPixel(const in ivec2 pixel, const in float depth) {
 
 // view space, m
 vec3 farol_surfacePosition(const in ivec2 pixel, const in float depth, const in vec2 size) {
-  float z = farol_gStored.x == 0 ? farol_viewZ(depth) : -farol_unpackDistance(texelFetch(farol_gNormal, pixel, 0).zw, farol_gStored.x == 2);
+  float z = farol_gStored.x == 0
+    ? farol_viewZ(depth)
+    : -farol_unpackDistance(texelFetch(farol_gNormal, pixel, 0).zw, farol_gStored.x == 2);
   return farol_unprojectAt((vec2(pixel) + 0.5) / size, z);
 }
 

@@ -1,17 +1,18 @@
-// What light volumes do at the ends of the view: so wide that 32-bit floats cannot clip them, or beyond the far plane.
+// What light volumes do at the ends of the view: too wide to be clipped in 32-bit floats, or beyond the far plane.
 // Farol
 #include "depthMode"
 uniform highp mat4 projectionMatrix;
 
 // sphere: centre (view space) and radius (m)
 bool farol_isTooWide(const in vec4 sphere) {
-  if (projectionMatrix[2][3] == 0.0) return sphere.w * max(abs(projectionMatrix[0][0]), abs(projectionMatrix[1][1])) > 1e5;
+  if (projectionMatrix[2][3] == 0.0)
+    return sphere.w * max(abs(projectionMatrix[0][0]), abs(projectionMatrix[1][1])) > 1e5;
   float near = abs(projectionMatrix[3][2] / (projectionMatrix[2][2] + (farol_depthMode.x > 0.0 ? 1.0 : -1.0)));
   return sphere.w > 1e5 * near && -sphere.z - sphere.w * 1.1 < near;
 }
 
-// clip-space z of a vertex: what reaches beyond the far plane lies on it with all its vertices, else depths between them would be
-// too near
+// clip-space z of a vertex: what reaches beyond the far plane lies on it with all its vertices, else depths between them
+// would be too near
 float farol_volumeZ(const in vec4 clip, const in vec4 sphere) {
   vec4 end = projectionMatrix * vec4(sphere.xy, sphere.z - sphere.w * 1.1, 1.0);
   bool beyond = farol_depthMode.x > 0.0 ? end.z < 0.0 : end.z > end.w;
@@ -19,7 +20,7 @@ float farol_volumeZ(const in vec4 clip, const in vec4 sphere) {
   return farol_depthMode.x > 0.0 ? 0.0 : clip.w;
 }
 
-// in place of a volume that is too wide: a triangle over the whole picture, at the far end of depth, its back to the camera
+// in place of a volume that is too wide: a triangle over the picture, at the far end of depth, its back to the camera
 vec4 farol_wholePicture() {
   if (gl_VertexID > 2) return vec4(0.0, 0.0, 0.0, 1.0);
   return vec4(gl_VertexID == 2 ? 3.0 : -1.0, gl_VertexID == 1 ? 3.0 : -1.0, farol_depthMode.x > 0.0 ? 0.0 : 1.0, 1.0);

@@ -1,4 +1,4 @@
-// The distance of a surface along the view in two half floats, to some millionths: its binary logarithm, or itself (orthographic).
+// The distance of a surface along the view in two half floats, to some millionths: its logarithm (orthographic: itself).
 // Farol
 //? farol_unpackDistance(farol_packDistance(1234.5, false), false) == 1234.5
 //? farol_unpackDistance(farol_packDistance(0.00003, false), false) * 100000.0 == 3.0

@@ -10,7 +10,8 @@ layout(location = 0) out highp uvec4 farol_tileDepthOut; // bits of nearest and 
 float farol_viewDistance(const in float depth, const in float steps) {
   if (farol_depthMode.x > 0.0) return -farol_viewZ(-depth);
   float distanceVS = -farol_viewZ(farol_depthMode.y > 0.0 ? depth : min(depth + steps * 6e-8, 1.0));
-  return distanceVS < 1e15 && (distanceVS > 0.0 || farol_perspective == 0.0) ? distanceVS : 1e15; // too far for depth to tell
+  // or too far for depth to tell
+  return distanceVS < 1e15 && (distanceVS > 0.0 || farol_perspective == 0.0) ? distanceVS : 1e15;
 }
 //# main
 ivec2 first = ivec2(gl_FragCoord.xy) << (farol_tiles.x - 2);
