@@ -1,4 +1,5 @@
 import { BackSide, DoubleSide, FrontSide, type Material } from 'three';
+import { hasNodes } from './hasNodes';
 import { replaceOnce } from './replaceOnce';
 import type { TwinKind, TwinShader } from './TwinKind';
 
@@ -28,5 +29,5 @@ export const depthBehindTwin: TwinKind = {
 /** True for materials of which the depth twin can be made. */
 export function hasDepthTwin(material: Material): boolean {
   const m = material as Material & { isShaderMaterial?: boolean };
-  return m.isShaderMaterial !== true && [FrontSide, BackSide, DoubleSide].includes(m.side as never);
+  return m.isShaderMaterial !== true && !hasNodes(m) && [FrontSide, BackSide, DoubleSide].includes(m.side as never);
 }
