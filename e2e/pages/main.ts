@@ -36,6 +36,8 @@ export interface TestPage {
   faultsOf: typeof faultsOf;
   breakFrames: typeof breakFrames;
   messageOf: typeof messageOf;
+  /** Fetched by the tests that need it: it brings three's other renderer. */
+  nodeScene(): Promise<typeof import('./nodeScene')>;
   hostSnapshot: typeof hostSnapshot;
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
@@ -73,6 +75,7 @@ window.testPage = {
   faultsOf,
   breakFrames,
   messageOf,
+  nodeScene: () => import('./nodeScene'),
   hostSnapshot,
   runSheet,
   runSettings,

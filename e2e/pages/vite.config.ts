@@ -10,6 +10,8 @@ export default defineConfig({
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
   resolve: { dedupe: ['three'] },
+  // bundled with three itself: found later, they would bring a three of their own
+  optimizeDeps: { include: ['three', 'three/tsl', 'three/webgpu', 'three/addons/tsl/WebGLNodesHandler.js'] },
   build: {
     target: 'es2022',
     chunkSizeWarningLimit: 2000,

@@ -386,6 +386,8 @@ export class FarolRenderer {
     const { frame, picker } = this;
     if (this.webgl.getRenderTarget() !== frame.target) {
       for (const item of frame.queue.opaque) frame.drawForward(item, this.transmittedTwins('final'));
+      // those of nodes: they are yet to be drawn into the target
+      for (const item of frame.queue.opaque) item.drawn = false;
       return;
     }
     this.sceneView.dropTransmissive();

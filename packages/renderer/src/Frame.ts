@@ -29,6 +29,7 @@ import type { TwinKind } from './materials/TwinKind';
 import type { MicroShaderRegistry } from './microshaders';
 import { logarithmicFar } from './passes/unprojectUniforms';
 import type { GeometryGroup, RenderItem } from './RenderItem';
+import { NodeDraws } from './NodeDraws';
 import { hasOwnShader, RenderQueue } from './RenderQueue';
 
 /** Uniforms that every twin and pass of one renderer shares, by reference. */
@@ -105,6 +106,7 @@ export class Frame {
   private readonly canvasSamples: number;
   /** Whether the host's target has several textures; effects may take its place only where it has one. */
   private several = false;
+  private nodes: NodeDraws | null = null;
   /** three's `renderBufferDirect`. */
   readonly draw: Draw;
 
@@ -136,6 +138,7 @@ export class Frame {
     this.view = view;
     this.uploadedBytes = 0;
     this.adapt = this.accumulation = null;
+    this.nodes?.begin();
     this.gbufferLayout = gbufferLayout;
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     this.face = webgl.getActiveCubeFace();
@@ -271,21 +274,28 @@ export class Frame {
     state.bindFramebuffer(gl.READ_FRAMEBUFFER, written);
   }
 
-  /** Draws an item with a twin of its material. */
+  /** Draws an item with a twin of its material, if there can be one. */
   drawTwin(item: RenderItem, kind: TwinKind): void {
+    if (item.nodes) return;
     this.drawItem(item, this.twins.get(item.material, this.adapt?.(kind, item) ?? kind));
   }
 
   /** Draws an item forward: lit ones by a twin, the others as they are. */
   drawForward(item: RenderItem, twins: ForwardTwins): void {
     const { material, lit } = item;
-    if (item.shadowMask) this.drawTwin(item, this.queue.shadowMasks!.twin);
+    if (item.nodes) this.drawNodes(item);
+    else if (item.shadowMask) this.drawTwin(item, this.queue.shadowMasks!.twin);
     else if (material.transparent && material.side === DoubleSide && !material.forceSinglePass) {
       this.drawTwin(item, lit ? twins.back : plainBack);
       this.drawTwin(item, lit ? twins.front : plainFront);
     } else if (lit) this.drawTwin(item, twins.whole);
     else if ((this.adapt?.(plainWhole, item) ?? plainWhole) !== plainWhole) this.drawTwin(item, plainWhole);
     else this.drawItem(item, material);
+  }
+
+  /** Has three draw an item of a node material, unless that is done. */
+  drawNodes(item: RenderItem): void {
+    if (!item.drawn) (this.nodes ??= new NodeDraws()).draw(this, item);
   }
 
   /** Has a mesh of Farol's own ready to be drawn with a material, drawing nothing: its program compiles now, not in a later frame. */
@@ -301,8 +311,11 @@ export class Frame {
   drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
     const several = this.drawsToSeveral;
     if (several) this.setDrawBuffers(1);
-    this.draw(this.camera, this.scene, mesh.geometry, material, mesh, null);
-    if (several) this.setDrawBuffers(this.target!.textures.length);
+    try {
+      this.draw(this.camera, this.scene, mesh.geometry, material, mesh, null);
+    } finally {
+      if (several) this.setDrawBuffers(this.target!.textures.length);
+    }
   }
 
   /** Whether the host's target is bound and has several textures. */
@@ -329,8 +342,11 @@ export class Frame {
     // three's own shaders of lit materials write the first texture alone
     const first = item.lit && this.drawsToSeveral && !hasOwnShader(source);
     if (first) this.setDrawBuffers(1);
-    this.draw(camera, scene, geometry, material, object, group);
-    if (first) this.setDrawBuffers(this.target!.textures.length);
+    try {
+      this.draw(camera, scene, geometry, material, object, group);
+    } finally {
+      if (first) this.setDrawBuffers(this.target!.textures.length);
+    }
     if (source.uniformsNeedUpdate === true) source.uniformsNeedUpdate = false;
     (object.onAfterRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, source as never, group);
   }

@@ -19,6 +19,8 @@ export interface RenderItem {
   groupOrder: number;
   renderOrder: number;
   z: number;
+  /** Of a node material: three itself draws it. */
+  nodes: boolean;
   /** Lit one light at a time by three. */
   lit: boolean;
   /** Shows shadows by three's getShadowMask(). */

@@ -1,5 +1,6 @@
 import { type BufferGeometry, type Camera, Material, type Object3D, type Sphere } from 'three';
 import { isOrderSensitive, isPlainOpaque } from './gbuffer/shadingModel';
+import { hasNodes } from './materials/hasNodes';
 import { isLit } from './materials/isLit';
 import type { TwinKind } from './materials/TwinKind';
 import type { GeometryGroup, RenderItem } from './RenderItem';
@@ -128,12 +129,13 @@ export class RenderQueue {
     item.groupOrder = groupOrder;
     item.renderOrder = object.renderOrder;
     item.z = z;
-    item.lit = isLit(material);
+    item.nodes = hasNodes(material);
+    item.lit = !item.nodes && isLit(material);
     item.shadowMask = !item.lit && this.shadowMasks?.shows(material) === true;
     item.plain = list === this.opaque && isPlainOpaque(material);
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
-    const ownShader = list === this.opaque && hasOwnShader(material);
+    const ownShader = list === this.opaque && (item.nodes || hasOwnShader(material));
     item.splits = item.plain && item.lit && !ownShader;
     if (list === this.opaque && !this.reachesFar && this.farthest !== Infinity)
       this.reachesFar = !(farEnd(object, geometry, this.camera) <= this.farthest);

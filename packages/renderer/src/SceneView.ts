@@ -9,36 +9,12 @@ import {
   type Scene,
   type WebGLRenderer,
 } from 'three';
-import type { GeometryGroup } from './RenderItem';
 import type { Rehearsal } from './rehearsal/Rehearsal';
-import type { RenderItemSort, RenderQueue } from './RenderQueue';
+import type { RenderList, RenderLists } from './RenderList';
+import type { RenderQueue } from './RenderQueue';
 import type { Fills } from './techniques/Technique';
 import type { ShadowMapCalls } from './shadows/ShadowMapCalls';
 import { TechniqueChooser } from './techniques/TechniqueChooser';
-
-/** three's WebGLRenderList as far as it is used here. */
-interface RenderList {
-  opaque: unknown[];
-  transmissive: unknown[];
-  push(
-    object: Object3D,
-    geometry: BufferGeometry,
-    material: Material,
-    groupOrder: number,
-    z: number,
-    group: GeometryGroup | null,
-    camera: Camera,
-  ): void;
-  init(): void;
-  sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void;
-  finish(): void;
-}
-
-/** three's WebGLRenderLists. */
-interface RenderLists {
-  /** @param depth of nested renders, as three counts it: one too many for each of its frames that an exception has ended */
-  get(scene: Object3D, depth: number): RenderList;
-}
 
 /** Maps to be drawn inside three's `render`, and what stands in for casters that the camera may not see. */
 export interface ShadowDraws {

@@ -1,4 +1,5 @@
 import { BackSide, DoubleSide, FrontSide, type Material } from 'three';
+import { hasNodes } from './hasNodes';
 import { replaceOnce } from './replaceOnce';
 import type { TwinKind, TwinShader } from './TwinKind';
 
@@ -32,5 +33,5 @@ export const depthBehindTwin: TwinKind = {
 export function hasDepthTwin(material: Material): boolean {
   const m = material as Material & { isShaderMaterial?: boolean };
   if (m.polygonOffset && m.polygonOffsetUnits > 1) return false;
-  return m.isShaderMaterial !== true && [FrontSide, BackSide, DoubleSide].includes(m.side as never);
+  return m.isShaderMaterial !== true && !hasNodes(m) && [FrontSide, BackSide, DoubleSide].includes(m.side as never);
 }

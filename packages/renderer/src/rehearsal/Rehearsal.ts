@@ -43,6 +43,7 @@ export class Rehearsal implements Preparation {
       clear() {},
       resolve() {},
       copyDepth() {},
+      drawNodes() {},
       drawItem: (item: RenderItem, material: Material) => {
         // drawn as it is, it has just been drawn
         if (material !== item.material) this.rehearse(item.object, item, material, item.materialVariant > 0);

@@ -26,7 +26,8 @@ function looksOfList(items: RenderQueue['opaque']): number {
   let sum = items.length;
   for (let i = 0; i < items.length; i++) {
     const m = items[i].material as AnyMaterial;
-    if (m.isShaderMaterial || m.onBeforeCompile !== Material.prototype.onBeforeCompile) return Number.NaN;
+    if (items[i].nodes || m.isShaderMaterial || m.onBeforeCompile !== Material.prototype.onBeforeCompile)
+      return Number.NaN;
     const own = m.id + m.version * 0.37 + m.opacity * 5 + colour(m.color) + colour(m.emissive) * 3;
     const numbers = number(m.emissiveIntensity) + number(m.roughness) * 3 + number(m.metalness) * 5 + texture(m.map);
     sum += (own + numbers) * ((i % 97) + 1);

@@ -39,8 +39,8 @@ export function weightedTwin(kind: TwinKind): TwinKind {
 }
 
 /** True for what is laid over the picture by its opacity; other blending needs no order, or means one. */
-export function isWeighted({ material }: RenderItem): boolean {
+export function isWeighted({ material, nodes }: RenderItem): boolean {
   const shader = material as ShaderMaterial & { isRawShaderMaterial?: boolean };
   const ownOutputs = shader.isRawShaderMaterial === true || shader.glslVersion === GLSL3;
-  return material.blending === NormalBlending && !ownOutputs && material.depthTest && material.colorWrite;
+  return !nodes && material.blending === NormalBlending && !ownOutputs && material.depthTest && material.colorWrite;
 }
