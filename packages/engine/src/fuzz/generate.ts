@@ -1,5 +1,4 @@
-import { deflateRawSync } from 'node:zlib';
-import { zipSync } from 'three/addons/libs/fflate.module.js';
+import { deflateSync, zipSync } from 'three/addons/libs/fflate.module.js';
 import { builtinComponents } from '../components/builtinComponents';
 import { sceneFields } from '../core/SceneSettings';
 import type { FieldTable, FieldValue } from '../fields/Field';
@@ -195,7 +194,7 @@ export function fuzzCase(seed: number): FuzzCase {
       return { kind, bytes: random.once(3) ? bytes : mutateBytes(bytes, random) };
     }
     case 'link': {
-      const bytes = new Uint8Array(deflateRawSync(sceneText(random)));
+      const bytes = new Uint8Array(deflateSync(encode(sceneText(random))));
       return { kind, bytes: random.once(2) ? bytes : mutateBytes(bytes, random) };
     }
     case 'glb': {
