@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 import type { Download, Page } from '@playwright/test';
 import { expect, test } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
@@ -98,6 +99,18 @@ test('a link opens the same scene; what is too large for one says so', async ({ 
   await waitUntilReady(other);
   await expect(other.getByRole('treeitem', { name: 'Torus' })).toBeVisible();
   expect(await serialized(other)).toBe(scene);
+
+  // from 100 kB to 100 MB, of blanks: no scene
+  const bomb = `./#scene=${deflateRawSync(Buffer.alloc(100 * 2 ** 20, ' ')).toString('base64url')}`;
+  const large = await context.newPage();
+  await large.goto(bomb);
+  const question = large.getByRole('dialog', { name: 'A large scene' });
+  await expect(question).toContainText(/grows from \d+ kB to \d+ MB when it is unpacked/);
+  await question.getByRole('button', { name: 'Cancel' }).click();
+  await expect(large.getByRole('dialog')).toHaveCount(0);
+  await expect(large.getByRole('alert')).toHaveCount(0);
+  await large.close();
+
   await other.setViewportSize({ width: 320, height: 180 });
   await other.goto(frame);
   await expect.poll(() => redShare(other)).toBeGreaterThan(0.005);

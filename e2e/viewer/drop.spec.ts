@@ -136,6 +136,15 @@ const broken: [string, Dropped, RegExp][] = [
     { 'empty.gltf': '{"asset":{"version":"2.0"},"scenes":[{}],"scene":0}' },
     /empty\.gltf.*nothing to see/,
   ],
+  [
+    'a glTF of an absurd count',
+    {
+      'count.gltf': JSON.stringify(
+        square({ uri: `data:application/octet-stream;base64,${Buffer.from(squareBytes()).toString('base64')}` }),
+      ).replace(/"count":\d+/, '"count":4000000000'),
+    },
+    /^count\.gltf: accessor \d has 4,000,000,000 values, more than fit into .*: export it again\./,
+  ],
 ];
 for (const [what, files, message] of broken) {
   test(`${what} gives a message, and the scene stays`, async ({ page }) => {

@@ -125,8 +125,16 @@ function checkAccessors(lists: GltfLists): void {
   if (zeros > FREE) lists.fail(`its accessors without data come to ${counted(zeros)} bytes of zeros`);
 }
 
-const primitivesOf = (lists: GltfLists, mesh: Record<string, unknown>, what: string): Record<string, unknown>[] =>
-  lists.listOf(mesh.primitives, `the primitives of ${what}`).map((each) => lists.record(each));
+function primitivesOf(lists: GltfLists, mesh: Record<string, unknown>, what: string): Record<string, unknown>[] {
+  return lists.listOf(mesh.primitives, `the primitives of ${what}`).map((each) => {
+    if (typeof each !== 'object' || each === null) lists.fail(`${what} has a primitive that is no object`);
+    const primitive = each as Record<string, unknown>;
+    if (typeof primitive.attributes !== 'object' || primitive.attributes === null) {
+      lists.fail(`${what} has a primitive without attributes`);
+    }
+    return primitive;
+  });
+}
 
 /** Accessors that Draco fills. */
 function dracoAccessors(lists: GltfLists): Set<unknown> {

@@ -27,7 +27,7 @@ export function readGltfJson(bytes: ArrayBuffer): GltfJson {
   if (typeof json !== 'object' || json === null || !('asset' in json)) {
     throw new Error("it is no glTF: the entry 'asset' is missing.");
   }
-  const version = shortText(String((json as GltfJson).asset?.version));
+  const version = shortText(String((json as GltfJson).asset?.version ?? 'of no version'));
   if (!version.startsWith('2.')) throw new Error(`it is glTF ${version}, and only glTF 2.x can be read: convert it.`);
   return json as GltfJson;
 }

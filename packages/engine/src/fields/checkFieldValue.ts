@@ -6,7 +6,8 @@ const isFiniteNumber = (value: unknown): value is number => typeof value === 'nu
 
 /** Writes a value for a message, short and never throwing: NaN stays NaN, text is quoted. */
 export function describeValue(value: unknown, depth = 0): string {
-  if (typeof value === 'number' || value === undefined) return String(value);
+  if (value === undefined) return 'nothing';
+  if (typeof value === 'number') return String(value);
   if (Array.isArray(value)) {
     if (depth > 0) return 'a list';
     const parts = value.slice(0, 4).map((each) => describeValue(each, depth + 1));

@@ -6,6 +6,7 @@ import { deserialize } from './deserialize';
 import type { FarolFile, FileObject } from './FarolFile';
 import { FileError } from './FileError';
 import { parseFile } from './parseFile';
+import { serialize } from './serialize';
 
 const sceneOf = (objects: FileObject[], prefabs?: Prefab[]): FarolFile => ({
   format: 'farol-scene',
@@ -179,5 +180,21 @@ test('a prefab is looked for in others in one visit to each, and must not come t
   expect(() => changePrefab(scene, { ...prefabs[0], name: 'other' })).toThrow(
     /'p\d+' would come to more than 1,000,000/,
   );
+  scene.dispose();
+});
+
+test('names that every object has are names as any others', async () => {
+  const names = ['__proto__', 'constructor', 'toString'];
+  const texts = names.map((name) => `${JSON.stringify(name)}:"// ${name}"`).join();
+  const text = JSON.stringify(sceneOf(names.map((name) => object(name)))).replace(
+    '"objects"',
+    `"microShaders":{${texts}},"objects"`,
+  );
+  const scene = await deserialize(text);
+  expect([...scene.microShaders.texts.keys()]).toEqual(names);
+  expect(scene.findById('__proto__')?.name).toBe('__proto__');
+  const saved = JSON.stringify(serialize(scene));
+  expect(JSON.stringify(serialize(await deserialize(saved)))).toBe(saved);
+  expect(Object.keys(JSON.parse(saved).microShaders).toSorted()).toEqual(names.toSorted());
   scene.dispose();
 });

@@ -3,16 +3,17 @@ import { join, type ProblemList } from './ProblemList';
 
 /** Reads the microshaders of a scene file: texts by name. Whether they compile only a renderer can tell. */
 export function readMicroShaders(value: unknown, path: string, problems: ProblemList): Record<string, string> {
-  const texts: Record<string, string> = {};
+  const texts: [string, string][] = [];
   for (const [name, given] of Object.entries(problems.record(value, path))) {
     const at = join(path, name);
     const text = problems.text(given, at, true);
     try {
       parseMicroShader(name, text);
-      texts[name] = text;
+      texts.push([name, text]);
     } catch (error) {
       problems.add(at, (error as Error).message);
     }
   }
-  return texts;
+  // '__proto__' is a name as any other here
+  return Object.fromEntries(texts);
 }

@@ -1,0 +1,115 @@
+import type { FuzzRandom } from './FuzzRandom';
+
+/** Written as 1e999, which JSON.parse makes infinite, by `textOf`. */
+const INFINITE = '\u0001infinite\u0001';
+
+const nested = (depth: number, isList: boolean): unknown => {
+  let value: unknown = 1;
+  for (let i = 0; i < depth; i++) value = isList ? [value] : { a: value };
+  return value;
+};
+
+const numbers = [0, -0, -1, 1, 0.5, 3, 1e-320, 1e12, 1e30, 1e308, -1e308, 2 ** 53, 4e9, 65_535, 500, INFINITE];
+const texts = [
+  '',
+  'a',
+  '__proto__',
+  'constructor',
+  'toString',
+  'length',
+  'box',
+  'checker',
+  'dragon',
+  'data:,',
+  'blob:x',
+];
+const odd = [
+  '../..',
+  '\u0000',
+  '\u202e\ud800',
+  'ü🏮',
+  'http://192.168.0.1/',
+  'model.glb',
+  'model.glb/mesh-1',
+  'x'.repeat(5000),
+];
+
+/** A value that is seldom what was meant. */
+export function hostileValue(random: FuzzRandom): unknown {
+  switch (random.below(8)) {
+    case 0:
+      return null;
+    case 1:
+      return random.once(2);
+    case 2:
+      return [];
+    case 3:
+      return {};
+    case 4:
+      return nested(random.of([1, 3, 40, 2000]), random.once(2));
+    case 5:
+      return random.of(random.once(2) ? texts : odd);
+    case 6:
+      return [0, 1, 2].map(() => random.of(numbers));
+    default:
+      return random.of(numbers);
+  }
+}
+
+/** A key that a file should not have. */
+export const hostileKey = (random: FuzzRandom): string => random.of([...texts, 'values', 'parent', 'x'.repeat(500)]);
+
+type Holder = Record<string, unknown>;
+
+/** Every list and object in a value, itself included. */
+function holdersIn(value: unknown): Holder[] {
+  const holders: Holder[] = [];
+  const left = [value];
+  while (left.length > 0) {
+    const each = left.pop();
+    if (typeof each !== 'object' || each === null) continue;
+    holders.push(each as Holder);
+    left.push(...Object.values(each).slice(0, 200));
+  }
+  return holders;
+}
+
+/** Sets an own entry, whatever its name. */
+const put = (holder: Holder, key: string, value: unknown): void => {
+  Object.defineProperty(holder, key, { value, enumerable: true, configurable: true, writable: true });
+};
+
+/** Changes a JSON value in a few places: entries replaced, taken out, doubled, put elsewhere, added. */
+export function mutate(value: unknown, random: FuzzRandom, changes = 1 + random.below(4)): void {
+  for (let n = 0; n < changes; n++) {
+    const holders = holdersIn(value);
+    const holder = random.of(holders);
+    const keys = Object.keys(holder);
+    const key = keys.length > 0 ? random.of(keys) : Array.isArray(holder) ? '0' : hostileKey(random);
+    const kind = random.below(6);
+    if (kind === 0 && Array.isArray(holder)) holder.splice(random.below(holder.length + 1), 1);
+    else if (kind === 0) delete holder[key];
+    else if (kind === 1 && Array.isArray(holder)) holder.push(...structuredClone(holder).slice(0, 20));
+    else if (kind === 2) put(holder, key, structuredClone(random.of(holders)));
+    else if (kind === 3 && !Array.isArray(holder)) put(holder, hostileKey(random), hostileValue(random));
+    else put(holder, key, hostileValue(random));
+  }
+}
+
+/** JSON text with numbers that are infinite. */
+export const textOf = (value: unknown): string => JSON.stringify(value).replaceAll(JSON.stringify(INFINITE), '1e999');
+
+/** Changes bytes: some replaced, taken out, doubled, or the end cut off. */
+export function mutateBytes(bytes: Uint8Array, random: FuzzRandom): Uint8Array<ArrayBuffer> {
+  let list = [...bytes];
+  for (let n = random.below(4); n >= 0 && list.length > 0; n--) {
+    const at = random.below(list.length);
+    const kind = random.below(5);
+    if (kind === 0) list[at] = random.below(256);
+    else if (kind === 1) list.splice(at, 1 + random.below(8));
+    else if (kind === 2) list.splice(at, 0, ...list.slice(at, at + random.below(64)));
+    else if (kind === 3) for (let i = at; i < Math.min(at + 4, list.length); i++) list[i] = random.of([0, 255, 127]);
+    else if (random.once(3)) list = list.slice(0, at);
+  }
+  return new Uint8Array(list);
+}

@@ -1,0 +1,162 @@
+import { parseMicroShader } from '@farol/renderer';
+import { parseMicroShaderXML } from '@farol/renderer/authoring';
+import type { Light } from 'three';
+import { AssetLibrary } from '../assets/AssetLibrary';
+import { readModel } from '../assets/readModel';
+import { GameObject } from '../core/GameObject';
+import { Scene } from '../core/Scene';
+import { readSceneFile, type SceneFile } from '../file/container';
+import { deserialize } from '../file/deserialize';
+import { FileError } from '../file/FileError';
+import { serialize } from '../file/serialize';
+import { unpack } from '../file/unpack';
+import { parsePly } from '../geometry/parsePly';
+import type { FuzzCase } from './generate';
+
+/** Seconds, and bytes of memory for those of the case, that one may take. */
+export const fuzzBudget = { seconds: 2, memory: (bytes: number): number => 4 * bytes + 64 * 2 ** 20 };
+
+export interface FuzzResult {
+  /** What is wrong; null when all is well. */
+  readonly failure: string | null;
+  readonly isTaken: boolean;
+  readonly seconds: number;
+  /** Bytes. */
+  readonly memory: number;
+}
+
+/** What must be as before: all that every object has. */
+const prototypes = (): string =>
+  [Object, Array, String, Function, Map].map((each) => Reflect.ownKeys(each.prototype).map(String).join()).join(';');
+
+// oxlint-disable-next-line no-control-regex -- these must not come into a message
+const UNPRINTABLE = /[\u0000-\u0009\u000b-\u001f\u007f-\u009f\u202a-\u202e]/;
+const RAW =
+  /Cannot (read|set|destructure|convert)|is not (a function|iterable|defined|a constructor)|undefined|call stack/;
+
+const text = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
+
+/** The scene that is open, and its library: both must be as before when a file was refused. */
+class OpenScene {
+  readonly assets = new AssetLibrary({
+    fetchBytes: (url) => Promise.reject(new Error(`${url.slice(0, 40)} answered 404`)),
+  });
+  readonly scene = new Scene({ name: 'Open', assets: this.assets });
+  private readonly before: string;
+
+  constructor() {
+    const object = new GameObject('Lamp', { id: 'open' });
+    object.addComponent('Light');
+    object.addComponent('ObjectRenderer');
+    this.scene.add(object);
+    this.before = this.state();
+  }
+
+  /** What has changed; null when nothing has. */
+  change(): string | null {
+    return this.state() === this.before ? null : 'the open scene, or its assets, are not as before';
+  }
+
+  private state(): string {
+    const { assets, scene } = this;
+    return JSON.stringify([
+      serialize(scene),
+      scene.three.children.length,
+      assets.list(),
+      assets.uses.size,
+      assets.materials.size,
+    ]);
+  }
+}
+
+async function openScene({ kind, bytes }: FuzzCase, open: OpenScene): Promise<Scene> {
+  let file: SceneFile = { text: '', fileOf: () => null };
+  if (kind === 'zip') file = await readSceneFile(bytes);
+  else if (kind === 'link') {
+    try {
+      file = { ...file, text: text(await unpack(bytes, 'deflate-raw')) };
+    } catch (error) {
+      if (error instanceof FileError) throw error;
+      throw new FileError([{ path: '', problem: 'The link is damaged.' }]);
+    }
+  } else file = { ...file, text: text(bytes) };
+  return deserialize(file.text, { assets: open.assets, fileOf: file.fileOf });
+}
+
+/** What is wrong with a scene that was opened. */
+async function checkScene(scene: Scene, open: OpenScene): Promise<string | null> {
+  scene.update(1 / 60);
+  scene.three.updateMatrixWorld();
+  const lights: Light[] = [];
+  scene.three.traverse((object) => 'isLight' in object && lights.push(object as Light));
+  scene.reset();
+  const saved = JSON.stringify(serialize(scene));
+  const copy = await deserialize(saved, { assets: open.assets });
+  const again = JSON.stringify(serialize(copy));
+  copy.dispose();
+  return again === saved ? null : `it does not save to itself: ${differ(saved, again)}`;
+}
+
+function differ(a: string, b: string): string {
+  let at = 0;
+  while (a[at] === b[at]) at++;
+  return `${a.slice(at - 40, at + 60)} | ${b.slice(at - 40, at + 60)}`;
+}
+
+async function open(given: FuzzCase, other: OpenScene): Promise<string | null> {
+  const { kind, bytes } = given;
+  if (kind === 'xml') void parseMicroShaderXML(text(bytes), 'fuzz.xml');
+  else if (kind === 'glsl') void parseMicroShader('fuzz', text(bytes));
+  else if (kind === 'ply') (await parsePly(bytes.slice().buffer)).dispose();
+  else if (kind === 'glb') {
+    const model = await readModel(bytes.slice().buffer);
+    model.scene.updateMatrixWorld(true);
+    model.dispose();
+  } else {
+    const scene = await openScene(given, other);
+    const failure = await checkScene(scene, other);
+    scene.dispose();
+    return failure;
+  }
+  return null;
+}
+
+function errorFailure({ kind }: FuzzCase, error: unknown): string | null {
+  if (!(error instanceof Error)) return `threw ${String(error)}`;
+  const { message, name } = error;
+  const isScene = kind === 'scene' || kind === 'zip' || kind === 'link';
+  if (isScene && !(error instanceof FileError)) return `${name}: ${message}\n${error.stack}`;
+  if (message.length >= 2000) return `a message of ${message.length} letters`;
+  if (UNPRINTABLE.test(message)) return `raw bytes in: ${JSON.stringify(message)}`;
+  if (!isScene && (name !== 'Error' || RAW.test(message))) return `${name}: ${message}\n${error.stack}`;
+  return null;
+}
+
+const used = (): number => {
+  const { heapUsed, arrayBuffers } = process.memoryUsage();
+  return heapUsed + arrayBuffers;
+};
+
+/** Opens a case as a user would, and checks what came of it. */
+export async function runCase(given: FuzzCase): Promise<FuzzResult> {
+  const other = new OpenScene();
+  const shapes = prototypes();
+  const memory = used();
+  const start = performance.now();
+  let failure: string | null = null;
+  let isTaken = false;
+  try {
+    failure = await open(given, other);
+    isTaken = true;
+  } catch (error) {
+    failure = errorFailure(given, error) ?? other.change();
+  }
+  const seconds = (performance.now() - start) / 1000;
+  const grown = used() - memory;
+  if (prototypes() !== shapes) failure ??= 'a prototype was changed';
+  if (seconds > fuzzBudget.seconds) failure ??= `${seconds.toFixed(1)} s`;
+  if (grown > fuzzBudget.memory(given.bytes.length)) failure ??= `${Math.round(grown / 2 ** 20)} MB`;
+  other.scene.dispose();
+  other.assets.dispose();
+  return { failure, isTaken, seconds, memory: grown };
+}
