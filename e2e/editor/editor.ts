@@ -34,7 +34,7 @@ export interface EditorHandle {
     readonly gizmo: { readonly snapSteps: unknown; readonly isHot: boolean };
     readonly editorCamera: { readonly target: { toArray(): number[] } };
     readonly webgl: WebGLRenderer;
-    readonly farol: { readonly techniques: Readonly<Record<string, object>> };
+    readonly farol: { readonly techniques: Readonly<Record<string, object>>; readonly effects: readonly unknown[] };
     renderNow(): void;
   };
   readonly autosave: {

@@ -1,5 +1,6 @@
 import {
   type Camera,
+  type Color,
   DoubleSide,
   type BufferGeometry,
   type Material,
@@ -21,6 +22,7 @@ import type { GBuffer } from './gbuffer/GBuffer';
 import { farthestTold, needsStoredDistance } from './gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from './gbuffer/gbufferLayout';
 import type { LightTable } from './lights/LightTable';
+import { depthTwin, hasDepthTwin } from './materials/depthTwin';
 import type { ForwardTwins } from './materials/forwardTwin';
 import { setLayers } from './materials/layersAttribute';
 import { plainBack, plainFront, plainWhole } from './materials/plainTwins';
@@ -222,6 +224,26 @@ export class Frame {
     this.gl.clearBufferfv(this.gl.COLOR, attachment, clearValue);
   }
 
+  /**
+   * Whether depth of pixels is not enough of what was drawn elsewhere: the target is multisampled, and something is to be
+   * drawn over it. Only where nothing else has depth in the target yet.
+   */
+  get wantsSampleDepths(): boolean {
+    const { webgl, queue, scene, view } = this;
+    if (this.samples === 0 || view !== 'final' || queue.early > 0 || webgl.capabilities.logarithmicDepthBuffer)
+      return false;
+    const clears = webgl.autoClear || (scene.background as Color | null)?.isColor === true;
+    if (!clears || !webgl.autoClearDepth) return false;
+    return queue.transparent.length + queue.transmissive.length > 0 || queue.opaque.some(isLeft);
+  }
+
+  /** Gives the samples of the target the depth of the items that were drawn elsewhere. */
+  drawSampleDepths(): void {
+    for (const item of this.queue.opaque) {
+      if (item.drawn && item.splits && hasDepthTwin(item.material)) this.drawTwin(item, depthTwin);
+    }
+  }
+
   /** Draws only to the lower right quarter from here on. */
   quarter(): void {
     const { viewport } = this;
@@ -352,6 +374,7 @@ export class Frame {
   }
 }
 
+const isLeft = (item: RenderItem): boolean => !item.drawn;
 /** By their count. */
 const drawBuffers: number[][] = [];
 const clearValue = new Float32Array(4);

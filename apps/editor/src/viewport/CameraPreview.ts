@@ -15,6 +15,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import { drawsFloats } from './drawsFloats';
+import { whenLost } from './whenLost';
 
 /** Height of the small picture (CSS pixels), and its largest width. */
 const HEIGHT = 130;
@@ -32,6 +33,7 @@ export interface PreviewPlace {
 export class CameraPreview {
   private readonly farol: FarolRenderer;
   private readonly target: WebGLRenderTarget;
+  private readonly endLost: () => void;
   private readonly quad: Mesh<PlaneGeometry, MeshBasicMaterial>;
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
@@ -44,6 +46,10 @@ export class CameraPreview {
       ? { type: HalfFloatType }
       : { type: UnsignedByteType, colorSpace: SRGBColorSpace as ColorSpace };
     this.target = new WebGLRenderTarget(1, 1, { ...colours, samples: 4 });
+    this.endLost = whenLost(webgl, () => {
+      this.target.dispose();
+      this.drawnOf = '';
+    });
     this.farol = new FarolRenderer(webgl, { technique: 'forward-single-pass' });
     const material = new MeshBasicMaterial({
       map: this.target.texture,
@@ -100,6 +106,7 @@ export class CameraPreview {
   }
 
   dispose(): void {
+    this.endLost();
     this.farol.dispose();
     this.target.dispose();
     this.quad.geometry.dispose();

@@ -19,7 +19,7 @@ async function draw(late: LateCode<string>, milliseconds: number): Promise<void>
 
 it('asks again for what could not be fetched, ever more rarely, with one warning', async () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
-  const fetch = vi.fn(offline);
+  const fetch = vi.fn<() => Promise<string>>(offline);
   const late = new LateCode<string>(fetch, 'shadow maps', 'three draws them');
   await draw(late, 900);
   expect(fetch).toHaveBeenCalledTimes(1);
@@ -45,7 +45,7 @@ it('is fetched at once when it is asked for by name, or the page is online again
   const page = new EventTarget();
   vi.stubGlobal('addEventListener', page.addEventListener.bind(page));
   vi.stubGlobal('removeEventListener', page.removeEventListener.bind(page));
-  const fetch = vi.fn(offline);
+  const fetch = vi.fn<() => Promise<string>>(offline);
   const late = new LateCode<string>(fetch, 'views', 'the picture is shown');
   await draw(late, 100);
   await expect(late.load()).rejects.toThrow('offline');
@@ -60,7 +60,7 @@ it('is fetched at once when it is asked for by name, or the page is online again
 });
 
 it('is fetched once for all who wait for it', async () => {
-  const fetch = vi.fn(() => Promise.resolve('code'));
+  const fetch = vi.fn<() => Promise<string>>(() => Promise.resolve('code'));
   const late = new LateCode<string>(fetch, 'views', 'the picture is shown');
   late.ask();
   expect(await Promise.all([late.load(), late.load()])).toEqual(['code', 'code']);

@@ -71,11 +71,15 @@ export class AccumulatedOutputPass implements Pass {
       this.material.fog = !this.source.fogged;
       this.material.needsUpdate = true;
     }
-    this.material.depthFunc = isCountView(view) || frame.fills === 'every-pixel' ? AlwaysDepth : LessEqualDepth;
+    const samples = frame.wantsSampleDepths;
+    const covers = samples || isCountView(view) || frame.fills === 'every-pixel';
+    this.material.depthFunc = covers ? AlwaysDepth : LessEqualDepth;
+    this.material.depthWrite = !samples;
     // at an edge, samples of what was there before show through
     this.material.blending = frame.samples > 0 ? CustomBlending : NoBlending;
     frame.bindTarget();
     frame.drawMesh(this.triangle, this.material);
+    if (samples) frame.drawSampleDepths();
   }
 
   dispose(): void {

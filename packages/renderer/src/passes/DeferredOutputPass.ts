@@ -53,9 +53,13 @@ export class DeferredOutputPass implements Pass {
       depthTest: true,
       depthWrite: true,
     });
-    this.material.depthFunc = isCountView(view) || frame.fills === 'every-pixel' ? AlwaysDepth : LessEqualDepth;
+    const samples = frame.wantsSampleDepths;
+    const covers = samples || isCountView(view) || frame.fills === 'every-pixel';
+    this.material.depthFunc = covers ? AlwaysDepth : LessEqualDepth;
+    this.material.depthWrite = !samples;
     frame.bindTarget();
     frame.drawMesh(this.triangle, this.material);
+    if (samples) frame.drawSampleDepths();
   }
 
   dispose(): void {

@@ -6,6 +6,7 @@ import { Signal } from '../../model/Signal';
 import { drawsFloats } from '../drawsFloats';
 import type { Painter } from '../Painter';
 import type { Viewport } from '../Viewport';
+import { whenLost } from '../whenLost';
 import { type DifferenceFigures, PictureDifference } from './PictureDifference';
 
 /** Time between two measurements (ms). */
@@ -24,6 +25,7 @@ export class WipePainter implements Painter {
   private readonly difference: PictureDifference;
   private readonly targets = [0, 1].map(() => new WebGLRenderTarget(1, 1, { type: HalfFloatType }));
   private readonly endMicroShaders: () => void;
+  private readonly endLost: () => void;
   private where = 0.5;
   private isDifference = false;
   private factor = 8;
@@ -53,6 +55,7 @@ export class WipePainter implements Painter {
     this.other.technique = technique;
     this.endMicroShaders = microShaders.addRegistry(this.other.microshaders);
     this.difference = new PictureDifference(viewport.webgl);
+    this.endLost = whenLost(viewport.webgl, () => this.targets.forEach((target) => target.dispose()));
   }
 
   get drawsHelpers(): boolean {
@@ -119,6 +122,7 @@ export class WipePainter implements Painter {
   dispose(): void {
     this.isDisposed = true;
     this.endMicroShaders();
+    this.endLost();
     this.other.dispose();
     this.difference.dispose();
     for (const target of this.targets) target.dispose();

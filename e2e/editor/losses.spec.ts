@@ -1,0 +1,72 @@
+import { createHash } from 'node:crypto';
+import type { Page } from '@playwright/test';
+import { loseContext } from '../support/loseContext';
+import { expect, test } from '../support/test';
+import { addObject, openEditor } from './editor';
+
+const LOSSES = Number(process.env.FAROL_LOSSES ?? 1);
+const LOST = /a WebGL context was lost|Context Lost|Context Restored/i;
+
+test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });
+
+/** What is drawn now, as a number of few letters. */
+async function picture(page: Page): Promise<string> {
+  const bytes = await page.evaluate(() => {
+    const { viewport } = window.editor;
+    const gl = viewport.webgl.getContext();
+    for (let i = 0; i < 4; i++) viewport.renderNow();
+    const pixels = new Uint8Array(gl.drawingBufferWidth * gl.drawingBufferHeight * 4);
+    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return Array.from(pixels);
+  });
+  return createHash('sha1').update(Buffer.from(bytes)).digest('hex');
+}
+
+test('the editor after a lost context: the same picture, no message, also at another size', async ({ page, watch }) => {
+  test.setTimeout(60_000 + 20_000 * LOSSES);
+  await openEditor(page, 'empty');
+  await addObject(page, 'Mesh', 'Sphere');
+  await page.keyboard.press('f');
+  await page.evaluate(() => {
+    const { viewport, document } = window.editor;
+    (viewport as { technique: string }).technique = 'deferred';
+    document.selection.set([document.scene.cameras[0].gameObject.id]);
+  });
+  await expect.poll(() => page.evaluate(() => window.editor.viewport.farol.effects.length)).toBe(1);
+  const before = await picture(page);
+  for (let loss = 0; loss < LOSSES; loss++) {
+    await loseContext(page, 'window.editor.viewport.canvas');
+    expect(await picture(page)).toBe(before);
+    await page.setViewportSize({ width: 800, height: 380 });
+    await picture(page);
+    await page.setViewportSize({ width: 840, height: 400 });
+    await expect.poll(() => picture(page)).toBe(before);
+  }
+  expect(watch.forgive(LOST)).toBeGreaterThanOrEqual(LOSSES);
+});
+
+test('a page with an attached editor after a lost context: the same picture, no message', async ({
+  page,
+  pagesURL,
+  watch,
+}) => {
+  test.setTimeout(60_000 + 20_000 * LOSSES);
+  await page.goto(`${pagesURL}attached.html`);
+  await page.waitForFunction(() => 'attachedPage' in window);
+  await page.evaluate(() => {
+    const { attachEditor, webgl, scene, camera, farol } = window.attachedPage;
+    const editor = attachEditor(scene, camera, webgl, { farol });
+    Object.assign(window, { attachedEditor: editor });
+  });
+  const picture = () => page.evaluate(async () => (await window.attachedPage.pixels('farol')).join());
+  const before = await picture();
+  for (let loss = 0; loss < LOSSES; loss++) {
+    await loseContext(page, 'window.attachedPage.webgl.domElement');
+    expect((await picture()) === before).toBe(true);
+    await page.evaluate(() => window.attachedPage.webgl.setSize(180, 100));
+    await picture();
+    await page.evaluate(() => window.attachedPage.webgl.setSize(200, 120));
+    expect((await picture()) === before).toBe(true);
+  }
+  expect(watch.forgive(LOST)).toBeGreaterThanOrEqual(LOSSES);
+});
