@@ -68,6 +68,8 @@ export class Soak {
     this.objects = new GpuObjects(this.webgl.domElement, this.webgl.getContext() as WebGL2RenderingContext);
     for (const webgl of [this.webgl, this.calm]) {
       webgl.shadowMap.enabled = true;
+      // of other types the size of a map depends on what was seen before: see the README's limits
+      webgl.shadowMap.type = THREE.BasicShadowMap;
       webgl.setSize(...SIZE, false);
     }
     this.first = this.objects.table;
@@ -108,7 +110,7 @@ export class Soak {
     farol.view = 'final';
     farol.shadowCascades = 1;
     farol.lightLayers = false;
-    this.shadowType = THREE.PCFShadowMap;
+    this.shadowType = THREE.BasicShadowMap;
     this.setEffects([]);
     this.resize(...SIZE);
     for (const { scene } of this.scenes.values()) disposeScene(scene);
