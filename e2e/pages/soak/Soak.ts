@@ -52,8 +52,6 @@ export class Soak {
 
   private readonly calm = new THREE.WebGLRenderer({ antialias: false });
   private readonly made = new Map<EffectName, FarolEffect>();
-  /** What disposes the last fresh renderer of each technique. */
-  private readonly last = new Map<string, () => void>();
   /** Objects on the GPU of a renderer that has drawn nothing. */
   private readonly first: Record<string, number>;
   private chosen: EffectName[] = [];
@@ -70,6 +68,8 @@ export class Soak {
     this.objects = new GpuObjects(this.webgl.domElement, this.webgl.getContext() as WebGL2RenderingContext);
     for (const webgl of [this.webgl, this.calm]) {
       webgl.shadowMap.enabled = true;
+      // of other types the size of a map depends on what was seen before: see the README's limits
+      webgl.shadowMap.type = THREE.BasicShadowMap;
       webgl.setSize(...SIZE, false);
     }
     this.first = this.objects.table;
@@ -110,7 +110,7 @@ export class Soak {
     farol.view = 'final';
     farol.shadowCascades = 1;
     farol.lightLayers = false;
-    this.shadowType = THREE.PCFShadowMap;
+    this.shadowType = THREE.BasicShadowMap;
     this.setEffects([]);
     this.resize(...SIZE);
     for (const { scene } of this.scenes.values()) disposeScene(scene);
@@ -122,7 +122,6 @@ export class Soak {
 
   /** Frees everything. @returns what is left on the GPU of each kind, less what was there before the first frame */
   end(): Record<string, number> {
-    for (const dispose of this.last.values()) dispose();
     for (const { scene } of this.scenes.values()) disposeScene(scene);
     for (const effect of this.made.values()) effect.dispose();
     this.farol.dispose();
@@ -229,12 +228,8 @@ export class Soak {
     const seen = this.read(this.webgl);
     fresh.render(scene, camera);
     const right = this.read(calm);
-    // the one before of this technique goes now: what both need, the programs, need not be compiled anew
-    this.last.get(farol.technique)?.();
-    this.last.set(farol.technique, () => {
-      for (const effect of own) effect.dispose();
-      fresh.dispose();
-    });
+    for (const effect of own) effect.dispose();
+    fresh.dispose();
     let difference = 0;
     let off = 0;
     for (let i = 0; i < seen.length; i++) {

@@ -3,7 +3,7 @@ import { Signal } from './Signal';
 
 export interface Notice {
   readonly id: number;
-  readonly kind: 'info' | 'error';
+  readonly kind: 'info' | 'warning' | 'error';
   readonly text: string;
 }
 

@@ -33,7 +33,7 @@ export async function startAutosave(editor: Editor): Promise<Autosave | null> {
   const missing = missingForDrafts();
   if (missing !== null) {
     editor.drafts.fail(missing);
-    editor.notices.show('info', editor.drafts.problem!);
+    editor.notices.show('warning', editor.drafts.problem!);
     return null;
   }
   const autosave = new Autosave(editor, new AutosaveStore());

@@ -30,7 +30,7 @@ function NoticeItem({ notice, onClose }: { notice: Notice; onClose(): void }): R
   }, [id, kind]);
   return (
     <div className={`notice ${kind}`}>
-      <Icon name={kind === 'error' ? 'warning' : 'check'} />
+      <Icon name={kind === 'info' ? 'check' : 'warning'} />
       <span>{text}</span>
       <button type="button" className="button small" aria-label="Close message" onClick={onClose}>
         <Icon name="close" size={12} />

@@ -58,7 +58,12 @@ export function StatusBar(): ReactNode {
         {commands.isDirty && <span className="dirty" role="img" title="Not saved" aria-label="not saved" />}
       </span>
       {problem !== null && (
-        <button type="button" className="status-drafts" title={problem} onClick={() => notices.show('info', problem)}>
+        <button
+          type="button"
+          className="status-drafts"
+          title={problem}
+          onClick={() => notices.show('warning', problem)}
+        >
           <Icon name="warning" size={12} />
           {drafts.since === null ? 'no drafts' : `no drafts since ${clock.format(drafts.since)}`}
         </button>
