@@ -86,7 +86,8 @@ export class Bench {
     return new THREE.PMREMGenerator(this.webgl).fromScene(room, 0, 0.1, 100, { size: 64 }).texture;
   }
 
-  private draw(render: () => void): PageImage {
+  /** The picture that `render` draws to the target. */
+  draw(render: () => void): PageImage {
     const { webgl, target, width, height } = this;
     webgl.setRenderTarget(target);
     render();

@@ -87,3 +87,47 @@ test('4,096 lights on a floor: nothing is dropped, every technique draws all of 
     expect(brightest / darkest, `${technique}: brightest over darkest cell`).toBeLessThan(1.1);
   }
 });
+
+test('two FarolRenderers on one WebGLRenderer, whose shaders know other kinds of shadows, share no program of other text', async ({
+  page,
+}) => {
+  const apart = await page.evaluate(() => {
+    const { Bench, compareImages, farol, three } = window.testPage;
+    const bench = new Bench(64, 48);
+    bench.webgl.shadowMap.enabled = true;
+    const material = new three.MeshStandardMaterial({ roughness: 0.6 });
+    const make = (
+      light: InstanceType<typeof three.SpotLight | typeof three.PointLight | typeof three.DirectionalLight>,
+    ) => {
+      const scene = new three.Scene();
+      const floor = new three.Mesh(new three.PlaneGeometry(8, 8), material);
+      const ball = new three.Mesh(new three.SphereGeometry(0.7), material);
+      ball.position.z = 1;
+      floor.receiveShadow = ball.castShadow = light.castShadow = true;
+      light.position.set(1.5, 2, 4);
+      return scene.add(floor, ball, light);
+    };
+    const camera = new three.PerspectiveCamera(50, 4 / 3, 0.1, 30);
+    camera.position.z = 7;
+    const scenes = {
+      spot: make(new three.SpotLight(0xffffff, 60)),
+      sun: make(new three.DirectionalLight(0xffffff, 2)),
+      point: make(new three.PointLight(0xffffff, 60)),
+    };
+    const results: Record<string, number> = {};
+    for (const technique of ['forward-single-pass', 'clustered-deferred'] as const) {
+      const others: InstanceType<typeof farol.FarolRenderer>[] = [];
+      for (const [name, scene] of Object.entries(scenes)) {
+        const one = new farol.FarolRenderer(bench.webgl, { technique });
+        others.push(one);
+        results[`${name}, ${technique}`] = compareImages(
+          bench.stock(scene, camera),
+          bench.draw(() => one.render(scene, camera)),
+        ).psnr;
+      }
+      for (const other of others) other.dispose();
+    }
+    return results;
+  });
+  for (const [name, psnr] of Object.entries(apart)) expect(psnr, name).toBeGreaterThan(45);
+});

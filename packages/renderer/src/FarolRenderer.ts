@@ -136,6 +136,7 @@ export class FarolRenderer {
       uniforms,
       header: (chunks) => this.microshaders.header(chunks),
       revision: (chunks) => this.microshaders.revision(chunks),
+      textKey: (chunks) => this.microshaders.textKey(chunks),
     });
     this.frame = new Frame(webgl, this.lights, this.twins, uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);

@@ -12,6 +12,8 @@ export interface TwinContext {
   header(chunks: readonly string[]): string;
   /** Grows when a microshader of the list is replaced. */
   revision(chunks: readonly string[]): number;
+  /** Differs where the texts of the chunks do, also from those of another renderer. */
+  textKey(chunks: readonly string[]): string;
 }
 
 /** three's lights of Farol's frames, for shader materials whose uniforms are the source's: its own are of other frames. */
@@ -46,7 +48,7 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   own(
     'customProgramCacheKey',
     () =>
-      `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.revision(chunks)}:${source.customProgramCacheKey()}`,
+      `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.textKey(chunks)}:${source.customProgramCacheKey()}`,
   );
   own('onBeforeCompile', (shader: TwinShader, webgl: WebGLRenderer) => {
     source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);

@@ -256,6 +256,24 @@ describe('replacing', () => {
     expect(changes).toEqual([]);
   });
 
+  it('has a key that tells registries of other texts apart, and those of equal texts not', () => {
+    const names = ['c'];
+    const edited = (text: string) => {
+      const made = new MicroShaderRegistry();
+      made.add({ name: 'a', header: 'float a;', main: '', dependencies: [] });
+      made.add({ name: 'c', header: 'float c;', main: '', dependencies: ['a'] });
+      if (text) made.replace('a', { name: 'a', header: text, main: '', dependencies: [] });
+      return made;
+    };
+    expect(edited('').textKey(names)).toBe('');
+    const first = edited('float first;');
+    expect(first.textKey(names)).not.toBe(edited('float second;').textKey(names));
+    expect(first.textKey(names)).toBe(edited('float first;').textKey(names));
+    const before = first.textKey(names);
+    first.replace('a', { name: 'a', header: 'float second;', main: '', dependencies: [] });
+    expect(first.textKey(names)).not.toBe(before);
+  });
+
   it('grows the revision of what uses the chunk, and of nothing else', () => {
     const { registry } = running();
     expect(registry.revision(['c', 'd'])).toBe(0);

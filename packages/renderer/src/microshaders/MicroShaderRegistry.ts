@@ -5,6 +5,7 @@ import { completeMicroShader, parseMicroShader } from './parseMicroShader';
 import type { MicroShaderCompiler, Shader } from './Shader';
 import { ShaderCache } from './ShaderCache';
 import { shortText } from './shortText';
+import { hashText } from './hashText';
 
 export interface MicroShaderRegistryOptions<Program> {
   /** Makes the programs of `getShader`. Without it their `program` is null. */
@@ -31,6 +32,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   /** Chunk to the number of its last replacement, its own and with its dependencies. */
   private readonly replacedAt = new Map<string, number>();
   private readonly revisions = new Map<string, number>();
+  private readonly textKeys = new WeakMap<readonly string[], { revision: number; key: string }>();
 
   /** @param parent chunks that are known besides those added; they are not to change */
   constructor(
@@ -209,6 +211,21 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     let revision = 0;
     if (this.replacements > 0) for (const name of names) revision = Math.max(revision, this.revisionOf(name));
     return revision;
+  }
+
+  /**
+   * A key that differs between registries, too, where the texts of these chunks do: programs of one WebGLRenderer are shared
+   * by key. Empty while none of the chunks is replaced.
+   */
+  textKey(names: readonly string[]): string {
+    const revision = this.revision(names);
+    if (revision === 0) return '';
+    let known = this.textKeys.get(names);
+    if (known?.revision !== revision) {
+      known = { revision, key: hashText(this.header(names)) };
+      this.textKeys.set(names, known);
+    }
+    return known.key;
   }
 
   /** Calls back after each replacement. @returns call it to end that */
