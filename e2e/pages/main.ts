@@ -3,6 +3,8 @@ import * as authoring from '@farol/renderer/authoring';
 import * as ambientOcclusion from '@farol/renderer/ambient-occlusion';
 import * as antialiasing from '@farol/renderer/antialiasing';
 import * as three from 'three';
+import { CSM } from 'three/addons/csm/CSM.js';
+import { ShadowMapViewer } from 'three/addons/utils/ShadowMapViewer.js';
 import * as decals from '@farol/renderer/decals';
 import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
@@ -12,6 +14,7 @@ import { devices } from './devices';
 import { drawDevice } from './drawDevice';
 import { countGpuObjects } from './gpuObjects';
 import { loseContexts } from './loseContexts';
+import { chunkScene } from './chunkScene';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { materialScene } from './materialScene';
@@ -28,7 +31,10 @@ export interface TestPage {
   authoring: typeof authoring;
   /** The effects, from their own entries. */
   effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency & typeof decals;
+  /** three's own. */
+  addons: { CSM: typeof CSM; ShadowMapViewer: typeof ShadowMapViewer };
   materialScene: typeof materialScene;
+  chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
   supersampled: typeof supersampled;
   shadowScene: typeof shadowScene;
@@ -67,7 +73,9 @@ window.testPage = {
   farol,
   authoring,
   effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals },
+  addons: { CSM, ShadowMapViewer },
   materialScene,
+  chunkScene,
   edgeScene,
   supersampled,
   shadowScene,

@@ -40,7 +40,7 @@ test.beforeEach(async ({ page, pagesURL }) => {
   await page.waitForFunction(() => 'testPage' in window);
 });
 
-const sheets = ['materials', 'maps', 'geometry', 'order', 'glTF'] as const;
+const sheets = ['materials', 'maps', 'geometry', 'order', 'glTF', 'shaders', 'shaders of lights'] as const;
 
 // one page for all sheets, unless many browsers share them: most of their time goes to shaders, many of which they share
 for (const [part, listed] of parts(sheets, 1).entries()) {

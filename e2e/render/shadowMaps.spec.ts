@@ -334,13 +334,11 @@ test("the host's lights, materials and renderer are as they were after shadows a
         });
       for (const light of lights) {
         const { shadow } = light as InstanceType<typeof three.SpotLight>;
-        seen.push([shadow.map?.texture.uuid, shadow.mapPass, shadow.needsUpdate, shadow.matrix.elements.join()]);
-        seen.push([
-          shadow.mapSize.x,
-          shadow.camera.far,
-          shadow.camera.matrixWorld.elements.join(),
-          Object.keys(shadow),
-        ]);
+        seen.push([shadow.mapPass, shadow.needsUpdate, shadow.mapSize.x, Object.keys(shadow)]);
+        // what three changes of a shadow too is told by shadowProperties.spec.ts
+        if (!all) continue;
+        seen.push([shadow.map?.texture.uuid, shadow.matrix.elements.join()]);
+        seen.push([shadow.camera.far, shadow.camera.matrixWorld.elements.join()]);
       }
       return JSON.stringify(seen);
     };

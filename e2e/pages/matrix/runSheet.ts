@@ -9,6 +9,7 @@ import { geometryCases } from './geometryCases';
 import { mapCases } from './mapCases';
 import { materialCases } from './materialCases';
 import { orderCases } from './orderCases';
+import { lightShaderCases, shaderCases } from './shaderCases';
 import { Sheet, sheetSize } from './Sheet';
 
 export const sheets = {
@@ -17,6 +18,8 @@ export const sheets = {
   geometry: geometryCases,
   order: orderCases,
   glTF: gltfCases,
+  shaders: shaderCases,
+  'shaders of lights': lightShaderCases,
 } as const satisfies Record<string, Cases | (() => Promise<Cases>)>;
 
 /** How far a technique's picture of one case is from stock three's. */

@@ -137,6 +137,7 @@ export class FarolRenderer {
       header: (chunks) => this.microshaders.header(chunks),
       revision: (chunks) => this.microshaders.revision(chunks),
       textKey: (chunks) => this.microshaders.textKey(chunks),
+      refuse: (source) => this.frame.queue.refused.refuse(source),
     });
     this.frame = new Frame(webgl, this.lights, this.twins, uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
@@ -242,7 +243,9 @@ export class FarolRenderer {
   private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean): void {
     if (this.disposed) return; // by a callback that another camera of an array has had called
     this.recorder.begin(this.timing);
-    this.finder.find(scene, camera, this.lightLayers, update);
+    this.twins.begin();
+    const byThree = this.frame.queue.refused.begin(scene);
+    this.finder.find(scene, camera, this.lightLayers, update, byThree);
     if (updatesCamera) updateCamera(camera);
     adoptDepth(this.webgl, camera);
     const { finder, frame, picker, webgl } = this;
@@ -291,6 +294,8 @@ export class FarolRenderer {
     // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth
     if (this.info.drawCalls > FEW || this.lights.total > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, this.lights, shadows, frame.uploadedBytes, this.targetBytes());
+    // a shader that has no place for the loop was met: once more, by three's lights
+    if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false);
   }
 
   /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */

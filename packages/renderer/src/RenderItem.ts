@@ -31,6 +31,8 @@ export interface RenderItem {
   plain: boolean;
   /** Plain, lit, and by three's own shader as it is, so that its shading may be shared out over passes. */
   splits: boolean;
+  /** Its shader is not three's as it is. */
+  ownShader: boolean;
   /** A technique's pass has drawn it this frame; the forward pass leaves it out. */
   drawn: boolean;
 }

@@ -1,7 +1,9 @@
-import { type BufferGeometry, type Camera, Material, type Object3D, type Sphere } from 'three';
+import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, type Sphere } from 'three';
 import { isOrderSensitive, isPlainOpaque } from './gbuffer/shadingModel';
 import { hasNodes } from './materials/hasNodes';
 import { isLit } from './materials/isLit';
+import { RefusedMaterials } from './materials/RefusedMaterials';
+import { threeChunks } from './materials/ThreeChunks';
 import type { TwinKind } from './materials/TwinKind';
 import type { GeometryGroup, RenderItem } from './RenderItem';
 import { warnOfNaN } from './warnOfNaN';
@@ -44,7 +46,7 @@ function farEnd(object: Object3D, geometry: BufferGeometry, camera: Camera): num
 /** Whether a material is drawn by another shader than three's for its class. */
 export function hasOwnShader(material: Material): boolean {
   return (
-    (material as Material & { isShaderMaterial?: boolean }).isShaderMaterial === true ||
+    (material as ShaderMaterial).isShaderMaterial === true ||
     material.onBeforeCompile !== Material.prototype.onBeforeCompile
   );
 }
@@ -72,6 +74,8 @@ export class RenderQueue {
   private camera!: Camera;
   /** The distance (m) from which it is so. */
   farthest = Infinity;
+  /** What three's own lights alone are right for. */
+  readonly refused = new RefusedMaterials();
   /** How many opaque items, from the first on, are to be drawn into the target before anything else. */
   early = 0;
   /** True if an opaque item must be drawn in three's order. */
@@ -130,12 +134,15 @@ export class RenderQueue {
     item.renderOrder = object.renderOrder;
     item.z = z;
     item.nodes = hasNodes(material);
-    item.lit = !item.nodes && isLit(material);
-    item.shadowMask = !item.lit && this.shadowMasks?.shows(material) === true;
+    const ownShader = item.nodes || threeChunks.shading || hasOwnShader(material);
+    item.lit = !item.nodes && !threeChunks.lights && isLit(material) && !(ownShader && this.refused.has(material));
+    item.shadowMask =
+      !item.lit && this.shadowMasks?.shows(material) === true && !(ownShader && this.refused.has(material));
+    item.ownShader = ownShader;
+    if (ownShader && !item.lit && (material as ShaderMaterial).lights === true) this.refused.look(material as never);
     item.plain = list === this.opaque && isPlainOpaque(material);
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
-    const ownShader = list === this.opaque && (item.nodes || hasOwnShader(material));
     item.splits = item.plain && item.lit && !ownShader;
     if (list === this.opaque && !this.reachesFar && this.farthest !== Infinity)
       this.reachesFar = !(farEnd(object, geometry, this.camera) <= this.farthest);

@@ -2,10 +2,10 @@ import { Camera, Group, Mesh, Object3D, PointLight, RectAreaLight, Scene } from 
 import { describe, expect, it } from 'vitest';
 import { collectLights, type FoundLights } from './collectLights';
 
-const nothingLeft = { shadows: false, cookies: false };
+const nothingLeft = { shadows: false, cookies: false, all: false };
 
 function collect(root: Object3D): FoundLights {
-  const found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0 };
+  const found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0 };
   collectLights(root, new Camera(), nothingLeft, found);
   return found;
 }
@@ -101,7 +101,7 @@ describe('collectLights', () => {
         seed = before;
         if (round > 3) move(twin);
         else for (const child of twin.children) move(child);
-        const found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0 };
+        const found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0 };
         collectLights(root, new Camera(), nothingLeft, found, true);
         twin.updateMatrixWorld();
         const expected: Object3D[] = [];

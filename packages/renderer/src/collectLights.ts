@@ -15,6 +15,8 @@ export interface FoundLights {
   /** Whether to look for lights that may cast a shadow or throw an image, and how many there were. */
   seeksMasks: boolean;
   masks: number;
+  /** How many directional, point and spot lights were left to three. */
+  left: number;
 }
 
 const { updateMatrixWorld } = Object3D.prototype;
@@ -38,7 +40,7 @@ export function collectLights(
   update = false,
 ): void {
   found.count = 0;
-  found.masks = 0;
+  found.masks = found.left = 0;
   found.nested.length = found.rest.length = 0;
   const isScene = (root as Scene).isScene === true;
   const byChild = update && isScene && root.visible && root.updateMatrixWorld === updateMatrixWorld;
@@ -115,7 +117,10 @@ function visitBelow({ children }: Object3D, camera: Camera, left: LeftToThree, f
 function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
   if (!light.layers.test(camera.layers)) return false;
   if (found.seeksMasks && (light.castShadow || cookieOf(light) !== null)) found.masks++;
-  if (!isManagedLight(light, left)) return false;
+  if (!isManagedLight(light, left)) {
+    found.left++;
+    return false;
+  }
   found.all[found.count++] = light;
   return true;
 }

@@ -69,6 +69,7 @@ export class ThinGBufferPass implements Pass {
     return (
       this.options.stipple &&
       lit &&
+      !item.ownShader &&
       !item.layered &&
       material.depthTest &&
       material.depthFunc === LessEqualDepth &&

@@ -3,7 +3,7 @@ import { beforeLastBrace } from '../materials/beforeLastBrace';
 import type { ForwardTwins } from '../materials/forwardTwin';
 import { litTwin } from '../materials/litTwin';
 import { withObject } from './objectAttribute';
-import { replaceOnce } from '../materials/replaceOnce';
+import { findChunk, replaceChunk, replacePart } from '../materials/replaceChunk';
 import type { TwinKind } from '../materials/TwinKind';
 
 /** Twins that write the thin G-buffer: of opaque materials, and of the layers of transparent ones. */
@@ -16,13 +16,13 @@ const SPECULAR_ANTIALIASING = 'vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) )
 
 /** three widens highlights by how the normal changes from pixel to pixel; a texel may be wider than a pixel. */
 function byPixels(text: string): string {
-  const chunk = replaceOnce(
+  if (findChunk(text, 'lights_physical_fragment') === null) return `uniform float farol_thinScale;\n${text}`;
+  const chunk = replacePart(
     ShaderChunk.lights_physical_fragment,
     SPECULAR_ANTIALIASING,
     SPECULAR_ANTIALIASING.replace('max(', 'farol_thinScale * max('),
-    "three's lights_physical_fragment",
   );
-  return `uniform float farol_thinScale;\n${text.replace('#include <lights_physical_fragment>', () => chunk)}`;
+  return `uniform float farol_thinScale;\n${replaceChunk(text, 'lights_physical_fragment', () => chunk)}`;
 }
 
 const FIT = 'gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;';

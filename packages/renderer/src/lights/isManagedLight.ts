@@ -14,6 +14,8 @@ export interface LeftToThree {
   shadows: boolean;
   /** Spot lights with a map. */
   cookies: boolean;
+  /** All lights: something in the scene has a shader that Farol's loop is not in. */
+  all: boolean;
 }
 
 /**
@@ -21,6 +23,7 @@ export interface LeftToThree {
  * The others (rectangle lights, probes) stay with three, and until their code is there those of `left`.
  */
 export function isManagedLight(light: Light, left: LeftToThree): boolean {
+  if (left.all) return false;
   const l = light as AnyLight;
   if (l.isAmbientLight || l.isHemisphereLight) return true;
   if (!(l.isDirectionalLight || l.isPointLight || l.isSpotLight)) return false;

@@ -1,11 +1,14 @@
 import type { Material } from 'three';
 import { createTwin, type TwinContext } from './createTwin';
+import { threeChunks } from './ThreeChunks';
 import type { TwinKind } from './TwinKind';
 
 /** Twins by source and kind. A twin is disposed with its source, and all of them with the cache. */
 export class TwinCache {
   private readonly twins = new WeakMap<Material, Map<TwinKind, Material>>();
   private readonly sources = new Map<number, WeakRef<Material>>();
+
+  private revision = 0;
 
   constructor(private readonly context: TwinContext) {}
 
@@ -19,6 +22,13 @@ export class TwinCache {
     let twin = kinds.get(kind);
     if (twin === undefined) kinds.set(kind, (twin = createTwin(source, kind, this.context)));
     return twin;
+  }
+
+  /** Begins a frame: twins of shaders that the page has changed since are made anew. */
+  begin(): void {
+    threeChunks.follow();
+    if (this.revision !== threeChunks.revision) this.dispose();
+    this.revision = threeChunks.revision;
   }
 
   dispose(): void {

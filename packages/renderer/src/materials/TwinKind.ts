@@ -13,6 +13,9 @@ export interface TwinKind {
   readonly properties?: Partial<Material> & { fog?: boolean };
   /** More of the cache key, from what the patch reads of the source. */
   variant?(source: Material): string;
-  /** Rewrites the fragment shader; `header` is the resolved text of `chunks(source)`. Must not touch the source. */
+  /**
+   * Rewrites the fragment shader; `header` is the resolved text of `chunks(source)`. Must not touch the source.
+   * @throws TwinRefusal where the host's shader has no place for it
+   */
   patch(shader: TwinShader, source: Material, header: string): void;
 }

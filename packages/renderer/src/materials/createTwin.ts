@@ -1,5 +1,7 @@
 import { type Material, Material as BaseMaterial, type ShaderMaterial, UniformsLib, type WebGLRenderer } from 'three';
+import { threeChunks } from './ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
+import { TwinRefusal } from './TwinRefusal';
 
 /** What several programs draw of one surface has one depth: drivers may not round positions otherwise in each. */
 const INVARIANT = 'invariant gl_Position;\n';
@@ -14,6 +16,8 @@ export interface TwinContext {
   revision(chunks: readonly string[]): number;
   /** Differs where the texts of the chunks do, also from those of another renderer. */
   textKey(chunks: readonly string[]): string;
+  /** Told of a source whose shader has no place for what a kind puts into it: its twin draws it by three's lights alone. */
+  refuse(source: Material): void;
 }
 
 /** three's lights of Farol's frames, for shader materials whose uniforms are the source's: its own are of other frames. */
@@ -48,7 +52,7 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   own(
     'customProgramCacheKey',
     () =>
-      `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.textKey(chunks)}:${source.customProgramCacheKey()}`,
+      `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.textKey(chunks)}:${threeChunks.revision}:${source.customProgramCacheKey()}`,
   );
   own('onBeforeCompile', (shader: TwinShader, webgl: WebGLRenderer) => {
     source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);
@@ -57,7 +61,14 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
       ...ownLights(shader.uniforms),
       ...context.uniforms,
     } as TwinShader['uniforms'];
-    kind.patch(shader, source, context.header(chunks));
+    const { vertexShader, fragmentShader } = shader;
+    try {
+      kind.patch(shader, source, context.header(chunks));
+    } catch (error) {
+      if (!(error instanceof TwinRefusal)) throw error;
+      Object.assign(shader, { vertexShader, fragmentShader });
+      context.refuse(source);
+    }
     shader.vertexShader = `${INVARIANT}${shader.vertexShader}`;
   });
   // what a kind computes, it computes at each draw

@@ -1,22 +1,16 @@
 import { BackSide, DoubleSide, FrontSide, type Material } from 'three';
 import { hasNodes } from './hasNodes';
-import { replaceOnce } from './replaceOnce';
+import { afterChunkOrAtEnd } from './replaceChunk';
 import type { TwinKind, TwinShader } from './TwinKind';
-
-const AFTER_TESTS = '#include <alphahash_fragment>';
 
 /** Depth alone: three's own vertex stage, and of the fragment stage what may discard. */
 export const depthTwin: TwinKind = {
   key: 'depth',
   chunks: () => [],
   properties: { colorWrite: false },
-  patch(shader: TwinShader, source: Material) {
-    shader.fragmentShader = replaceOnce(
-      shader.fragmentShader,
-      AFTER_TESTS,
-      `${AFTER_TESTS}\ngl_FragColor = vec4(0.0);\nif (true) return;`,
-      `the fragment shader of material "${source.name || source.type}"`,
-    );
+  patch(shader: TwinShader) {
+    const nothing = 'gl_FragColor = vec4(0.0);\nif (true) return;';
+    shader.fragmentShader = afterChunkOrAtEnd(shader.fragmentShader, 'alphahash_fragment', nothing);
   },
 };
 

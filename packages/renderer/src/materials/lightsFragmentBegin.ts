@@ -1,13 +1,13 @@
 import { ShaderChunk } from 'three';
-import { replaceOnce } from './replaceOnce';
+import { replacePart } from './replaceChunk';
+import { TwinRefusal } from './TwinRefusal';
 
-const CHUNK = "three's lights_fragment_begin";
 const MULTISCATTERING_GATE =
   '#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )';
 const FIRST_LOOP = '#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )';
 const INDIRECT = '#if defined( RE_IndirectDiffuse )';
 const AMBIENT = 'vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );';
-const LOOP = `float farol_lightsEvaluated = 0.0;
+const LOOP = `farol_lightsEvaluated = 0.0;
 #ifdef RE_Direct
 #if defined( FAROL_PLAIN_STANDARD ) && defined( FAROL_SHADE_ALL ) && ! defined( FAROL_ONE_BY_ONE )
 FAROL_SHADE_PLAIN
@@ -23,14 +23,14 @@ FAROL_FOR_EACH_LIGHT(geometryPosition)
 /**
  * three's `lights_fragment_begin` with Farol's light loop put before three's own loops.
  * @param withThreeLights false leaves three's own loops out (for the passes of single lights)
+ * @throws TwinRefusal where the page has changed the chunk
  */
 export function lightsFragmentBegin(withThreeLights: boolean): string {
   // the compensation is also needed when only Farol's lights are there
-  let text = replaceOnce(ShaderChunk.lights_fragment_begin, MULTISCATTERING_GATE, '#if 1', CHUNK);
-  text = replaceOnce(text, AMBIENT, `${AMBIENT}\nirradiance += farol_ambientIrradiance(geometryNormal);`, CHUNK);
+  let text = replacePart(ShaderChunk.lights_fragment_begin, MULTISCATTERING_GATE, '#if 1');
+  text = replacePart(text, AMBIENT, `${AMBIENT}\nirradiance += farol_ambientIrradiance(geometryNormal);`);
   const start = text.indexOf(FIRST_LOOP);
   const end = text.indexOf(INDIRECT);
-  if (start < 0 || end < start)
-    throw new Error(`Farol: the light loops were not found in ${CHUNK}; Farol is made for three 0.187.`);
+  if (start < 0 || end < start) throw new TwinRefusal(FIRST_LOOP);
   return text.slice(0, start) + LOOP + (withThreeLights ? text.slice(start, end) : '') + text.slice(end);
 }

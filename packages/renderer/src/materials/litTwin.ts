@@ -2,7 +2,10 @@ import { Material } from 'three';
 import { beforeLastBrace } from './beforeLastBrace';
 import { withLayers } from './layersAttribute';
 import { lightsFragmentBegin } from './lightsFragmentBegin';
+import { findChunk, replaceChunk } from './replaceChunk';
+import { threeChunks } from './ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
+import { TwinRefusal } from './TwinRefusal';
 
 export interface LitTwinOptions {
   readonly key: string;
@@ -21,11 +24,10 @@ export interface LitTwinOptions {
   readonly rewrite?: (fragmentShader: string, source: Material) => string;
 }
 
-const LIGHTS = '#include <lights_fragment_begin>';
-const PARS = '#include <lights_pars_begin>';
+/** Outside of main(), which the host may have given another name. */
+const COUNT = 'float farol_lightsEvaluated;\n';
 /** In lightMaskLayers.glsl. */
 const LAYERS = '#define FAROL_LAYERS';
-const NORMAL = '#include <normal_pars_fragment>';
 
 /** Loops that differ from pixel to pixel. In them three's toon shading, which takes derivatives, means nothing. */
 const LISTS: ReadonlySet<string> = new Set(['lightLoopTiled', 'lightListClustered']);
@@ -44,8 +46,8 @@ export function litTwin(options: LitTwinOptions): TwinKind {
   return {
     key: options.key,
     chunks(source) {
-      // the host's own changes of three's lighting functions count
-      const own = source.onBeforeCompile !== Material.prototype.onBeforeCompile;
+      // the host's own changes of three's lighting functions count, and those of the page
+      const own = threeChunks.shading || source.onBeforeCompile !== Material.prototype.onBeforeCompile;
       const { isMeshToonMaterial } = source as Material & { isMeshToonMaterial?: boolean };
       if (isMeshToonMaterial) return own ? ownToonChunks : toonChunks;
       return own ? ownChunks : chunks;
@@ -53,11 +55,16 @@ export function litTwin(options: LitTwinOptions): TwinKind {
     ...(options.properties && { properties: options.properties }),
     ...(options.variant && { variant: options.variant }),
     patch(shader: TwinShader, source: Material, header: string) {
-      const normal = shader.fragmentShader.includes(NORMAL) ? '#define FAROL_VERTEX_NORMAL\n' : '';
+      const { fragmentShader } = shader;
+      const isThrees = (source as Material & { isShaderMaterial?: boolean }).isShaderMaterial !== true;
+      // shadows that the host looks up otherwise are three's
+      if (isThrees && findChunk(fragmentShader, 'shadowmap_pars_fragment') === null) throw new TwinRefusal();
+      const normal = findChunk(fragmentShader, 'normal_pars_fragment') === null ? '' : '#define FAROL_VERTEX_NORMAL\n';
       const layers = header.includes(LAYERS);
       const defines = `${normal}${layers ? '#define FAROL_LAYERS_OF_OBJECT\n' : ''}`;
       if (layers) shader.vertexShader = withLayers(shader.vertexShader);
-      let text = shader.fragmentShader.replace(PARS, () => `${PARS}\n${defines}${header}`).replace(LIGHTS, begin);
+      let text = replaceChunk(fragmentShader, 'lights_pars_begin', (pars) => `${pars}\n${defines}${COUNT}${header}`);
+      text = replaceChunk(text, 'lights_fragment_begin', begin);
       if (options.rewrite) text = options.rewrite(text, source);
       if (options.atEnd) text = beforeLastBrace(text, options.atEnd);
       shader.fragmentShader = text;

@@ -11,7 +11,7 @@ import {
 import type { View } from '../debug/views';
 import { isCountView } from '../debug/views';
 import { litTwin } from './litTwin';
-import { replaceOnce } from './replaceOnce';
+import { replaceChunk, replacePart } from './replaceChunk';
 import type { TwinKind } from './TwinKind';
 
 const NOTHING = 'gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);';
@@ -60,12 +60,12 @@ const ENVIRONMENT = `#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_CUBE ) &&
 
 function onlyThisLight(text: string): string {
   // fog fades this light's part; its colour came with the base pass
-  const fog = replaceOnce(ShaderChunk.fog_fragment, 'fogColor', 'vec3(0.0)', "three's fog_fragment");
-  return `#define OPAQUE\n${text}`
-    .replace('#include <lights_fragment_end>', 'totalEmissiveRadiance = vec3(0.0);')
-    .replace('#include <envmap_fragment>', ENVIRONMENT)
-    .replace('#include <fog_fragment>', () => fog)
-    .replace('#include <dithering_fragment>', '');
+  const fog = replacePart(ShaderChunk.fog_fragment, 'fogColor', 'vec3(0.0)');
+  let own = replaceChunk(text, 'lights_fragment_end', () => 'totalEmissiveRadiance = vec3(0.0);');
+  // toon has none
+  if (own.includes('#include <envmap_fragment>')) own = replaceChunk(own, 'envmap_fragment', () => ENVIRONMENT);
+  own = replaceChunk(own, 'fog_fragment', () => fog);
+  return `#define OPAQUE\n${replaceChunk(own, 'dithering_fragment', () => '')}`;
 }
 
 const additive = (count: boolean, fogged = true) =>

@@ -29,6 +29,7 @@ import { MomentDraws } from './MomentDraws';
 import { ShadowCasters } from './ShadowCasters';
 import { ShadowMapDraws } from './ShadowMapDraws';
 import { type ShadowLight, ShadowSlot } from './ShadowSlot';
+import { ShownMaps } from './ShownMaps';
 import { settleSizes } from './settleSizes';
 import { type AtlasTenant, TileAtlas } from './TileAtlas';
 import { ShadowBounds, ShadowTiles } from './tiles';
@@ -72,6 +73,9 @@ export class ShadowMaps implements LightMasks {
   private readonly draws: ShadowMapDraws;
   private readonly moments: MomentDraws;
   private readonly images: CookieDraws;
+  private readonly shown: ShownMaps;
+  /** Lights whose maps are copied to where three's addons look for them. */
+  private readonly toShow: ShadowSlot[] = [];
   readonly bounds: ShadowBounds;
   readonly tiles = new ShadowTiles();
   private readonly shaders: MaskShaders;
@@ -102,6 +106,7 @@ export class ShadowMaps implements LightMasks {
     this.draws = new ShadowMapDraws(webgl, microshaders);
     this.moments = new MomentDraws(webgl, microshaders, this.draws);
     this.images = new CookieDraws(webgl, microshaders);
+    this.shown = new ShownMaps(webgl, microshaders);
     this.bounds = new ShadowBounds(webgl, microshaders);
     this.shaders = new MaskShaders(microshaders);
   }
@@ -143,7 +148,7 @@ export class ShadowMaps implements LightMasks {
 
   /** True when the frame has maps or cookies to draw. */
   get hasWork(): boolean {
-    return this.stale.length + this.staleCookies.length > 0 || this.bounds.hasWork;
+    return this.stale.length + this.staleCookies.length + this.toShow.length > 0 || this.bounds.hasWork;
   }
 
   /** Stand-ins of the casters that are drawn this frame, for three to bring their buffers up to date. */
@@ -157,7 +162,7 @@ export class ShadowMaps implements LightMasks {
    */
   update(root: Object3D, camera: Camera, lights: readonly Light[], picture: PictureSize): void {
     this.frame++;
-    this.lit.length = this.stale.length = this.staleCookies.length = this.tiles.bounded = 0;
+    this.lit.length = this.stale.length = this.staleCookies.length = this.toShow.length = this.tiles.bounded = 0;
     this.bounds.begin();
     this.records = this.drawn = this.kept = this.texels = 0;
     if (this.layered.size > 0) this.layered.clear();
@@ -214,6 +219,7 @@ export class ShadowMaps implements LightMasks {
       if (shadow.needsUpdate) shadow.needsUpdate = false;
     }
     for (const cookie of this.staleCookies) this.images.render(cookie, colours);
+    for (const slot of this.toShow) this.shown.render(slot, this.type === VSMShadowMap ? colours : depths, this.type);
     this.bounds.render(depths);
     webgl.setRenderTarget(target, face, level);
   }
@@ -231,6 +237,7 @@ export class ShadowMaps implements LightMasks {
     this.moments.dispose();
     this.images.dispose();
     this.bounds.dispose();
+    this.shown.dispose();
     this.tiles.dispose();
     this.slots.clear();
     this.cookies.clear();
@@ -385,7 +392,7 @@ export class ShadowMaps implements LightMasks {
       const may = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (slot.hadMap && !slot.drawn);
       // a light whose first map may not be drawn yet casts no shadow
       slot.shows = slot.casts && slot.tile !== null && (slot.drawn || may);
-      const isPart = slot.shows && this.draws.isPart(slot, may, this.frame);
+      const isPart = slot.shows && this.draws.isPart(slot, may, this.frame) && !this.shown.isWatched(slot);
       if (slot.shows && ((may && (slot.dirty || !slot.drawn)) || (slot.isPartial && !isPart))) {
         this.stale.push(slot);
         this.drawn++;
@@ -397,6 +404,8 @@ export class ShadowMaps implements LightMasks {
         if (slot.isBounded) this.tiles.bounded++;
         else if (this.type !== VSMShadowMap) this.bounds.keep(slot, this.frame - slot.changed);
       }
+      if (slot.shows && this.shown.wants(slot, this.stale[this.stale.length - 1] === slot, this.type))
+        this.toShow.push(slot);
       const masked = slot.shows || slot.cookie !== null || this.layers.separates(slot.light);
       slot.record = masked ? this.records : -1;
       if (slot.record >= 0) this.records += RECORDS_PER_MASK;
@@ -413,6 +422,7 @@ export class ShadowMaps implements LightMasks {
   }
 
   private releaseMap(slot: ShadowSlot): void {
+    this.shown.release(slot);
     (this.type === VSMShadowMap ? this.colours : this.depths).release(slot);
   }
 

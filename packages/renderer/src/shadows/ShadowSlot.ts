@@ -14,6 +14,7 @@ import {
 import { rangeOf } from '../lights/lightRange';
 import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
 import { fitCascade } from './fitCascade';
+import { placeShadowCamera } from './placeShadowCamera';
 import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { CookieSlot } from './CookieSlot';
 import type { AtlasTenant } from './TileAtlas';
@@ -29,7 +30,8 @@ export type ShadowLight = (PointLight | SpotLight | DirectionalLight) & {
 };
 
 type ShadowCamera = PerspectiveCamera & OrthographicCamera & { _reversedDepth: boolean };
-type OwnShadow = LightShadow & { updateMatrices(light: ShadowLight): void; _frustum: Frustum };
+/** Three's, with what is not in its types. */
+export type OwnShadow = LightShadow & { updateMatrices(light: ShadowLight): void; _frustum: Frustum };
 
 /** How far a sample of a filter lies across a face at most (radii): at a corner, by the plane's slant. */
 const FARTHEST = 1.17;
@@ -48,11 +50,12 @@ function cascadeCamera(): OrthographicCamera {
 
 /**
  * The shadow map of one light: its private cameras, where its tile lies, and whether that still holds. What three would
- * change of the light's own shadow (camera, matrix) is changed on a stand-in that inherits its settings.
+ * change of the light's own shadow (camera, matrix) is changed on a stand-in that inherits its settings, and then left as three
+ * would leave it.
  */
 export class ShadowSlot implements AtlasTenant {
   readonly isCube: boolean;
-  /** The light's own, which is only read. */
+  /** The light's own, of which only what three changes too is changed. */
   readonly shadow: LightShadow;
   /** The scene in which it was last lit. */
   root: Object3D | null = null;
@@ -115,6 +118,8 @@ export class ShadowSlot implements AtlasTenant {
   private readonly own: OwnShadow;
   /** The light without a range: three would take one that is infinite for the camera's far plane. */
   private readonly endless: ShadowLight;
+  /** The light's camera, once it is where three would put it. */
+  private placed: Camera | null = null;
   private readonly before = new Float64Array(18);
   /** Radius and samples of the blur that it has. */
   private readonly blur = new Float64Array(2);
@@ -178,6 +183,9 @@ export class ShadowSlot implements AtlasTenant {
     }
     before[16] = this.near;
     before[17] = this.far;
+    if (same && this.placed === this.shadow.camera) return;
+    placeShadowCamera(this.light, this.own, this.far, reversedDepth);
+    this.placed = this.shadow.camera;
     if (same) return;
     this.dirty = true;
     if (this.isCube && this.faceWidth > 0) this.aimFaces();

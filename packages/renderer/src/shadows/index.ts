@@ -10,6 +10,7 @@ import { mergedCaster, mergedCasterDepth } from './merged';
 import { ShadowMaps } from './ShadowMaps';
 import shadowMask from './shadowMask.glsl?raw';
 import { shadowMaskTwin, showsShadowMask } from './shadowMaskTwin';
+import shownMap from './shownMap.glsl?raw';
 import shadowMoments from './shadowMoments.glsl?raw';
 import { tileMicroShaders } from './tiles';
 import type { WebGLRenderer } from 'three';
@@ -25,6 +26,7 @@ export const microShaders = {
   mergedCasterDepth,
   shadowMask,
   shadowMoments,
+  shownMap,
   ...tileMicroShaders,
 };
 

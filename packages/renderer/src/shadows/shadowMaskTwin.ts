@@ -1,8 +1,10 @@
 import type { Material, ShaderMaterial } from 'three';
 import { beforeLastBrace } from '../materials/beforeLastBrace';
+import { replaceChunk } from '../materials/replaceChunk';
 import type { TwinKind, TwinShader } from '../materials/TwinKind';
 
 const PARS = '#include <shadowmask_pars_fragment>';
+const MARK = '// farol_shadowmask_pars';
 const VARYINGS = 'varying highp vec3 farol_maskPositionVS;\nvarying highp vec3 farol_maskNormalVS;\n';
 
 /** ShadowMaterial, and shader materials like it, with Farol's shadows times those that three itself has. */
@@ -10,9 +12,10 @@ export const shadowMaskTwin: TwinKind = {
   key: 'shadow-mask',
   chunks: () => ['shadowMask'],
   patch(shader: TwinShader, _source: Material, header: string) {
-    shader.fragmentShader = shader.fragmentShader
-      .replace(PARS, () => `${PARS}\n${header}`)
-      .replace(/\bgetShadowMask\s*\(\s*\)/g, '(getShadowMask() * farol_shadowMask())');
+    // where the text of the chunk stands, the function's own name is in it too
+    shader.fragmentShader = replaceChunk(shader.fragmentShader, 'shadowmask_pars_fragment', () => MARK)
+      .replace(/\bgetShadowMask\s*\(\s*\)/g, '(getShadowMask() * farol_shadowMask())')
+      .replace(MARK, () => `${PARS}\n${header}`);
     shader.vertexShader = `${VARYINGS}${beforeLastBrace(
       shader.vertexShader,
       'farol_maskPositionVS = mvPosition.xyz; farol_maskNormalVS = normalize(transformedNormal);',

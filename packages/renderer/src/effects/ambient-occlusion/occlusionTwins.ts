@@ -1,10 +1,15 @@
-import type { IUniform } from 'three';
+import type { IUniform, Material } from 'three';
 import { beforeLastBrace } from '../../materials/beforeLastBrace';
-import { replaceOnce } from '../../materials/replaceOnce';
+import { findChunk } from '../../materials/replaceChunk';
 import type { TwinKind } from '../../materials/TwinKind';
 import occludedIndirect from './occludedIndirect.glsl?raw';
 
-const AFTER = '#include <aomap_fragment>';
+function warnOf({ name, type }: Material): void {
+  console.warn(
+    `Farol: AmbientOcclusion leaves material "${name || type}" as it is: its onBeforeCompile takes #include <aomap_fragment> away.`,
+  );
+}
+
 const UNIFORMS = 'uniform highp sampler2D farol_occlusionMap;\nuniform highp vec2 farol_occlusionOffset;\n';
 
 /**
@@ -18,9 +23,9 @@ export function occludedTwin(kind: TwinKind, uniforms: Record<string, IUniform>)
     patch(shader, source, header) {
       kind.patch(shader, source, header);
       Object.assign(shader.uniforms, uniforms);
-      const where = `the shader of material "${source.name || source.type}"`;
-      shader.fragmentShader =
-        UNIFORMS + replaceOnce(shader.fragmentShader, AFTER, `${AFTER}\n${occludedIndirect}`, where);
+      const after = findChunk(shader.fragmentShader, 'aomap_fragment');
+      if (after === null) return warnOf(source);
+      shader.fragmentShader = UNIFORMS + shader.fragmentShader.replace(after, () => `${after}\n${occludedIndirect}`);
     },
   };
 }

@@ -1,10 +1,9 @@
 import { NoBlending, type IUniform } from 'three';
 import { beforeLastBrace } from '../../materials/beforeLastBrace';
-import { replaceOnce } from '../../materials/replaceOnce';
+import { afterChunkOrAtEnd } from '../../materials/replaceChunk';
 import type { TwinKind, TwinShader } from '../../materials/TwinKind';
 import edgeFragment from './edgeFragment.glsl?raw';
 
-const AFTER_TESTS = '#include <alphahash_fragment>';
 // of a multisampled fragment, gl_FragCoord.z may be that of a sample
 const VARYING = 'varying highp vec2 farol_edgeZW;\n';
 
@@ -21,13 +20,12 @@ export function edgeTwin(kind: TwinKind, uniforms: Record<string, IUniform>): Tw
     chunks: (source) => [...kind.chunks(source), 'edgeColor'],
     properties: { ...kind.properties, blending: NoBlending },
     patch(shader: TwinShader, source, header) {
-      const where = `the fragment shader of material "${source.name || source.type}"`;
       kind.patch(shader, source, header);
       Object.assign(shader.uniforms, uniforms);
       shader.vertexShader = VARYING + beforeLastBrace(shader.vertexShader, 'farol_edgeZW = gl_Position.zw;');
-      const text = replaceOnce(shader.fragmentShader, AFTER_TESTS, `${AFTER_TESTS}\n${edgeFragment}`, where);
+      const text = afterChunkOrAtEnd(shader.fragmentShader, 'alphahash_fragment', edgeFragment);
       const own = text.includes('bool farol_edgeColor') ? '' : `${header}\n`;
-      shader.fragmentShader = `${VARYING}uniform bool farol_reuse, farol_shades;\n${own}${beforeLastBrace(text, 'gl_FragColor.a += farol_shown;')}`;
+      shader.fragmentShader = `${VARYING}uniform bool farol_reuse, farol_shades;\nfloat farol_shown;\n${own}${beforeLastBrace(text, 'gl_FragColor.a += farol_shown;')}`;
     },
   };
 }

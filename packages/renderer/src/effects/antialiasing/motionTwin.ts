@@ -1,13 +1,14 @@
 import { NoBlending, type IUniform } from 'three';
 import { beforeLastBrace } from '../../materials/beforeLastBrace';
 import { hasDepthTwin } from '../../materials/depthTwin';
-import { replaceOnce } from '../../materials/replaceOnce';
+import { afterChunkOrAtEnd } from '../../materials/replaceChunk';
 import type { TwinKind, TwinShader } from '../../materials/TwinKind';
 import type { RenderItem } from '../../RenderItem';
 import motionVertexHeader from './motionVertexHeader.glsl?raw';
 import motionVertex from './motionVertex.glsl?raw';
 
-const AFTER_TESTS = '#include <alphahash_fragment>';
+/** Also as the host may write it. */
+const MAIN = /\bvoid\s+main\s*\(/;
 const VARYINGS = 'varying highp vec4 farol_now;\nvarying highp vec4 farol_before;\n';
 const WRITE =
   'gl_FragColor = vec4(0.5 * (farol_now.xy / farol_now.w - farol_before.xy / farol_before.w), farol_before.w - farol_now.w, 1.0);\nif (true) return;';
@@ -29,15 +30,11 @@ export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinK
       polygonOffsetFactor: 0,
       polygonOffsetUnits: -4,
     },
-    patch(shader: TwinShader, source) {
-      const where = `the shader of material "${source.name || source.type}"`;
+    patch(shader: TwinShader) {
       Object.assign(shader.uniforms, uniforms);
-      shader.vertexShader = `${VARYINGS}${beforeLastBrace(
-        replaceOnce(shader.vertexShader, 'void main() {', `${motionVertexHeader}\nvoid main() {`, where),
-        motionVertex,
-      )}`;
-      shader.fragmentShader =
-        VARYINGS + replaceOnce(shader.fragmentShader, AFTER_TESTS, `${AFTER_TESTS}\n${WRITE}`, where);
+      const vertex = shader.vertexShader.replace(MAIN, (main) => `${motionVertexHeader}\n${main}`);
+      shader.vertexShader = `${VARYINGS}${beforeLastBrace(vertex, motionVertex)}`;
+      shader.fragmentShader = VARYINGS + afterChunkOrAtEnd(shader.fragmentShader, 'alphahash_fragment', WRITE);
     },
   });
   return [kind(), kind()];

@@ -12,6 +12,7 @@ import type { MicroShaderRegistry } from '../../microshaders';
 import { FullscreenMesh } from '../../passes/FullscreenMesh';
 import { PassMaterial } from '../../passes/PassMaterial';
 import { wordTarget } from '../../passes/wordTarget';
+import { comparesDepths } from '../comparesDepths';
 import type { Draw } from '../ShadowMapDraws';
 import type { ShadowSlot } from '../ShadowSlot';
 import type { TileAtlas } from '../TileAtlas';
@@ -73,13 +74,13 @@ export class ShadowBounds {
     if (target.width !== blocks) target.setSize(blocks, blocks);
     const texture = atlas.target!.depthTexture!;
     this.depths.value = texture;
-    this.compare(texture, false);
+    comparesDepths(webgl, texture, false);
     webgl.setRenderTarget(target);
     for (const slot of this.wanted) {
       this.draw(slot);
       slot.isBounded = true;
     }
-    this.compare(texture, true);
+    comparesDepths(webgl, texture, true);
   }
 
   dispose(): void {
@@ -117,17 +118,5 @@ export class ShadowBounds {
     const top = Math.ceil((y + height) / BLOCK);
     this.webgl.state.viewport(rectangle.set(left, bottom, right - left, top - bottom));
     this.drawTriangle();
-  }
-
-  /** Whether the atlas gives its samplers the outcome of a comparison, or depths. */
-  private compare(texture: Texture, does: boolean): void {
-    const gl = this.webgl.getContext() as WebGL2RenderingContext;
-    const { __webglTexture } = this.webgl.properties.get(texture) as { __webglTexture: WebGLTexture };
-    this.webgl.state.bindTexture(gl.TEXTURE_2D, __webglTexture);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_MODE, does ? gl.COMPARE_REF_TO_TEXTURE : gl.NONE);
-    const filter = does ? gl.LINEAR : gl.NEAREST;
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
-    this.webgl.state.unbindTexture();
   }
 }

@@ -1,0 +1,89 @@
+import { ShaderChunk, ShaderLib } from 'three';
+import { hashText } from '../microshaders/hashText';
+
+const chunks = ShaderChunk as Record<string, string>;
+const INCLUDE = /#include +<([\w./]+)>/g;
+const LIGHTS = ['lights_pars_begin', 'lights_fragment_begin'];
+const LIT = ['lambert', 'phong', 'toon', 'standard'] as const;
+const CASTERS = ['depth', 'distance'] as const;
+
+/** The texts of three 0.187, as a hash each: see `textHash`. */
+const PRISTINE = { lights: '1oj3hyjbe93', shadows: 'b2r542dls3', shading: 'crgjazpsyq' };
+export type ChunkGroup = keyof typeof PRISTINE;
+
+/** A hash of a text without its comments and spaces, which builds of three leave out. */
+export function textHash(text: string): string {
+  return hashText(text.replace(/\/\/.*|\/\*[^]*?\*\/|\s+/g, ''));
+}
+
+/** Adds the names of all chunks that a text includes. */
+function addIncludes(text: string, names: Set<string>): void {
+  for (const [, name] of text.matchAll(INCLUDE)) {
+    if (names.has(name) || chunks[name] === undefined) continue;
+    names.add(name);
+    addIncludes(chunks[name], names);
+  }
+}
+
+/**
+ * Which of three's shaders the page has changed by `ShaderChunk` or `ShaderLib`, before Farol was there or since: percentage
+ * closer soft shadows, cascades, fogs and tone mappings come so.
+ */
+export class ThreeChunks {
+  /** Grows with each change. */
+  revision = 0;
+  /** The light loops or what they read of lights: only three's own lights are right. */
+  lights = false;
+  /** How shadows are looked up, or where casters are: only three's own shadow maps are right. */
+  shadows = false;
+  /** Any other part of lit shaders: only three's shaders, run whole, are right. */
+  shading = false;
+  private readonly names: string[] = [];
+  private readonly texts: string[] = [];
+
+  /** Looks for changes. @returns whether there are any since the last call */
+  follow(): boolean {
+    const { names, texts } = this;
+    let same = names.length > 0;
+    for (let i = 0; i < names.length; i++) if (chunks[names[i]] !== texts[i]) same = false;
+    for (let i = 0; i < LIT.length; i++) if (ShaderLib[LIT[i]].fragmentShader !== texts[names.length + i]) same = false;
+    if (same) return false;
+    const hashes = this.hashes();
+    this.lights = hashes.lights !== PRISTINE.lights;
+    this.shadows = hashes.shadows !== PRISTINE.shadows;
+    this.shading = hashes.shading !== PRISTINE.shading;
+    this.revision++;
+    return true;
+  }
+
+  /** Those of the texts as they are. */
+  hashes(): Record<ChunkGroup, string> {
+    const casters = new Set(['shadowmap_pars_fragment', 'shadowmap_pars_vertex', 'shadowmap_vertex']);
+    for (const name of CASTERS) {
+      addIncludes(ShaderLib[name].vertexShader, casters);
+      addIncludes(ShaderLib[name].fragmentShader, casters);
+    }
+    casters.delete('common');
+    const lit = new Set<string>(['tonemapping_pars_fragment', 'colorspace_pars_fragment']);
+    for (const name of LIT) {
+      addIncludes(ShaderLib[name].vertexShader, lit);
+      addIncludes(ShaderLib[name].fragmentShader, lit);
+    }
+    for (const name of [...LIGHTS, ...casters]) lit.delete(name);
+    // positions are rebuilt from depth as three projects them
+    lit.add('project_vertex');
+    this.names.length = this.texts.length = 0;
+    const hash = (names: Iterable<string>, libraries = '') => {
+      const sorted = [...names].sort();
+      this.names.push(...sorted);
+      return textHash(libraries + sorted.map((name) => chunks[name]).join(';'));
+    };
+    const libraries = LIT.map((name) => ShaderLib[name].fragmentShader);
+    const hashes = { lights: hash(LIGHTS), shadows: hash(casters), shading: hash(lit, libraries.join(';')) };
+    this.texts.push(...this.names.map((name) => chunks[name]), ...libraries);
+    return hashes;
+  }
+}
+
+/** Of the page: three has one `ShaderChunk`. */
+export const threeChunks = new ThreeChunks();

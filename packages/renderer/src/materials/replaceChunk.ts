@@ -1,0 +1,37 @@
+import { ShaderChunk } from 'three';
+import { TwinRefusal } from './TwinRefusal';
+
+type ChunkName = keyof typeof ShaderChunk;
+
+/** What stands for a chunk in a shader: its include, or, where the host has expanded that, three's own text; null for neither. */
+export function findChunk(shader: string, name: ChunkName): string | null {
+  const include = `#include <${name}>`;
+  if (shader.includes(include)) return include;
+  const text = ShaderChunk[name];
+  return shader.includes(text) ? text : null;
+}
+
+/**
+ * Replaces a chunk of three's wherever a shader has it.
+ * @param by gives the new text for what stands for it now
+ * @throws TwinRefusal where there is none, since the host has changed or left it out
+ */
+export function replaceChunk(shader: string, name: ChunkName, by: (found: string) => string): string {
+  const found = findChunk(shader, name);
+  if (found === null) throw new TwinRefusal(name);
+  return shader.split(found).join(by(found));
+}
+
+/** Replaces a part of a text. @throws TwinRefusal where there is none */
+export function replacePart(text: string, part: string, by: string): string {
+  if (!text.includes(part)) throw new TwinRefusal(part);
+  return text.replace(part, () => by);
+}
+
+/** Puts statements after a chunk of three's, or, where a shader has none, at the very end of its main(). */
+export function afterChunkOrAtEnd(shader: string, name: ChunkName, statements: string): string {
+  const found = findChunk(shader, name);
+  if (found !== null) return shader.replace(found, () => `${found}\n${statements}`);
+  const at = shader.lastIndexOf('}');
+  return `${shader.slice(0, at)}\n${statements}\n${shader.slice(at)}`;
+}

@@ -1,0 +1,13 @@
+import type { Texture, WebGLRenderer } from 'three';
+
+/** Whether samplers of a depth texture of the atlas give the outcome of a comparison, or depths. */
+export function comparesDepths(webgl: WebGLRenderer, texture: Texture, does: boolean): void {
+  const gl = webgl.getContext() as WebGL2RenderingContext;
+  const { __webglTexture } = webgl.properties.get(texture) as { __webglTexture: WebGLTexture };
+  webgl.state.bindTexture(gl.TEXTURE_2D, __webglTexture);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_MODE, does ? gl.COMPARE_REF_TO_TEXTURE : gl.NONE);
+  const filter = does ? gl.LINEAR : gl.NEAREST;
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+  webgl.state.unbindTexture();
+}

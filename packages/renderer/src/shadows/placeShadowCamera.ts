@@ -1,0 +1,42 @@
+import { type PerspectiveCamera, Vector3 } from 'three';
+import type { OwnShadow, ShadowLight } from './ShadowSlot';
+
+type ShadowCamera = PerspectiveCamera & { _reversedDepth: boolean };
+
+const ahead = new Vector3();
+
+/**
+ * Leaves the shadow of a light as three's WebGLShadowMap would: its camera where the map is seen from (of a point light: the last
+ * of six faces), its matrix and frustum.
+ * @param stand on which three's own `updateMatrices` has been run
+ * @param far of the map (m)
+ */
+export function placeShadowCamera(light: ShadowLight, stand: OwnShadow, far: number, reversedDepth: boolean): void {
+  const shadow = light.shadow as unknown as OwnShadow;
+  const camera = shadow.camera as unknown as ShadowCamera;
+  camera._reversedDepth = reversedDepth;
+  camera.far = far;
+  if (light.isPointLight === true) {
+    camera.updateProjectionMatrix();
+    camera.position.setFromMatrixPosition(light.matrixWorld);
+    camera.up.set(0, -1, 0);
+    camera.lookAt(ahead.copy(camera.position).setZ(camera.position.z - 1));
+    camera.updateMatrixWorld();
+    shadow.matrix.makeTranslation(-camera.position.x, -camera.position.y, -camera.position.z);
+    return;
+  }
+  const from = stand.camera as unknown as ShadowCamera;
+  if (camera.isPerspectiveCamera) {
+    camera.fov = from.fov;
+    camera.aspect = from.aspect;
+  }
+  camera.position.copy(from.position);
+  camera.quaternion.copy(from.quaternion);
+  camera.matrix.copy(from.matrix);
+  camera.matrixWorld.copy(from.matrixWorld);
+  camera.matrixWorldInverse.copy(from.matrixWorldInverse);
+  camera.projectionMatrix.copy(from.projectionMatrix);
+  camera.projectionMatrixInverse.copy(from.projectionMatrixInverse);
+  shadow.matrix.copy(stand.matrix);
+  shadow._frustum.copy(stand._frustum);
+}
