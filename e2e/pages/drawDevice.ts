@@ -18,12 +18,16 @@ export interface DeviceResult extends Partial<Difference> {
   readonly refused: string;
   /** GL errors in its frames. */
   readonly errors: number;
+  /** PSNR (dB) against stock three on the whole device. */
+  readonly wholePSNR?: number;
 }
 
 export interface DeviceResults {
   readonly results: DeviceResult[];
   /** What was done beyond the device's limits. */
   readonly beyond: string[];
+  /** PSNR (dB) of stock three on the device against stock three on the whole one: drivers may honour lower precision. */
+  readonly stockPSNR: number;
 }
 
 export interface DeviceRun {
@@ -80,6 +84,7 @@ function deviceScene(): TestScene {
  * a target of the finest colour that the device draws to. Each effect is drawn by `deferred` and by `forward-plus`.
  */
 export function drawDevice(device: DeviceName, { names, effectNames, whole }: DeviceRun): DeviceResults {
+  const reference = wholeStock(whole);
   const beyond = subtract(devices[device]);
   const webgl = new THREE.WebGLRenderer({ antialias: false });
   webgl.setSize(WIDTH, HEIGHT, false);
@@ -93,13 +98,7 @@ export function drawDevice(device: DeviceName, { names, effectNames, whole }: De
       : THREE.UnsignedByteType;
   const blends = type !== THREE.FloatType || extensions.has('EXT_float_blend');
   const target = new THREE.WebGLRenderTarget(WIDTH, HEIGHT, { type: blends ? type : THREE.HalfFloatType });
-  const { scene, camera } = whole ? shadowScene(WIDTH, HEIGHT, { caster: 'mixed' }) : deviceScene();
-  const edges = new THREE.LineSegments(
-    new THREE.EdgesGeometry(new THREE.BoxGeometry(1.1, 1.7, 1.1)),
-    new THREE.LineBasicMaterial({ color: 0x00ffaa }),
-  );
-  edges.position.set(-1.6, 0.8, 0);
-  scene.add(edges);
+  const { scene, camera } = makeScene(whole);
   let errors = 0;
   const draw = (render: () => void): PageImage => {
     webgl.setRenderTarget(target);
@@ -125,7 +124,8 @@ export function drawDevice(device: DeviceName, { names, effectNames, whole }: De
         image = draw(() => farol.render(scene, camera));
         all += errors;
       }
-      results.push({ ...told, refused: '', errors: all, ...compareImages(stock, image) });
+      const wholePSNR = compareImages(reference, image).psnr;
+      results.push({ ...told, refused: '', errors: all, wholePSNR, ...compareImages(stock, image) });
     } catch (error) {
       while (gl.getError() !== 0);
       webgl.setRenderTarget(null);
@@ -136,7 +136,33 @@ export function drawDevice(device: DeviceName, { names, effectNames, whole }: De
   };
   for (const name of names) run(name, null);
   for (const name of effectNames) for (const technique of ['deferred', 'forward-plus'] as const) run(technique, name);
-  return { results, beyond: [...beyond] };
+  return { results, beyond: [...beyond], stockPSNR: compareImages(reference, stock).psnr };
+}
+
+function makeScene(whole: boolean): TestScene {
+  const made = whole ? shadowScene(WIDTH, HEIGHT, { caster: 'mixed' }) : deviceScene();
+  const edges = new THREE.LineSegments(
+    new THREE.EdgesGeometry(new THREE.BoxGeometry(1.1, 1.7, 1.1)),
+    new THREE.LineBasicMaterial({ color: 0x00ffaa }),
+  );
+  edges.position.set(-1.6, 0.8, 0);
+  made.scene.add(edges);
+  return made;
+}
+
+/** The scene by stock three, before anything is taken from the device. */
+function wholeStock(whole: boolean): PageImage {
+  const webgl = new THREE.WebGLRenderer({ antialias: false });
+  webgl.setSize(WIDTH, HEIGHT, false);
+  webgl.shadowMap.enabled = true;
+  const target = new THREE.WebGLRenderTarget(WIDTH, HEIGHT, { type: THREE.FloatType });
+  const { scene, camera } = makeScene(whole);
+  webgl.setRenderTarget(target);
+  webgl.render(scene, camera);
+  const image = read(webgl, target);
+  target.dispose();
+  webgl.dispose();
+  return image;
 }
 
 function read(webgl: THREE.WebGLRenderer, target: THREE.WebGLRenderTarget): PageImage {

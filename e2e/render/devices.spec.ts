@@ -18,7 +18,7 @@ const EFFECTS: readonly EffectName[] = [
   ...(['decals', 'ambient-occlusion', 'order-independent-transparency', 'smaa', 'edges', 'taa'] as const),
 ];
 /** Those that change the picture of a scene without decals. */
-const CHANGES: readonly EffectName[] = ['smaa', 'edges', 'taa'];
+const CHANGES: readonly EffectName[] = ['smaa', 'edges', 'taa', 'ambient-occlusion'];
 
 /** Devices by what they lack, with the effects that are drawn in `npm test`; null for those that `npm run devices` has. */
 const LACKS: Record<DeviceName, readonly EffectName[] | null> = {
@@ -57,13 +57,15 @@ for (const name of Object.keys(LACKS) as DeviceName[]) {
       effectNames: WHOLE ? EFFECTS : LACKS[name]!,
       whole: WHOLE,
     };
-    const { results, beyond } = await page.evaluate(([name, run]) => window.testPage.drawDevice(name, run), [
+    const { results, beyond, stockPSNR } = await page.evaluate(([name, run]) => window.testPage.drawDevice(name, run), [
       name,
       run,
     ] as const);
     const floats = name !== 'float colour buffers' && name !== 'anything but WebGL 2 itself';
     const asked = new Set<string>();
-    for (const { technique, effect, refused, errors, psnr = 0, share = 0 } of results) {
+    // a driver that honours mediump rounds stock three's picture too: then none may be farther from the whole device's
+    const isRounded = name === 'highp in fragments' && stockPSNR < 60;
+    for (const { technique, effect, refused, errors, psnr = 0, share = 0, wholePSNR = 0 } of results) {
       const said = `${technique}, effect ${effect}: ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(2)}% off ${refused}`;
       test.info().annotations.push({ type: 'device', description: said });
       if (refused !== '') {
@@ -75,6 +77,10 @@ for (const name of Object.keys(LACKS) as DeviceName[]) {
       }
       asked.add(effect);
       expect.soft(errors, `${said}: GL errors`).toBe(0);
+      if (isRounded) {
+        expect.soft(wholePSNR, `${said}, stock three ${stockPSNR.toFixed(1)} dB`).toBeGreaterThanOrEqual(stockPSNR - 3);
+        continue;
+      }
       const changes = floats && CHANGES.includes(effect as EffectName);
       const limits = technique === 'inferred' ? { psnr: 35, share: 0.12 } : WHOLE ? WHOLE_SCENE : SCENE;
       expect.soft(psnr, said).toBeGreaterThanOrEqual(changes ? 25 : limits.psnr);
