@@ -31,16 +31,15 @@ const camera = new Camera();
 const WHITE = [1, 1, 1, 1];
 const BLACK = [0, 0, 0, 0];
 
+/** Maps whose texture was asked for, and those that hold a copy: no properties, which a host could see change. */
+const wanted = new WeakSet<ShownMap>();
+const filled = new WeakSet<ShownMap>();
+
 /**
  * What `light.shadow.map` is of a light whose map lies in the atlas: one texel in which nothing casts a shadow, until its texture
  * is asked for (by three's ShadowMapViewer, or by stock three), and then a copy of the map.
  */
 export class ShownMap extends WebGLRenderTarget {
-  /** Its texture was asked for. */
-  isWanted = false;
-  /** It holds a copy. */
-  isFilled = false;
-
   constructor(
     readonly mapType: number,
     reversed: boolean,
@@ -54,6 +53,27 @@ export class ShownMap extends WebGLRenderTarget {
       depthTexture,
       ...(moments && { format: RGFormat, type: HalfFloatType, minFilter: LinearFilter, magFilter: LinearFilter }),
     });
+    this.isWanted = false;
+  }
+
+  /** Its texture was asked for. */
+  get isWanted(): boolean {
+    return wanted.has(this);
+  }
+
+  set isWanted(is: boolean) {
+    if (is) wanted.add(this);
+    else wanted.delete(this);
+  }
+
+  /** It holds a copy. */
+  get isFilled(): boolean {
+    return filled.has(this);
+  }
+
+  set isFilled(is: boolean) {
+    if (is) filled.add(this);
+    else filled.delete(this);
   }
 
   override get texture(): Texture {
