@@ -139,7 +139,8 @@ export class RenderQueue {
     item.shadowMask =
       !item.lit && this.shadowMasks?.shows(material) === true && !(ownShader && this.refused.has(material));
     item.ownShader = ownShader;
-    if (ownShader && !item.lit && (material as ShaderMaterial).lights === true) this.refused.look(material as never);
+    if (ownShader && !item.lit && !item.nodes && (material as ShaderMaterial).lights === true)
+      this.refused.look(material as ShaderMaterial);
     item.plain = list === this.opaque && isPlainOpaque(material);
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
