@@ -27,10 +27,10 @@ function backToFront(a: RenderItem, b: RenderItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
 }
 
-/** The greatest distance along the view of what an object's bounding sphere holds (m), Infinity where it has none. */
-function farEnd(object: Object3D, geometry: BufferGeometry, camera: Camera): number {
+/** Whether what an object's bounding sphere holds may reach a distance along the view (m). True where it has none. */
+function reaches(distance: number, object: Object3D, geometry: BufferGeometry, camera: Camera): boolean {
   const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
-  if (sphere === null || !object.frustumCulled) return Infinity;
+  if (sphere === null || !object.frustumCulled) return true;
   const m = object.matrixWorld.elements;
   const v = camera.matrixWorldInverse.elements;
   const { x, y, z } = sphere.center;
@@ -40,7 +40,8 @@ function farEnd(object: Object3D, geometry: BufferGeometry, camera: Camera): num
   const xs = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
   const ys = m[4] * m[4] + m[5] * m[5] + m[6] * m[6];
   const zs = m[8] * m[8] + m[9] * m[9] + m[10] * m[10];
-  return sphere.radius * Math.sqrt(Math.max(xs, ys, zs)) - (v[2] * wx + v[6] * wy + v[10] * wz + v[14]);
+  const middle = -(v[2] * wx + v[6] * wy + v[10] * wz + v[14]);
+  return !(middle + sphere.radius * Math.sqrt(Math.max(xs, ys, zs)) <= distance);
 }
 
 /** Whether a material is drawn by another shader than three's for its class. */
@@ -146,7 +147,7 @@ export class RenderQueue {
     item.drawn = false;
     item.splits = item.plain && item.lit && !ownShader;
     if (list === this.opaque && !this.reachesFar && this.farthest !== Infinity)
-      this.reachesFar = !(farEnd(object, geometry, this.camera) <= this.farthest);
+      this.reachesFar = reaches(this.farthest, object, geometry, this.camera);
     if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!item.plain || ownShader)) this.covers = false;
     if (list === this.opaque && !item.plain && isOrderSensitive(material)) this.ordered = true;

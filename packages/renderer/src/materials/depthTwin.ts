@@ -27,5 +27,8 @@ export const depthBehindTwin: TwinKind = {
 export function hasDepthTwin(material: Material): boolean {
   const m = material as Material & { isShaderMaterial?: boolean };
   if (m.polygonOffset && m.polygonOffsetUnits > 1) return false;
-  return m.isShaderMaterial !== true && !hasNodes(m) && [FrontSide, BackSide, DoubleSide].includes(m.side as never);
+  const { side } = m;
+  return (
+    m.isShaderMaterial !== true && !hasNodes(m) && (side === FrontSide || side === BackSide || side === DoubleSide)
+  );
 }
