@@ -70,6 +70,8 @@ export class Editor {
   readonly renameRequested = new Signal();
   /** Emits when another file, or another scene, is edited. */
   readonly fileChanged = new Signal();
+  /** The engine's scenes, by name. */
+  readonly samples = scenes;
   readonly ready: Promise<void>;
   /** Stores changes; null until it has begun, soon after `ready`, and where the browser cannot. */
   autosave: Autosave | null = null;
