@@ -18,11 +18,14 @@ import { decodeLink } from '../files/share/linkText';
  * `farol-scene` (base64 of a `.farol` file), or in the address (`#scene=…`).
  */
 
+/** The element that this script came by: known only while it runs first. */
+const ownScript = document.currentScript;
+
 const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
 async function readScene(renderer: WebGLRenderer): Promise<Scene> {
   const element = document.getElementById('farol-scene');
-  const dragon = element?.dataset.dragon;
+  const dragon = (element ?? ownScript)?.dataset.dragon;
   const assets = new AssetLibrary({ renderer, ...(dragon ? { urls: { dragon } } : {}) });
   if (element) {
     const { text, fileOf } = await readSceneFile(bytesOf(element.textContent.trim()));

