@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
+import { contentSecurityPolicy, policyElement } from '@farol/tools/contentSecurityPolicy';
 import { stanfordDragonFile } from '@farol/tools/stanfordDragon';
 import { build, type Plugin } from 'vite';
 
@@ -55,7 +56,8 @@ const DRAGON = 'dragon.ply.gz';
 
 /** The page of embedded frames; it knows where the Stanford dragon is, when it is part of the build. */
 async function playerPage(hasDragon: boolean): Promise<string> {
-  const page = await readFile(new URL('player.html', import.meta.url), 'utf8');
+  const text = await readFile(new URL('player.html', import.meta.url), 'utf8');
+  const page = text.replace('<head>', `$&\n    ${policyElement(contentSecurityPolicy())}`);
   return hasDragon ? page.replace('src="./farol-player.js"', `$& data-dragon="./${DRAGON}"`) : page;
 }
 

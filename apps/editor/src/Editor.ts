@@ -1,7 +1,9 @@
 import {
   AssetLibrary,
+  type AssetLibraryOptions,
   deserialize,
   FileError,
+  type ForeignAddress,
   readSceneFile,
   type Scene,
   scenes,
@@ -9,6 +11,7 @@ import {
   type UnpackQuestion,
 } from '@farol/engine';
 import { MathUtils } from 'three';
+import { askForHosts } from './files/askForHosts';
 import type { Autosave } from './files/autosave/Autosave';
 import type { Command } from './model/Command';
 import type { CommandStack } from './model/CommandStack';
@@ -34,6 +37,13 @@ const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
 
 /** How long frames must have been drawn before the message that they cannot be is taken away (ms). */
 const RECOVERED = 1000;
+
+/** A library that loads from no other host but those that the user was asked about. */
+function makeLibrary(options: AssetLibraryOptions): AssetLibrary {
+  const library = new AssetLibrary(options);
+  library.allowedOrigins = new Set();
+  return library;
+}
 
 /** The file that the document is saved to. */
 export interface OpenFile {
@@ -89,7 +99,7 @@ export class Editor {
     private readonly urls: Record<string, string> = {},
     first?: string | null,
   ) {
-    this.document = new EditorDocument(new AssetLibrary({ urls }));
+    this.document = new EditorDocument(makeLibrary({ urls }));
     this.viewport = new Viewport(this.document, canvas);
     this.document.onAssetFailed = (error) => this.notices.show('error', error.message, 'asset');
     this.watchPicture();
@@ -141,7 +151,7 @@ export class Editor {
   libraryForNext(): AssetLibrary {
     const { assets } = this.document;
     if (assets.files.length === 0) return assets;
-    return new AssetLibrary({ urls: this.urls, renderer: this.viewport.webgl });
+    return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
 
   /**
@@ -159,7 +169,9 @@ export class Editor {
     const assets = this.libraryForNext();
     try {
       const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes, this.mayUnpack);
-      this.show(await deserialize(content.text, { assets, fileOf: content.fileOf }), file);
+      const mayFetch = (addresses: readonly ForeignAddress[]): Promise<boolean> =>
+        askForHosts(this.dialogs, file.name ?? 'The scene', addresses);
+      this.show(await deserialize(content.text, { assets, fileOf: content.fileOf, mayFetch }), file);
       return true;
     } catch (error) {
       if (assets !== this.document.assets) assets.dispose();
