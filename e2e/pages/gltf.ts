@@ -1,4 +1,4 @@
-import { type Light, type Material, type Mesh, PerspectiveCamera, WebGLRenderer } from 'three';
+import { type Light, type Material, type Mesh, PerspectiveCamera, Texture, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
 /** What is in a GLB by three's own loader, and its picture by three's own renderer. */
@@ -26,7 +26,7 @@ window.readGltf = async (glb, width, height) => {
   const bytes = Uint8Array.from(atob(glb), (letter) => letter.charCodeAt(0));
   const { scene, cameras } = await new GLTFLoader().parseAsync(bytes.buffer, '');
   const found: ReadGltf = { lights: [], meshes: [], cameras: cameras.length, textures: 0, skinned: 0, picture: '' };
-  const textures = new Set<unknown>();
+  const textures = new Set<Texture>();
   scene.traverse((object) => {
     const { name, type } = object;
     if ('isLight' in object) found.lights.push({ name, type, intensity: (object as Light).intensity });
@@ -34,7 +34,10 @@ window.readGltf = async (glb, width, height) => {
     found.meshes.push(name);
     if ('isSkinnedMesh' in object) found.skinned++;
     for (const value of Object.values((object as Mesh).material as Material)) {
-      if (value instanceof Object && 'isTexture' in value) textures.add(value);
+      if (!(value instanceof Texture)) continue;
+      textures.add(value);
+      // of which glTF knows nothing: the editor's own textures have this much
+      value.anisotropy = 8;
     }
   });
   found.textures = textures.size;

@@ -12,7 +12,7 @@ import type { LeftOut } from './LeftOut';
 
 /** What a mesh brings along that decides how its material is written. */
 export interface MaterialUse {
-  /** Of the object, for messages. */
+  /** The object and what it names, for messages. */
   readonly user: string;
   readonly hasUV: boolean;
   readonly hasTangents: boolean;

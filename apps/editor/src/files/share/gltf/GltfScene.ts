@@ -91,7 +91,9 @@ export class GltfScene {
     if (!shape.render || !geometry) return null;
     const drawn = new Mesh(geometry, this.materialOf(shape));
     drawn.name = mesh;
-    return (await this.convert(drawn, gameObject.name)) ? drawn : null;
+    const maps = [shape.map, shape.normalMap].filter((name) => name !== null);
+    const user = maps.length > 0 ? `'${gameObject.name}' (${maps.join(', ')})` : `'${gameObject.name}'`;
+    return (await this.convert(drawn, user)) ? drawn : null;
   }
 
   private materialOf(shape: ObjectRenderer): Material {
@@ -120,7 +122,8 @@ export class GltfScene {
       await breathe();
       part.userData = {};
       if ('isLight' in part) this.replaceLight(part as never);
-      else if ('geometry' in part && !(await this.convert(part as Drawn, gameObject.name))) part.removeFromParent();
+      else if ('geometry' in part && !(await this.convert(part as Drawn, `'${gameObject.name}'`)))
+        part.removeFromParent();
       if ('isSkinnedMesh' in part) this.skinned.push(part);
     }
     return copy;

@@ -80,7 +80,7 @@ export class GltfTextures {
     } catch (cause) {
       const reason = cause instanceof Error ? cause.message : String(cause);
       const name = texture.name ? `'${texture.name}'` : 'A texture';
-      throw new Error(`${name} of '${user}' cannot be exported: ${reason}`, { cause });
+      throw new Error(`${name} of ${user} cannot be exported: ${reason}`, { cause });
     }
   }
 
