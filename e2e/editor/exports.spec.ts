@@ -255,7 +255,7 @@ test('what is hidden, broken or nothing at all: said, named, and the button live
     };
     scene.find('Torus')!.active = false;
     set('Cone', { wireframe: true, map: 'wood', normalMap: 'wood-normal' });
-    set('Cylinder', { kind: 'physical', transmission: 1, shading: 'flat', instanced: true, normalMap: 'brick-normal' });
+    set('Cylinder', { kind: 'physical', clearcoat: 1, shading: 'flat', instanced: true, normalMap: 'brick-normal' });
     set('Sphere', { map: 'marble', emissive: [2, 4, 0], colour: [3, 1, 1] });
   });
   const part = page.getByRole('region', { name: 'glTF' });

@@ -11,7 +11,6 @@ import {
   type UnpackQuestion,
 } from '@farol/engine';
 import { MathUtils } from 'three';
-import { askForHosts } from './files/askForHosts';
 import type { Autosave } from './files/autosave/Autosave';
 import type { Command } from './model/Command';
 import type { CommandStack } from './model/CommandStack';
@@ -169,8 +168,10 @@ export class Editor {
     const assets = this.libraryForNext();
     try {
       const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes, this.mayUnpack);
-      const mayFetch = (addresses: readonly ForeignAddress[]): Promise<boolean> =>
-        askForHosts(this.dialogs, file.name ?? 'The scene', addresses);
+      const mayFetch = async (addresses: readonly ForeignAddress[]): Promise<boolean> => {
+        const { askForHosts } = await import('./files/askForHosts');
+        return askForHosts(this.dialogs, file.name ?? 'The scene', addresses);
+      };
       this.show(await deserialize(content.text, { assets, fileOf: content.fileOf, mayFetch }), file);
       return true;
     } catch (error) {

@@ -2,7 +2,6 @@ import { formatMicroShaderXML } from '@farol/renderer/authoring';
 import { fileOpen } from 'browser-fs-access';
 import type { ReactNode } from 'react';
 import { saveFile } from '../../files/saveFile';
-import { importMicroShaders } from '../../microshaders/importMicroShaders';
 import { useEditor } from '../../ui/EditorContext';
 import { MenuButton } from '../../ui/MenuButton';
 
@@ -21,6 +20,7 @@ export function XMLMenu(): ReactNode {
   const editor = useEditor();
   const { microShaders, notices } = editor;
   const take = async (text: string, name: string): Promise<void> => {
+    const { importMicroShaders } = await import('../../microshaders/importMicroShaders');
     const names = await importMicroShaders(editor, text, name);
     if (names === null) return;
     notices.show('info', `Imported ${names.length} microshaders of ${name}`, 'file');
