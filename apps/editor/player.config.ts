@@ -1,5 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
+import { contentSecurityPolicy, policyElement } from '@farol/tools/contentSecurityPolicy';
+import { stanfordDragonFile } from '@farol/tools/stanfordDragon';
 import { build, type Plugin } from 'vite';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
@@ -50,37 +52,53 @@ async function buildPlayer(fromSource: boolean, decoders: boolean): Promise<stri
   return script.code;
 }
 
+const DRAGON = 'dragon.ply.gz';
+
+/** The page of embedded frames; it knows where the Stanford dragon is, when it is part of the build. */
+async function playerPage(hasDragon: boolean): Promise<string> {
+  const text = await readFile(new URL('player.html', import.meta.url), 'utf8');
+  const page = text.replace('<head>', `$&\n    ${policyElement(contentSecurityPolicy())}`);
+  return hasDragon ? page.replace('src="./farol-player.js"', `$& data-dragon="./${DRAGON}"`) : page;
+}
+
 /**
  * Serves and builds `farol-player.js`, which exported pages hold and embedded frames run, `farol-player-decoders.js`, the
  * same with decoders of compressed models, and `player.html`, which embedded frames show.
  */
 export function playerPlugin(): Plugin {
-  const scripts = new Map<string, Promise<string>>();
-  const files: Readonly<Record<string, (fromSource: boolean) => Promise<string>>> = {
-    'farol-player.js': (fromSource) => buildPlayer(fromSource, false),
-    'farol-player-decoders.js': (fromSource) => buildPlayer(fromSource, true),
-    'player.html': () => readFile(new URL('player.html', import.meta.url), 'utf8'),
+  const scripts = new Map<string, Promise<string | Uint8Array>>();
+  const filesOf = (command: 'serve' | 'build'): Readonly<Record<string, () => Promise<string | Uint8Array>>> => {
+    const dragon = stanfordDragonFile('medium', command);
+    const fromSource = command === 'serve';
+    return {
+      'farol-player.js': () => buildPlayer(fromSource, false),
+      'farol-player-decoders.js': () => buildPlayer(fromSource, true),
+      'player.html': () => playerPage(dragon !== null),
+      ...(dragon ? { [DRAGON]: () => readFile(dragon) } : {}),
+    };
   };
+  const types: Readonly<Record<string, string>> = { js: 'text/javascript', html: 'text/html', gz: 'application/gzip' };
   return {
     name: 'farol-player',
     configureServer(server) {
+      const files = filesOf('serve');
       server.middlewares.use((request, response, next) => {
         const name = (request.url ?? '').split('?')[0].slice(1);
         if (!Object.hasOwn(files, name)) return next();
         let content = scripts.get(name);
-        if (!content) scripts.set(name, (content = files[name](true)));
+        if (!content) scripts.set(name, (content = files[name]()));
         content.then(
-          (text) => {
-            response.setHeader('Content-Type', name.endsWith('.js') ? 'text/javascript' : 'text/html');
-            response.end(text);
+          (bytes) => {
+            response.setHeader('Content-Type', types[name.slice(name.lastIndexOf('.') + 1)]);
+            response.end(bytes);
           },
           (error: unknown) => next(error),
         );
       });
     },
     async generateBundle() {
-      for (const fileName of Object.keys(files)) {
-        this.emitFile({ type: 'asset', fileName, source: await files[fileName](false) });
+      for (const [fileName, make] of Object.entries(filesOf('build'))) {
+        this.emitFile({ type: 'asset', fileName, source: await make() });
       }
     },
   };

@@ -1,4 +1,6 @@
 import react from '@vitejs/plugin-react';
+import { securePages } from '@farol/tools/contentSecurityPolicy';
+import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
 import { playerPlugin } from './player.config.ts';
 
@@ -6,7 +8,7 @@ export default defineConfig({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [react(), playerPlugin()],
+  plugins: [react(), playerPlugin(), stanfordDragon(), securePages()],
   server: { port: 5173, strictPort: true },
   // What is imported late must be known early, or the development server reloads the page when a file asks for it.
   optimizeDeps: {

@@ -1,6 +1,8 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { securePages } from '@farol/tools/contentSecurityPolicy';
+import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
 
 /** Address of the real Sponza, if its glTF was put into public/models/Sponza (which git ignores), else null. */
@@ -25,6 +27,7 @@ export default defineConfig({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
+  plugins: [stanfordDragon(), securePages()],
   define: { SPONZA_URL: JSON.stringify(sponzaUrl()) },
   resolve: { dedupe: ['three', 'react', 'react-dom'] },
   // What is imported late must be known early, or the development server reloads the page when a model asks for it.

@@ -1,4 +1,5 @@
 import type { GameObject, Scene } from '@farol/engine';
+import type { FarolRenderer } from '@farol/renderer';
 import { expect, type Page } from '@playwright/test';
 import type { WebGLRenderer } from 'three';
 
@@ -11,6 +12,9 @@ export interface EditorHandle {
     readonly selection: { readonly ids: readonly string[]; set(ids: readonly string[]): void };
     readonly simulation: { readonly state: string };
   };
+  /** The engine's scenes. */
+  readonly samples: Readonly<Record<string, { readonly parameters: object }>>;
+  openScene(name: string, parameters?: Record<string, number>): Promise<void>;
   readonly microShaders: { textOf(name: string): string };
   readonly notices: { show(kind: 'error', text: string): void };
   openMicroShader(name: string, line?: number): void;
@@ -34,7 +38,7 @@ export interface EditorHandle {
     readonly gizmo: { readonly snapSteps: unknown; readonly isHot: boolean };
     readonly editorCamera: { readonly target: { toArray(): number[] } };
     readonly webgl: WebGLRenderer;
-    readonly farol: { readonly techniques: Readonly<Record<string, object>>; readonly effects: readonly unknown[] };
+    readonly farol: FarolRenderer;
     renderNow(): void;
   };
   readonly autosave: {

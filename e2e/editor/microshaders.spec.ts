@@ -161,3 +161,49 @@ test('a new chunk, and XML: into the scene and out of it', async ({ page }, info
   await page.keyboard.press('Control+z');
   await expect(panel(page).getByRole('option', { name: 'own/tint' })).toBeVisible();
 });
+
+test('a set of microshaders comes in as a whole or not at all, and asks before it replaces what is there', async ({
+  page,
+}) => {
+  await openEditor(page, 'empty');
+  await page.getByRole('tab', { name: 'Microshaders' }).click();
+  await expect(panel(page).locator('.cm-content')).toBeVisible();
+  const before = await serialized(page);
+  const steps = await history(page);
+  const importXML = async (name: string, chunks: string): Promise<void> => {
+    await panel(page).getByRole('button', { name: 'Import and export' }).click();
+    const chooser = page.waitForEvent('filechooser');
+    await page.getByRole('menuitem', { name: 'Import XML…' }).click();
+    const xml = `<microshaders>${chunks}</microshaders>`;
+    await (await chooser).setFiles({ name, mimeType: 'text/xml', buffer: Buffer.from(xml) });
+  };
+  const chunk = (name: string, header: string): string =>
+    `<microshader name="${name}" stage="fragment"><header><![CDATA[${header}]]></header></microshader>`;
+  const tint = chunk('own/tint', 'vec3 own_tint() { return vec3(1.0, 0.0, 0.0); }');
+
+  // one of them is broken where a technique other than the one on show draws with it
+  const octahedral = await page.evaluate(() => window.editor.microShaders.textOf('octahedralNormal'));
+  expect(octahedral).toContain('farol_encodeNormal');
+  await importXML(
+    'broken.xml',
+    tint + chunk('octahedralNormal', 'vec2 farol_encodeNormal(vec3 n) { return missing; }'),
+  );
+  const refusal = page.getByText('broken.xml is not imported, and nothing has changed: octahedralNormal, line');
+  await expect(refusal).toContainText('missing', { timeout: 30_000 });
+  expect(await serialized(page)).toBe(before);
+  expect(await history(page)).toEqual(steps);
+
+  // sound, and in the place of a built-in one
+  const sound = chunk('octahedralNormal', octahedral.replaceAll(/^\/\/.*$/gm, ''));
+  await importXML('sound.xml', tint + sound);
+  const dialog = page.getByRole('dialog', { name: 'sound.xml replaces microshaders that are there' });
+  await expect(dialog.getByRole('list', { name: 'Microshaders' })).toHaveText('octahedralNormal built in', {
+    timeout: 30_000,
+  });
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  expect(await serialized(page)).toBe(before);
+  await importXML('sound.xml', tint + sound);
+  await dialog.getByRole('button', { name: 'Replace them' }).click({ timeout: 30_000 });
+  await expect.poll(() => history(page)).toEqual([...steps, 'Import sound.xml']);
+  expect(Object.keys(JSON.parse(await serialized(page)).microShaders)).toEqual(['octahedralNormal', 'own/tint']);
+});

@@ -15,7 +15,7 @@ test("the thesis's file makes a shader for each kind of light", async ({ page })
     const registry = new farol.MicroShaderRegistry(null, { compiler: new farol.WebGLShaderCompiler(gl) });
     const made: [string, boolean, number][] = [];
     for (const light of ['light_directional', 'light_point', 'light_spot']) {
-      const fragment = ['surface', 'light', light, 'phong', 'output'];
+      const fragment = ['surface', 'light', light, 'phong', 'phong_output'];
       const shader = await registry.getShader(light, ['transform'], fragment, './microshaders/thesis.xml');
       made.push([light, gl.isProgram(shader.program), gl.getError()]);
     }

@@ -1,6 +1,7 @@
 /**
  * `npm run build`: types and bundles of the packages, then the apps on top of them; the size of the renderer is held.
- * With `--tests`, the browser tests' own pages too.
+ * With `--tests`, the browser tests' own pages too, and the Stanford dragon, which is else left out of what is built: see
+ * `stanfordDragon.mjs`.
  */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,7 +12,10 @@ import { runTool } from './runTool.mjs';
 
 ensureInstalled();
 const folders = ['packages/renderer', 'packages/engine', 'packages/attach', 'apps/viewer', 'apps/editor'];
-if (process.argv.includes('--tests')) folders.push('e2e/pages');
+if (process.argv.includes('--tests')) {
+  folders.push('e2e/pages');
+  process.env.FAROL_STANFORD_DRAGON ??= '1';
+}
 
 if (runTool('typescript', 'tsc', ['-b', 'packages']) !== 0) process.exit(1);
 const { build } = await import('vite');

@@ -85,6 +85,10 @@ function violation(path, specifier, { from, may, not = [] }, manifests) {
   if (specifier.startsWith('node:')) {
     return forTests || from === 'e2e' ? null : 'browser code has no Node modules';
   }
+  // modules that a Vite plugin of the workspace makes
+  if (specifier.startsWith('virtual:')) {
+    return path.startsWith('apps/') ? null : 'packages are built without the plugins of apps';
+  }
   const name = packageOf(specifier);
   if (apps.includes(name)) return 'nothing imports an app';
   if (name.startsWith('@farol/') && name !== '@farol/tools' && !entriesOf(name, manifests).includes(specifier)) {

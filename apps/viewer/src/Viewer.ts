@@ -114,7 +114,8 @@ export class Viewer {
   get assets(): AssetLibrary {
     const { dragon } = this.state;
     let library = this.libraries.get(dragon);
-    if (!library) this.libraries.set(dragon, (library = new AssetLibrary({ urls: { dragon: dragonUrls[dragon] } })));
+    const url = dragonUrls[dragon];
+    if (!library) this.libraries.set(dragon, (library = new AssetLibrary(url ? { urls: { dragon: url } } : {})));
     return library;
   }
 

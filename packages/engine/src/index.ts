@@ -38,6 +38,7 @@ export { AssetError } from './assets/AssetError';
 export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';
 export { AddressRefusedError, foreignOrigin } from './assets/foreignOrigin';
 export { type FetchBytes, type FetchOptions, readableEndings, typeOfUrl } from './assets/loadAsset';
+export { makeKTX2Loader } from './assets/makeKTX2Loader';
 export { Model } from './assets/Model';
 export { checkModel } from './assets/checkModel';
 export { decodedUri, packGltf } from './assets/packGltf';

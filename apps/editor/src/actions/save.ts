@@ -1,5 +1,6 @@
 import { containerContent, inlineAssets, writeContainer } from '@farol/engine';
 import type { Editor } from '../Editor';
+import { fileNameOf } from '../files/fileNameOf';
 import { notSaved, saveFile } from '../files/saveFile';
 import type { Action } from './Action';
 
@@ -10,9 +11,6 @@ export const fileType = {
   mimeTypes: ['application/x-farol'],
   extensions: ['.farol', '.json'],
 };
-
-/** A name that every system takes for a file. */
-export const fileNameOf = (name: string): string => name.replaceAll(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'Scene';
 
 /**
  * The scene as a file: JSON with all assets inside where the name ends so, else a container.

@@ -145,16 +145,14 @@ export class MicroShaderEditing {
     this.run(`New microshader ${name}`, [{ name, text: TEMPLATE }]);
   }
 
-  /**
-   * Takes the chunks of a file of XML over, in place of those of the same name.
-   * @returns their names
-   * @throws Error with file and line
-   */
-  importXML(text: string, file: string): string[] {
-    const chunks = parseMicroShaderXML(text, file);
-    const edits = chunks.map((chunk) => ({ name: chunk.name, text: formatMicroShader(chunk) }));
-    this.run(`Import ${file}`, edits);
-    return chunks.map(({ name }) => name);
+  /** The chunks of a file of XML as texts. @throws Error with file and line */
+  readXML(text: string, file: string): { readonly name: string; readonly text: string }[] {
+    return parseMicroShaderXML(text, file).map((chunk) => ({ name: chunk.name, text: formatMicroShader(chunk) }));
+  }
+
+  /** Takes texts into the scene as one step of history, in place of those of the same name. */
+  takeOver(label: string, edits: readonly MicroShaderEdit[]): void {
+    this.run(label, edits);
   }
 
   /** The chunks of the scene, or all when it has none, as they are in use. */

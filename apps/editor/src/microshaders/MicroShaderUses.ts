@@ -5,7 +5,7 @@ import { chunksOf, dryRun } from './dryRun';
 import { probeMicroShader } from './probeMicroShader';
 
 /** Views that draw with chunks of their own. */
-const VIEWS: readonly View[] = ['grid', 'lighting', 'light-count', 'overdraw'];
+export const VIEWS: readonly View[] = ['grid', 'lighting', 'light-count', 'overdraw'];
 
 interface Program {
   readonly name: string;
@@ -134,7 +134,7 @@ export class MicroShaderUses {
 }
 
 /** Lets the page do what waits. */
-const idle = (): Promise<void> =>
+export const idle = (): Promise<void> =>
   new Promise((resolve) => {
     if ('requestIdleCallback' in window) requestIdleCallback(() => resolve(), { timeout: 100 });
     else setTimeout(resolve);

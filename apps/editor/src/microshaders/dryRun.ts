@@ -1,5 +1,5 @@
-import { MicroShaderOverrides } from '@farol/engine';
-import { FarolRenderer, type FarolOptions, type Technique } from '@farol/renderer';
+import { MicroShaderOverrides, type MicroShaderProblem } from '@farol/engine';
+import { FarolRenderer, type FarolOptions, type MicroShaderRegistry, type Technique } from '@farol/renderer';
 import { WebGLRenderer } from 'three';
 import { type DrySource, makeDryContext } from './DryContext';
 import { makeDryScene } from './dryScene';
@@ -8,12 +8,14 @@ import { makeDryScene } from './dryScene';
  * The shaders that a technique or a view draws with on this device, without drawing or compiling.
  * @param texts - microshaders of the scene
  * @param techniques - those that the renderer may not know, by name
+ * @param inspect - gets the registry that draws with the texts, and which of them it refused
  */
 export function dryRun(
   gl: WebGL2RenderingContext,
   { technique = 'auto', view }: Pick<FarolOptions, 'technique' | 'view'>,
   texts: ReadonlyMap<string, string>,
   techniques: Readonly<Record<string, Technique>> = {},
+  inspect: (registry: MicroShaderRegistry, problems: readonly MicroShaderProblem[]) => void = () => {},
 ): readonly DrySource[] {
   const { context, sources } = makeDryContext(gl);
   const canvas = document.createElement('canvas');
@@ -25,12 +27,15 @@ export function dryRun(
   }
   farol.technique = technique;
   const { scene, camera, dispose } = makeDryScene();
-  new MicroShaderOverrides(farol.microshaders).apply(texts);
-  sources.length = 0;
-  farol.render(scene, camera);
-  farol.dispose();
-  dispose();
-  webgl.dispose();
+  try {
+    inspect(farol.microshaders, new MicroShaderOverrides(farol.microshaders).apply(texts));
+    sources.length = 0;
+    farol.render(scene, camera);
+  } finally {
+    farol.dispose();
+    dispose();
+    webgl.dispose();
+  }
   return sources;
 }
 

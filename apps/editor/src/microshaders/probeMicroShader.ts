@@ -35,7 +35,13 @@ export function probeMicroShader(
   }
 }
 
-function compileStage(gl: WebGL2RenderingContext, name: string, stage: 'vertex' | 'fragment', text: string): void {
+/** @throws MicroShaderCompileError with chunk and line @param name - of the chunk that is on trial */
+export function compileStage(
+  gl: WebGL2RenderingContext,
+  name: string,
+  stage: 'vertex' | 'fragment',
+  text: string,
+): void {
   const shader = gl.createShader(stage === 'vertex' ? gl.VERTEX_SHADER : gl.FRAGMENT_SHADER);
   if (shader === null) return;
   gl.shaderSource(shader, text);
@@ -47,7 +53,7 @@ function compileStage(gl: WebGL2RenderingContext, name: string, stage: 'vertex' 
 }
 
 /** Its header with all it depends on; what its main part needs of other chunks only a whole shader can tell. */
-function compileAlone(gl: WebGL2RenderingContext, registry: MicroShaderRegistry, name: string): void {
+export function compileAlone(gl: WebGL2RenderingContext, registry: MicroShaderRegistry, name: string): void {
   const header = registry.header([name]);
   const stage = registry.get(name)?.stage === 'vertex' ? 'vertex' : 'fragment';
   const source = {

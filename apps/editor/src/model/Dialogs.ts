@@ -20,6 +20,10 @@ export interface ProblemsDialog {
   readonly problems: readonly FileProblem[];
   /** What the button that agrees says; there is none when absent. */
   readonly action?: string;
+  /** What the other button says then; 'Cancel' when absent. */
+  readonly refusal?: string;
+  /** What the list is of, for those who hear it. */
+  readonly listLabel?: string;
 }
 
 /** The keys that there are. */

@@ -4,6 +4,7 @@ import {
   deserialize,
   FileError,
   followDecals,
+  type ForeignAddress,
   KeyController,
   MouseController,
   readSceneFile,
@@ -12,23 +13,45 @@ import {
 import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { decodeLink } from '../files/share/linkText';
+import { askForHosts, keepToHosts } from './askForHosts';
 
 /**
  * Shows a scene on a page of its own: what standalone pages and embedded frames hold. The scene is in the element
  * `farol-scene` (base64 of a `.farol` file), or in the address (`#scene=…`).
  */
 
+/** The element that this script came by: known only while it runs first. */
+const ownScript = document.currentScript;
+
 const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
 async function readScene(renderer: WebGLRenderer): Promise<Scene> {
   const element = document.getElementById('farol-scene');
-  const dragon = element?.dataset.dragon;
+  const dragon = (element ?? ownScript)?.dataset.dragon;
   const assets = new AssetLibrary({ renderer, ...(dragon ? { urls: { dragon } } : {}) });
   if (element) {
     const { text, fileOf } = await readSceneFile(bytesOf(element.textContent.trim()));
-    return deserialize(text, { assets, fileOf });
+    // the page's own policy names the hosts that its author was content with
+    return deserialize(text, { assets, fileOf, mayFetch: () => true });
   }
-  return deserialize(await decodeLink(location.hash), { assets });
+  const mayFetch = async (addresses: readonly ForeignAddress[]): Promise<readonly string[]> => {
+    const hosts = await askForHosts(addresses);
+    keepToHosts(hosts);
+    return hosts;
+  };
+  assets.onChange((change) => change.error && say(change.error.message));
+  return deserialize(await decodeLink(location.hash), { assets, mayFetch });
+}
+
+/** Shows a message over the picture, below those that are there. */
+function say(text: string): void {
+  let place = document.querySelector('[role=alert]');
+  if (!place) {
+    place = document.createElement('p');
+    place.setAttribute('role', 'alert');
+    document.body.prepend(place);
+  }
+  place.textContent = [place.textContent, text].filter(Boolean).join('\n');
 }
 
 /** A camera of the viewer's own, where the scene's cannot be moved by the user. */
@@ -99,9 +122,6 @@ async function start(): Promise<void> {
 
 start().catch((error: unknown) => {
   const text = error instanceof FileError || error instanceof Error ? error.message : String(error);
-  const place = document.createElement('p');
-  place.setAttribute('role', 'alert');
-  place.textContent = text;
-  document.body.append(place);
+  say(text);
   throw error;
 });

@@ -1,3 +1,4 @@
+import { makeKTX2Loader } from '@farol/engine';
 import type { LoadingManager, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
@@ -22,8 +23,7 @@ export async function createLoader(
     loader.setDRACOLoader(draco);
   }
   if (extensions.includes('KHR_texture_basisu')) {
-    const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js');
-    const ktx2 = new KTX2Loader().detectSupport(renderer);
+    const ktx2 = await makeKTX2Loader(renderer);
     disposables.push(ktx2);
     loader.setKTX2Loader(ktx2);
   }

@@ -68,7 +68,7 @@ export function addressHelp({ scenes, techniques, views, dragons, antialiasing }
     ...[...parameters].map(([name, { help, range, scenes: of }]): [string, string] => {
       return [name, `${help} ${range}(${of.join(', ')})`];
     }),
-    ['dragon', `Resolution of the Stanford dragon: ${dragons.join(', ')}.`],
+    ['dragon', `Resolution of the Stanford dragon, where it is installed: ${dragons.join(', ')}.`],
     ['aa', `Anti-aliasing: ${antialiasing.join(', ')}. TAA gathers over frames: at a fixed time each draw is one.`],
     ['ao', '1 darkens indirect light in corners (ambient occlusion), with techniques that know depth first.'],
     ['oit', '1 averages transparent layers in place of sorting them (weighted blended transparency).'],

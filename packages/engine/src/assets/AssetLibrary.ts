@@ -14,8 +14,8 @@ import { UseCounter } from './UseCounter';
 
 export interface AssetLibraryOptions {
   /**
-   * Addresses of assets by name: 'dragon' gets the Stanford dragon's PLY (may be gzip); other names become new assets,
-   * their type told by the ending of the address.
+   * Addresses of assets by name: 'dragon' gets a PLY (may be gzip) in place of the one made in code; other names become
+   * new assets, their type told by the ending of the address.
    */
   urls?: Readonly<Record<string, string>>;
   /** How the bytes of an address are read; `fetch` when absent. */

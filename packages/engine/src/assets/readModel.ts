@@ -4,6 +4,7 @@ import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { checkGltf } from './checkGltf';
 import { checkModel } from './checkModel';
 import { checkImageSize } from './imageSize';
+import { makeKTX2Loader } from './makeKTX2Loader';
 import { Model } from './Model';
 import { binaryOf, type GltfJson, readGltfJson } from './readGltfJson';
 
@@ -17,8 +18,7 @@ async function loaderFor(
   const disposables: { dispose(): unknown }[] = [];
   if (extensions.includes('KHR_texture_basisu')) {
     if (!renderer) throw new Error('it has KTX2 textures: give the AssetLibrary the renderer that draws them.');
-    const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js');
-    const ktx2 = new KTX2Loader().detectSupport(renderer);
+    const ktx2 = await makeKTX2Loader(renderer);
     disposables.push(ktx2);
     loader.setKTX2Loader(ktx2);
   }

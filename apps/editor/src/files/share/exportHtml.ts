@@ -1,4 +1,4 @@
-import { assetUses, containerContent, readGltfJson, type Scene, writeContainer } from '@farol/engine';
+import { assetUses, containerContent, foreignAddresses, readGltfJson, type Scene, writeContainer } from '@farol/engine';
 
 /** Bytes as base64. */
 function base64Of(bytes: Uint8Array): string {
@@ -36,6 +36,27 @@ async function dragonOf(scene: Scene, uses: boolean): Promise<string> {
   return ` data-dragon="data:application/octet-stream;base64,${base64Of(bytes)}#.ply.gz"`;
 }
 
+/** Letters that nobody can guess. */
+const makeNonce = (): string => base64Of(crypto.getRandomValues(new Uint8Array(18)));
+
+/**
+ * What the page may do: run its own script, decode models, and fetch from the hosts that the scene names.
+ * @see Content Security Policy Level 3
+ */
+function policyOf(hosts: Iterable<string>, nonce: string): string {
+  const named = [...hosts].filter((host) => /^https?:\/\/[\w.:[\]-]+$/.test(host));
+  return [
+    "default-src 'none'",
+    `script-src 'nonce-${nonce}' 'wasm-unsafe-eval'`,
+    'worker-src blob:',
+    `style-src 'nonce-${nonce}'`,
+    'img-src data: blob:',
+    ['connect-src data: blob:', ...named].join(' '),
+    "base-uri 'none'",
+    "form-action 'none'",
+  ].join('; ');
+}
+
 /**
  * A web page that shows the scene by itself: script, scene and assets are in the one file, which runs from a disk too.
  * @throws Error when the player cannot be read
@@ -48,17 +69,21 @@ export async function exportHtml(scene: Scene): Promise<Blob> {
     writeContainer(content),
     dragonOf(scene, usesDragon),
   ]);
+  const nonce = makeNonce();
+  const hosts = new Set(foreignAddresses(content.file).map(({ origin }) => origin));
   const page = `<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="${policyOf(hosts, nonce)}">
+<link rel="icon" href="data:,">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>${escaped(scene.name)}</title>
-<style>html,body{height:100%;margin:0;overflow:hidden;background:#000}p{margin:1em;color:#eee;font:16px sans-serif;white-space:pre-line}</style>
+<style nonce="${nonce}">html,body{height:100%;margin:0;overflow:hidden;background:#000}p{margin:1em;color:#eee;font:16px sans-serif;white-space:pre-line}</style>
 </head>
 <body>
 <script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>
-<script>${script.replaceAll('</script', '<\\/script')}</script>
+<script nonce="${nonce}">${script.replaceAll('</script', '<\\/script')}</script>
 </body>
 </html>
 `;

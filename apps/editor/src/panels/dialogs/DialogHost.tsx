@@ -51,7 +51,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
       <Dialog.Description>{request.text}</Dialog.Description>
       {request.kind === 'problems' && (
         // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
-        <ul className="problems" tabIndex={0} aria-label={request.action ? 'Uses' : 'Problems'}>
+        <ul className="problems" tabIndex={0} aria-label={request.listLabel ?? (request.action ? 'Uses' : 'Problems')}>
           {request.problems.map(({ path, problem }, i) => (
             // oxlint-disable-next-line react/no-array-index-key -- two objects may have the same name
             <li key={i}>
@@ -60,16 +60,26 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
           ))}
         </ul>
       )}
-      <Buttons action={request.action} onClose={onClose} />
+      <Buttons
+        action={request.action}
+        refusal={request.kind === 'problems' ? request.refusal : undefined}
+        onClose={onClose}
+      />
     </>
   );
 }
 
-function Buttons({ action, onClose }: { action?: string; onClose(agreed: boolean): void }): ReactNode {
+interface ButtonsProps {
+  readonly action?: string;
+  readonly refusal?: string;
+  onClose(agreed: boolean): void;
+}
+
+function Buttons({ action, refusal = 'Cancel', onClose }: ButtonsProps): ReactNode {
   return (
     <div className="dialog-buttons">
       <button type="button" className="button framed" onClick={() => onClose(false)}>
-        {action ? 'Cancel' : 'Close'}
+        {action ? refusal : 'Close'}
       </button>
       {action && (
         <button type="button" className="button primary" onClick={() => onClose(true)}>

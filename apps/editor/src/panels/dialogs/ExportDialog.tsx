@@ -1,31 +1,29 @@
 import { Dialog } from '@base-ui/react/dialog';
 import { type ReactNode, useEffect, useState } from 'react';
-import { fileNameOf } from '../../actions/save';
+import { fileNameOf } from '../../files/fileNameOf';
+import { download } from '../../files/share/download';
 import { embedCode } from '../../files/share/embedCode';
-import { saveFile } from '../../files/saveFile';
 import { exportGltf } from '../../files/share/exportGltf';
 import { exportHtml } from '../../files/share/exportHtml';
 import { linkHash } from '../../files/share/shareLink';
 import type { Editor } from '../../Editor';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { ExportButton } from './ExportButton';
 
-async function download(blob: Blob, fileName: string, description: string): Promise<void> {
-  const extensions = [fileName.slice(fileName.lastIndexOf('.'))];
-  await saveFile(blob, { fileName, description, extensions, mimeTypes: [blob.type], id: 'farol-export' });
-}
-
-async function saveHtml({ document, notices }: Editor): Promise<void> {
+async function saveHtml({ document, notices }: Editor): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.html`;
   await download(await exportHtml(document.scene), fileName, 'Web page');
   notices.show('info', `Exported ${fileName}`);
+  return [];
 }
 
-async function saveGltf({ document, notices }: Editor): Promise<void> {
+async function saveGltf({ document, notices, viewport }: Editor): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.glb`;
-  const { blob, leftOut } = await exportGltf(document.scene);
+  const { blob, leftOut } = await exportGltf(document.scene, viewport.webgl);
   await download(blob, fileName, 'glTF binary');
-  notices.show('info', [`Exported ${fileName}.`, ...leftOut].join(' '));
+  notices.show('info', `Exported ${fileName}`);
+  return leftOut;
 }
 
 /** The scene's link, or why it has none. */
@@ -75,20 +73,18 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
     <>
       <Dialog.Title>Export {name}</Dialog.Title>
       <section className="export-part" aria-label="Web page">
-        <div className="export-row">
-          <button type="button" className="button primary" onClick={() => editor.attempt(() => saveHtml(editor))}>
-            Web page…
-          </button>
-          <span className="export-note">One file with script, scene and assets; runs from a disk too.</span>
-        </div>
+        <ExportButton
+          label="Web page…"
+          note="One file with script, scene and assets; runs from a disk too."
+          run={() => saveHtml(editor)}
+        />
       </section>
       <section className="export-part" aria-label="glTF">
-        <div className="export-row">
-          <button type="button" className="button primary" onClick={() => editor.attempt(() => saveGltf(editor))}>
-            glTF (GLB)…
-          </button>
-          <span className="export-note">Objects, meshes, materials, cameras and lights for other programs.</span>
-        </div>
+        <ExportButton
+          label="glTF (GLB)…"
+          note="Objects, meshes, materials, cameras and lights for other programs."
+          run={() => saveGltf(editor)}
+        />
       </section>
       <section className="export-part" aria-label="Link">
         <h3>Link</h3>

@@ -19,20 +19,22 @@ const THESIS = 'microshaders/thesis.xml';
 export function XMLMenu(): ReactNode {
   const editor = useEditor();
   const { microShaders, notices } = editor;
-  const take = (text: string, name: string): void => {
-    const names = microShaders.importXML(text, name);
+  const take = async (text: string, name: string): Promise<void> => {
+    const { importMicroShaders } = await import('../../microshaders/importMicroShaders');
+    const names = await importMicroShaders(editor, text, name);
+    if (names === null) return;
     notices.show('info', `Imported ${names.length} microshaders of ${name}`, 'file');
     if (names.length > 0) editor.openMicroShader(names[0]);
   };
   const open = async (): Promise<void> => {
     const file = await fileOpen(fileType);
-    take(await file.text(), file.name);
+    await take(await file.text(), file.name);
   };
   const thesis = async (): Promise<void> => {
     const response = await fetch(THESIS);
     if (!response.ok)
       throw new Error(`${THESIS}: the server answers ${response.status}; serve the folder public/ too.`);
-    take(await response.text(), 'thesis.xml');
+    await take(await response.text(), 'thesis.xml');
   };
   const save = async (): Promise<void> => {
     const chunks = microShaders.exported();

@@ -11,8 +11,8 @@ export interface DragonsOptions extends SceneBuildOptions {
 }
 
 /**
- * Four Stanford dragons on a floor, lit by coloured point lights (thesis 4.1).
- * @throws AssetError (as a rejection) when the library has no address of the dragon
+ * Four dragons on a floor, lit by coloured point lights (thesis 4.1).
+ * @throws AssetError (as a rejection) when the library has an address of the dragon that cannot be read
  */
 export async function dragons(options: DragonsOptions = {}): Promise<Scene> {
   const { lights = 24 } = options;
@@ -58,7 +58,7 @@ export async function dragons(options: DragonsOptions = {}): Promise<Scene> {
 export const dragonsScene = defineScene({
   name: 'dragons',
   label: 'Dragons',
-  help: 'Four Stanford dragons among coloured lights.',
+  help: 'Four dragons among coloured lights.',
   parameters: {
     lights: number(24, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
     seed: seedField,

@@ -13,7 +13,7 @@ export interface NiceSceneOptions extends SceneBuildOptions {
  * The thesis's NiceScene (2.2.1.3 and the G-buffer's figure): a dragon between a sphere in the air and a cylinder, in a
  * room of four planes, with all three kinds of lights. The directional light shines down, forward and to the right, so
  * that the planes behind and on the left get the red point light only; a white spot light draws an arc on the floor.
- * @throws AssetError (as a rejection) when the library has no address of the dragon
+ * @throws AssetError (as a rejection) when the library has an address of the dragon that cannot be read
  */
 export async function niceScene(options: NiceSceneOptions = {}): Promise<Scene> {
   const { lights = 0 } = options;

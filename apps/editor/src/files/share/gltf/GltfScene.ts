@@ -1,0 +1,197 @@
+import { Camera, type GameObject, Light, ModelRenderer, ObjectRenderer, type Scene, Transform } from '@farol/engine';
+import {
+  type BufferGeometry,
+  type Material,
+  Mesh,
+  type MeshBasicMaterial,
+  Object3D,
+  type MeshStandardMaterial,
+  Scene as ThreeScene,
+  type WebGLRenderer,
+} from 'three';
+import { clone } from 'three/addons/utils/SkeletonUtils.js';
+import { breathe } from './breathe';
+import { gltfGeometry } from './gltfGeometry';
+import { gltfLight, whatIsLost } from './gltfLight';
+import { GltfMaterials } from './GltfMaterials';
+import { LeftOut } from './LeftOut';
+
+type Drawn = Mesh<BufferGeometry, Material | Material[]>;
+
+/** A copy of a scene in which there is nothing but what glTF has. Arrays of vertices are shared, nothing else. */
+export class GltfScene {
+  readonly three = new ThreeScene();
+  readonly leftOut = new LeftOut();
+  private readonly materials: GltfMaterials;
+  private readonly geometries = new Map<string, BufferGeometry | null>();
+  private readonly skinned: Object3D[] = [];
+  private readonly endings: (() => void)[] = [];
+
+  private constructor(
+    private readonly scene: Scene,
+    webgl: WebGLRenderer,
+  ) {
+    this.materials = new GltfMaterials(webgl, this.leftOut);
+    this.three.name = scene.name;
+  }
+
+  /** @param webgl - reads compressed textures @throws Error naming the object whose texture cannot be read */
+  static async make(scene: Scene, webgl: WebGLRenderer): Promise<GltfScene> {
+    const made = new GltfScene(scene, webgl);
+    try {
+      for (const root of scene.roots) await made.addObject(root, made.three);
+      made.freeSkins();
+      made.noteSurroundings();
+      return made;
+    } catch (error) {
+      made.dispose();
+      throw error;
+    }
+  }
+
+  dispose(): void {
+    for (const end of this.endings) end();
+    this.materials.dispose();
+  }
+
+  private async addObject(object: GameObject, parent: Object3D): Promise<void> {
+    if (!object.active) {
+      this.leftOut.add('Hidden objects are left out', object);
+      return;
+    }
+    await breathe();
+    const parts: Object3D[] = [];
+    for (const component of object.components) {
+      if (!component.enabled || component instanceof Transform) continue;
+      let part: Object3D | null = null;
+      if (component instanceof ObjectRenderer) part = await this.meshOf(component);
+      else if (component instanceof ModelRenderer) part = await this.modelOf(component);
+      else if (component instanceof Light) part = this.lightOf(component);
+      else if (component instanceof Camera) part = component.three.clone();
+      else this.leftOut.add(`Components that glTF does not know are left out: ${component.typeName}`, component);
+      if (part) parts.push(part);
+    }
+    const isAlone = parts.length === 1 && parts[0].children.length === 0;
+    const node = isAlone ? parts[0] : new Object3D();
+    if (!isAlone && parts.length > 0) node.add(...parts);
+    node.name = object.name;
+    const { position, quaternion, scale } = object.object3D;
+    node.position.copy(position);
+    node.quaternion.copy(quaternion);
+    node.scale.copy(scale);
+    parent.add(node);
+    for (const child of object.children) await this.addObject(child, node);
+  }
+
+  private async meshOf(shape: ObjectRenderer): Promise<Mesh | null> {
+    const { geometry, mesh, gameObject } = shape;
+    if (mesh === null) return null;
+    if (!shape.render) this.leftOut.add('Hidden objects are left out', gameObject);
+    else if (!geometry) this.leftOut.add('Meshes that are not loaded are left out', shape);
+    if (!shape.render || !geometry) return null;
+    const drawn = new Mesh(geometry, this.materialOf(shape));
+    drawn.name = mesh;
+    const maps = [shape.map, shape.normalMap].filter((name) => name !== null);
+    const user = maps.length > 0 ? `'${gameObject.name}' (${maps.join(', ')})` : `'${gameObject.name}'`;
+    return (await this.convert(drawn, user)) ? drawn : null;
+  }
+
+  private materialOf(shape: ObjectRenderer): Material {
+    if (shape.three) return shape.three.material as Material;
+    const { materials } = this.scene.assets;
+    if (shape.shader !== null) return this.scene.assets.shader(shape.shader);
+    if (shape.material !== null) return this.scene.assets.material(shape.material);
+    // what is drawn as one of many instances has its colour, but no material, of its own
+    const material = materials.acquire(shape);
+    this.endings.push(() => materials.release(material));
+    return material;
+  }
+
+  private async modelOf(model: ModelRenderer): Promise<Object3D | null> {
+    const { three, gameObject } = model;
+    if (model.model === null) return null;
+    if (!three) {
+      this.leftOut.add('Models that are not loaded are left out', model);
+      return null;
+    }
+    if (model.animations.length > 0) this.leftOut.add('Animations are left out', model.model);
+    const copy = clone(three);
+    const parts: Object3D[] = [];
+    copy.traverse((part) => parts.push(part));
+    for (const part of parts) {
+      await breathe();
+      part.userData = {};
+      if ('isLight' in part) this.replaceLight(part as never);
+      else if ('geometry' in part && !(await this.convert(part as Drawn, `'${gameObject.name}'`)))
+        part.removeFromParent();
+      if ('isSkinnedMesh' in part) this.skinned.push(part);
+    }
+    return copy;
+  }
+
+  private replaceLight(source: Parameters<typeof gltfLight>[0]): void {
+    const { parent } = source;
+    const copy = gltfLight(source, null);
+    if (!copy) this.leftOut.add('Lights from all sides are left out', source);
+    else {
+      copy.name = source.name;
+      copy.position.copy(source.position);
+      copy.quaternion.copy(source.quaternion);
+      parent?.add(copy);
+    }
+    source.removeFromParent();
+  }
+
+  private lightOf(light: Light): Object3D | null {
+    const copy = gltfLight(light.three, light);
+    const lost = copy ? whatIsLost(light) : 'Lights from all sides are left out';
+    if (lost) this.leftOut.add(lost, light);
+    return copy;
+  }
+
+  /** Gives what is drawn a geometry and materials that glTF has. @returns whether anything is left of it */
+  private async convert(drawn: Drawn, user: string): Promise<boolean> {
+    const sources = Array.isArray(drawn.material) ? drawn.material : [drawn.material];
+    const { attributes } = drawn.geometry;
+    const use = { user, hasUV: 'uv' in attributes, hasTangents: 'tangent' in attributes };
+    const materials = await Promise.all(sources.map((source) => this.materials.convert(source, use)));
+    const looks = materials as (MeshStandardMaterial | MeshBasicMaterial)[];
+    const isTriangles = 'isMesh' in drawn;
+    const look = {
+      vertexColours: looks.some(({ vertexColors }) => vertexColors),
+      flat: looks.some((material) => 'flatShading' in material && material.flatShading),
+      tangents: looks.some((material) => 'normalMap' in material && material.normalMap),
+      edges: isTriangles && looks.some(({ wireframe }) => wireframe),
+    };
+    const geometry = this.geometryOf(drawn.geometry, look);
+    if (!geometry) return false;
+    drawn.geometry = geometry;
+    drawn.material = Array.isArray(drawn.material) ? materials : materials[0];
+    return true;
+  }
+
+  private geometryOf(source: BufferGeometry, look: Parameters<typeof gltfGeometry>[1]): BufferGeometry | null {
+    const key = `${source.uuid} ${Object.values(look).join()}`;
+    let made = this.geometries.get(key);
+    if (made === undefined) this.geometries.set(key, (made = gltfGeometry(source, look)));
+    return made;
+  }
+
+  /** Meshes with a skin go to the top: their joints alone say where they are. @see glTF 2.0, 3.7.3.3 */
+  private freeSkins(): void {
+    for (const mesh of this.skinned) {
+      this.three.add(mesh);
+      mesh.position.set(0, 0, 0);
+      mesh.quaternion.identity();
+      mesh.scale.set(1, 1, 1);
+    }
+  }
+
+  private noteSurroundings(): void {
+    const { settings } = this.scene;
+    const isBlack = settings.backgroundColour.every((channel) => channel === 0);
+    if (settings.environment !== null) this.leftOut.add('The environment is left out');
+    if (!isBlack || settings.background !== 'colour') this.leftOut.add('The background is left out');
+    if (settings.fog !== 'none') this.leftOut.add('Fog is left out');
+  }
+}

@@ -1,0 +1,21 @@
+/** How long (ms) work goes on before the page may answer. */
+const SLICE = 12;
+
+let began = 0;
+
+const channel = new MessageChannel();
+
+const nextTask = (): Promise<void> =>
+  new Promise((resolve) => {
+    channel.port1.addEventListener('message', () => resolve(), { once: true });
+    channel.port1.start();
+    channel.port2.postMessage(null);
+  });
+
+/** Lets the page answer when work has gone on for long; to be awaited between small pieces of it. */
+export async function breathe(): Promise<void> {
+  const now = performance.now();
+  if (now - began < SLICE) return;
+  await nextTask();
+  began = performance.now();
+}

@@ -1,0 +1,62 @@
+import type { Light } from '@farol/engine';
+import { DirectionalLight, type Light as ThreeLight, PointLight, SpotLight } from 'three';
+
+/** glTF's cones have a soft edge, be it ever so thin. */
+const THINNEST_EDGE = 1e-3;
+
+/** How much of a light is left at a distance (m), relative to its intensity. */
+function left(light: Light, distance: number): number {
+  if (light.attenuation === 'near-far') {
+    return Math.min(1, Math.max(0, (light.far - distance) / Math.max(1e-6, light.far - light.near)));
+  }
+  if (light.attenuation === 'polynomial') {
+    return 1 / Math.max(1e-6, light.constant + light.linear * distance + light.quadratic * distance ** 2);
+  }
+  return distance ** -light.decay;
+}
+
+/** Factor of the intensity by which a light that fades with the square of the distance is as bright half way. */
+function asBright(light: Light): number {
+  const hasPlace = light.type === 'point' || light.type === 'spot';
+  if (!hasPlace || (light.attenuation === 'physical' && light.decay === 2)) return 1;
+  const half = (Number.isFinite(light.reach) ? light.reach : 2) / 2;
+  // what has an end fades to it in three, as glTF recommends: by half way (1 - 0.5^4)^2 is left
+  const end = light.attenuation !== 'physical' && Number.isFinite(light.reach) ? (1 - 0.5 ** 4) ** 2 : 1;
+  return (left(light, half) * half ** 2) / end;
+}
+
+/** What of a light glTF cannot say; null when it says all. @see KHR_lights_punctual */
+export function whatIsLost(light: Light): string | null {
+  const hasPlace = light.type === 'point' || light.type === 'spot';
+  if (hasPlace && (light.attenuation !== 'physical' || light.decay !== 2)) {
+    return 'Lights that fade in a way of their own now fade as in nature, as bright as before half way';
+  }
+  if (light.type === 'spot' && light.exponent > 0) return 'Spot lights with an exponent got an edge';
+  if (light.ownSpecular || light.ambient.some((channel) => channel > 0)) {
+    return 'Second colours of lights are left out';
+  }
+  return null;
+}
+
+/**
+ * A light as glTF has them, fading with the square of the distance; null for those from all sides. One that fades in
+ * another way is as bright as before half way to its end.
+ * @see KHR_lights_punctual
+ */
+export function gltfLight(source: ThreeLight, light: Light | null): ThreeLight | null {
+  if (!(source instanceof DirectionalLight || source instanceof PointLight || source instanceof SpotLight)) return null;
+  const colour = source.color.clone();
+  const largest = Math.max(1, colour.r, colour.g, colour.b);
+  colour.multiplyScalar(1 / largest);
+  const intensity = source.intensity * largest * (light ? asBright(light) : 1);
+  let copy: DirectionalLight | PointLight | SpotLight;
+  if (source instanceof SpotLight) {
+    const penumbra = Math.max(THINNEST_EDGE, source.penumbra);
+    copy = new SpotLight(colour, intensity, source.distance, source.angle, penumbra);
+  } else if (source instanceof PointLight) copy = new PointLight(colour, intensity, source.distance);
+  else copy = new DirectionalLight(colour, intensity);
+  copy.position.set(0, 0, 0);
+  // along -z, as glTF has it: the exporter would write a target as a node
+  if (!(copy instanceof PointLight)) Reflect.deleteProperty(copy, 'target');
+  return copy;
+}

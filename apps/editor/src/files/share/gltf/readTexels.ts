@@ -1,0 +1,55 @@
+import {
+  LinearSRGBColorSpace,
+  Mesh,
+  OrthographicCamera,
+  PlaneGeometry,
+  RawShaderMaterial,
+  Scene,
+  SRGBColorSpace,
+  type Texture,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+  GLSL3,
+} from 'three';
+import fragmentShader from './readTexels.frag.glsl?raw';
+import vertexShader from './readTexels.vert.glsl?raw';
+
+/**
+ * The texels of any texture that can be sampled (compressed, of floats), as the GPU sees them: RGBA bytes, the row of
+ * v = 0 first, in the texture's own colour space; what is brighter than white is white.
+ */
+export async function readTexels(
+  webgl: WebGLRenderer,
+  texture: Texture,
+  width: number,
+  height: number,
+): Promise<Uint8ClampedArray<ArrayBuffer>> {
+  const isSRGB = texture.colorSpace === SRGBColorSpace;
+  const material = new RawShaderMaterial({
+    glslVersion: GLSL3,
+    uniforms: { source: { value: texture }, encode: { value: isSRGB } },
+    vertexShader,
+    fragmentShader,
+    depthTest: false,
+    depthWrite: false,
+  });
+  const plane = new Mesh(new PlaneGeometry(2, 2), material);
+  plane.frustumCulled = false;
+  const scene = new Scene();
+  scene.add(plane);
+  const target = new WebGLRenderTarget(width, height, { colorSpace: LinearSRGBColorSpace, depthBuffer: false });
+  const before = webgl.getRenderTarget();
+  try {
+    webgl.setRenderTarget(target);
+    webgl.render(scene, new OrthographicCamera());
+    webgl.setRenderTarget(before);
+    const data = new Uint8ClampedArray(width * height * 4);
+    await webgl.readRenderTargetPixelsAsync(target, 0, 0, width, height, data);
+    return data;
+  } finally {
+    webgl.setRenderTarget(before);
+    target.dispose();
+    material.dispose();
+    plane.geometry.dispose();
+  }
+}

@@ -1,0 +1,48 @@
+import type { FarolRenderer, MicroShaderRegistry, TechniqueName } from '@farol/renderer';
+import { chunksOf, dryRun } from './dryRun';
+import { idle, VIEWS } from './MicroShaderUses';
+import { compileAlone, compileStage } from './probeMicroShader';
+
+/**
+ * Compiles microshaders that are on trial in every shader of every technique and view that holds one of them, and alone
+ * where none does. Nothing is drawn and nothing changes; the page answers meanwhile.
+ * @param farol - knows the techniques and the device
+ * @param texts - the microshaders of the scene as they would be
+ * @param names - of those on trial
+ * @throws MicroShaderCompileError (as a rejection) with chunk and line; Error naming unknown chunks and circles
+ */
+export async function checkMicroShaders(
+  farol: FarolRenderer,
+  texts: ReadonlyMap<string, string>,
+  names: readonly string[],
+): Promise<void> {
+  const gl = farol.webgl.getContext() as WebGL2RenderingContext;
+  const tried = new Set<string>();
+  const held = new Set<string>();
+  const run = (options: Parameters<typeof dryRun>[1], inspect: Parameters<typeof dryRun>[4]): void => {
+    for (const { stage, text } of dryRun(gl, options, texts, farol.techniques, inspect)) {
+      if (tried.has(text)) continue;
+      tried.add(text);
+      const chunks = chunksOf(text);
+      const onTrial = names.filter((name) => chunks.has(name));
+      for (const name of onTrial) held.add(name);
+      if (onTrial.length > 0) compileStage(gl, onTrial[0], stage, text);
+    }
+  };
+  const refuse = (_: MicroShaderRegistry, problems: readonly { readonly error: Error }[]): void => {
+    if (problems.length > 0) throw problems[0].error;
+  };
+  for (const technique of (Object.keys(farol.techniques) as TechniqueName[]).filter((name) => name !== 'auto')) {
+    await farol.techniques[technique].late?.load();
+    await idle();
+    run({ technique }, refuse);
+  }
+  for (const view of VIEWS) {
+    await idle();
+    run({ technique: 'clustered-forward', view }, refuse);
+  }
+  await idle();
+  run({ technique: 'forward' }, (registry) => {
+    for (const name of names) if (!held.has(name) && registry.has(name)) compileAlone(gl, registry, name);
+  });
+}

@@ -1,0 +1,62 @@
+import { MicroShaderCompileError } from '@farol/renderer';
+import type { Editor } from '../Editor';
+import { checkMicroShaders } from './checkMicroShaders';
+
+/** What is wrong with a set, in a sentence: the first error of the compiler with its chunk and line. */
+function refusal(file: string, error: unknown): Error {
+  const [first] = error instanceof MicroShaderCompileError ? error.entries : [];
+  const reason = first
+    ? `${first.chunk ?? 'a chunk'}, line ${first.line}: ${first.message}`
+    : error instanceof Error
+      ? error.message
+      : String(error);
+  return new Error(`${file} is not imported, and nothing has changed: ${reason.slice(0, 300)}`, { cause: error });
+}
+
+/**
+ * Takes the microshaders of a file of XML into the scene, all or none: each must compile wherever it is drawn with, and the
+ * user is asked before one takes the place of another.
+ * @returns their names; null when the user turned back
+ * @throws Error (as a rejection) naming the chunk and the line
+ */
+export async function importMicroShaders(
+  editor: Editor,
+  text: string,
+  file: string,
+): Promise<readonly string[] | null> {
+  const { microShaders, dialogs, document, viewport } = editor;
+  const edits = microShaders.readXML(text, file);
+  const { scene } = document;
+  const texts = new Map(scene.microShaders.texts);
+  for (const edit of edits) texts.set(edit.name, edit.text);
+  const names = edits.map(({ name }) => name);
+  try {
+    await checkMicroShaders(viewport.farol, texts, names);
+  } catch (error) {
+    throw refusal(file, error);
+  }
+  const replaced = edits.filter(({ name, text: next }) => {
+    return microShaders.names.includes(name) && microShaders.textOf(name) !== next;
+  });
+  if (replaced.length > 0) {
+    const isAgreed = await dialogs.show({
+      kind: 'problems',
+      title: `${file} replaces microshaders that are there`,
+      text: 'What is drawn with them changes. History takes the import back in one step. It replaces:',
+      problems: replaced.map(({ name }) => ({
+        path: name,
+        problem: microShaders.isOwn(name)
+          ? 'of this scene'
+          : microShaders.isChanged(name)
+            ? 'built in, edited'
+            : 'built in',
+      })),
+      action: 'Replace them',
+      listLabel: 'Microshaders',
+    });
+    if (!isAgreed) return null;
+  }
+  if (document.scene !== scene) throw new Error(`${file} is not imported: another scene was opened meanwhile.`);
+  microShaders.takeOver(`Import ${file}`, edits);
+  return names;
+}

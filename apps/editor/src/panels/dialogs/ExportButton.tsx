@@ -1,0 +1,53 @@
+import { type ReactNode, useState } from 'react';
+import { useEditor } from '../../ui/EditorContext';
+
+interface ExportButtonProps {
+  readonly label: string;
+  /** What it makes, in a line. */
+  readonly note: string;
+  /** Makes the file and hands it to the user. @returns what the file could not take along, a line each */
+  run(): Promise<readonly string[]>;
+}
+
+/** A part of the export dialog that makes a file; it says what the file lacks. */
+export function ExportButton({ label, note, run }: ExportButtonProps): ReactNode {
+  const editor = useEditor();
+  const [isBusy, setBusy] = useState(false);
+  const [lost, setLost] = useState<readonly string[]>([]);
+  const start = async (): Promise<void> => {
+    setBusy(true);
+    setLost([]);
+    try {
+      setLost(await run());
+    } finally {
+      setBusy(false);
+    }
+  };
+  return (
+    <>
+      <div className="export-row">
+        <button
+          type="button"
+          className="button primary"
+          aria-busy={isBusy}
+          // a button that is disabled loses the focus
+          aria-disabled={isBusy}
+          onClick={() => isBusy || editor.attempt(start)}
+        >
+          {label}
+        </button>
+        <span className="export-note">{isBusy ? 'Being made…' : note}</span>
+      </div>
+      {lost.length > 0 && (
+        <div className="export-lost" role="status">
+          <span>What glTF cannot hold:</span>
+          <ul>
+            {lost.map((line) => (
+              <li key={line}>{line}</li>
+            ))}
+          </ul>
+        </div>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,296 @@
+import { readFile } from 'node:fs/promises';
+import { pathToFileURL } from 'node:url';
+import type { BrowserContext, Download, Page } from '@playwright/test';
+import { glbProblems } from '../support/glbProblems';
+import { compareImages, type FloatImage, isFlat } from '../support/images';
+import { expect, test } from '../support/test';
+import type { ReadGltf } from '../pages/gltf';
+import { addObject, openEditor, serialized, waitUntilReady } from './editor';
+import { dropFiles, redBox } from './models';
+
+test.use({ viewport: { width: 900, height: 640 }, reducedMotion: 'reduce' });
+
+/** Of the pictures (pixels). */
+const WIDTH = 240;
+const HEIGHT = 136;
+
+/** Few lights and objects, of the scenes that let one choose. */
+const few: Readonly<Record<string, number | string>> = { lights: 4, n: 3, m: 3, textureSize: '128' };
+
+/** RGBA bytes of sRGB, top row first, as linear floats. */
+function decoded(base64: string): FloatImage {
+  const linear = (byte: number): number => (byte <= 10 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
+  return { width: WIDTH, height: HEIGHT, data: Array.from(Buffer.from(base64, 'base64'), linear) };
+}
+
+/** The scene's picture through its own camera, by stock three or by Farol. */
+async function editorPicture(page: Page, by: 'three' | 'farol'): Promise<FloatImage> {
+  const picture = await page.evaluate(
+    ([by, width, height]) => {
+      const { viewport, document: doc } = window.editor;
+      const { webgl, farol } = viewport;
+      const camera = doc.scene.activeCamera!;
+      const { width: oldWidth, height: oldHeight } = viewport.canvas;
+      const [ratio, shadows] = [webgl.getPixelRatio(), webgl.shadowMap.enabled];
+      webgl.setPixelRatio(1);
+      webgl.setSize(width, height, false);
+      camera.setViewport(width, height);
+      doc.scene.three.updateMatrixWorld();
+      if (by === 'three') {
+        webgl.shadowMap.enabled = false;
+        webgl.render(doc.scene.three, camera.three);
+      } else {
+        farol.setSize(width, height);
+        farol.render(doc.scene.three, camera.three);
+      }
+      const copy = document.createElement('canvas');
+      copy.width = width;
+      copy.height = height;
+      const context = copy.getContext('2d', { willReadFrequently: true })!;
+      context.drawImage(viewport.canvas, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      webgl.shadowMap.enabled = shadows;
+      webgl.setPixelRatio(ratio);
+      webgl.setSize(oldWidth / ratio, oldHeight / ratio, false);
+      farol.setSize(oldWidth, oldHeight);
+      const letters: string[] = [];
+      for (let i = 0; i < data.length; i += 8192) letters.push(String.fromCharCode(...data.subarray(i, i + 8192)));
+      return btoa(letters.join(''));
+    },
+    [by, WIDTH, HEIGHT] as const,
+  );
+  return decoded(picture);
+}
+
+/** What a page of the player shows in its next frame. */
+async function playerPicture(page: Page): Promise<FloatImage> {
+  const canvas = page.locator('canvas');
+  await expect(canvas).toHaveAttribute('aria-label', /./);
+  const picture = await canvas.evaluate(
+    (element: HTMLCanvasElement) =>
+      new Promise<string>((resolve) => {
+        let frames = 0;
+        const frame = (): void => {
+          // what is fetched late is drawn another way in the first frames
+          if (++frames < 8) return void requestAnimationFrame(frame);
+          const copy = document.createElement('canvas');
+          copy.width = element.width;
+          copy.height = element.height;
+          const context = copy.getContext('2d', { willReadFrequently: true })!;
+          context.drawImage(element, 0, 0);
+          const { data } = context.getImageData(0, 0, copy.width, copy.height);
+          const letters: string[] = [];
+          for (let i = 0; i < data.length; i += 8192) letters.push(String.fromCharCode(...data.subarray(i, i + 8192)));
+          resolve(btoa(letters.join('')));
+        };
+        requestAnimationFrame(frame);
+      }),
+  );
+  return decoded(picture);
+}
+
+const openDialog = (page: Page): Promise<void> => page.keyboard.press('Control+Shift+E');
+const closeDialog = (page: Page): Promise<void> => page.getByRole('button', { name: 'Close', exact: true }).click();
+
+async function exported(page: Page, button: string): Promise<Download> {
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: button }).click();
+  return download;
+}
+
+async function exportedGlb(page: Page): Promise<Buffer> {
+  return readFile(await (await exported(page, 'glTF (GLB)…')).path());
+}
+
+/** Opens a sample, standing still. */
+const openSample = (page: Page, name: string): Promise<void> =>
+  page.evaluate(
+    async ([name, few]) => {
+      const { editor } = window;
+      const { parameters } = editor.samples[name];
+      const values = Object.entries(few).filter(([parameter]) => parameter in parameters);
+      await editor.openScene(name, Object.fromEntries(values) as Record<string, number>);
+      editor.document.scene.traverse((object) => {
+        for (const component of object.components)
+          if (component.typeName === 'RandomMovement') component.enabled = false;
+      });
+    },
+    [name, few] as const,
+  );
+
+/** Leaves in the scene what glTF can hold: physical lights, metal and roughness, no sky. */
+const keepWhatGltfHolds = (page: Page): Promise<void> =>
+  page.evaluate(() => {
+    const { scene } = window.editor.document;
+    Object.assign(scene.settings, {
+      backgroundColour: [0, 0, 0],
+      background: 'colour',
+      environment: null,
+      fog: 'none',
+    });
+    for (const light of scene.lights) {
+      if (light.type === 'ambient' || light.type === 'hemisphere') light.enabled = false;
+      const plain = { attenuation: 'physical', decay: 2, ambient: [0, 0, 0], ownSpecular: false, exponent: 0 };
+      Object.assign(light, plain);
+    }
+    scene.traverse((object) => {
+      for (const component of object.components) {
+        if (component.typeName === 'ObjectRenderer' && component.get('kind') === 'phong')
+          component.set('kind', 'standard');
+      }
+    });
+  });
+
+async function checkGltf(page: Page, reader: Page, name: string): Promise<void> {
+  await openDialog(page);
+  const asItIs = await exportedGlb(page);
+  expect(await glbProblems(asItIs), `${name} as it is`).toEqual([]);
+  await expect(page.getByRole('region', { name: 'glTF' })).toContainText('What glTF cannot hold');
+  await closeDialog(page);
+
+  await keepWhatGltfHolds(page);
+  await openDialog(page);
+  const glb = await exportedGlb(page);
+  await closeDialog(page);
+  expect(await glbProblems(glb), `${name}, what glTF can hold`).toEqual([]);
+  const read = await reader.evaluate(([glb, width, height]) => window.readGltf(glb, width, height), [
+    glb.toString('base64'),
+    WIDTH,
+    HEIGHT,
+  ] as const);
+  const inScene = await page.evaluate(() => {
+    const { scene } = window.editor.document;
+    let meshes = 0;
+    scene.traverse((object) => {
+      for (const { isActive, typeName } of object.components)
+        meshes += Number(isActive && typeName === 'ObjectRenderer');
+    });
+    return { meshes, lights: scene.lights.filter((light) => light.isActive).length };
+  });
+  expect({ meshes: read.meshes.length, lights: read.lights.length }, name).toEqual(inScene);
+  const stock = await editorPicture(page, 'three');
+  expect(isFlat(stock), `${name} by stock three shows one colour`).toBe(false);
+  const { psnr, share } = compareImages(stock, decoded(read.picture));
+  test.info().annotations.push({ type: 'glTF', description: `${name}: ${psnr.toFixed(1)} dB, ${share * 100}%` });
+  // what differs are normal maps at joints: by vertex tangents here, by derivatives there; 44 dB and more were measured
+  expect(psnr, `${name} read again, dB`).toBeGreaterThan(42);
+}
+
+/** The page from a disk, the link in the editor, the embedded frame: each shows the scene. */
+async function checkPages(page: Page, context: BrowserContext, name: string, html: string): Promise<void> {
+  const scene = await serialized(page);
+  const picture = await editorPicture(page, 'farol');
+  expect(isFlat(picture), `${name} by Farol shows one colour`).toBe(false);
+  await openDialog(page);
+  await (await exported(page, 'Web page…')).saveAs(html);
+  const link = await page.getByLabel('Link to the scene').inputValue();
+  const frame = /src="([^"]+)"/.exec(await page.locator('textarea').inputValue())![1];
+  await closeDialog(page);
+  const other = await context.newPage();
+  const problems: string[] = [];
+  other.on('pageerror', (error) => problems.push(error.message));
+  other.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+  await other.setViewportSize({ width: WIDTH, height: HEIGHT });
+  for (const [kind, address] of [
+    ['web page', pathToFileURL(html).href],
+    ['embedded frame', frame],
+  ]) {
+    await other.goto(address);
+    const shown = await playerPicture(other);
+    const { psnr } = compareImages(picture, shown);
+    test.info().annotations.push({ type: kind, description: `${name}: ${psnr.toFixed(1)} dB` });
+    // 'auto' may draw with smooth edges in the one and not yet in the other: 35.7 dB and more were measured
+    expect(psnr, `${name}, ${kind}, dB`).toBeGreaterThan(34);
+  }
+  await other.goto(link);
+  await waitUntilReady(other);
+  await expect.poll(() => serialized(other), `${name} by its link`).toBe(scene);
+  expect(problems).toEqual([]);
+  await other.close();
+}
+
+/** Two tests share the samples, for two workers. */
+for (const half of [0, 1]) {
+  test(`each sample as glTF, web page, link and frame, half ${half + 1}`, async ({ page, context, pagesURL }, info) => {
+    test.setTimeout(240_000);
+    await openEditor(page, 'empty');
+    const samples = await page.evaluate(() => Object.keys(window.editor.samples));
+    expect(samples.length).toBeGreaterThan(5);
+    const reader = await context.newPage();
+    await reader.goto(new URL('gltf.html', pagesURL).href);
+    await reader.waitForFunction(() => 'readGltf' in window);
+    for (const name of samples.filter((_, index) => index % 2 === half)) {
+      await test.step(name, async () => {
+        await openSample(page, name);
+        await checkPages(page, context, name, info.outputPath(`${name}.html`));
+        await checkGltf(page, reader, name);
+      });
+    }
+  });
+}
+
+test('what is hidden, broken or nothing at all: said, named, and the button lives', async ({
+  page,
+  context,
+  pagesURL,
+}) => {
+  await openEditor(page, 'empty');
+  const reader = await context.newPage();
+  await reader.goto(new URL('gltf.html', pagesURL).href);
+  await reader.waitForFunction(() => 'readGltf' in window);
+  const read = (glb: Buffer): Promise<ReadGltf> =>
+    reader.evaluate(([glb, width, height]) => window.readGltf(glb, width, height), [
+      glb.toString('base64'),
+      WIDTH,
+      HEIGHT,
+    ] as const);
+  await dropFiles(page, '.viewport-place canvas', [redBox()]);
+  await expect(page.getByRole('treeitem', { name: 'box' })).toBeVisible();
+  for (const mesh of ['Sphere', 'Torus', 'Cone', 'Cylinder']) await addObject(page, 'Mesh', mesh);
+  await page.evaluate(() => {
+    const { scene } = window.editor.document;
+    const set = (name: string, values: object): void => {
+      const shape = scene.find(name)!.getComponent('ObjectRenderer')!;
+      for (const [field, value] of Object.entries(values)) shape.set(field, value as string);
+    };
+    scene.find('Torus')!.active = false;
+    set('Cone', { wireframe: true, map: 'wood', normalMap: 'wood-normal' });
+    set('Cylinder', { kind: 'physical', clearcoat: 1, shading: 'flat', instanced: true, normalMap: 'brick-normal' });
+    set('Sphere', { map: 'marble', emissive: [2, 4, 0], colour: [3, 1, 1] });
+  });
+  const part = page.getByRole('region', { name: 'glTF' });
+  const button = page.getByRole('button', { name: 'glTF (GLB)…' });
+  await openDialog(page);
+  const whole = await exportedGlb(page);
+  expect(await glbProblems(whole)).toEqual([]);
+  await expect(part.getByRole('listitem')).toHaveText([
+    'Lights from all sides are left out (1)',
+    'Materials brighter than white became white (1)',
+    'Hidden objects are left out (1)',
+    'The background is left out',
+  ]);
+  expect((await read(whole)).meshes).toEqual(['Box', 'Sphere', 'Cylinder']);
+
+  // a texture whose picture is gone
+  await page.evaluate(() => {
+    const { assets } = window.editor.document.scene;
+    const texture = assets.texture('marble');
+    Object.assign(texture, { image: { width: 0, height: 0 } });
+  });
+  await button.click();
+  const notice = page.getByText("A texture of 'Sphere' (marble) cannot be exported: it has no picture");
+  await expect(notice).toBeVisible();
+  await expect(button).toHaveAttribute('aria-busy', 'false');
+  await expect(part.getByRole('listitem')).toHaveCount(0);
+
+  // nothing at all
+  await closeDialog(page);
+  await page.evaluate(() => {
+    const { scene } = window.editor.document;
+    for (const root of [...scene.roots]) scene.remove(root);
+  });
+  await openDialog(page);
+  const nothing = await exportedGlb(page);
+  expect(await glbProblems(nothing)).toEqual([]);
+  expect((await read(nothing)).meshes).toEqual([]);
+});

@@ -1,0 +1,120 @@
+import { Vector3 } from 'three';
+import type { Vector3Tuple } from '../../fields/Field';
+import type { Surface } from '../../geometry/MeshBuilder';
+
+/** A point of a cross-section for u from 0 to 1 round it and v from 0 to 1 along: offsets to the side and upwards (m). */
+export type Section = (u: number, v: number) => readonly [side: number, up: number];
+
+const [moved, tangent] = [new Vector3(), new Vector3()];
+
+/** A round cross-section of a radius (m) that may change along the way. */
+export const round =
+  (radius: (v: number) => number): Section =>
+  (u, v) => {
+    const angle = 2 * Math.PI * u;
+    return [radius(v) * Math.cos(angle), radius(v) * Math.sin(angle)];
+  };
+
+/** Pieces by which the length of a curve is measured. */
+const PIECES = 400;
+
+/** Half the step by which directions are measured. */
+const STEP = 1e-4;
+
+/** Between b and c of four points on a line, at t from the knot of b to that of c. @see Barry and Goldman 1988 */
+function between(points: readonly number[], knots: readonly number[], t: number): number {
+  let level = points;
+  for (let degree = 1; degree < 4; degree++) {
+    level = level.slice(1).map((next, i) => {
+      // the two lower levels span the knots beside b and c alone
+      const [from, to] = degree === 3 ? [knots[1], knots[2]] : [knots[i], knots[i + degree]];
+      return (level[i] * (to - t) + next * (t - from)) / (to - from);
+    });
+  }
+  return level[0];
+}
+
+/** A curve through points, and what is swept along it. It may go anywhere but straight to the side (z). */
+export class Sweep {
+  /** Lengths (m) up to the ends of the pieces. */
+  private readonly lengths: number[] = [0];
+  private readonly points: readonly Vector3Tuple[];
+  private readonly point = new Vector3();
+  private readonly across = new Vector3();
+  private readonly upwards = new Vector3();
+  /** What `point` and the directions are of. */
+  private placed = NaN;
+
+  /** @param through - two points or more; the curve is a centripetal Catmull-Rom spline */
+  constructor(through: readonly Vector3Tuple[]) {
+    const mirrored = (end: Vector3Tuple, next: Vector3Tuple): Vector3Tuple => [
+      2 * end[0] - next[0],
+      2 * end[1] - next[1],
+      2 * end[2] - next[2],
+    ];
+    const last = through.length - 1;
+    this.points = [mirrored(through[0], through[1]), ...through, mirrored(through[last], through[last - 1])];
+    let before = this.pointAt(0, new Vector3());
+    for (let i = 1; i <= PIECES; i++) {
+      const point = this.pointAt(i / PIECES, new Vector3());
+      this.lengths.push(this.lengths[i - 1] + point.distanceTo(before));
+      before = point;
+    }
+  }
+
+  /** The point at t from 0 to 1, in steps of the points given. */
+  private pointAt(t: number, target: Vector3): Vector3 {
+    const count = this.points.length - 3;
+    const first = Math.min(Math.floor(t * count), count - 1);
+    const four = this.points.slice(first, first + 4);
+    const knots = [0];
+    for (let i = 1; i < 4; i++) {
+      const [a, b] = [four[i - 1], four[i]];
+      knots.push(knots[i - 1] + Math.sqrt(Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])));
+    }
+    const at = knots[1] + (t * count - first) * (knots[2] - knots[1]);
+    const [x, y, z] = [0, 1, 2].map((axis) =>
+      between(
+        four.map((point) => point[axis]),
+        knots,
+        at,
+      ),
+    );
+    return target.set(x, y, z);
+  }
+
+  /** Where a part of the length, from 0 to 1, is reached. */
+  private parameterAt(part: number): number {
+    const length = part * this.lengths[PIECES];
+    let piece = 0;
+    while (piece < PIECES - 1 && this.lengths[piece + 1] < length) piece++;
+    const [from, to] = [this.lengths[piece], this.lengths[piece + 1]];
+    return (piece + (to > from ? (length - from) / (to - from) : 0)) / PIECES;
+  }
+
+  /** The point of the curve at v from 0 to 1, moved by offsets to the side (z) and upwards, across the curve. */
+  at(v: number, side = 0, up = 0): Vector3Tuple {
+    if (v !== this.placed) this.place(v);
+    moved.copy(this.point).addScaledVector(this.across, side).addScaledVector(this.upwards, up);
+    return [moved.x, moved.y, moved.z];
+  }
+
+  /** Finds point and directions at v, which a whole ring of vertices shares. */
+  private place(v: number): void {
+    const t = this.parameterAt(Math.min(1, Math.max(0, v)));
+    this.pointAt(Math.min(1, t + STEP), tangent)
+      .sub(this.pointAt(Math.max(0, t - STEP), moved))
+      .normalize();
+    this.across.set(0, 0, 1).addScaledVector(tangent, -tangent.z).normalize();
+    // above the curve where it goes towards +x
+    this.upwards.crossVectors(this.across, tangent);
+    this.pointAt(t, this.point);
+    this.placed = v;
+  }
+
+  /** The surface of a section along the curve, for `MeshBuilder.surface`. */
+  surface(section: Section): Surface {
+    // facing out: anticlockwise seen from where the curve comes from
+    return (u, v) => this.at(v, ...section(1 - u, v));
+  }
+}

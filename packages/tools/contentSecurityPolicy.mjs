@@ -1,0 +1,45 @@
+/**
+ * What a page of Farol may do. Scripts are its own files alone; WebAssembly decodes models; workers are its own or made of
+ * its own text; pictures come as bytes. Libraries of controls write style elements.
+ *
+ * @param {object} [options]
+ * @param {boolean} [options.isServed] the development server puts scripts into pages and pushes changes; default false
+ * @see Content Security Policy Level 3
+ */
+export function contentSecurityPolicy({ isServed = false } = {}) {
+  return [
+    "default-src 'none'",
+    `script-src 'self' 'wasm-unsafe-eval'${isServed ? " 'unsafe-inline'" : ''}`,
+    "worker-src 'self' blob:",
+    "style-src 'self' 'unsafe-inline'",
+    "img-src 'self' data: blob:",
+    "font-src 'self' data:",
+    // any host that the user was asked about
+    `connect-src 'self' data: blob: https: http:${isServed ? ' ws: wss:' : ''}`,
+    "base-uri 'none'",
+    "form-action 'none'",
+  ].join('; ');
+}
+
+/** A policy as an element for the head of a page. @param {string} policy */
+export const policyElement = (policy) => `<meta http-equiv="Content-Security-Policy" content="${policy}" />`;
+
+/**
+ * Vite plugin: puts the policy into each page, the strict one into what is built.
+ *
+ * @returns {import('vite').Plugin}
+ */
+export function securePages() {
+  let isServed = false;
+  return {
+    name: 'farol-content-security-policy',
+    configResolved(config) {
+      isServed = config.command === 'serve';
+    },
+    transformIndexHtml: {
+      order: 'post',
+      // before anything that it is about
+      handler: (html) => html.replace('<head>', `<head>\n    ${policyElement(contentSecurityPolicy({ isServed }))}`),
+    },
+  };
+}
