@@ -232,6 +232,7 @@ export class ShadowMaps implements LightMasks {
     this.images.dispose();
     this.bounds.dispose();
     this.tiles.dispose();
+    this.shaders.dispose();
     this.slots.clear();
     this.cookies.clear();
     this.scenes.clear();
