@@ -47,3 +47,57 @@ for (const [technique, effects] of WHOLE ? [...CASES, ...OTHERS] : CASES) {
     expect(memory[1]).toEqual(memory[0]);
   });
 }
+
+test('after a loss a scene without shadows is drawn right by shaders that knew some, and holds nothing of the maps that were lost', async ({
+  page,
+  pagesURL,
+  watch,
+}) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+  const { pictures, kept, lost } = await page.evaluate(async () => {
+    const { Bench, compareImages, countGpuObjects, edgeScene, shadowScene, three } = window.testPage;
+    const count = countGpuObjects();
+    const pictures: Record<string, number> = {};
+    /** Draws what casts shadows, then what does not. @returns objects on the GPU once Farol's are disposed */
+    const run = async (loses: boolean) => {
+      const bench = new Bench(96, 64);
+      bench.webgl.shadowMap.enabled = true;
+      const shaded = shadowScene(96, 64, { caster: 'spot' });
+      const freeMaps = () => {
+        shaded.scene.traverse((object) => {
+          const { material } = object as InstanceType<typeof three.Mesh>;
+          if (material instanceof three.MeshStandardMaterial) material.map?.dispose();
+        });
+      };
+      // as a host must
+      bench.webgl.domElement.addEventListener('webglcontextlost', () => bench.target.dispose());
+      bench.webgl.domElement.addEventListener('webglcontextlost', freeMaps);
+      const plain = edgeScene(96, 64);
+      // three's shadows and Farol's lights in one: what shows nothing but shadows
+      const veil = new three.Mesh(new three.PlaneGeometry(3, 3), new three.ShadowMaterial());
+      veil.position.z = 1;
+      plain.scene.add(veil);
+      for (let i = 0; i < 3; i++) bench.byTechnique('clustered-deferred', shaded.scene, shaded.camera);
+      if (loses) await bench.loseContext();
+      for (const technique of ['clustered-deferred', 'deferred', 'clustered-forward'] as const) {
+        const picture = bench.byTechnique(technique, plain.scene, plain.camera);
+        pictures[technique] = compareImages(bench.stock(plain.scene, plain.camera), picture).psnr;
+      }
+      bench.farol.dispose();
+      if (!loses) freeMaps();
+      const { memory } = bench.webgl.info;
+      const { Texture, Framebuffer } = count();
+      // of a context that is gone for good nothing counts
+      bench.webgl.getContext().getExtension('WEBGL_lose_context')!.loseContext();
+      await new Promise((resolve) => setTimeout(resolve));
+      return { Texture, Framebuffer, textures: memory.textures };
+    };
+    const kept = await run(false);
+    const lost = await run(true);
+    return { pictures, kept, lost };
+  });
+  expect(watch.forgive(LOST)).toBeGreaterThanOrEqual(1);
+  for (const [technique, psnr] of Object.entries(pictures)) expect(psnr, technique).toBeGreaterThan(45);
+  expect(lost, 'on the GPU once Farol is disposed, and had there been no loss').toEqual(kept);
+});

@@ -13,11 +13,14 @@ const kinds = [
 
 type Gl = Record<string, (...args: unknown[]) => unknown>;
 
-/** The objects of a WebGL context that were made and not deleted. A lost context has none. */
+/** The objects of a canvas' WebGL context that were made and not deleted. A lost context has none. */
 export class GpuObjects {
   private readonly alive = new Map<string, Set<unknown>>(kinds.map((kind) => [kind, new Set()]));
 
-  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
+  private forgives = false;
+
+  constructor(canvas: HTMLCanvasElement) {
+    const context = canvas.getContext('webgl2', { antialias: false, stencil: false })!;
     const gl = context as unknown as Gl;
     for (const kind of kinds) {
       const alive = this.alive.get(kind)!;
@@ -25,17 +28,24 @@ export class GpuObjects {
       const remove = gl[`delete${kind}`];
       gl[`create${kind}`] = (...args) => {
         const made = create.apply(context, args);
-        if (made) alive.add(made);
+        if (made && !context.isContextLost()) alive.add(made);
         return made;
       };
       gl[`delete${kind}`] = (object) => {
-        alive.delete(object);
+        if (!alive.delete(object) && this.forgives) return;
         remove.call(context, object);
       };
     }
     canvas.addEventListener('webglcontextlost', () => {
       for (const objects of this.alive.values()) objects.clear();
     });
+  }
+
+  /** While it runs, what is deleted and not alive does not reach the browser, which would warn of each. */
+  forgiveLost(run: () => void): void {
+    this.forgives = true;
+    run();
+    this.forgives = false;
   }
 
   get count(): number {

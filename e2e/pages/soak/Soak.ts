@@ -35,7 +35,7 @@ const knowsDepth: ReadonlySet<string> = new Set([
 /** One renderer that lives through everything, and one beside it that knows nothing of that, on which fresh ones are made. */
 export class Soak {
   readonly random: () => number;
-  readonly webgl = new THREE.WebGLRenderer({ antialias: false });
+  readonly webgl: THREE.WebGLRenderer;
   readonly farol: FarolRenderer;
   readonly objects: GpuObjects;
   /** Rounds so far. */
@@ -52,7 +52,12 @@ export class Soak {
 
   private readonly calm = new THREE.WebGLRenderer({ antialias: false });
   private readonly made = new Map<EffectName, FarolEffect>();
-  /** Objects on the GPU of a renderer that has drawn nothing. */
+  /** What disposes the last fresh renderer of each technique. */
+  private readonly last = new Map<string, () => void>();
+  /**
+   * Objects on the GPU that are three's own, and kept: empty textures, one of depths among them, scratch framebuffers, and the
+   * table of the DFG term.
+   */
   private readonly first: Record<string, number>;
   private chosen: EffectName[] = [];
   private problems: string[] = [];
@@ -65,13 +70,15 @@ export class Soak {
     private readonly kinds: readonly ActName[] = Object.keys(acts) as ActName[],
   ) {
     this.random = random(seed);
-    this.objects = new GpuObjects(this.webgl.domElement, this.webgl.getContext() as WebGL2RenderingContext);
+    const canvas = document.createElement('canvas');
+    // before three makes its own
+    this.objects = new GpuObjects(canvas);
+    this.webgl = new THREE.WebGLRenderer({ canvas, antialias: false });
     for (const webgl of [this.webgl, this.calm]) {
       webgl.shadowMap.enabled = true;
-      // of other types the size of a map depends on what was seen before: see the README's limits
-      webgl.shadowMap.type = THREE.BasicShadowMap;
       webgl.setSize(...SIZE, false);
     }
+    drawLit(this.webgl);
     this.first = this.objects.table;
     this.farol = new FarolRenderer(this.webgl, { shadowAtlasSize: 1024 });
     this.openScene('edges');
@@ -110,10 +117,10 @@ export class Soak {
     farol.view = 'final';
     farol.shadowCascades = 1;
     farol.lightLayers = false;
-    this.shadowType = THREE.BasicShadowMap;
+    this.shadowType = THREE.PCFShadowMap;
     this.setEffects([]);
     this.resize(...SIZE);
-    for (const { scene } of this.scenes.values()) disposeScene(scene);
+    for (const { scene } of this.scenes.values()) this.close(scene);
     this.scenes.clear();
     this.openScene('edges');
     for (let i = 0; i < 3; i++) this.draw();
@@ -122,9 +129,11 @@ export class Soak {
 
   /** Frees everything. @returns what is left on the GPU of each kind, less what was there before the first frame */
   end(): Record<string, number> {
-    for (const { scene } of this.scenes.values()) disposeScene(scene);
+    for (const dispose of this.last.values()) dispose();
+    for (const { scene } of this.scenes.values()) this.close(scene);
     for (const effect of this.made.values()) effect.dispose();
     this.farol.dispose();
+    drawLit(this.webgl);
     const left = Object.entries(this.objects.table).map(([kind, count]) => [kind, count - (this.first[kind] ?? 0)]);
     return Object.fromEntries(left.filter(([, count]) => count !== 0)) as Record<string, number>;
   }
@@ -146,7 +155,7 @@ export class Soak {
       light.dispose();
     }
     const before = this.scenes.get(name);
-    if (before && anew) disposeScene(before.scene);
+    if (before && anew) this.close(before.scene);
     if (!before || anew) {
       const made = soakScenes[name](...SIZE);
       for (const light of casters(made.scene)) light.shadow.mapSize.set(64, 64);
@@ -196,6 +205,11 @@ export class Soak {
     return '';
   }
 
+  /** As in stock three, what was drawn before a loss is deleted once more, in a context that knows nothing of it. */
+  private close(scene: THREE.Scene): void {
+    this.objects.forgiveLost(() => disposeScene(scene));
+  }
+
   private setEffects(names: readonly EffectName[]): void {
     this.chosen = [...names];
     this.applyEffects();
@@ -228,8 +242,12 @@ export class Soak {
     const seen = this.read(this.webgl);
     fresh.render(scene, camera);
     const right = this.read(calm);
-    for (const effect of own) effect.dispose();
-    fresh.dispose();
+    // the one before of this technique goes now: renderers that live beside one another must not disturb one another
+    this.last.get(farol.technique)?.();
+    this.last.set(farol.technique, () => {
+      for (const effect of own) effect.dispose();
+      fresh.dispose();
+    });
     let difference = 0;
     let off = 0;
     for (let i = 0; i < seen.length; i++) {
@@ -247,4 +265,23 @@ export class Soak {
     for (let error = gl.getError(); error !== 0; error = gl.getError()) this.problems.push(`GL error ${error}`);
     return data;
   }
+}
+
+/** Has stock three make what it keeps for good once something is lit or looks up a depth that is not there, and frees the rest. */
+function drawLit(webgl: THREE.WebGLRenderer): void {
+  const geometry = new THREE.PlaneGeometry();
+  const comparing = new THREE.ShaderMaterial({
+    uniforms: { depths: { value: null } },
+    fragmentShader:
+      'uniform highp sampler2DShadow depths; void main() { gl_FragColor = vec4(texture(depths, vec3(0.5))); }',
+  });
+  const scene = new THREE.Scene().add(
+    new THREE.Mesh(geometry, new THREE.MeshStandardMaterial()),
+    new THREE.Mesh(geometry, comparing),
+    new THREE.PointLight(),
+  );
+  const camera = new THREE.PerspectiveCamera();
+  camera.position.z = 2;
+  webgl.render(scene, camera);
+  disposeScene(scene);
 }

@@ -70,7 +70,7 @@ function lights(soak: Soak): string {
 
 function shadows(soak: Soak): string {
   if (soak.random() < 0.2) {
-    soak.shadowType = pick(soak, [THREE.BasicShadowMap, THREE.VSMShadowMap]);
+    soak.shadowType = pick(soak, [THREE.BasicShadowMap, THREE.PCFShadowMap, THREE.VSMShadowMap]);
     return `type ${soak.shadowType}`;
   }
   const list = casters(soak.scene);

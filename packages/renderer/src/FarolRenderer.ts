@@ -372,7 +372,8 @@ export class FarolRenderer {
     this.twins.dispose();
     this.lights.dispose();
     this.finder.dispose();
-    this.lights.layers = this.frame.findTileShadows = null;
+    this.lights.layers = this.frame.findTileShadows = this.frame.queue.shadowMasks = null;
+    this.uniforms.freeMasks();
   };
 
   private makeShadows(code: NonNullable<(typeof shadowCode)['code']>): ShadowMaps {

@@ -38,4 +38,10 @@ export class FrameUniforms {
     shadows?.setUniforms(values, lights, frame.camera);
     values.farol_heatScale.value = 1 / heatMaximum;
   }
+
+  /** Lets go of the textures of shadow maps, which are disposed: three would make anew what is still bound. */
+  freeMasks(): void {
+    const { values } = this;
+    values.farol_shadowAtlas.value = values.farol_lightAtlas.value = values.farol_tileShadows.value = null;
+  }
 }

@@ -239,6 +239,7 @@ export class ShadowMaps implements LightMasks {
     this.bounds.dispose();
     this.shown.dispose();
     this.tiles.dispose();
+    this.shaders.dispose();
     this.slots.clear();
     this.cookies.clear();
     this.scenes.clear();
