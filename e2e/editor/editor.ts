@@ -37,6 +37,7 @@ export interface EditorHandle {
     readonly farol: { readonly techniques: Readonly<Record<string, object>>; readonly effects: readonly unknown[] };
     renderNow(): void;
   };
+  readonly worksOffline: boolean;
   readonly autosave: {
     readonly isUpToDate: boolean;
     readonly statistics: {

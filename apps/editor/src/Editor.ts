@@ -1,13 +1,4 @@
-import {
-  AssetLibrary,
-  deserialize,
-  FileError,
-  readSceneFile,
-  type Scene,
-  scenes,
-  sizesText,
-  type UnpackQuestion,
-} from '@farol/engine';
+import { AssetLibrary, FileError, type Scene, scenes, sizesText, type UnpackQuestion } from '@farol/engine';
 import { MathUtils } from 'three';
 import type { Autosave } from './files/autosave/Autosave';
 import type { Command } from './model/Command';
@@ -73,6 +64,8 @@ export class Editor {
   readonly ready: Promise<void>;
   /** Stores changes; null until it has begun, soon after `ready`, and where the browser cannot. */
   autosave: Autosave | null = null;
+  /** Whether the code that opens and saves files has been fetched, so that both work without a network. */
+  worksOffline = false;
 
   private openFile: OpenFile = { name: null, handle: null };
 
@@ -156,6 +149,7 @@ export class Editor {
   ): Promise<boolean> {
     const assets = this.libraryForNext();
     try {
+      const { deserialize, readSceneFile } = await import('./files/readScene');
       const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes, this.mayUnpack);
       this.show(await deserialize(content.text, { assets, fileOf: content.fileOf }), file);
       return true;
