@@ -24,5 +24,20 @@ export default defineConfig({
     ],
   },
   resolve: { dedupe: ['three', 'react', 'react-dom'] },
-  build: { target: 'es2022', chunkSizeWarningLimit: 2000 },
+  build: {
+    target: 'es2022',
+    chunkSizeWarningLimit: 2000,
+    rolldownOptions: {
+      output: {
+        // what the first frame needs is few files: they are smaller whole, and asked for at once
+        codeSplitting: {
+          groups: [
+            { name: 'three', tags: ['$initial'], test: /[\\/]node_modules[\\/]three[\\/]/, priority: 1 },
+            { name: 'authoring', test: /[\\/]authoring[\\/]/, priority: 2, includeDependenciesRecursively: false },
+            { name: 'initial', tags: ['$initial'] },
+          ],
+        },
+      },
+    },
+  },
 });

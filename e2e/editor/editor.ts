@@ -41,6 +41,7 @@ export interface EditorHandle {
     readonly farol: FarolRenderer;
     renderNow(): void;
   };
+  readonly worksOffline: boolean;
   readonly autosave: {
     readonly isUpToDate: boolean;
     readonly statistics: {

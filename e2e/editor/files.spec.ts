@@ -16,6 +16,11 @@ async function openEmpty(page: Page): Promise<void> {
   await page.waitForFunction(() => window.editor.autosave !== null);
 }
 
+const TRIANGLE = [
+  'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z',
+  'element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n',
+].join('\n');
+
 /** Waits until everything up to now is stored. */
 async function stored(page: Page): Promise<void> {
   await page.waitForFunction(() => window.editor.autosave!.isUpToDate);
@@ -323,4 +328,30 @@ test('a page that is left with nothing unsaved offers nothing to recover', async
   await waitUntilReady(page);
   await page.waitForFunction(() => window.editor.autosave !== null);
   await expect(page.getByRole('dialog')).toHaveCount(0);
+});
+
+test('files and samples are opened, and scenes saved, without a network once the editor is there', async ({
+  page,
+  context,
+}) => {
+  await openEmpty(page);
+  await page.waitForFunction(() => window.editor.worksOffline);
+  await context.setOffline(true);
+  const opened = await page.evaluate((ply) => {
+    const file = JSON.parse(window.editor.serialize()) as { assets: unknown[]; objects: unknown[] };
+    file.assets = [{ name: 'own.ply', type: 'mesh', url: `data:application/octet-stream;base64,${btoa(ply)}` }];
+    const place = { type: 'Transform', version: 1, id: 'o:Transform', values: {} };
+    const shape = { type: 'ObjectRenderer', version: 1, id: 'o:ObjectRenderer', values: { mesh: 'own.ply' } };
+    file.objects.push({ id: 'o', name: 'Own', parent: null, components: [place, shape] });
+    return window.editor.openFileBytes(JSON.stringify(file), { name: 'own.farol', handle: null });
+  }, TRIANGLE);
+  expect(opened).toBe(true);
+  await expect(page.getByRole('treeitem', { name: 'Own' })).toBeVisible();
+  const download = page.waitForEvent('download');
+  await page.keyboard.press('Control+s');
+  expect((await download).suggestedFilename()).toBe('own.farol');
+  await page.getByRole('button', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New' }).press('ArrowRight');
+  await page.getByRole('menuitem', { name: 'Planes and lights' }).click();
+  await expect(page.getByRole('treeitem', { name: 'Planes' })).toBeVisible();
 });

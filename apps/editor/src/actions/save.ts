@@ -1,7 +1,6 @@
 import { containerContent, inlineAssets, writeContainer } from '@farol/engine';
 import type { Editor } from '../Editor';
 import { fileNameOf } from '../files/fileNameOf';
-import { notSaved, saveFile } from '../files/saveFile';
 import type { Action } from './Action';
 
 /** What the file dialogs of open and save offer. */
@@ -17,6 +16,7 @@ export const fileType = {
  * @throws Error that names the file and says why it was not saved
  */
 async function bytesFor(editor: Editor, name: string): Promise<Blob> {
+  const { notSaved } = await import('../files/saveFile');
   try {
     const content = containerContent(editor.document.scene);
     const isJson = name.toLowerCase().endsWith('.json');
@@ -44,6 +44,7 @@ async function write(editor: Editor, handle: FileSystemFileHandle | null): Promi
 
 async function writeTo(editor: Editor, handle: FileSystemFileHandle | null): Promise<void> {
   const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(editor.document.scene.name)}.farol`;
+  const { saveFile } = await import('../files/saveFile');
   const step = editor.commands.last;
   // the picker gives the file; a browser without one downloads, and gives none
   let saved = await saveFile(await bytesFor(editor, fileName), { ...fileType, fileName }, handle);

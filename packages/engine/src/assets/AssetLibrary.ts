@@ -5,7 +5,14 @@ import { computeCreaseNormals } from '../geometry/computeCreaseNormals';
 import { type Asset, type AssetChange, type AssetFile, type AssetSource, assetTypeOf, type TakenAsset } from './Asset';
 import { AssetError } from './AssetError';
 import { builtinAssets } from './builtinAssets';
-import { type FetchBytes, fetchBytes, readableEndings, readAsset, type ReadOptions, typeOfUrl } from './loadAsset';
+import {
+  type FetchBytes,
+  fetchBytes,
+  type FileAssetType,
+  readableEndings,
+  type ReadOptions,
+  typeOfUrl,
+} from './loadAsset';
 import { AddressRefusedError, foreignOrigin } from './foreignOrigin';
 import { MaterialCache } from './MaterialCache';
 import { Model } from './Model';
@@ -30,6 +37,17 @@ const sample = (names: readonly string[]): string =>
     .slice(0, 8)
     .map((name) => shortText(name, 24))
     .join(', ') + (names.length > 8 ? ', …' : '');
+
+/** Reads an asset from its bytes; what reads them is fetched meanwhile, and is no part of what a first frame needs. */
+async function read(
+  bytes: Promise<ArrayBuffer>,
+  path: string,
+  type: FileAssetType,
+  options: ReadOptions,
+): Promise<Asset> {
+  const [{ readAsset }, given] = await Promise.all([import('./readAsset'), bytes]);
+  return readAsset(given, path, type, options);
+}
 
 /** The meshes, textures, materials and shaders that scenes name. Built-in ones are made on demand. */
 export class AssetLibrary {
@@ -99,7 +117,7 @@ export class AssetLibrary {
       throw new AssetError(name, `cannot be read from '${shortText(url, 80)}': only ${readableEndings} can.`);
     }
     const options: ReadOptions = { normalise: dragon, renderer: this.renderer };
-    const load = async (): Promise<Asset> => readAsset(await this.fetchFor(name, url), url, known, options);
+    const load = (): Promise<Asset> => read(this.fetchFor(name, url), url, known, options);
     this.sources.set(name, { type: known, url, load });
     this.tell({ kind: 'registered', name, type: known });
     return this;
@@ -108,14 +126,14 @@ export class AssetLibrary {
   /**
    * Adds an asset that is read from the bytes of a file. Its name tells the format: 'robot.glb', 'brick.png', 'sky.hdr'.
    * A model brings its meshes, materials and textures along as parts, 'robot.glb/mesh-1-Head', once it is loaded.
+   * @param type - what it is; told by the ending of the name when absent
    * @throws AssetError when the name is taken, or its ending is none that can be read
    */
-  registerFile(name: string, file: Blob): this {
+  registerFile(name: string, file: Blob, type: AssetType | null = typeOfUrl(name)): this {
     this.checkFree(name);
-    const type = typeOfUrl(name);
-    if (!type) throw new AssetError(name, `cannot be read: only ${readableEndings} can. Convert it to one of them.`);
-    const load = async (): Promise<Asset> =>
-      readAsset(await file.arrayBuffer(), name, type, { renderer: this.renderer });
+    if (type !== 'mesh' && type !== 'texture' && type !== 'model')
+      throw new AssetError(name, `cannot be read: only ${readableEndings} can. Convert it to one of them.`);
+    const load = (): Promise<Asset> => read(file.arrayBuffer(), name, type, { renderer: this.renderer });
     this.sources.set(name, { type, file, load });
     this.tell({ kind: 'registered', name, type });
     return this;

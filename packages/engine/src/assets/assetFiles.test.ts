@@ -5,8 +5,9 @@ import { ObjectRenderer } from '../components/ObjectRenderer';
 import { GameObject } from '../core/GameObject';
 import { gameObjectOf } from '../core/gameObjectOf';
 import { Scene } from '../core/Scene';
-import { containerContent, inlineAssets, readSceneFile, writeContainer } from '../file/container';
+import { containerContent, inlineAssets, writeContainer } from '../file/container';
 import { deserialize } from '../file/deserialize';
+import { readSceneFile } from '../file/readSceneFile';
 import { serialize } from '../file/serialize';
 import { AssetLibrary } from './AssetLibrary';
 import { importModel } from './importModel';
@@ -249,4 +250,27 @@ test('an EXR becomes a texture of linear light, the right way up', async () => {
   expect([type, colorSpace]).toEqual([HalfFloatType, LinearSRGBColorSpace]);
   const { data } = image as { data: Uint16Array };
   expect([0, 1, 2, 4].map((i) => DataUtils.fromHalfFloat(data[i]))).toEqual([4, 2, 1, 0.5]);
+});
+
+test('an asset whose name has no ending is what the file says, as bytes in it and as a file beside it', async () => {
+  const ply = [
+    'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z',
+    'element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n',
+  ].join('\n');
+  const file = serialize(new Scene());
+  file.assets = [{ name: 'own', type: 'mesh', url: `data:application/octet-stream;base64,${btoa(ply)}` }];
+  const values = { mesh: 'own' };
+  file.objects = [
+    { id: 'o', name: 'Own', parent: null, components: [{ type: 'ObjectRenderer', version: 1, id: 'r', values }] },
+  ];
+  const scene = await deserialize(file);
+  expect(scene.assets.mesh('own').getAttribute('position').count).toBe(3);
+  const packed = await readSceneFile(await writeContainer(containerContent(scene)));
+  const again = await deserialize(packed.text, { fileOf: packed.fileOf });
+  expect(again.assets.typeOf('own')).toBe('mesh');
+  expect(serialize(again)).toEqual(serialize(scene));
+  // an ending that says otherwise is still a mistake
+  file.assets = [{ ...file.assets[0], name: 'own.png' }];
+  values.mesh = 'own.png';
+  await expect(deserialize(file)).rejects.toThrow('says mesh, and by its name it is a texture');
 });

@@ -11,6 +11,7 @@ import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import type { GameObject } from './GameObject';
 import { InstanceGroups } from './InstanceGroups';
 import { PrefabTable } from '../prefabs/PrefabTable';
+import { assetFields } from '../fields/assetFields';
 import { type GameObjectContainer, moveGameObject } from './moveGameObject';
 import type { SceneChange } from './SceneChange';
 import { SceneIndex } from './SceneIndex';
@@ -266,10 +267,9 @@ export class Scene implements GameObjectContainer {
 
   /** @internal @throws Error when a component names an asset that nobody knows */
   checkComponent(component: Component): void {
-    for (const [name, field] of Object.entries(component.fields)) {
-      const value = field.kind === 'asset' ? component.getAuthored(name) : null;
-      const problem =
-        field.kind === 'asset' && typeof value === 'string' && this.assets.problemWith(field.assetType, value);
+    for (const { name, assetType } of assetFields(component.fields)) {
+      const value = component.getAuthored(name);
+      const problem = typeof value === 'string' && this.assets.problemWith(assetType, value);
       if (problem) throw new Error(`${component.typeName}.${name} ${problem}`);
     }
   }

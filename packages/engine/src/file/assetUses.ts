@@ -1,5 +1,6 @@
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { sceneFields } from '../core/SceneSettings';
+import { assetFields } from '../fields/assetFields';
 import type { AssetType, FieldTable, FieldValue } from '../fields/Field';
 import type { FarolFile, FileObject } from './FarolFile';
 
@@ -13,25 +14,23 @@ export interface AssetUse {
 function usesIn(
   values: Readonly<Record<string, FieldValue>>,
   fields: FieldTable,
-  path: string,
+  pathOf: () => string,
   list: AssetUse[],
 ): void {
-  for (const [name, field] of Object.entries(fields)) {
-    const value = Object.hasOwn(values, name) ? values[name] : field.default;
-    if (field.kind === 'asset' && typeof value === 'string') {
-      list.push({ path: `${path}.${name}`, type: field.assetType, name: value });
-    }
+  for (const { name, assetType, default: usual } of assetFields(fields)) {
+    const value = Object.hasOwn(values, name) ? values[name] : usual;
+    if (typeof value === 'string') list.push({ path: `${pathOf()}.${name}`, type: assetType, name: value });
   }
 }
 
 /** Every place of a checked file that names an asset, defaults included. */
 export function assetUses(file: FarolFile, registry: ComponentRegistry): AssetUse[] {
   const list: AssetUse[] = [];
-  usesIn(file.settings, sceneFields, 'settings', list);
+  usesIn(file.settings, sceneFields, () => 'settings', list);
   const visit = (objects: readonly FileObject[], path: string): void =>
     objects.forEach((object, i) => {
       object.components.forEach(({ type, values }, j) => {
-        usesIn(values, registry.get(type).fields, `${path}[${i}].components[${j}].values`, list);
+        usesIn(values, registry.get(type).fields, () => `${path}[${i}].components[${j}].values`, list);
       });
     });
   visit(file.objects, 'objects');

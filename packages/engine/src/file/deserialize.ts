@@ -2,15 +2,16 @@ import { shortText } from '@farol/renderer';
 import type { AssetError } from '../assets/AssetError';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { AddressRefusedError } from '../assets/foreignOrigin';
+import { typeOfUrl } from '../assets/loadAsset';
 import { builtinComponents } from '../components/builtinComponents';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
-import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { assetUses } from './assetUses';
 import { OwnAssets } from './OwnAssets';
-import type { FarolFile, FileObject } from './FarolFile';
+import type { FarolFile } from './FarolFile';
 import { FileError } from './FileError';
 import { type ForeignAddress, foreignAddresses } from './foreignAddresses';
+import { makeObjects } from './makeObjects';
 import { parseFile } from './parseFile';
 import { ProblemList } from './ProblemList';
 
@@ -31,39 +32,6 @@ export interface DeserializeOptions {
 /** Which foreign origins may be fetched from: all of those asked about, none, or these. */
 export type MayFetch = boolean | Iterable<string>;
 
-/** One GameObject without its children and parent, from checked data. */
-function makeObject(data: FileObject, registry: ComponentRegistry): GameObject {
-  const gameObject = new GameObject(data.name, { id: data.id });
-  gameObject.tags = data.tags ?? [];
-  gameObject.prefabLink = data.prefab ?? null;
-  for (const { type, id, enabled, values } of data.components) {
-    if (type === 'Transform') {
-      for (const name of Object.keys(values)) gameObject.transform.set(name, values[name]);
-      gameObject.transform.enabled = enabled ?? true;
-      continue;
-    }
-    gameObject.addComponent(registry.create(type, values), {}, { id, enabled });
-  }
-  gameObject.active = data.active ?? true;
-  gameObject.locked = data.locked ?? false;
-  return gameObject;
-}
-
-/** The objects of a checked file, linked; those at the top. Parents may come after their children. */
-export function makeObjects(
-  objects: readonly FileObject[],
-  registry: ComponentRegistry = builtinComponents,
-): GameObject[] {
-  const byId = new Map(objects.map((data) => [data.id, makeObject(data, registry)]));
-  const roots: GameObject[] = [];
-  for (const { id, parent } of objects) {
-    const gameObject = byId.get(id)!;
-    if (parent === null) roots.push(gameObject);
-    else byId.get(parent)!.add(gameObject);
-  }
-  return roots;
-}
-
 /** Registers the file's own assets that the library does not have, their names in `registered`. */
 async function registerAssets(
   file: FarolFile,
@@ -82,7 +50,7 @@ async function registerAssets(
       return;
     }
     try {
-      if (blob) assets.registerFile(name, blob);
+      if (blob) assets.registerFile(name, blob, typeOfUrl(name) ?? type);
       else assets.registerUrl(name, url ?? '', type);
       registered.push(name);
     } catch (error) {

@@ -1,7 +1,7 @@
 import { deflateRawSync, gzipSync } from 'node:zlib';
 import { describe, expect, test } from 'vitest';
 import { parsePly } from '../geometry/parsePly';
-import { readSceneFile } from './container';
+import { readSceneFile } from './readSceneFile';
 import { FileError } from './FileError';
 import { sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 

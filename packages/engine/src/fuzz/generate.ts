@@ -19,7 +19,7 @@ export interface FuzzCase {
 
 const encode = (text: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text);
 const assetNames = {
-  mesh: ['box', 'sphere', 'own.ply'],
+  mesh: ['box', 'sphere', 'own'],
   texture: ['checker'],
   material: [],
   shader: [],
@@ -71,7 +71,7 @@ export function sceneCase(random: FuzzRandom): FarolFile {
     const inner = prefabs.map((each) => each.id);
     prefabs.push({ id, name: `Prefab ${i}`, objects: objectsOf(random, `p${i}-`, 1 + random.below(4), inner) });
   }
-  const count = random.once(80) ? random.of([100, 501]) : random.below(9);
+  const count = random.once(80) ? random.of([100, 501, 3000]) : random.below(9);
   const objects = objectsOf(
     random,
     'o',
@@ -86,7 +86,7 @@ export function sceneCase(random: FuzzRandom): FarolFile {
     settings: valuesOf(sceneFields, random, []),
     activeCamera: cameras.length > 0 ? random.of(cameras).id : null,
     assets: [
-      { name: 'own.ply', type: 'mesh', url: `data:application/octet-stream;base64,${btoa(triangle)}` },
+      { name: 'own', type: 'mesh', url: `data:application/octet-stream;base64,${btoa(triangle)}` },
       { name: 'model.glb', type: 'model', url: `data:model/gltf-binary;base64,${base64(glbBytes(gltf()))}` },
     ].filter(() => !random.once(9)) as FarolFile['assets'],
     ...(random.once(4) ? { microShaders: { 'own/tint': '// Tints.\n#include "other"\nvec3 tint;\n' } } : {}),

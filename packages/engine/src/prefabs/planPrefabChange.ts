@@ -1,7 +1,7 @@
 import { shortText } from '@farol/renderer';
 import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
-import { makeObjects } from '../file/deserialize';
+import { makeObjects } from '../file/makeObjects';
 import { counted, fileLimits } from '../file/fileLimits';
 import { serializeObject } from '../file/serialize';
 import { InstanceUpdate } from './InstanceUpdate';

@@ -1,9 +1,9 @@
-import { benchmarkLightsScene } from './benchmark/benchmarkLights';
-import { benchmarkLightsObjectsScene } from './benchmark/benchmarkLightsObjects';
-import { dragonsScene } from './dragon/dragons';
-import { niceSceneScene } from './dragon/niceScene';
+import { benchmarkLightsScene } from './benchmark/benchmarkLightsScene';
+import { benchmarkLightsObjectsScene } from './benchmark/benchmarkLightsObjectsScene';
+import { dragonsScene } from './dragon/dragonsScene';
+import { niceSceneScene } from './dragon/niceSceneScene';
 import type { SceneDefinition } from './SceneDefinition';
-import { sponzaScene } from './sponza/sponza';
+import { sponzaScene } from './sponza/sponzaScene';
 import { templeScene } from './temple/temple';
 
 /** The scenes that the apps offer, by name. */

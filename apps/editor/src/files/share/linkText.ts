@@ -1,6 +1,5 @@
 import { FileError, type MayUnpack, unpack } from '@farol/engine';
-
-const PREFIX = '#scene=';
+import { isLink, PREFIX } from './isLink';
 
 async function through(
   bytes: Uint8Array<ArrayBuffer>,
@@ -8,9 +7,6 @@ async function through(
 ): Promise<Uint8Array<ArrayBuffer>> {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 }
-
-/** Whether the part of an address after '#' holds a scene. */
-export const isLink = (hash: string): boolean => hash.startsWith(PREFIX);
 
 /** A text, deflated and as base64 for addresses, after '#scene='. @see RFC 4648, section 5 */
 export async function encodeLink(text: string): Promise<string> {

@@ -3,11 +3,11 @@ import { lazy, type ReactNode, Suspense } from 'react';
 import type { DialogRequest } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dialogs.css';
-import { TextDialog } from './TextDialog';
 
 const CommandPalette = lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette }));
 const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
 const RecoverDialog = lazy(async () => ({ default: (await import('./RecoverDialog')).RecoverDialog }));
+const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).TextDialog }));
 const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog }));
 
 const shapes: Partial<Record<DialogRequest['kind'], string>> = { palette: 'palette', keys: 'keys-page' };

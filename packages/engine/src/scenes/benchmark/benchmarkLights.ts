@@ -1,9 +1,7 @@
 import type { Scene } from '../../core/Scene';
-import { number } from '../../fields/fields';
 import { SceneBuilder } from '../SceneBuilder';
-import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
+import type { SceneBuildOptions } from '../SceneDefinition';
 import { addLightGrid } from './addLightGrid';
-import { seedField } from '../seedField';
 
 /** Side of the floor in metres. */
 const SIDE = 30;
@@ -31,16 +29,3 @@ export async function benchmarkLights(n: number, m: number, options: SceneBuildO
   addLightGrid(build, { count: m, side: SIDE, floor: 0 });
   return build.scene;
 }
-
-export const benchmarkLightsScene = defineScene({
-  name: 'benchmarkLights',
-  label: 'Planes and lights',
-  help: 'N × N planes with M × M moving lights above them.',
-  parameters: {
-    n: number(5, { integer: true, min: 1, max: 100, help: 'Planes along a side.', label: 'Planes (N)' }),
-    m: number(15, { integer: true, min: 0, max: 150, help: 'Lights along a side.', label: 'Lights (M)' }),
-    seed: seedField,
-  },
-  make: (get, assets) =>
-    benchmarkLights(get('n') as number, get('m') as number, { seed: get('seed') as number, assets }),
-});

@@ -1,10 +1,8 @@
 import { Vector3 } from 'three';
 import type { Scene } from '../../core/Scene';
-import { asset, number } from '../../fields/fields';
 import { SceneBuilder } from '../SceneBuilder';
-import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
+import type { SceneBuildOptions } from '../SceneDefinition';
 import { hueColour } from '../hueColour';
-import { seedField } from '../seedField';
 import { addLightGrid } from './addLightGrid';
 
 /** Between the middles of two objects, in metres. */
@@ -57,20 +55,3 @@ export async function benchmarkLightsObjects(
   addLightGrid(build, { count: m, side, floor: 0.75 });
   return build.scene;
 }
-
-export const benchmarkLightsObjectsScene = defineScene({
-  name: 'benchmarkLightsObjects',
-  label: 'Meshes and lights',
-  help: 'N × N meshes with M × M moving lights above them.',
-  parameters: {
-    n: number(10, { integer: true, min: 1, max: 100, help: 'Meshes along a side.', label: 'Meshes (N)' }),
-    m: number(10, { integer: true, min: 0, max: 150, help: 'Lights along a side.', label: 'Lights (M)' }),
-    mesh: asset('mesh', 'sphere', { help: 'The mesh.' }),
-    seed: seedField,
-  },
-  make: (get, assets) =>
-    benchmarkLightsObjects(get('n') as number, get('m') as number, (get('mesh') as string | null) ?? 'sphere', {
-      seed: get('seed') as number,
-      assets,
-    }),
-});

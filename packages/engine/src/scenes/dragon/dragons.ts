@@ -1,9 +1,7 @@
 import type { Scene } from '../../core/Scene';
-import { number } from '../../fields/fields';
 import { lightBudget } from '../lightBudget';
 import { SceneBuilder } from '../SceneBuilder';
-import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
-import { seedField } from '../seedField';
+import type { SceneBuildOptions } from '../SceneDefinition';
 
 export interface DragonsOptions extends SceneBuildOptions {
   /** Moving point lights; 24 when absent. */
@@ -54,14 +52,3 @@ export async function dragons(options: DragonsOptions = {}): Promise<Scene> {
   }));
   return build.scene;
 }
-
-export const dragonsScene = defineScene({
-  name: 'dragons',
-  label: 'Dragons',
-  help: 'Four dragons among coloured lights.',
-  parameters: {
-    lights: number(24, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
-    seed: seedField,
-  },
-  make: (get, assets) => dragons({ lights: get('lights') as number, seed: get('seed') as number, assets }),
-});

@@ -1,8 +1,6 @@
 import type { Scene } from '../../core/Scene';
-import { number } from '../../fields/fields';
 import { SceneBuilder } from '../SceneBuilder';
-import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
-import { seedField } from '../seedField';
+import type { SceneBuildOptions } from '../SceneDefinition';
 
 export interface NiceSceneOptions extends SceneBuildOptions {
   /** Moving point lights besides the three of the thesis; 0 when absent. */
@@ -90,14 +88,3 @@ export async function niceScene(options: NiceSceneOptions = {}): Promise<Scene> 
   }));
   return build.scene;
 }
-
-export const niceSceneScene = defineScene({
-  name: 'niceScene',
-  label: 'Nice scene',
-  help: 'A dragon, a sphere and a cylinder in a room with all three kinds of lights.',
-  parameters: {
-    lights: number(0, { integer: true, min: 0, max: 20000, help: 'Moving point lights besides the three.' }),
-    seed: seedField,
-  },
-  make: (get, assets) => niceScene({ lights: get('lights') as number, seed: get('seed') as number, assets }),
-});

@@ -1,11 +1,9 @@
 import { Box3, type Object3D, Vector3 } from 'three';
 import { importModel } from '../../assets/importModel';
 import type { Scene } from '../../core/Scene';
-import { boolean, choice, number } from '../../fields/fields';
 import { lightBudget } from '../lightBudget';
 import { SceneBuilder } from '../SceneBuilder';
-import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
-import { seedField } from '../seedField';
+import type { SceneBuildOptions } from '../SceneDefinition';
 import { addAtrium } from './addAtrium';
 import { atriumPlan } from './atriumPlan';
 
@@ -68,35 +66,3 @@ export async function sponza(lights: number, options: SponzaOptions = {}): Promi
   }));
   return build.scene;
 }
-
-export const sponzaScene = defineScene({
-  name: 'sponza',
-  label: 'Sponza',
-  help: 'An atrium with two storeys of arcades, of the scale of the Sponza palace.',
-  parameters: {
-    lights: number(50, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
-    textureSize: choice('256', ['128', '256', '512'], {
-      help: 'Width of the generated textures in texels.',
-      label: 'Texture size',
-    }),
-    shadows: number(0, {
-      integer: true,
-      min: 0,
-      max: 20000,
-      help: 'How many of the lights throw shadows (six faces of 512 texels each).',
-    }),
-    still: boolean(false, {
-      help: 'The lights stand still, so that their shadow maps are kept.',
-      label: 'Lights at rest',
-    }),
-    seed: seedField,
-  },
-  make: (get, assets) =>
-    sponza(get('lights') as number, {
-      textureSize: Number(get('textureSize')) as 128 | 256 | 512,
-      shadows: get('shadows') as number,
-      still: get('still') as boolean,
-      seed: get('seed') as number,
-      assets,
-    }),
-});

@@ -1,0 +1,37 @@
+import { builtinComponents } from '../components/builtinComponents';
+import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { GameObject } from '../core/GameObject';
+import type { FileObject } from './FarolFile';
+
+/** One GameObject without its children and parent, from checked data. */
+function makeObject(data: FileObject, registry: ComponentRegistry): GameObject {
+  const gameObject = new GameObject(data.name, { id: data.id });
+  gameObject.tags = data.tags ?? [];
+  gameObject.prefabLink = data.prefab ?? null;
+  for (const { type, id, enabled, values } of data.components) {
+    if (type === 'Transform') {
+      for (const name of Object.keys(values)) gameObject.transform.set(name, values[name]);
+      gameObject.transform.enabled = enabled ?? true;
+      continue;
+    }
+    gameObject.addComponent(registry.create(type, values), {}, { id, enabled });
+  }
+  gameObject.active = data.active ?? true;
+  gameObject.locked = data.locked ?? false;
+  return gameObject;
+}
+
+/** The objects of a checked file, linked; those at the top. Parents may come after their children. */
+export function makeObjects(
+  objects: readonly FileObject[],
+  registry: ComponentRegistry = builtinComponents,
+): GameObject[] {
+  const byId = new Map(objects.map((data) => [data.id, makeObject(data, registry)]));
+  const roots: GameObject[] = [];
+  for (const { id, parent } of objects) {
+    const gameObject = byId.get(id)!;
+    if (parent === null) roots.push(gameObject);
+    else byId.get(parent)!.add(gameObject);
+  }
+  return roots;
+}

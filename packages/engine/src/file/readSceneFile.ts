@@ -1,0 +1,39 @@
+import { SCENE_ENTRY } from './container';
+import { FileError } from './FileError';
+import { readZip } from './readZip';
+import type { MayUnpack } from './unpack';
+
+/** A scene file that was read: the scene as text, and the files that came with it. */
+export interface SceneFile {
+  readonly text: string;
+  /** The bytes of a file of the container; null when it has none. */
+  fileOf(path: string): Blob | null;
+}
+
+const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
+
+const fail = (problem: string, cause?: unknown): never => {
+  throw new FileError([{ path: '', problem }], { cause });
+};
+
+/**
+ * Reads a scene file: a `.farol` container, or plain JSON. The scene is not checked here: give it to `deserialize`, with
+ * `fileOf`.
+ * @param mayUnpack - asked before the container becomes large; such a one is refused when absent. See `unpackLimits`
+ * @throws FileError (as a rejection) when the bytes are neither, are cut short, or become too large; AbortError when
+ * `mayUnpack` answers no
+ */
+export async function readSceneFile(bytes: Uint8Array, mayUnpack?: MayUnpack): Promise<SceneFile> {
+  if (bytes.length === 0) fail('The file is empty: open another copy of it.');
+  if (bytes[0] === 0x50 && bytes[1] === 0x4b) {
+    const entries = await readZip(bytes as Uint8Array<ArrayBuffer>, mayUnpack);
+    const scene = entries.get(SCENE_ENTRY);
+    if (!scene) fail(`The ZIP holds no ${SCENE_ENTRY}: choose a .farol file, or drop models and textures on Assets.`);
+    return {
+      text: textOf(scene!),
+      fileOf: (path) => (entries.has(path) ? new Blob([entries.get(path)!]) : null),
+    };
+  }
+  if (textOf(bytes.subarray(0, 4)) === 'glTF') fail('The file is a GLB, no scene of Farol: drop it on Assets.');
+  return { text: textOf(bytes), fileOf: () => null };
+}
