@@ -3,8 +3,9 @@ import type * as Three from 'three';
 import { expect, test } from '../support/test';
 
 /**
- * What passes draw of one surface in turns is to have one depth. The software rasteriser rounds alike whatever the programs:
- * that holes are found is for a GPU (FAROL_GPU=1).
+ * What passes draw of one surface in turns is to have one depth: by one vertex shader, one viewport, and a pre-pass some
+ * rounding steps behind. Not by invariant positions: stock three's are not, and on a GPU the picture then differs from its own
+ * by up to 3.5e-4. The software rasteriser rounds alike whatever the programs: holes are found on a GPU (FAROL_GPU=1).
  */
 const POSES = process.env.FAROL_GPU ? 200 : 3;
 
@@ -13,7 +14,7 @@ test.beforeEach(async ({ page, pagesURL }) => {
   await page.waitForFunction(() => 'testPage' in window);
 });
 
-test('passes that draw one surface share its vertex shader, whose positions are invariant', async ({ page }) => {
+test('passes that draw one surface share its vertex shader, to the letter', async ({ page }) => {
   const pairs = await page.evaluate(() => {
     const { Bench, materialScene } = window.testPage;
     const bench = new Bench(64, 48);
@@ -32,21 +33,14 @@ test('passes that draw one surface share its vertex shader, whose positions are 
         name: `${technique}: ${first}, ${second}`,
         programs: firsts.length,
         alone: seconds.filter((source) => !firsts.includes(source)).length,
-        variant: [...firsts, ...seconds].filter((source) => !source.includes('invariant gl_Position;')).length,
       };
     };
-    return [
-      compare('forward-plus', 'depth', 'forward-lightLoopTiled-final'),
-      compare('forward', 'base', 'additive'),
-      compare('deferred', 'gbuffer', 'forward-lightLoopAll-final-back'),
-    ];
+    return [compare('forward-plus', 'depth', 'forward-lightLoopTiled-final'), compare('forward', 'base', 'additive')];
   });
-  for (const { name, programs, alone, variant } of pairs.slice(0, 2)) {
+  for (const { name, programs, alone } of pairs) {
     expect(programs, name).toBeGreaterThan(5);
     expect(alone, `${name}: vertex shaders of the second that the first has not`).toBe(0);
-    expect(variant, `${name}: vertex shaders whose positions are not invariant`).toBe(0);
   }
-  for (const { name, variant } of pairs) expect(variant, name).toBe(0);
 });
 
 test('a depth pre-pass leaves no holes, in any pose, seen by several cameras', async ({ page }) => {

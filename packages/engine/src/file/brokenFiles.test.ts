@@ -154,13 +154,6 @@ describe('a broken file is refused by name, with nothing half loaded', () => {
     expect(assets.has('statue')).toBe(false);
     expect(assets.materials.size).toBe(0);
   });
-
-  test('the dragon without an address says how to give it one', async () => {
-    const input = file((objects) => {
-      objects[0].components.push({ type: 'ObjectRenderer', version: 1, id: 'r', values: { mesh: 'dragon' } });
-    });
-    await expect(deserialize(input)).rejects.toThrow(/'dragon'.*urls: { dragon: url }/);
-  });
 });
 
 class Lamp extends component({ power: number(10, { unit: 'W', min: 0, help: 'Power.' }) }) {

@@ -3,9 +3,6 @@ import { threeChunks } from './ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
 import { TwinRefusal } from './TwinRefusal';
 
-/** What several programs draw of one surface has one depth: drivers may not round positions otherwise in each. */
-const INVARIANT = 'invariant gl_Position;\n';
-
 /** What twins of one renderer share. */
 export interface TwinContext {
   /** Uniforms given to every twin, by reference. */
@@ -69,7 +66,6 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
       Object.assign(shader, { vertexShader, fragmentShader });
       context.refuse(source);
     }
-    shader.vertexShader = `${INVARIANT}${shader.vertexShader}`;
   });
   // what a kind computes, it computes at each draw
   const properties = Object.getOwnPropertyDescriptors(kind.properties ?? {});

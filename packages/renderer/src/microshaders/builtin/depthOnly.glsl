@@ -1,4 +1,4 @@
-// Writes depth alone to the host's target from a depth texture, a rounding step farther so that equal depths pass.
+// Writes depth alone to the host's target from a depth texture, some rounding steps farther so that equal depths pass.
 // Farol
 #include "viewport"
 #include "depthMode"
@@ -7,4 +7,4 @@ uniform highp sampler2D farol_sceneDepth;
 float depth = texelFetch(farol_sceneDepth, ivec2(gl_FragCoord.xy - farol_offset), 0).r;
 if (farol_isEmpty(depth)) discard;
 gl_FragColor = vec4(0.0);
-gl_FragDepth = farol_depthMode.x > 0.0 ? max(depth - 1.2e-7, 0.0) : min(depth + 1.2e-7, 1.0);
+gl_FragDepth = farol_depthMode.x > 0.0 ? max(depth - 2.4e-7, 0.0) : min(depth + 2.4e-7, 1.0);
