@@ -150,9 +150,7 @@ test('broken frames leave effects, the canvas with an output buffer, arrays of c
     return results;
   });
   for (const { name, difference, running, toneMapping } of results) {
-    // good frames too differ by some thousandths at multisampled edges
-    const limit = name.includes('edges') ? 0.02 : 0;
-    expect.soft(difference, `${name}: the next good frame`).toBeLessThanOrEqual(limit);
+    expect.soft(difference, `${name}: the next good frame`).toBe(0);
     expect.soft(running, `${name}: a query that runs, or another target`).toBe(false);
     expect.soft(toneMapping, `${name}: tone mapping`).toBe(true);
   }

@@ -158,7 +158,11 @@ export class Soak {
     if (before && anew) this.close(before.scene);
     if (!before || anew) {
       const made = soakScenes[name](...SIZE);
-      for (const light of casters(made.scene)) light.shadow.mapSize.set(64, 64);
+      for (const { shadow } of casters(made.scene)) {
+        shadow.mapSize.set(64, 64);
+        // depths of maps have 24 bits from the first light on that needs them: here each does, and history does not show
+        shadow.bias = -0.0002;
+      }
       this.scenes.set(name, made);
     }
     const { scene, camera } = this.scenes.get(name)!;

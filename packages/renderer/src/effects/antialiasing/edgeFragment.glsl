@@ -14,22 +14,27 @@ if (length(fwidth(vNormal)) > 1e-3) farol_fit = 0.2;
 vec2 farol_slope = vec2(dFdx(farol_depth), dFdy(farol_depth));
 vec4 farol_seen;
 bool farol_found = farol_edgeColor(ivec2(gl_FragCoord.xy), farol_depth, farol_slope, farol_fit, farol_reuse, farol_seen, farol_shown);
-if (farol_found || !farol_shades) {
-gl_FragColor = vec4(farol_seen.rgb, farol_seen.a + farol_shown);
-return;
-}
-// nearer surfaces in the pixels all round hide it, so that its colour does not matter
-bool farol_hidden = true;
-for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
-  ivec2 farol_at = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), textureSize(farol_pictureDepth, 0) - 1);
-  vec2 farol_off = vec2(farol_at) + 0.5 - gl_FragCoord.xy;
-  float farol_behind = farol_depth + dot(farol_slope, farol_off) - texelFetch(farol_pictureDepth, farol_at, 0).r;
+farol_keeps = farol_found || !farol_shades;
+farol_kept = vec4(farol_seen.rgb, farol_seen.a + farol_shown);
+if (!farol_keeps) {
+  // nearer surfaces in the pixels all round hide it, so that its colour does not matter
+  farol_keeps = true;
+  for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
+    ivec2 farol_at = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), textureSize(farol_pictureDepth, 0) - 1);
+    vec2 farol_off = vec2(farol_at) + 0.5 - gl_FragCoord.xy;
+    float farol_behind = farol_depth + dot(farol_slope, farol_off) - texelFetch(farol_pictureDepth, farol_at, 0).r;
 #ifdef USE_REVERSED_DEPTH_BUFFER
-  farol_behind = -farol_behind;
+    farol_behind = -farol_behind;
 #endif
-  farol_hidden = farol_hidden && farol_behind > 4.0 * FAROL_ROUNDING + abs(farol_slope.x) + abs(farol_slope.y);
+    farol_keeps = farol_keeps && farol_behind > 4.0 * FAROL_ROUNDING + abs(farol_slope.x) + abs(farol_slope.y);
+  }
+  farol_kept = farol_seen;
 }
-if (farol_hidden) {
-gl_FragColor = vec4(farol_seen.rgb, farol_seen.a);
+// what is shaded takes derivatives, which are known while all four pixels of a quad go the same way; twice, for the one across
+float farol_quadShades = farol_keeps ? 0.0 : 1.0;
+farol_quadShades += fwidth(farol_quadShades);
+farol_quadShades += fwidth(farol_quadShades);
+if (farol_quadShades == 0.0) {
+gl_FragColor = farol_kept;
 return;
 }

@@ -4,6 +4,8 @@ import { afterChunkOrAtEnd } from '../../materials/replaceChunk';
 import type { TwinKind, TwinShader } from '../../materials/TwinKind';
 import edgeFragment from './edgeFragment.glsl?raw';
 
+const KEPT = 'float farol_shown;\nbool farol_keeps = false;\nvec4 farol_kept;\n';
+const LAST = 'if (farol_keeps) gl_FragColor = farol_kept; else gl_FragColor.a += farol_shown;';
 // of a multisampled fragment, gl_FragCoord.z may be that of a sample
 const VARYING = 'varying highp vec2 farol_edgeZW;\n';
 
@@ -25,7 +27,7 @@ export function edgeTwin(kind: TwinKind, uniforms: Record<string, IUniform>): Tw
       shader.vertexShader = VARYING + beforeLastBrace(shader.vertexShader, 'farol_edgeZW = gl_Position.zw;');
       const text = afterChunkOrAtEnd(shader.fragmentShader, 'alphahash_fragment', edgeFragment);
       const own = text.includes('bool farol_edgeColor') ? '' : `${header}\n`;
-      shader.fragmentShader = `${VARYING}uniform bool farol_reuse, farol_shades;\nfloat farol_shown;\n${own}${beforeLastBrace(text, 'gl_FragColor.a += farol_shown;')}`;
+      shader.fragmentShader = `${VARYING}uniform bool farol_reuse, farol_shades;\n${KEPT}${own}${beforeLastBrace(text, LAST)}`;
     },
   };
 }
