@@ -49,6 +49,23 @@ async function read(
   return readAsset(given, path, type, options);
 }
 
+/** Settles as soon as the signal is aborted; what is loaded after that is given back. */
+function cancellable(loading: Promise<Asset>, signal?: AbortSignal): Promise<Asset> {
+  if (!signal) return loading;
+  return new Promise((resolve, reject) => {
+    const cancel = (): void => {
+      reject(signal.reason as Error);
+      loading.then(
+        (late) => late.dispose(),
+        () => {},
+      );
+    };
+    if (signal.aborted) return cancel();
+    signal.addEventListener('abort', cancel, { once: true });
+    loading.then(resolve, reject).finally(() => signal.removeEventListener('abort', cancel));
+  });
+}
+
 /** The meshes, textures, materials and shaders that scenes name. Built-in ones are made on demand. */
 export class AssetLibrary {
   /** Materials made from the fields of ObjectRenderers, shared where the values are equal. */
@@ -117,7 +134,8 @@ export class AssetLibrary {
       throw new AssetError(name, `cannot be read from '${shortText(url, 80)}': only ${readableEndings} can.`);
     }
     const options: ReadOptions = { normalise: dragon, renderer: this.renderer };
-    const load = (): Promise<Asset> => read(this.fetchFor(name, url), url, known, options);
+    const load = (signal?: AbortSignal): Promise<Asset> =>
+      read(this.fetchFor(name, url), url, known, { ...options, signal });
     this.sources.set(name, { type: known, url, load });
     this.tell({ kind: 'registered', name, type: known });
     return this;
@@ -133,7 +151,8 @@ export class AssetLibrary {
     this.checkFree(name);
     if (type !== 'mesh' && type !== 'texture' && type !== 'model')
       throw new AssetError(name, `cannot be read: only ${readableEndings} can. Convert it to one of them.`);
-    const load = (): Promise<Asset> => read(file.arrayBuffer(), name, type, { renderer: this.renderer });
+    const { renderer } = this;
+    const load = (signal?: AbortSignal): Promise<Asset> => read(file.arrayBuffer(), name, type, { renderer, signal });
     this.sources.set(name, { type, file, load });
     this.tell({ kind: 'registered', name, type });
     return this;
@@ -251,15 +270,19 @@ export class AssetLibrary {
     return made;
   }
 
-  /** The asset, loaded if need be. @throws AssetError (as a rejection) when it is unknown or cannot be loaded */
-  load(name: string): Promise<Asset> {
+  /**
+   * The asset, loaded if need be.
+   * @param signal - of the first who asks: cancels the loading at once, for all who wait for it
+   * @throws AssetError (as a rejection) when it is unknown or cannot be loaded; what the signal was aborted with
+   */
+  load(name: string, signal?: AbortSignal): Promise<Asset> {
     const source = this.sources.get(name);
     if (this.values.has(name) || !source || 'make' in source) {
       return Promise.resolve().then(() => this.get(name));
     }
     const started = this.loading.get(name);
     if (started) return started;
-    const promise = source.load().then(
+    const promise = cancellable(source.load(signal), signal).then(
       (value) => {
         this.loading.delete(name);
         // it was taken out, or another one came, while it was loading
@@ -271,6 +294,7 @@ export class AssetLibrary {
       },
       (cause: unknown) => {
         this.loading.delete(name);
+        signal?.throwIfAborted();
         if (cause instanceof AddressRefusedError) throw this.refusal(name, source.type, cause);
         const reason = cause instanceof Error ? cause.message : String(cause);
         const error = new AssetError(name, `could not be loaded: ${reason}`, { cause });
