@@ -2,6 +2,7 @@ import {
   App,
   AssetLibrary,
   Camera,
+  cancellable,
   type FieldValue,
   KeyController,
   MouseController,
@@ -231,7 +232,8 @@ export class Viewer {
     }, LONG);
     addEventListener('keydown', onKey);
     try {
-      const model = await loadModel(await collectFiles(transfer), this.three, cancel.signal);
+      const reading = collectFiles(transfer).then((files) => loadModel(files, this.three, cancel.signal));
+      const model = await cancellable(reading, cancel.signal, ({ gltf }) => disposeModel(gltf.scene));
       if (load !== this.loads) return disposeModel(model.gltf.scene);
       this.showModel(model, false);
       this.messages.show('file', '');

@@ -1,6 +1,7 @@
 import { shortText } from '@farol/renderer';
 import { type BufferGeometry, type Material, RepeatWrapping, type Texture, type WebGLRenderer } from 'three';
 import type { AssetType } from '../fields/Field';
+import { cancellable } from '../core/cancellable';
 import { computeCreaseNormals } from '../geometry/computeCreaseNormals';
 import { type Asset, type AssetChange, type AssetFile, type AssetSource, assetTypeOf, type TakenAsset } from './Asset';
 import { AssetError } from './AssetError';
@@ -47,23 +48,6 @@ async function read(
 ): Promise<Asset> {
   const [{ readAsset }, given] = await Promise.all([import('./readAsset'), bytes]);
   return readAsset(given, path, type, options);
-}
-
-/** Settles as soon as the signal is aborted; what is loaded after that is given back. */
-function cancellable(loading: Promise<Asset>, signal?: AbortSignal): Promise<Asset> {
-  if (!signal) return loading;
-  return new Promise((resolve, reject) => {
-    const cancel = (): void => {
-      reject(signal.reason as Error);
-      loading.then(
-        (late) => late.dispose(),
-        () => {},
-      );
-    };
-    if (signal.aborted) return cancel();
-    signal.addEventListener('abort', cancel, { once: true });
-    loading.then(resolve, reject).finally(() => signal.removeEventListener('abort', cancel));
-  });
 }
 
 /** The meshes, textures, materials and shaders that scenes name. Built-in ones are made on demand. */
@@ -282,7 +266,7 @@ export class AssetLibrary {
     }
     const started = this.loading.get(name);
     if (started) return started;
-    const promise = cancellable(source.load(signal), signal).then(
+    const promise = cancellable(source.load(signal), signal, (late) => late.dispose()).then(
       (value) => {
         this.loading.delete(name);
         // it was taken out, or another one came, while it was loading
