@@ -160,3 +160,15 @@ for (const [what, files, message] of broken) {
     await expect(page.locator('.message')).toHaveCount(0);
   });
 }
+
+test('a model that takes long says so, and Escape cancels it', async ({ page }) => {
+  await openViewer(page, still);
+  const before = await readImage(page);
+  // it never arrives
+  await page.evaluate(() => (Blob.prototype.arrayBuffer = () => new Promise(() => {})));
+  await drop(page, { 'square.glb': glb() });
+  await expect(page.locator('.message')).toHaveText(/^The model is being read\. Escape cancels\./);
+  await page.keyboard.press('Escape');
+  await expect(page.locator('.message')).toHaveCount(0);
+  expect(compareImages(before, await readImage(page)).largest).toBe(0);
+});

@@ -2,6 +2,7 @@ import {
   App,
   AssetLibrary,
   Camera,
+  cancellable,
   type FieldValue,
   KeyController,
   MouseController,
@@ -48,6 +49,9 @@ export const known: KnownNames = {
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
 };
+
+/** How long a model may take before a message tells of it (ms). */
+const LONG = 1000;
 
 /**
  * The thesis's App: a scene over the whole page, drawn by any technique. Its state stands in the address of the page, and
@@ -219,13 +223,26 @@ export class Viewer {
   /** Shows the model among some files. A message tells of files that cannot be shown; the present scene stays then. */
   async loadFiles(transfer: DataTransfer): Promise<void> {
     const load = ++this.loads;
+    const cancel = new AbortController();
+    const onKey = ({ key }: KeyboardEvent): void => {
+      if (key === 'Escape') cancel.abort();
+    };
+    const timer = setTimeout(() => {
+      this.messages.show('file', 'The model is being read. Escape cancels.', () => cancel.abort());
+    }, LONG);
+    addEventListener('keydown', onKey);
     try {
-      const model = await loadModel(await collectFiles(transfer), this.three);
+      const reading = collectFiles(transfer).then((files) => loadModel(files, this.three, cancel.signal));
+      const model = await cancellable(reading, cancel.signal, ({ gltf }) => disposeModel(gltf.scene));
       if (load !== this.loads) return disposeModel(model.gltf.scene);
       this.showModel(model, false);
       this.messages.show('file', '');
     } catch (error) {
-      this.messages.show('file', error instanceof Error ? error.message : String(error));
+      const text = error instanceof Error ? error.message : String(error);
+      this.messages.show('file', cancel.signal.aborted ? '' : text);
+    } finally {
+      clearTimeout(timer);
+      removeEventListener('keydown', onKey);
     }
   }
 

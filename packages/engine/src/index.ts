@@ -7,6 +7,7 @@ export { FieldError } from './fields/FieldError';
 export { FieldOwner, sameValue } from './fields/FieldOwner';
 export { isFieldVisible } from './fields/isFieldVisible';
 
+export { cancellable } from './core/cancellable';
 export { Component, type ComponentClass } from './core/Component';
 export { createId } from './core/createId';
 export { createRandom } from './core/createRandom';

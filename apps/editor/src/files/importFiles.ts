@@ -1,5 +1,6 @@
 import { type AssetLibrary, decodedUri, packGltf, readableEndings, typeOfUrl } from '@farol/engine';
 import type { Editor } from '../Editor';
+import { withProgress } from './withProgress';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine';
 
@@ -59,9 +60,16 @@ export interface ImportResult {
 /**
  * Takes files in as assets: one step of history. Each is read before anything changes; what cannot be read is told by
  * name, and the others come in all the same. The bytes that are there already are used as they are.
- * @throws Error naming the files, when none of them is one that can be read
+ * @throws Error naming the files, when none of them is one that can be read; AbortError when the user cancelled, and then
+ * nothing has changed
  */
-export async function importFiles(editor: Editor, files: FileMap): Promise<ImportResult> {
+export function importFiles(editor: Editor, files: FileMap): Promise<ImportResult> {
+  const [first] = files.keys();
+  const title = files.size === 1 ? `Reading ${nameIn(first)}` : `Reading ${files.size} files`;
+  return withProgress(editor.dialogs, title, (signal) => importAll(editor, files, signal));
+}
+
+async function importAll(editor: Editor, files: FileMap, signal: AbortSignal): Promise<ImportResult> {
   const { assets } = editor.document;
   const left = new Set(files.keys());
   const problems: string[] = [];
@@ -76,27 +84,42 @@ export async function importFiles(editor: Editor, files: FileMap): Promise<Impor
     const name = freeName(assets, fileName);
     assets.registerFile(name, blob);
     try {
-      await assets.load(name);
+      await assets.load(name, signal);
       added.push(name);
       names.push(name);
     } catch (error) {
       assets.unregister(name);
+      signal.throwIfAborted();
       const { cause } = error as Error;
       problems.push(`${path} cannot be imported: ${cause instanceof Error ? cause.message : String(error)}`);
     }
   };
-  // of the model first: what it names is a part of it
-  for (const path of files.keys()) {
-    if (!/\.gltf$/i.test(path)) continue;
-    left.delete(path);
-    try {
-      await take(path, await packed(files, path, left), nameIn(path).replace(/\.gltf$/i, '.glb'));
-    } catch (error) {
-      problems.push(`${path} cannot be imported: ${error instanceof Error ? error.message : String(error)}`);
+  const takeAll = async (): Promise<void> => {
+    // of the model first: what it names is a part of it
+    for (const path of files.keys()) {
+      if (!/\.gltf$/i.test(path)) continue;
+      left.delete(path);
+      try {
+        await take(path, await packed(files, path, left), nameIn(path).replace(/\.gltf$/i, '.glb'));
+      } catch (error) {
+        signal.throwIfAborted();
+        problems.push(`${path} cannot be imported: ${error instanceof Error ? error.message : String(error)}`);
+      }
     }
+    for (const path of left) if (typeOfUrl(path)) await take(path, files.get(path)!, nameIn(path));
+  };
+  try {
+    await takeAll();
+  } catch (error) {
+    // cancelled: all is as it was
+    for (const name of added) {
+      const asset = assets.get(name);
+      assets.unregister(name);
+      asset.dispose();
+    }
+    throw error;
   }
   const unknown = [...left].filter((path) => !typeOfUrl(path));
-  for (const path of left) if (typeOfUrl(path)) await take(path, files.get(path)!, nameIn(path));
   if (assets === editor.document.assets) {
     editor.commands.run(
       new AddAssets(

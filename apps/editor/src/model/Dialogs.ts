@@ -26,6 +26,12 @@ export interface ProblemsDialog {
   readonly listLabel?: string;
 }
 
+/** Something that takes long; closing the dialog cancels it. */
+export interface ProgressDialog {
+  readonly kind: 'progress';
+  readonly title: string;
+}
+
 /** The keys that there are. */
 export interface KeysDialog {
   readonly kind: 'keys';
@@ -63,7 +69,14 @@ export interface TextDialog {
 }
 
 export type DialogRequest =
-  ConfirmDialog | ProblemsDialog | TextDialog | KeysDialog | PaletteDialog | RecoverDialog | ExportDialog;
+  | ConfirmDialog
+  | ProgressDialog
+  | ProblemsDialog
+  | TextDialog
+  | KeysDialog
+  | PaletteDialog
+  | RecoverDialog
+  | ExportDialog;
 
 /** The dialog that is asked for, one at a time. */
 export class Dialogs {

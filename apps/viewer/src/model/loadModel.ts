@@ -15,9 +15,10 @@ export interface LoadedModel {
 /**
  * Reads the glTF among some files, with the buffers and textures that it names.
  *
- * @throws Error that names the file and the reason; nothing is shown half then
+ * @param signal cancels the reading
+ * @throws Error that names the file and the reason; nothing is shown half then; what the signal was aborted with
  */
-export async function loadModel(files: FileMap, renderer: WebGLRenderer): Promise<LoadedModel> {
+export async function loadModel(files: FileMap, renderer: WebGLRenderer, signal?: AbortSignal): Promise<LoadedModel> {
   const path = findModel(files);
   const file = files.get(path)!;
   try {
@@ -33,8 +34,9 @@ export async function loadModel(files: FileMap, renderer: WebGLRenderer): Promis
         `it needs ${missing.slice(0, 8).join(', ')}: drop the whole folder, or all of its files together.`,
       );
     }
-    return { name: file.name, gltf: await parse(bytes, json.extensionsUsed ?? [], path, files, renderer) };
+    return { name: file.name, gltf: await parse(bytes, json.extensionsUsed ?? [], path, files, renderer, signal) };
   } catch (error) {
+    signal?.throwIfAborted();
     throw new Error(`${path}: ${error instanceof Error ? error.message : String(error)}`, { cause: error });
   }
 }
@@ -45,6 +47,7 @@ async function parse(
   path: string,
   files: FileMap,
   renderer: WebGLRenderer,
+  signal?: AbortSignal,
 ): Promise<GLTF> {
   const manager = new LoadingManager();
   const blobs = new Map<File, string>();
@@ -57,10 +60,13 @@ async function parse(
   });
   const { loader, dispose } = await createLoader(extensions, manager, renderer);
   try {
+    signal?.throwIfAborted();
     const gltf = await loader.parseAsync(bytes, '');
-    checkModel(gltf.scene);
+    signal?.throwIfAborted();
+    await checkModel(gltf.scene, signal);
     return gltf;
   } catch (error) {
+    signal?.throwIfAborted();
     throw modelError(error);
   } finally {
     dispose();

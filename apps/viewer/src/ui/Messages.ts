@@ -13,8 +13,9 @@ export class Messages {
    * Shows a message in place of the last one on the same subject; an empty text takes that away.
    *
    * @param subject what it is about, such as 'file'
+   * @param onClose called when the user closes it
    */
-  show(subject: string, text: string): void {
+  show(subject: string, text: string, onClose = (): void => {}): void {
     this.bySubject.get(subject)?.remove();
     this.bySubject.delete(subject);
     if (!text) return;
@@ -27,7 +28,10 @@ export class Messages {
     close.type = 'button';
     close.textContent = '×';
     close.setAttribute('aria-label', 'Close this message');
-    close.addEventListener('click', () => this.show(subject, ''));
+    close.addEventListener('click', () => {
+      this.show(subject, '');
+      onClose();
+    });
     message.append(words, close);
     this.bySubject.set(subject, message);
     this.list.append(message);

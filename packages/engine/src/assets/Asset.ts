@@ -10,7 +10,7 @@ export type AssetSource =
   | { readonly type: AssetType; readonly make: () => Asset; readonly partOf?: string }
   | {
       readonly type: AssetType;
-      readonly load: () => Promise<Asset>;
+      readonly load: (signal?: AbortSignal) => Promise<Asset>;
       readonly url?: string;
       readonly file?: Blob;
       readonly partOf?: string;

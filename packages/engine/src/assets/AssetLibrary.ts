@@ -1,6 +1,7 @@
 import { shortText } from '@farol/renderer';
 import { type BufferGeometry, type Material, RepeatWrapping, type Texture, type WebGLRenderer } from 'three';
 import type { AssetType } from '../fields/Field';
+import { cancellable } from '../core/cancellable';
 import { computeCreaseNormals } from '../geometry/computeCreaseNormals';
 import { type Asset, type AssetChange, type AssetFile, type AssetSource, assetTypeOf, type TakenAsset } from './Asset';
 import { AssetError } from './AssetError';
@@ -117,7 +118,8 @@ export class AssetLibrary {
       throw new AssetError(name, `cannot be read from '${shortText(url, 80)}': only ${readableEndings} can.`);
     }
     const options: ReadOptions = { normalise: dragon, renderer: this.renderer };
-    const load = (): Promise<Asset> => read(this.fetchFor(name, url), url, known, options);
+    const load = (signal?: AbortSignal): Promise<Asset> =>
+      read(this.fetchFor(name, url), url, known, { ...options, signal });
     this.sources.set(name, { type: known, url, load });
     this.tell({ kind: 'registered', name, type: known });
     return this;
@@ -133,7 +135,8 @@ export class AssetLibrary {
     this.checkFree(name);
     if (type !== 'mesh' && type !== 'texture' && type !== 'model')
       throw new AssetError(name, `cannot be read: only ${readableEndings} can. Convert it to one of them.`);
-    const load = (): Promise<Asset> => read(file.arrayBuffer(), name, type, { renderer: this.renderer });
+    const { renderer } = this;
+    const load = (signal?: AbortSignal): Promise<Asset> => read(file.arrayBuffer(), name, type, { renderer, signal });
     this.sources.set(name, { type, file, load });
     this.tell({ kind: 'registered', name, type });
     return this;
@@ -251,15 +254,19 @@ export class AssetLibrary {
     return made;
   }
 
-  /** The asset, loaded if need be. @throws AssetError (as a rejection) when it is unknown or cannot be loaded */
-  load(name: string): Promise<Asset> {
+  /**
+   * The asset, loaded if need be.
+   * @param signal - of the first who asks: cancels the loading at once, for all who wait for it
+   * @throws AssetError (as a rejection) when it is unknown or cannot be loaded; what the signal was aborted with
+   */
+  load(name: string, signal?: AbortSignal): Promise<Asset> {
     const source = this.sources.get(name);
     if (this.values.has(name) || !source || 'make' in source) {
       return Promise.resolve().then(() => this.get(name));
     }
     const started = this.loading.get(name);
     if (started) return started;
-    const promise = source.load().then(
+    const promise = cancellable(source.load(signal), signal, (late) => late.dispose()).then(
       (value) => {
         this.loading.delete(name);
         // it was taken out, or another one came, while it was loading
@@ -271,6 +278,7 @@ export class AssetLibrary {
       },
       (cause: unknown) => {
         this.loading.delete(name);
+        signal?.throwIfAborted();
         if (cause instanceof AddressRefusedError) throw this.refusal(name, source.type, cause);
         const reason = cause instanceof Error ? cause.message : String(cause);
         const error = new AssetError(name, `could not be loaded: ${reason}`, { cause });

@@ -1,5 +1,6 @@
-import { BufferGeometry, Float32BufferAttribute, Group, Mesh } from 'three';
-import { describe, expect, test } from 'vitest';
+import { BufferAttribute, BufferGeometry, Float32BufferAttribute, Group, Mesh } from 'three';
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import { AssetLibrary } from './AssetLibrary';
 import { checkGltf } from './checkGltf';
 import { checkModel } from './checkModel';
 import { checkImageSize, imageSize } from './imageSize';
@@ -35,6 +36,15 @@ const valid = (): Json => ({
   ],
   buffers: [{ byteLength: 42 }],
 });
+
+/** The triangle without a picture, as Node can read it. */
+function plain(): Json {
+  const json = valid();
+  for (const key of ['skins', 'materials', 'textures', 'images', 'animations']) delete json[key];
+  json.nodes = [{ mesh: 0, name: 'Wall' }];
+  delete json.meshes[0].primitives[0].material;
+  return json;
+}
 
 /** A GLB of some JSON and 44 bytes. */
 function glb(json: Json, positions: readonly number[] = POSITIONS): ArrayBuffer {
@@ -196,24 +206,18 @@ describe('what is wrong with a model is said in one sentence before memory is ta
   });
 
   test('positions that are no numbers, or absurd', async () => {
-    const file = (positions: number[]): ArrayBuffer => {
-      const json = valid();
-      for (const key of ['skins', 'materials', 'textures', 'images', 'animations']) delete json[key];
-      json.nodes = [{ mesh: 0, name: 'Wall' }];
-      delete json.meshes[0].primitives[0].material;
-      return glb(json, positions);
-    };
+    const file = (positions: number[]): ArrayBuffer => glb(plain(), positions);
     expect((await readModel(file(POSITIONS))).scene.children).toHaveLength(1);
     await expect(readModel(file([NaN, 0, 0]))).rejects.toThrow(/^the mesh 'Wall' has positions that are no numbers/);
     await expect(readModel(file([1e30, 0, 0]))).rejects.toThrow(/^the mesh 'Wall' reaches beyond 1000000000000 m/);
   });
 
-  test('a scale that makes positions absurd', () => {
+  test('a scale that makes positions absurd', async () => {
     const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute([0, 0, 1e8], 3));
     const scene = new Group().add(new Mesh(geometry));
-    checkModel(scene);
+    await checkModel(scene);
     scene.scale.setScalar(1e6);
-    expect(() => checkModel(scene)).toThrow(/a mesh reaches beyond/);
+    await expect(checkModel(scene)).rejects.toThrow(/a mesh reaches beyond/);
   });
 
   test('what an engine or a loader throws', () => {
@@ -261,5 +265,76 @@ describe('pictures', () => {
     const json = valid();
     json.images[0].uri = `data:image/png;base64,${Buffer.from(png(60_000, 60_000)).toString('base64')}`;
     await expect(readModel(glb(json))).rejects.toThrow(/60000 × 60000 pixels/);
+  });
+});
+
+describe('large models', () => {
+  afterEach(() => {
+    vi.restoreAllMocks();
+  });
+
+  /** A mesh of many vertices and triangles. */
+  const large = (count: number): Mesh => {
+    const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(count * 3), 3));
+    geometry.setIndex(
+      new BufferAttribute(
+        Uint32Array.from({ length: count }, (_, i) => i),
+        1,
+      ),
+    );
+    return new Mesh(geometry);
+  };
+
+  /** A clock that goes on by 1 ms each time that it is looked at. */
+  const clock = (): void => {
+    let now = 0;
+    vi.spyOn(performance, 'now').mockImplementation(() => now++);
+  };
+
+  test('an index beyond the vertices is named', async () => {
+    const mesh = large(9);
+    mesh.name = 'Wall';
+    mesh.geometry.index!.setX(4, 9);
+    await expect(checkModel(mesh)).rejects.toThrow(/^the mesh 'Wall' has the index 9, and 9 vertices/);
+  });
+
+  test('are checked in slices, and the page has its turn between them', async () => {
+    clock();
+    let turns = 0;
+    let isDone = false;
+    const turn = (): void => {
+      turns++;
+      if (!isDone) setTimeout(turn);
+    };
+    setTimeout(turn);
+    await checkModel(large(2_000_000));
+    isDone = true;
+    // 123 looks at the clock for the vertices, 123 for the index, a turn at each 20th
+    expect(turns).toBeGreaterThanOrEqual(10);
+  });
+
+  test('a check that is cancelled ends', async () => {
+    clock();
+    const control = new AbortController();
+    setTimeout(() => control.abort());
+    const mesh = large(2_000_000);
+    const read = vi.spyOn(mesh.geometry.getAttribute('position'), 'getComponent');
+    await expect(checkModel(mesh, control.signal)).rejects.toMatchObject({ name: 'AbortError' });
+    expect(read).not.toHaveBeenCalled();
+  });
+
+  test('a load that is cancelled ends at once; what comes after it is given back, and the asset can be loaded again', async () => {
+    const assets = new AssetLibrary();
+    assets.registerFile('wall.glb', new Blob([glb(plain())]));
+    const before = assets.list();
+    const told: string[] = [];
+    assets.onChange(({ kind }) => told.push(kind));
+    const control = new AbortController();
+    const loading = assets.load('wall.glb', control.signal);
+    control.abort();
+    await expect(loading).rejects.toMatchObject({ name: 'AbortError' });
+    expect([assets.list(), assets.isReady('model', 'wall.glb'), told]).toEqual([before, false, []]);
+    await assets.load('wall.glb');
+    expect(told).toEqual(['loaded']);
   });
 });

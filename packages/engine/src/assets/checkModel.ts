@@ -6,6 +6,7 @@ import {
   type Object3D,
 } from 'three';
 import { shortText } from '@farol/renderer';
+import { Slices } from '../core/Slices';
 
 /** Largest coordinate and scale (m): beyond it cameras, lights and depths have no digits left. */
 export const LARGEST = 1e12;
@@ -14,11 +15,18 @@ export const LARGEST = 1e12;
 export const absurdSize = ({ elements }: Matrix4, reach = 1): boolean =>
   !elements.every((each) => Math.abs(each) * reach <= LARGEST);
 
+type Attribute = BufferAttribute | InterleavedBufferAttribute;
+
+/** Elements between two looks at the clock. */
+const STEP = 16_384;
+
 /** Largest coordinate of some points; NaN when one is no number. */
-function reachOf(positions: BufferAttribute | InterleavedBufferAttribute): number {
+async function reachOf(positions: Attribute, slices: Slices): Promise<number> {
+  const components = Math.min(3, positions.itemSize);
   let reach = 0;
   for (let i = 0; i < positions.count; i++) {
-    for (let component = 0; component < Math.min(3, positions.itemSize); component++) {
+    if (i % STEP === 0 && slices.areOver) await slices.next();
+    for (let component = 0; component < components; component++) {
       const value = Math.abs(positions.getComponent(i, component));
       // a comparison with NaN is false
       if (!(value <= reach)) reach = value;
@@ -28,25 +36,54 @@ function reachOf(positions: BufferAttribute | InterleavedBufferAttribute): numbe
   return reach;
 }
 
+/** The largest of some indices; -1 of none. */
+async function largestOf(index: Attribute, slices: Slices): Promise<number> {
+  let largest = -1;
+  for (let i = 0; i < index.count; i++) {
+    if (i % STEP === 0 && slices.areOver) await slices.next();
+    largest = Math.max(largest, index.getX(i));
+  }
+  return largest;
+}
+
+/** @returns the largest coordinate @throws Error when an index leads beyond the vertices, or a position is no number */
+async function checkGeometry(geometry: BufferGeometry, name: string, slices: Slices): Promise<number> {
+  const positions = geometry.getAttribute('position');
+  if (geometry.index) {
+    const largest = await largestOf(geometry.index, slices);
+    if (largest >= positions.count) {
+      const counts = `the index ${largest}, and ${positions.count} vertices, counted from 0`;
+      throw new Error(`${name} has ${counts}: export it again.`);
+    }
+  }
+  const reach = await reachOf(positions, slices);
+  if (Number.isNaN(reach)) throw new Error(`${name} has positions that are no numbers: export it again.`);
+  return reach;
+}
+
 /**
- * Checks what a loader made of a model before a frame is drawn with it.
- * @throws Error of one sentence when positions are no numbers, or lie beyond 1e12
+ * Checks what a loader made of a model before a frame is drawn with it: in slices, so that the page answers meanwhile.
+ * @param signal - cancels the check
+ * @throws Error (as a rejection) of one sentence when positions are no numbers, lie beyond 1e12, or an index leads beyond
+ * them; what the signal was aborted with
  */
-export function checkModel(scene: Object3D): void {
-  const reaches = new Map<BufferGeometry, number>();
+export async function checkModel(scene: Object3D, signal?: AbortSignal): Promise<void> {
+  const slices = new Slices(signal);
+  const meshes: { readonly object: Object3D; readonly geometry: BufferGeometry }[] = [];
   scene.updateMatrixWorld(true);
   scene.traverse((object) => {
     const { geometry } = object as { geometry?: BufferGeometry };
-    const positions = geometry?.getAttribute('position');
-    if (!geometry || !positions) return;
-    let reach = reaches.get(geometry);
-    if (reach === undefined) reaches.set(geometry, (reach = reachOf(positions)));
+    if (geometry?.getAttribute('position')) meshes.push({ object, geometry });
+  });
+  const reaches = new Map<BufferGeometry, number>();
+  for (const { object, geometry } of meshes) {
     const name = object.name ? `the mesh '${shortText(object.name)}'` : 'a mesh';
-    if (Number.isNaN(reach)) throw new Error(`${name} has positions that are no numbers: export it again.`);
+    const reach = reaches.get(geometry) ?? (await checkGeometry(geometry, name, slices));
+    reaches.set(geometry, reach);
     if (reach > LARGEST || absurdSize(object.matrixWorld, Math.max(1, reach))) {
       throw new Error(
         `${name} reaches beyond ${LARGEST} m, which cannot be drawn: scale it down, and export it again.`,
       );
     }
-  });
+  }
 }

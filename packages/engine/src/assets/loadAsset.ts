@@ -51,4 +51,6 @@ export interface ReadOptions {
   readonly normalise?: boolean;
   /** What will draw the asset: needed for models with KTX2 textures only. */
   readonly renderer?: WebGLRenderer | null;
+  /** Cancels the reading. */
+  readonly signal?: AbortSignal;
 }

@@ -51,7 +51,7 @@ export async function readAsset(
   options: ReadOptions = {},
 ): Promise<Asset> {
   if (bytes.byteLength === 0) throw new Error('the file is empty: choose it again.');
-  if (type === 'model') return readModel(bytes, options.renderer);
+  if (type === 'model') return readModel(bytes, options.renderer, options.signal);
   if (type === 'texture') {
     const said = signatureOf(bytes);
     if (said === 'HDR' || said === 'EXR') return readEnvironment(bytes, said);

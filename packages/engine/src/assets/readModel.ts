@@ -80,19 +80,27 @@ export function modelError(cause: unknown): Error {
 /**
  * Reads a glTF of one file: a GLB, or a .gltf with its data inside.
  * @param renderer - draws it later; asked which compressed textures the device takes, needed for KTX2 only
- * @throws Error that says what is wrong with the bytes
+ * @param signal - cancels the reading; nothing of it was drawn, so that nothing has to be given back
+ * @throws Error that says what is wrong with the bytes; what the signal was aborted with
  */
-export async function readModel(bytes: ArrayBuffer, renderer: WebGLRenderer | null = null): Promise<Model> {
+export async function readModel(
+  bytes: ArrayBuffer,
+  renderer: WebGLRenderer | null = null,
+  signal?: AbortSignal,
+): Promise<Model> {
   const json = readGltfJson(bytes);
   checkModelFile(bytes, json);
   const outside = [...(json.buffers ?? []), ...(json.images ?? [])].find(({ uri }) => uri && !/^data:/i.test(uri));
   if (outside) throw new Error(`it needs ${shortText(outside.uri!, 120)}: choose both files together.`);
   const { loader, dispose } = await loaderFor(json.extensionsUsed ?? [], renderer);
   try {
+    signal?.throwIfAborted();
     const { scene, animations } = await loader.parseAsync(bytes, '');
-    checkModel(scene);
+    signal?.throwIfAborted();
+    await checkModel(scene, signal);
     return new Model(scene, animations);
   } catch (cause) {
+    signal?.throwIfAborted();
     throw modelError(cause);
   } finally {
     dispose();

@@ -203,10 +203,12 @@ test('an asset that cannot be registered leaves none behind', async () => {
   input.settings = {};
   input.assets = [
     { name: 'first', type: 'mesh', url: 'first.ply' },
+    { name: 'no ending', type: 'texture', url: 'data:,abc' },
     { name: 'wrong.png', type: 'mesh', url: 'data:,abc' },
   ];
   await expect(deserialize(input, { assets })).rejects.toThrow(
-    /assets\[1\]\.type says mesh, and by its name it is a texture/,
+    /:\nassets\[2\]\.type says mesh, and by its name it is a texture/,
   );
+  expect(assets.has('no ending')).toBe(false);
   expect(assets.has('first')).toBe(false);
 });

@@ -168,7 +168,7 @@ function mutateText(text: string, random: FuzzRandom): Uint8Array<ArrayBuffer> {
     pieces.splice(
       random.below(pieces.length),
       random.below(2),
-      random.once(5) ? String(hostileValue(random)) : piece.repeat(times),
+      random.once(5) ? String(hostileValue(random)) : piece.slice(0, 200).repeat(times),
     );
   }
   return random.once(2) ? encode(pieces.join('')) : mutateBytes(encode(pieces.join('')), random);

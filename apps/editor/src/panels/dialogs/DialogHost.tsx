@@ -8,6 +8,7 @@ const CommandPalette = lazy(async () => ({ default: (await import('../palette/Co
 const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
 const RecoverDialog = lazy(async () => ({ default: (await import('./RecoverDialog')).RecoverDialog }));
 const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).TextDialog }));
+const ProgressDialog = lazy(async () => ({ default: (await import('./ProgressDialog')).ProgressDialog }));
 const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog }));
 
 const shapes: Partial<Record<DialogRequest['kind'], string>> = { palette: 'palette', keys: 'keys-page' };
@@ -43,6 +44,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
   }
   if (request.kind === 'recover') return <RecoverDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'text') return <TextDialog request={request} onClose={() => onClose(false)} />;
+  if (request.kind === 'progress') return <ProgressDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'export') return <ExportDialog onClose={() => onClose(false)} />;
   if (request.kind === 'palette') return <CommandPalette onClose={() => onClose(false)} />;
   return (

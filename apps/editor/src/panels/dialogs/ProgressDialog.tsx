@@ -1,0 +1,18 @@
+import { Dialog } from '@base-ui/react/dialog';
+import type { ReactNode } from 'react';
+import type { ProgressDialog as ProgressRequest } from '../../model/Dialogs';
+
+/** Says what takes long, and cancels it. */
+export function ProgressDialog({ request, onClose }: { request: ProgressRequest; onClose(): void }): ReactNode {
+  return (
+    <>
+      <Dialog.Title>{request.title}</Dialog.Title>
+      <progress className="progress" aria-label={request.title} />
+      <div className="dialog-buttons">
+        <button type="button" className="button framed" onClick={onClose}>
+          Cancel
+        </button>
+      </div>
+    </>
+  );
+}
