@@ -27,23 +27,6 @@ function backToFront(a: RenderItem, b: RenderItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
 }
 
-/** Whether what an object's bounding sphere holds may reach a distance along the view (m). True where it has none. */
-function reaches(distance: number, object: Object3D, geometry: BufferGeometry, camera: Camera): boolean {
-  const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
-  if (sphere === null || !object.frustumCulled) return true;
-  const m = object.matrixWorld.elements;
-  const v = camera.matrixWorldInverse.elements;
-  const { x, y, z } = sphere.center;
-  const wx = m[0] * x + m[4] * y + m[8] * z + m[12];
-  const wy = m[1] * x + m[5] * y + m[9] * z + m[13];
-  const wz = m[2] * x + m[6] * y + m[10] * z + m[14];
-  const xs = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
-  const ys = m[4] * m[4] + m[5] * m[5] + m[6] * m[6];
-  const zs = m[8] * m[8] + m[9] * m[9] + m[10] * m[10];
-  const middle = -(v[2] * wx + v[6] * wy + v[10] * wz + v[14]);
-  return !(middle + sphere.radius * Math.sqrt(Math.max(xs, ys, zs)) <= distance);
-}
-
 /** Whether a material is drawn by another shader than three's for its class. */
 export function hasOwnShader(material: Material): boolean {
   return (
@@ -147,7 +130,7 @@ export class RenderQueue {
     item.drawn = false;
     item.splits = item.plain && item.lit && !ownShader;
     if (list === this.opaque && !this.reachesFar && this.farthest !== Infinity)
-      this.reachesFar = reaches(this.farthest, object, geometry, this.camera);
+      this.reachesFar = this.reaches(object, geometry);
     if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!item.plain || ownShader)) this.covers = false;
     if (list === this.opaque && !item.plain && isOrderSensitive(material)) this.ordered = true;
@@ -155,6 +138,23 @@ export class RenderQueue {
     if (list === this.opaque) list[this.opaques++] = item;
     else if (list === this.transparent) list[this.transparents++] = item;
     else list[this.transmissives++] = item;
+  }
+
+  /** Whether what an object's bounding sphere holds may be as far as `farthest`. True where it has none. */
+  private reaches(object: Object3D, geometry: BufferGeometry): boolean {
+    const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
+    if (sphere === null || !object.frustumCulled) return true;
+    const m = object.matrixWorld.elements;
+    const v = this.camera.matrixWorldInverse.elements;
+    const { x, y, z } = sphere.center;
+    const wx = m[0] * x + m[4] * y + m[8] * z + m[12];
+    const wy = m[1] * x + m[5] * y + m[9] * z + m[13];
+    const wz = m[2] * x + m[6] * y + m[10] * z + m[14];
+    const xs = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
+    const ys = m[4] * m[4] + m[5] * m[5] + m[6] * m[6];
+    const zs = m[8] * m[8] + m[9] * m[9] + m[10] * m[10];
+    const middle = -(v[2] * wx + v[6] * wy + v[10] * wz + v[14]);
+    return !(middle + sphere.radius * Math.sqrt(Math.max(xs, ys, zs)) <= this.farthest);
   }
 
   /** Ends the lists, and lets go of objects of earlier, larger frames. */
