@@ -1,4 +1,4 @@
-// Copies a light's tile of the shadow atlas into a map of its own: depths, and the colours that three's MeshDepthMaterial has.
+// Copies a light's tile of the shadow atlas into a map of its own: depths, and colours as of three's MeshDepthMaterial.
 // three.js r187, WebGLShadowMap and ShaderLib.depth
 uniform highp sampler2D farol_shownAtlas;
 uniform highp vec4 farol_shownTile; // corner (texels), texels of the tile a texel of the map

@@ -30,7 +30,8 @@ if (!farol_keeps) {
   }
   farol_kept = farol_seen;
 }
-// what is shaded takes derivatives, which are known while all four pixels of a quad go the same way; twice, for the one across
+// what is shaded takes derivatives, which are known while all four pixels of a quad go the same way; twice, for the
+// pixel across
 float farol_quadShades = farol_keeps ? 0.0 : 1.0;
 farol_quadShades += fwidth(farol_quadShades);
 farol_quadShades += fwidth(farol_quadShades);

@@ -11,7 +11,7 @@ bool farol_isTooWide(const in vec4 sphere) {
   return sphere.w > 1e5 * near && -sphere.z - sphere.w * 1.1 < near;
 }
 
-// clip-space z of a vertex: what reaches beyond the far plane lies on it with all its vertices, else depths between them
+// clip-space z of a vertex: what reaches beyond the far plane lies on it with all vertices, else depths between them
 // would be too near
 float farol_volumeZ(const in vec4 clip, const in vec4 sphere) {
   vec4 end = projectionMatrix * vec4(sphere.xy, sphere.z - sphere.w * 1.1, 1.0);

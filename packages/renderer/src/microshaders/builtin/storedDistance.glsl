@@ -1,4 +1,4 @@
-// The distance of a surface along the view in two half floats, to some millionths: its logarithm (orthographic: itself).
+// The distance of a surface along the view in two half floats, to some millionths: its logarithm; orthographic: itself.
 // Farol
 #include "roundToHalf"
 //? farol_unpackDistance(farol_packDistance(1234.5, false), false) == 1234.5

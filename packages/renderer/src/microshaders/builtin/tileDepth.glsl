@@ -4,7 +4,8 @@
 #include "unproject"
 uniform highp usampler2D farol_blocks;
 uniform vec2 farol_size;
-layout(location = 0) out highp uvec4 farol_tileDepthOut; // bits of nearest and farthest (m), slices, 1 where a pixel is empty
+// bits of nearest and farthest (m), slices, 1 where a pixel is empty
+layout(location = 0) out highp uvec4 farol_tileDepthOut;
 
 // depth: as the blocks have it; steps: of its rounding, to be taken off or added
 float farol_viewDistance(const in float depth, const in float steps) {

@@ -3,7 +3,8 @@
 #include "depthMode"
 uniform highp sampler2D farol_sceneDepth;
 uniform vec2 farol_size;
-layout(location = 0) out highp uvec4 farol_block; // bits of nearest and farthest depth, reversed depth negative; farthest -2 where nothing is; 1 where a pixel is empty
+// bits of nearest and farthest depth, reversed depth negative; farthest -2 where nothing is; 1 where a pixel is empty
+layout(location = 0) out highp uvec4 farol_block;
 //# main
 ivec2 first = ivec2(gl_FragCoord.xy) * 4;
 ivec2 last = min(first + 4, ivec2(farol_size));

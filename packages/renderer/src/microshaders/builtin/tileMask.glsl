@@ -7,7 +7,8 @@
 uniform highp usampler2D farol_coarseMask;
 uniform highp usampler2D farol_tileDepth;
 uniform vec2 farol_size;
-uniform highp float farol_beyond; // distance (m) from which what is drawn may look like nothing, -1e30: depths tell no distances
+// distance (m) from which what is drawn may look like nothing, -1e30: depths tell no distances
+uniform highp float farol_beyond;
 layout(location = 0) out highp uvec4 farol_mask;
 
 struct FarolTile {
