@@ -7,8 +7,6 @@ const harmless = [
   // Chromium itself, when pixels are read back: the read is what the test asks for.
   /GPU stall due to (ReadPixels|mapping device local buffer)/,
   /Automatic fallback to software WebGL/,
-  // three's own: it goes on polling a read-back (readRenderTargetPixelsAsync) that a lost context has ended.
-  /clientWaitSync: object does not belong to this context/,
 ];
 
 export interface Watch {
