@@ -4,7 +4,7 @@ import { expect, test } from './perfTest';
 /** How many lights, or draws, are as hot as can be. */
 const HOTTEST = 16;
 
-/** The count that a colour stands for: the inverse of microshaders/builtin/heatMap.glsl, whose claims claims.spec.ts holds. */
+/** The count that a colour stands for: the inverse of output/heatMap.glsl, whose claims claims.spec.ts holds. */
 function countOf([red, green, blue]: number[]): number {
   if (red === 0 && green === 0 && blue === 0) return 0;
   const t = blue >= 1 ? green : blue > 0 ? 2 - blue : red < 1 ? 2 + red : 4 - green;

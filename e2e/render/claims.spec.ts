@@ -1,14 +1,17 @@
 import { readdirSync, readFileSync } from 'node:fs';
+import { basename } from 'node:path';
 import { expect, test } from '../support/test';
 
 /**
  * Evaluates the claims of microshaders (`//? left == right`) on the GPU, a pixel each. Floats must agree to within 1e-5
  * of the greater of 1 and the right side, since drivers may round divisions and square roots; all else exactly.
  */
-const folder = new URL('../../packages/renderer/src/microshaders/builtin/', import.meta.url);
-const texts = readdirSync(folder)
-  .filter((name) => name.endsWith('.glsl'))
-  .map((name) => [name.slice(0, -'.glsl'.length), readFileSync(new URL(name, folder), 'utf8')] as const);
+const texts = ['gbuffer', 'gpu', 'lighting', 'output'].flatMap((subject) => {
+  const folder = new URL(`../../packages/renderer/src/${subject}/`, import.meta.url);
+  return readdirSync(folder, { recursive: true, encoding: 'utf8' })
+    .filter((path) => path.endsWith('.glsl'))
+    .map((path) => [basename(path, '.glsl'), readFileSync(new URL(path, folder), 'utf8')] as const);
+});
 
 /** Runs in the page. @returns what each claim came to */
 function evaluateClaims([name, text]: readonly [string, string]): { claim: string; holds: boolean }[] {

@@ -11,8 +11,8 @@ const manifest = JSON.parse(readFileSync(new URL('package.json', import.meta.url
 const peers = Object.keys(manifest.peerDependencies);
 
 const source = fileURLToPath(new URL('src/', import.meta.url));
-const apart =
-  /^(?:effects|authoring|three-pass|postprocessing|intercept|r3f|r3f-postprocessing)\/|\/(?:parseXML|parseMicroShaderXML|findClaims)\.ts$|^index\.ts$|commented|^GpuTimer|^debug\/(?!views)|^compileByDrawing|^lights\/LightLayers|^light-buffer\/|^rehearsal\/|^shadows\/(?!maskUniforms)/;
+/** Folders of what the main entry does not need at start: other entries, and what is fetched when it is first needed. */
+const apart = /^(?:adapters|authoring|effects|lazy|microshaders\/xml)\/|^index\.ts$|commented/;
 const isCore = (id: string): boolean => id.startsWith(source) && !apart.test(id.slice(source.length));
 
 /**

@@ -28,7 +28,7 @@ const packed = [
     'apps/viewer/dist',
     'public/microshaders',
   ],
-  'packages/renderer/src/microshaders',
+  'packages/renderer/src',
   ...['@playwright/test', 'playwright', 'playwright-core', 'pixelmatch', 'pngjs'].map((name) => `node_modules/${name}`),
 ];
 

@@ -4,7 +4,7 @@ import { gzipSync } from 'node:zlib';
 import { parseSync } from 'vite';
 
 /**
- * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. What packages/renderer/src/late
+ * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. What packages/renderer/src/lazy
  * fetches when a scene or setting first asks for it is not counted.
  */
 export const rendererLimit = 55_000;

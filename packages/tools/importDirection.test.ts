@@ -39,14 +39,14 @@ describe('the direction of imports', () => {
   });
 
   it.each([
-    ['packages/renderer/src/microshaders/X.ts', "import { P } from '../passes/P';", /may import/],
+    ['packages/renderer/src/microshaders/X.ts', "import { P } from '../forward/P';", /may import/],
     ['packages/renderer/src/X.ts', "import type { Scene } from '@farol/engine';", /may import/],
     ['packages/renderer/src/X.ts', "export * from '../../engine/src/Scene';", /may import/],
     ['packages/engine/src/X.ts', "const lazy = () => import('react');", /may import/],
-    ['packages/renderer/src/index.ts', "export * from './r3f/Farol';", /does not know what plugs it in/],
+    ['packages/renderer/src/index.ts', "export * from './adapters/r3f/Farol';", /does not know what plugs it in/],
     ['packages/renderer/src/index.ts', "import 'react';", /may import/],
     ['packages/engine/src/X.ts', "import { attachEditor } from '@farol/attach';", /may import/],
-    ['packages/renderer/src/three-pass/X.ts', "import 'postprocessing';", /may import/],
+    ['packages/renderer/src/adapters/three-pass/X.ts', "import 'postprocessing';", /may import/],
     ['packages/engine/src/X.ts', "import { readFileSync } from 'node:fs';", /no Node modules/],
     [
       'packages/engine/src/X.ts',
@@ -67,9 +67,12 @@ describe('the direction of imports', () => {
   });
 
   it.each([
-    ['packages/renderer/src/passes/X.ts', "import text from '../microshaders/x.glsl?raw'; import 'three';"],
+    ['packages/renderer/src/output/X.ts', "import text from './x.glsl?raw'; import 'three';"],
     ['packages/engine/src/X.test.ts', "import { it } from 'vitest'; import { Scene } from './Scene';"],
-    ['packages/renderer/src/r3f/X.ts', "import { useRef } from 'react'; import { F } from '../FarolRenderer';"],
+    [
+      'packages/renderer/src/adapters/r3f/X.ts',
+      "import { useRef } from 'react'; import { F } from '../../FarolRenderer';",
+    ],
     ['apps/viewer/src/X.ts', "import { FarolPass } from '@farol/renderer/three-pass';"],
     ['apps/editor/vite.config.ts', "import react from '@vitejs/plugin-react';"],
     ['packages/engine/src/X.ts', "// import 'react'\nconst text = \"import 'react'\";"],

@@ -1,5 +1,5 @@
-import type { View } from './debug/views';
-import type { FarolEffect } from './FarolEffect';
+import type { View } from './frame/views';
+import type { FarolEffect } from './frame/FarolEffect';
 import type { TechniqueName } from './techniques';
 
 export interface FarolOptions {

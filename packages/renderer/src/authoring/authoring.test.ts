@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { builtinMicroShaders, type MicroShader, parseMicroShader } from '../microshaders';
+import { builtinMicroShaders } from '../builtinMicroShaders';
+import { type MicroShader, parseMicroShader } from '../microshaders';
 import { formatMicroShaderXML, microShaderSources, parseMicroShaderXML } from '.';
 
 const content = ({ headerLine: _h, mainLine: _m, ...chunk }: MicroShader): Partial<MicroShader> => chunk;

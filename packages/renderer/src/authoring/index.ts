@@ -1,5 +1,5 @@
-export { findClaims, type Claim } from '../microshaders/findClaims';
+export { findClaims, type Claim } from './findClaims';
 export { formatMicroShader } from '../microshaders/formatMicroShader';
-export { parseMicroShaderXML } from '../microshaders/parseMicroShaderXML';
+export { parseMicroShaderXML } from '../microshaders/xml/parseMicroShaderXML';
 export { formatMicroShaderXML } from './formatMicroShaderXML';
 export { microShaderSources } from './microShaderSources';

@@ -22,9 +22,9 @@ import {
   type IUniform,
   type Texture,
 } from 'three';
-import type { Frame } from '../Frame';
-import { FullscreenMesh } from '../passes/FullscreenMesh';
-import { PassMaterial } from '../passes/PassMaterial';
+import type { Frame } from '../frame/Frame';
+import { FullscreenMesh } from '../gpu/FullscreenMesh';
+import { PassMaterial } from '../gpu/PassMaterial';
 import { addMicroShaders } from '../microshaders/addMicroShaders';
 import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from './displayTransfer.glsl?raw';

@@ -1,4 +1,4 @@
-import type { FarolEffect } from '../FarolEffect';
+import type { FarolEffect } from '../frame/FarolEffect';
 import { AmbientOcclusion } from './ambient-occlusion';
 import { MultisampledEdges, SMAA, TAA } from './antialiasing';
 import { Decals } from './decals';

@@ -1,7 +1,7 @@
 import { DepthTexture, FloatType, NearestFilter, RGBAFormat, type WebGLRenderer } from 'three';
-import { drawBuffersOf } from '../checkDevice';
+import { drawBuffersOf } from '../gpu/checkDevice';
 import { gbufferLayout, type GBufferAttachment } from './gbufferLayout';
-import { WebGLMultipleRenderTargets } from './WebGLMultipleRenderTargets';
+import { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets';
 
 /** Geometry buffer: the attachments of `gbufferLayout` and a depth texture. */
 export class GBuffer {

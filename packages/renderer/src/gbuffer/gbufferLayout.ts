@@ -10,7 +10,7 @@ export interface GBufferAttachment {
 
 /**
  * The G-buffer, 20 bytes a pixel and 32-bit float depth. Position is rebuilt from depth. Four attachments, WebGL2's least.
- * The encoding is microshaders/builtin/gbufferWrite.glsl and gbufferRead.glsl.
+ * The encoding is in gbufferWrite.glsl and gbufferRead.glsl.
  */
 export const gbufferLayout = [
   // rgb: emissive, ambient, environment, light maps (linear); a: Phong shininess

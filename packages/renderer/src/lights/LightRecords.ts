@@ -8,7 +8,7 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
-import type { DataTable } from './DataTable';
+import type { DataTable } from '../gpu/DataTable';
 import type { FarolAttenuation, FarolLightData } from './FarolLightData';
 import { lightAxis } from './lightAxis';
 import { lightRange } from './lightRange';

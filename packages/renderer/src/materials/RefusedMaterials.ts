@@ -1,5 +1,5 @@
 import type { Material, Object3D, ShaderMaterial } from 'three';
-import { threeChunks } from './ThreeChunks';
+import { threeChunks } from '../three/ThreeChunks';
 
 /** Frames for which three goes on lighting a scene in which no refused material is seen any more. */
 const KEPT_FRAMES = 600;

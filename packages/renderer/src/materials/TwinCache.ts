@@ -1,6 +1,6 @@
 import type { Material } from 'three';
 import { createTwin, type TwinContext } from './createTwin';
-import { threeChunks } from './ThreeChunks';
+import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind } from './TwinKind';
 
 /** Twins by source and kind. A twin is disposed with its source, and all of them with the cache. */

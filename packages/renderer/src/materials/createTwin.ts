@@ -1,7 +1,7 @@
 import { type Material, Material as BaseMaterial, type ShaderMaterial, UniformsLib, type WebGLRenderer } from 'three';
-import { threeChunks } from './ThreeChunks';
+import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
-import { TwinRefusal } from './TwinRefusal';
+import { TwinRefusal } from '../three/TwinRefusal';
 
 /** What twins of one renderer share. */
 export interface TwinContext {

@@ -1,4 +1,4 @@
-import { beforeLastBrace } from './beforeLastBrace';
+import { beforeLastBrace } from '../three/beforeLastBrace';
 
 /** WebGL 2 has at least 16 vertex attributes; three's own materials need fewer, and objectAttribute.ts has the last. */
 const LOCATION = 14;

@@ -1,11 +1,11 @@
 import { Material } from 'three';
-import { beforeLastBrace } from './beforeLastBrace';
+import { beforeLastBrace } from '../three/beforeLastBrace';
 import { withLayers } from './layersAttribute';
-import { lightsFragmentBegin } from './lightsFragmentBegin';
-import { findChunk, replaceChunk } from './replaceChunk';
-import { threeChunks } from './ThreeChunks';
+import { lightsFragmentBegin } from '../three/lightsFragmentBegin';
+import { findChunk, replaceChunk } from '../three/replaceChunk';
+import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
-import { TwinRefusal } from './TwinRefusal';
+import { TwinRefusal } from '../three/TwinRefusal';
 
 export interface LitTwinOptions {
   readonly key: string;

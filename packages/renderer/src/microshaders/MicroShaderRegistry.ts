@@ -83,7 +83,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
    * @throws Error with file, and line where it has one; then none is added
    */
   async loadXML(text: string, file = 'microshaders'): Promise<readonly string[]> {
-    const { parseMicroShaderXML } = await import('./parseMicroShaderXML');
+    const { parseMicroShaderXML } = await import('./xml/parseMicroShaderXML');
     const chunks = parseMicroShaderXML(text, file);
     const known = chunks.find(({ name }) => this.has(name));
     if (known)

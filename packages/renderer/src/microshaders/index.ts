@@ -1,4 +1,3 @@
-export { builtinMicroShaders, type BuiltinMicroShader } from './builtin';
 export { explainCompileError, type MicroShaderCompileEntry } from './explainCompileError';
 export type { MicroShader, MicroShaderStage } from './MicroShader';
 export { MicroShaderCompileError } from './MicroShaderCompileError';

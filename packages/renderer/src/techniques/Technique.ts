@@ -1,9 +1,9 @@
-import type { LateCode } from '../late';
-import type { LightOrder } from '../lights/LightTable';
+import type { LateCode } from '../frame/lazyCode';
+import type { LightOrder } from '../lighting/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
-import type { GridUniforms } from '../passes/LightGridPass';
-import type { TileUniforms } from '../passes/LightTilesPass';
-import type { Pass } from '../passes/Pass';
+import type { GridUniforms } from '../lighting/lists/LightGridPass';
+import type { TileUniforms } from '../lighting/lists/LightTilesPass';
+import type { Pass } from '../frame/Pass';
 
 /** What a technique's passes are made with. */
 export interface TechniqueContext {

@@ -1,10 +1,10 @@
 import type { WebGLRenderer } from 'three';
-import { checkDevice, lacksFloatTargets } from '../checkDevice';
-import type { FarolEffect } from '../FarolEffect';
-import type { Frame } from '../Frame';
-import { rehearsalCode } from '../late';
-import type { LightTable } from '../lights/LightTable';
-import type { Rehearsal } from '../rehearsal/Rehearsal';
+import { checkDevice, lacksFloatTargets } from '../gpu/checkDevice';
+import type { FarolEffect } from '../frame/FarolEffect';
+import type { Frame } from '../frame/Frame';
+import { rehearsalCode } from '../frame/lazyCode';
+import type { LightTable } from '../lighting/LightTable';
+import type { Rehearsal } from '../lazy/warm-up/Rehearsal';
 import type { TechniqueName } from '.';
 import type { TechniqueChooser } from './TechniqueChooser';
 import type { TechniqueSet } from './TechniqueSet';

@@ -1,6 +1,6 @@
 import { unknownName } from '../errors';
-import type { Pass } from '../passes/Pass';
-import { validatePasses } from '../passes/validatePasses';
+import type { Pass } from '../frame/Pass';
+import { validatePasses } from '../frame/validatePasses';
 import { techniques } from '.';
 import type { Technique, TechniqueContext } from './Technique';
 

@@ -1,6 +1,6 @@
-import { GBufferPass } from '../passes/GBufferPass';
-import { LightGridPass } from '../passes/LightGridPass';
-import { TiledOutputPass } from '../passes/TiledOutputPass';
+import { GBufferPass } from '../gbuffer/GBufferPass';
+import { LightGridPass } from '../lighting/lists/LightGridPass';
+import { TiledOutputPass } from '../output/TiledOutputPass';
 import { forwardTail } from './forwardTail';
 import type { Technique } from './Technique';
 

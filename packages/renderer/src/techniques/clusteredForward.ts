@@ -1,4 +1,4 @@
-import { LightGridPass } from '../passes/LightGridPass';
+import { LightGridPass } from '../lighting/lists/LightGridPass';
 import { forwardTail } from './forwardTail';
 import type { Technique } from './Technique';
 

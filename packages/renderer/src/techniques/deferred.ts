@@ -1,6 +1,6 @@
-import { DeferredOutputPass } from '../passes/DeferredOutputPass';
-import { GBufferPass } from '../passes/GBufferPass';
-import { LightVolumesPass } from '../passes/LightVolumesPass';
+import { DeferredOutputPass } from '../output/DeferredOutputPass';
+import { GBufferPass } from '../gbuffer/GBufferPass';
+import { LightVolumesPass } from '../lighting/volumes/LightVolumesPass';
 import { forwardTail } from './forwardTail';
 import type { Technique } from './Technique';
 

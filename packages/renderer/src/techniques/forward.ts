@@ -1,5 +1,5 @@
-import { AccumulatedOutputPass } from '../passes/AccumulatedOutputPass';
-import { MultipassLightsPass } from '../passes/MultipassLightsPass';
+import { AccumulatedOutputPass } from '../output/AccumulatedOutputPass';
+import { MultipassLightsPass } from '../lighting/MultipassLightsPass';
 import { forwardTail } from './forwardTail';
 import type { Technique } from './Technique';
 

@@ -1,5 +1,5 @@
-import { DepthPrepass } from '../passes/DepthPrepass';
-import { LightTilesPass } from '../passes/LightTilesPass';
+import { DepthPrepass } from '../forward/DepthPrepass';
+import { LightTilesPass } from '../lighting/lists/LightTilesPass';
 import { forwardTail } from './forwardTail';
 import type { Technique } from './Technique';
 

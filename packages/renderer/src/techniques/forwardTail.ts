@@ -1,5 +1,5 @@
-import { ForwardPass } from '../passes/ForwardPass';
-import type { Pass, Resource } from '../passes/Pass';
+import { ForwardPass } from '../forward/ForwardPass';
+import type { Pass, Resource } from '../frame/Pass';
 
 /**
  * What ends every technique: the opaque items it has not drawn, then what transmits, then what is transparent, back to

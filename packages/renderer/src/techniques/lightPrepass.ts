@@ -1,4 +1,4 @@
-import { lightBufferCode } from '../late';
+import { lightBufferCode } from '../frame/lazyCode';
 import type { Technique } from './Technique';
 
 /**

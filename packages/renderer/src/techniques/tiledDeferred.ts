@@ -1,6 +1,6 @@
-import { GBufferPass } from '../passes/GBufferPass';
-import { LightTilesPass } from '../passes/LightTilesPass';
-import { TiledOutputPass } from '../passes/TiledOutputPass';
+import { GBufferPass } from '../gbuffer/GBufferPass';
+import { LightTilesPass } from '../lighting/lists/LightTilesPass';
+import { TiledOutputPass } from '../output/TiledOutputPass';
 import { forwardTail } from './forwardTail';
 import type { Technique } from './Technique';
 

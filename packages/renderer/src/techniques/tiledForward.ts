@@ -1,4 +1,4 @@
-import { LightTilesPass } from '../passes/LightTilesPass';
+import { LightTilesPass } from '../lighting/lists/LightTilesPass';
 import { forwardTail } from './forwardTail';
 import type { Technique } from './Technique';
 

@@ -8,20 +8,20 @@ import {
   Vector2,
   Vector4,
 } from 'three';
-import { drawBuffersOf, lacksFloatTargets } from '../../checkDevice';
-import type { FarolEffect } from '../../FarolEffect';
-import type { Frame } from '../../Frame';
-import { hasDepthTwin } from '../../materials/depthTwin';
-import { gbufferTwin } from '../../materials/gbufferTwins';
+import { drawBuffersOf, lacksFloatTargets } from '../../gpu/checkDevice';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import type { Frame } from '../../frame/Frame';
+import { hasDepthTwin } from '../../forward/depthTwin';
+import { gbufferTwin } from '../../gbuffer/gbufferTwins';
 import type { TwinKind } from '../../materials/TwinKind';
-import { DepthPrepass } from '../../passes/DepthPrepass';
-import { FullscreenMesh } from '../../passes/FullscreenMesh';
-import { GBufferPass } from '../../passes/GBufferPass';
-import type { Pass } from '../../passes/Pass';
-import { PassMaterial } from '../../passes/PassMaterial';
-import { ThinGBufferPass } from '../../light-buffer/ThinGBufferPass';
-import { setUnprojectUniforms, unprojectUniforms } from '../../passes/unprojectUniforms';
-import type { RenderItem } from '../../RenderItem';
+import { DepthPrepass } from '../../forward/DepthPrepass';
+import { FullscreenMesh } from '../../gpu/FullscreenMesh';
+import { GBufferPass } from '../../gbuffer/GBufferPass';
+import type { Pass } from '../../frame/Pass';
+import { PassMaterial } from '../../gpu/PassMaterial';
+import { ThinGBufferPass } from '../../lazy/light-buffer/ThinGBufferPass';
+import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
+import type { RenderItem } from '../../frame/RenderItem';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import { EffectTarget } from '../EffectTarget';
 import ambientOcclusion from './ambientOcclusion.glsl?raw';

@@ -1,6 +1,6 @@
 import type { IUniform, Material } from 'three';
-import { beforeLastBrace } from '../../materials/beforeLastBrace';
-import { findChunk } from '../../materials/replaceChunk';
+import { beforeLastBrace } from '../../three/beforeLastBrace';
+import { findChunk } from '../../three/replaceChunk';
 import type { TwinKind } from '../../materials/TwinKind';
 import occludedIndirect from './occludedIndirect.glsl?raw';
 

@@ -1,5 +1,5 @@
 import type { DirectionalLight, Light, SpotLight } from 'three';
-import type { LightTable } from '../../lights/LightTable';
+import type { LightTable } from '../../lighting/LightTable';
 
 /** Lights that are looked at in a frame; of more, others each frame. */
 const LOOKS = 256;

@@ -1,6 +1,6 @@
 import { HalfFloatType, Matrix4, NearestFilter, WebGLRenderTarget, type Object3D, type Vector2 } from 'three';
-import type { Frame } from '../../Frame';
-import type { RenderItem } from '../../RenderItem';
+import type { Frame } from '../../frame/Frame';
+import type { RenderItem } from '../../frame/RenderItem';
 import { hasMotionTwin, motionTwins } from './motionTwin';
 import type { ObjectMotions } from './ObjectMotions';
 

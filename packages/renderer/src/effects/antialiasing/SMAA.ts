@@ -1,12 +1,12 @@
 import { HalfFloatType, RGFormat, type IUniform, type Texture } from 'three';
-import type { Frame } from '../../Frame';
-import { FullscreenMesh } from '../../passes/FullscreenMesh';
-import { PassMaterial } from '../../passes/PassMaterial';
+import type { Frame } from '../../frame/Frame';
+import { FullscreenMesh } from '../../gpu/FullscreenMesh';
+import { PassMaterial } from '../../gpu/PassMaterial';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import displayTransfer from '../displayTransfer.glsl?raw';
 import { EffectTarget } from '../EffectTarget';
-import { lacksFloatTargets } from '../../checkDevice';
-import type { FarolEffect } from '../../FarolEffect';
+import { lacksFloatTargets } from '../../gpu/checkDevice';
+import type { FarolEffect } from '../../frame/FarolEffect';
 import { Picture } from '../Picture';
 import smaaBlend from './smaaBlend.glsl?raw';
 import smaaEdges from './smaaEdges.glsl?raw';

@@ -9,14 +9,14 @@ import {
   Vector4,
   type WebGLRenderTarget,
 } from 'three';
-import type { Frame } from '../../Frame';
-import { FullscreenMesh } from '../../passes/FullscreenMesh';
-import { PassMaterial } from '../../passes/PassMaterial';
+import type { Frame } from '../../frame/Frame';
+import { FullscreenMesh } from '../../gpu/FullscreenMesh';
+import { PassMaterial } from '../../gpu/PassMaterial';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import displayTransfer from '../displayTransfer.glsl?raw';
-import { lacksFloatTargets } from '../../checkDevice';
-import type { FarolEffect } from '../../FarolEffect';
-import { RecentlyUsed } from '../../RecentlyUsed';
+import { lacksFloatTargets } from '../../gpu/checkDevice';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import { RecentlyUsed } from '../../frame/RecentlyUsed';
 import { Picture } from '../Picture';
 import { cellWeights } from './cellWeights';
 import { halton } from './halton';

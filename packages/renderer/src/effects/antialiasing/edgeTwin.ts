@@ -1,6 +1,6 @@
 import { NoBlending, type IUniform } from 'three';
-import { beforeLastBrace } from '../../materials/beforeLastBrace';
-import { afterChunkOrAtEnd } from '../../materials/replaceChunk';
+import { beforeLastBrace } from '../../three/beforeLastBrace';
+import { afterChunkOrAtEnd } from '../../three/replaceChunk';
 import type { TwinKind, TwinShader } from '../../materials/TwinKind';
 import edgeFragment from './edgeFragment.glsl?raw';
 

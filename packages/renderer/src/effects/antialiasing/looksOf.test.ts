@@ -1,6 +1,6 @@
 import { Color, Mesh, MeshStandardMaterial, type Object3D, Scene, ShaderMaterial } from 'three';
 import { expect, it } from 'vitest';
-import { RenderQueue } from '../../RenderQueue';
+import { RenderQueue } from '../../frame/RenderQueue';
 import { looksOf, surroundingsOf } from './looksOf';
 
 function queueOf(...meshes: Mesh[]): RenderQueue {

@@ -1,6 +1,6 @@
 import { type Color, Material, type MeshStandardMaterial, type Object3D, type Scene, type Texture } from 'three';
-import type { LightTable } from '../../lights/LightTable';
-import type { RenderQueue } from '../../RenderQueue';
+import type { LightTable } from '../../lighting/LightTable';
+import type { RenderQueue } from '../../frame/RenderQueue';
 
 type AnyMaterial = MeshStandardMaterial & { isShaderMaterial?: boolean };
 type MovingTexture = Texture & { isVideoTexture?: boolean };

@@ -1,9 +1,9 @@
 import { NoBlending, type IUniform } from 'three';
-import { beforeLastBrace } from '../../materials/beforeLastBrace';
-import { hasDepthTwin } from '../../materials/depthTwin';
-import { afterChunkOrAtEnd } from '../../materials/replaceChunk';
+import { beforeLastBrace } from '../../three/beforeLastBrace';
+import { hasDepthTwin } from '../../forward/depthTwin';
+import { afterChunkOrAtEnd } from '../../three/replaceChunk';
 import type { TwinKind, TwinShader } from '../../materials/TwinKind';
-import type { RenderItem } from '../../RenderItem';
+import type { RenderItem } from '../../frame/RenderItem';
 import motionVertexHeader from './motionVertexHeader.glsl?raw';
 import motionVertex from './motionVertex.glsl?raw';
 

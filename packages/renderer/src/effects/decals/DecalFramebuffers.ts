@@ -1,5 +1,5 @@
 import type { Texture } from 'three';
-import type { Frame } from '../../Frame';
+import type { Frame } from '../../frame/Frame';
 import { gbufferLayout } from '../../gbuffer/gbufferLayout';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 

@@ -19,15 +19,15 @@ import {
   Vector4,
   ZeroFactor,
 } from 'three';
-import { lacksFloatTargets } from '../../checkDevice';
-import type { FarolEffect } from '../../FarolEffect';
-import type { Frame } from '../../Frame';
+import { lacksFloatTargets } from '../../gpu/checkDevice';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import type { Frame } from '../../frame/Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
-import { storedKind } from '../../passes/gbufferUniforms';
-import { GBufferPass } from '../../passes/GBufferPass';
-import type { Pass } from '../../passes/Pass';
-import { PassMaterial } from '../../passes/PassMaterial';
-import { setUnprojectUniforms, unprojectUniforms } from '../../passes/unprojectUniforms';
+import { storedKind } from '../../gbuffer/gbufferUniforms';
+import { GBufferPass } from '../../gbuffer/GBufferPass';
+import type { Pass } from '../../frame/Pass';
+import { PassMaterial } from '../../gpu/PassMaterial';
+import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import type { Decal } from './Decal';
 import decalAccumulation from './decalAccumulation.glsl?raw';

@@ -1,5 +1,5 @@
 import { HalfFloatType, type Matrix4, NearestFilter, RGFormat, Vector4, type WebGLRenderTarget } from 'three';
-import type { Frame } from '../../Frame';
+import type { Frame } from '../../frame/Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 import { EffectTarget } from '../EffectTarget';
 import { boxRectangle } from './boxRectangle';

@@ -9,15 +9,15 @@ import {
   type Texture,
   type WebGLRenderTarget,
 } from 'three';
-import { lacksFloatTargets } from '../../checkDevice';
-import type { FarolEffect } from '../../FarolEffect';
-import type { Frame } from '../../Frame';
-import { WebGLMultipleRenderTargets } from '../../gbuffer/WebGLMultipleRenderTargets';
+import { lacksFloatTargets } from '../../gpu/checkDevice';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import type { Frame } from '../../frame/Frame';
+import { WebGLMultipleRenderTargets } from '../../three/WebGLMultipleRenderTargets';
 import type { TwinKind } from '../../materials/TwinKind';
-import { ForwardPass } from '../../passes/ForwardPass';
-import { FullscreenMesh } from '../../passes/FullscreenMesh';
-import type { Pass } from '../../passes/Pass';
-import { PassMaterial } from '../../passes/PassMaterial';
+import { ForwardPass } from '../../forward/ForwardPass';
+import { FullscreenMesh } from '../../gpu/FullscreenMesh';
+import type { Pass } from '../../frame/Pass';
+import { PassMaterial } from '../../gpu/PassMaterial';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import { Picture } from '../Picture';
 import { isWeighted, weightedTwin } from './weightedTwin';

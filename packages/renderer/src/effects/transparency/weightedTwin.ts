@@ -8,9 +8,9 @@ import {
   type ShaderMaterial,
   ZeroFactor,
 } from 'three';
-import { beforeLastBrace } from '../../materials/beforeLastBrace';
+import { beforeLastBrace } from '../../three/beforeLastBrace';
 import type { TwinKind } from '../../materials/TwinKind';
-import type { RenderItem } from '../../RenderItem';
+import type { RenderItem } from '../../frame/RenderItem';
 import weightedColor from './weightedColor.glsl?raw';
 
 /** One blend function for both attachments: sums in colour, the product of what is let through in alpha. */

@@ -1,0 +1,187 @@
+import type { Camera, Material, Mesh, Object3D, WebGLRenderer } from 'three';
+import { drawOnePixel } from '../../lazy/warm-up/compileByDrawing';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import type { FarolOptions } from '../../FarolOptions';
+import { FarolRenderer } from '../../FarolRenderer';
+import { type Interception, interceptRender } from '../intercept';
+import { isWorthFarol } from './isWorthFarol';
+import { SmoothEdges } from './SmoothEdges';
+
+/** How one component wants to be drawn. */
+export interface FarolSettings extends FarolOptions {
+  /** What it is for: a scene, or null for all that the canvas draws. */
+  readonly scene: Object3D | null;
+  /** Whether edges are smoothed where the canvas asks for it, when there are no `effects`. */
+  readonly antialias: boolean;
+  /** Asks for a frame. */
+  readonly invalidate: () => void;
+}
+
+const NO_EFFECTS: readonly FarolEffect[] = [];
+const canvases = new WeakMap<WebGLRenderer, CanvasFarol>();
+
+/**
+ * The one FarolRenderer of a canvas, there as long as a mounted component asks for it. It stands in for `render`, `compile`
+ * and `compileAsync` of the WebGLRenderer, so that whatever R3F or a component draws by these is drawn by Farol.
+ */
+export class CanvasFarol {
+  farol: FarolRenderer | null = null;
+  private readonly mounted = new Map<object, FarolSettings>();
+  private readonly listeners = new Set<() => void>();
+  private released: FarolSettings[] = [];
+  private applied: FarolSettings | null = null;
+  private edges: SmoothEdges | null = null;
+  private interception: Interception | null = null;
+  private unhookCompile: (() => void) | null = null;
+
+  static of(webgl: WebGLRenderer): CanvasFarol {
+    let canvas = canvases.get(webgl);
+    if (canvas === undefined) canvases.set(webgl, (canvas = new CanvasFarol(webgl)));
+    return canvas;
+  }
+
+  private constructor(private readonly webgl: WebGLRenderer) {}
+
+  /** Calls back when `farol` changes. @returns what ends that */
+  readonly subscribe = (listener: () => void): (() => void) => {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  };
+
+  readonly current = (): FarolRenderer | null => this.farol;
+
+  /**
+   * Has a component's settings followed from the next draw on.
+   * @param owner stands for the component
+   * @throws Error as FarolRenderer does
+   */
+  mount(owner: object, settings: FarolSettings): void {
+    if (this.mounted.get(owner) === settings && this.farol !== null) return;
+    this.mounted.set(owner, settings);
+    try {
+      const [{ shadowAtlasSize }] = this.mounted.values();
+      if (this.farol === null || this.atlas !== shadowAtlasSize) this.make(shadowAtlasSize);
+      this.apply(settings);
+    } catch (error) {
+      this.unmount(owner);
+      throw error;
+    }
+    if (this.interception === null) this.hook();
+    settings.invalidate();
+  }
+
+  /** Stops following a component's settings. The FarolRenderer goes with the last one, unless another is mounted at once. */
+  unmount(owner: object): void {
+    const settings = this.mounted.get(owner);
+    if (settings === undefined) return;
+    this.mounted.delete(owner);
+    this.applied = null;
+    if (this.mounted.size === 0) this.unhook();
+    this.released.push(settings);
+    if (this.released.length === 1) queueMicrotask(() => this.settle());
+    settings.invalidate();
+  }
+
+  private atlas: number | undefined;
+
+  private make(shadowAtlasSize: number | undefined): void {
+    const before = this.farol;
+    this.farol = this.applied = null;
+    before?.dispose();
+    this.farol = new FarolRenderer(this.webgl, { shadowAtlasSize });
+    this.atlas = shadowAtlasSize;
+    this.tell();
+  }
+
+  /** Frees what nobody has asked for again: React unmounts and mounts in one go under StrictMode, and when code is replaced. */
+  private settle(): void {
+    const { farol, released, mounted } = this;
+    this.released = [];
+    const kept = new Set([...mounted.values()].flatMap(({ effects }) => effects ?? []));
+    for (const { effects } of released) for (const effect of effects ?? []) if (!kept.has(effect)) effect.dispose();
+    if (mounted.size > 0 || farol === null) return;
+    this.farol = null;
+    farol.dispose();
+    this.edges?.dispose();
+    this.edges = null;
+    this.tell();
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+
+  private apply(settings: FarolSettings): void {
+    if (this.applied === settings) return;
+    const farol = this.farol!;
+    const { technique = 'auto', view = 'final', timing = false, lightLayers = false, antialias, invalidate } = settings;
+    farol.technique = technique;
+    farol.view = view;
+    farol.timing = timing;
+    farol.lightLayers = lightLayers;
+    if (settings.effects !== undefined) farol.effects = settings.effects;
+    else farol.effects = antialias ? [(this.edges ??= new SmoothEdges(invalidate))] : NO_EFFECTS;
+    this.applied = settings;
+  }
+
+  /** The settings by which Farol draws a scene; null where three does. */
+  private settingsFor(scene: Object3D, camera: Camera): FarolSettings | null {
+    let found: FarolSettings | null = null;
+    if (this.webgl.xr.isPresenting || this.farol === null) return null;
+    for (const settings of this.mounted.values()) {
+      if (settings.scene === scene) {
+        found = settings;
+        break;
+      }
+      if (settings.scene === null) found ??= settings;
+    }
+    return found !== null && isWorthFarol(scene, camera, (found.effects?.length ?? 0) > 0) ? found : null;
+  }
+
+  private hook(): void {
+    const { webgl } = this;
+    this.interception = interceptRender(webgl, (scene, camera, next) => {
+      const settings = this.settingsFor(scene, camera);
+      if (settings === null) return next(scene, camera);
+      this.apply(settings);
+      this.farol!.render(scene, camera);
+    });
+    const { compile, compileAsync } = webgl;
+    const prepare = (scene: Object3D, camera: Camera, target: Object3D | null): boolean => {
+      const settings = target === null || target === scene ? this.settingsFor(scene, camera) : null;
+      if (settings !== null) this.apply(settings);
+      return settings !== null;
+    };
+    const ownCompile: typeof compile = (scene, camera, target = null) => {
+      if (!prepare(scene, camera, target)) return compile.call(webgl, scene, camera, target);
+      drawOnePixel(this.farol!, scene, camera);
+      return materialsOf(scene);
+    };
+    const ownCompileAsync: typeof compileAsync = async (scene, camera, target = null) => {
+      if (!prepare(scene, camera, target)) return compileAsync.call(webgl, scene, camera, target);
+      await this.farol!.compileAsync(scene, camera);
+      return scene;
+    };
+    Object.assign(webgl, { compile: ownCompile, compileAsync: ownCompileAsync });
+    this.unhookCompile = () => {
+      if (webgl.compile === ownCompile) webgl.compile = compile;
+      if (webgl.compileAsync === ownCompileAsync) webgl.compileAsync = compileAsync;
+    };
+  }
+
+  private unhook(): void {
+    this.interception?.remove();
+    this.interception = null;
+    this.unhookCompile?.();
+    this.unhookCompile = null;
+  }
+}
+
+function materialsOf(scene: Object3D): Set<Material> {
+  const materials = new Set<Material>();
+  scene.traverse((object) => {
+    const { material } = object as Partial<Mesh>;
+    for (const one of [material ?? []].flat()) materials.add(one);
+  });
+  return materials;
+}

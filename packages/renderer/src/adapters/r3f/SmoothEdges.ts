@@ -1,0 +1,57 @@
+import type { SMAA } from '../../effects/antialiasing/SMAA';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import type { Frame } from '../../frame/Frame';
+import { LateCode } from '../../frame/LateCode';
+import type { Technique } from '../../techniques/Technique';
+
+const smaaCode = new LateCode(
+  () => import('../../effects/antialiasing/SMAA'),
+  'smooth edges',
+  'edges are drawn from one sample a pixel',
+);
+
+/**
+ * SMAA where a canvas or target asks for samples (`antialias: true`, `samples`) that the technique does not draw: those with
+ * a G-buffer fill it from one sample a pixel. What the others draw is multisampled as stock three's, and left alone.
+ */
+export class SmoothEdges implements FarolEffect {
+  readonly name = 'SMAA';
+  readonly takesPicture = true;
+  private smaa: SMAA | null = null;
+  private isOn = false;
+  private asked = false;
+
+  /** @param loaded called when SMAA, which is fetched when it is first needed, can draw */
+  constructor(private readonly loaded: () => void) {}
+
+  get bytes(): number {
+    return this.smaa?.bytes ?? 0;
+  }
+
+  picked(frame: Frame, technique: Technique): void {
+    this.isOn = false;
+    if (frame.samples === 0 || technique.fills !== 'every-pixel') return;
+    if (smaaCode.code === null) {
+      this.ask();
+      return;
+    }
+    this.isOn = true;
+    this.smaa ??= new smaaCode.code.SMAA();
+    this.smaa.begin(frame);
+  }
+
+  end(frame: Frame): void {
+    if (this.isOn) this.smaa!.end(frame);
+  }
+
+  dispose(): void {
+    this.smaa?.dispose();
+  }
+
+  private ask(): void {
+    smaaCode.ask();
+    if (this.asked) return;
+    this.asked = true;
+    smaaCode.load().then(this.loaded, () => {}); // `ask` tells of a failure
+  }
+}

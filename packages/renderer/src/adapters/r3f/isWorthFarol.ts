@@ -1,0 +1,35 @@
+import type { ArrayCamera, Camera, Mesh, Object3D, OrthographicCamera, PerspectiveCamera, Scene } from 'three';
+import { isLit } from '../../materials/isLit';
+import type { FarolView } from '../../three/SceneView';
+
+/** Objects that are looked at; a scene with more is taken to be lit. */
+const LOOKS = 64;
+
+let looks = 0;
+
+/**
+ * Whether a draw is for Farol. What shows no light, such as the full-screen triangles of post-processing and pictures of
+ * depth or normals, three draws with the same picture and less work.
+ * @param effects whether effects are to be seen on a scene without lit materials too
+ */
+export function isWorthFarol(scene: Object3D, camera: Camera, effects: boolean): boolean {
+  const { isPerspectiveCamera } = camera as PerspectiveCamera;
+  const { isOrthographicCamera } = camera as OrthographicCamera;
+  if (!isPerspectiveCamera && !isOrthographicCamera && !(camera as ArrayCamera).isArrayCamera) return false;
+  if ((scene as FarolView).isFarolView) return false; // another FarolRenderer draws it
+  const { overrideMaterial = null } = scene as Scene;
+  if (overrideMaterial !== null) return isLit(overrideMaterial);
+  looks = LOOKS;
+  // a full-screen triangle is alone in its scene
+  return hasLit(scene) || (effects && LOOKS - looks > 2);
+}
+
+/** Whether an object or something below it is lit, or there is too much to look at. */
+function hasLit(object: Object3D): boolean {
+  if (--looks < 0) return true;
+  const { material } = object as Partial<Mesh>;
+  if (material !== undefined && (Array.isArray(material) ? material.some(isLit) : isLit(material))) return true;
+  const { children } = object;
+  for (let i = 0; i < children.length; i++) if (hasLit(children[i])) return true;
+  return false;
+}

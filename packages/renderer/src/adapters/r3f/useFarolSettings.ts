@@ -1,0 +1,65 @@
+import { useThree } from '@react-three/fiber';
+import { type Ref, useEffect, useImperativeHandle, useLayoutEffect, useMemo, useRef, useState } from 'react';
+import type { Object3D } from 'three';
+import type { FarolOptions } from '../../FarolOptions';
+import type { FarolRenderer } from '../../FarolRenderer';
+import { CanvasFarol } from './CanvasFarol';
+import { useFarol } from './useFarol';
+
+/**
+ * `technique`, `view`, `timing`, `effects`, `lightLayers` and `antialias` may change at any time; a change of
+ * `shadowAtlasSize` makes a new FarolRenderer.
+ */
+export interface FarolProps extends FarolOptions {
+  /** Stays the same list from render to render (`useMemo`); its effects are freed with the component. Default: see `antialias`. */
+  effects?: FarolOptions['effects'];
+  /**
+   * Whether techniques with a G-buffer smooth edges by SMAA where the canvas or target asks for samples: Canvas' `antialias`
+   * is true unless `gl` says otherwise. The others are multisampled as stock three. Default true; `effects` win over it.
+   */
+  antialias?: boolean;
+  /** False: Farol frees what it holds, and three draws. Default true. */
+  enabled?: boolean;
+  /** Gets the FarolRenderer, for `info`, `microshaders` and what else it offers; null while not enabled. */
+  ref?: Ref<FarolRenderer | null>;
+}
+
+/** Has a scene of the canvas drawn by Farol while the component is mounted. @param scene null for all that the canvas draws */
+export function useFarolSettings(props: FarolProps, scene: Object3D | null): void {
+  const {
+    technique,
+    view,
+    timing,
+    effects,
+    shadowAtlasSize,
+    lightLayers,
+    antialias = true,
+    enabled = true,
+    ref,
+  } = props;
+  const webgl = useThree((state) => state.gl);
+  const invalidate = useThree((state) => state.invalidate);
+  const canvas = CanvasFarol.of(webgl);
+  const [owner] = useState(() => ({}));
+  const settings = useMemo(
+    () => ({ technique, view, timing, effects, shadowAtlasSize, lightLayers, antialias, scene, invalidate }),
+    [technique, view, timing, effects, shadowAtlasSize, lightLayers, antialias, scene, invalidate],
+  );
+  const follow = useRef(() => {});
+
+  // Before the next frame. Not taken out with a layout effect: React ends those while a sibling suspends.
+  useLayoutEffect(() => {
+    follow.current = () => (enabled ? canvas.mount(owner, settings) : canvas.unmount(owner));
+    follow.current();
+  }, [canvas, owner, enabled, settings]);
+  useEffect(() => {
+    follow.current(); // React may have run the function below without the layout effect after it
+    return () => canvas.unmount(owner);
+  }, [canvas, owner]);
+
+  const farol = useFarol();
+  useImperativeHandle<FarolRenderer | null, FarolRenderer | null>(ref, () => (enabled ? farol : null), [
+    farol,
+    enabled,
+  ]);
+}

@@ -1,0 +1,65 @@
+import { type Camera, Color, type Material, type Scene, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import { RenderPass } from 'three/addons/postprocessing/RenderPass.js';
+import type { FarolRenderer } from '../../FarolRenderer';
+
+/**
+ * Draws a scene by Farol in three's EffectComposer, or in `WebGLRenderer.setEffects`: put it where `RenderPass` stood. The
+ * picture goes to the composer's read buffer, or to the canvas if no pass follows; depth is left in the buffer and in its
+ * depth texture, and the buffers are not swapped. `clear`, `clearDepth`, `clearColor`, `clearAlpha` and
+ * `overrideMaterial` mean what they mean in `RenderPass`.
+ *
+ * @example
+ * const composer = new EffectComposer(webgl);
+ * composer.addPass(new FarolPass(farol, scene, camera));
+ * composer.addPass(new OutputPass());
+ *
+ * @see https://threejs.org/docs/#RenderPass
+ */
+export class FarolPass extends RenderPass {
+  private readonly hostColor = new Color();
+
+  /**
+   * @param farol what draws; it stays the host's, who also disposes it
+   * @param overrideMaterial drawn with in place of all materials; null for none
+   * @param clearColor cleared to in place of the renderer's own clear colour; null for that
+   * @param clearAlpha the same for alpha, 0 to 1
+   */
+  constructor(
+    readonly farol: FarolRenderer,
+    scene: Scene,
+    camera: Camera,
+    overrideMaterial: Material | null = null,
+    clearColor: Color | null = null,
+    clearAlpha: number | null = null,
+  ) {
+    super(scene, camera, overrideMaterial, clearColor, clearAlpha);
+  }
+
+  /** @throws Error when the composer has another WebGLRenderer than `farol` */
+  override render(webgl: WebGLRenderer, _writeBuffer: WebGLRenderTarget, readBuffer: WebGLRenderTarget): void {
+    if (webgl !== this.farol.webgl) {
+      throw new Error(
+        'FarolPass: its FarolRenderer was made for another WebGLRenderer than the composer; give both the same.',
+      );
+    }
+    const { scene, hostColor } = this;
+    const { autoClear } = webgl;
+    const alpha = webgl.getClearAlpha();
+    const override = scene.overrideMaterial;
+    webgl.getClearColor(hostColor);
+    try {
+      webgl.autoClear = false;
+      if (this.overrideMaterial !== null) scene.overrideMaterial = this.overrideMaterial;
+      if (this.clearColor !== null) webgl.setClearColor(this.clearColor, alpha);
+      if (this.clearAlpha !== null) webgl.setClearAlpha(this.clearAlpha);
+      if (this.clearDepth) webgl.clearDepth();
+      webgl.setRenderTarget(this.renderToScreen ? null : readBuffer);
+      if (this.clear) webgl.clear(webgl.autoClearColor, webgl.autoClearDepth, webgl.autoClearStencil);
+      this.farol.render(scene, this.camera);
+    } finally {
+      webgl.setClearColor(hostColor, alpha);
+      scene.overrideMaterial = override;
+      webgl.autoClear = autoClear;
+    }
+  }
+}

@@ -1,0 +1,26 @@
+import { describe, expect, it } from 'vitest';
+import { findClaims } from './findClaims';
+import { MicroShaderRegistry } from '../microshaders/MicroShaderRegistry';
+import { builtinMicroShaders } from '../builtinMicroShaders';
+
+const files = import.meta.glob<string>('../{gbuffer,gpu,lighting,output}/**/*.glsl', {
+  query: '?raw',
+  import: 'default',
+  eager: true,
+});
+
+describe('the built-in microshaders', () => {
+  it('are all in the table, and resolve', () => {
+    const registry = new MicroShaderRegistry();
+    registry.add(builtinMicroShaders);
+    expect(registry.names()).toEqual(
+      expect.arrayContaining(Object.keys(files).map((file) => file.slice(file.lastIndexOf('/') + 1, -'.glsl'.length))),
+    );
+    for (const name of registry.names()) expect(registry.header([name]).split(`// <${name}>\n`)).toHaveLength(2);
+  });
+
+  it.each(Object.keys(files))('%s opens with what it is for and its source, and its claims can be read', (file) => {
+    expect(files[file]).toMatch(/^(\/\/ \S.*\n)*?\/\/ \S.*\.\n\/\/ \S/);
+    expect(() => findClaims(files[file])).not.toThrow();
+  });
+});

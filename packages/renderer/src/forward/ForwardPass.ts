@@ -1,0 +1,60 @@
+import { forwardTwins } from './forwardTwin';
+import type { ForwardTwins } from './forwardTwin';
+import { hasDepthTwin } from './depthTwin';
+import type { Frame } from '../frame/Frame';
+import type { RenderItem } from '../frame/RenderItem';
+import { BackgroundDraw } from '../output/BackgroundDraw';
+import type { Pass, Resource } from '../frame/Pass';
+
+export interface ForwardPassOptions {
+  readonly name: string;
+  readonly list: 'opaque' | 'transmissive' | 'transparent';
+  /** Microshader that loops over the lights. */
+  readonly loop: string;
+  /** The same for opaque items that no pass before has drawn the depth of; default `loop`. */
+  readonly loopOutside?: string;
+  readonly reads?: readonly Resource[];
+}
+
+/** Draws what is left of one of three's lists into the host's target, each lit item once, by the lights of the loop. */
+export class ForwardPass implements Pass {
+  readonly name: string;
+  readonly reads: readonly Resource[];
+  readonly writes = ['target'] as const;
+  readonly bytes = 0;
+  private readonly list: ForwardPassOptions['list'];
+  private readonly background = new BackgroundDraw();
+  private readonly twins: ReturnType<typeof forwardTwins>;
+  private readonly outside: ReturnType<typeof forwardTwins>;
+
+  constructor(options: ForwardPassOptions) {
+    this.name = options.name;
+    this.list = options.list;
+    this.reads = options.reads ?? [];
+    const { loop, loopOutside = loop } = options;
+    this.twins = forwardTwins(loop);
+    this.outside = loopOutside === loop ? this.twins : forwardTwins(loopOutside);
+  }
+
+  render(frame: Frame): void {
+    const items = frame.queue[this.list];
+    const fills = this.list === 'opaque' && frame.fills === 'behind';
+    if ((items.length === 0 && !fills) || frame.view === 'overdraw') return;
+    frame.bindTarget();
+    const twins = this.twins(frame.view);
+    const outside = this.outside(frame.view);
+    const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
+    for (const item of items)
+      this.draw(frame, item, item.splits && hasDepthTwin(item.material) ? twins : outside, onlyLit);
+    if (fills) this.background.draw(frame);
+  }
+
+  dispose(): void {
+    this.background.dispose();
+  }
+
+  private draw(frame: Frame, item: RenderItem, twins: ForwardTwins, onlyLit: boolean): void {
+    if (item.drawn || (onlyLit && !item.lit)) return;
+    frame.drawForward(item, twins);
+  }
+}

@@ -1,0 +1,381 @@
+import {
+  type Camera,
+  type Color,
+  DoubleSide,
+  type BufferGeometry,
+  type Material,
+  Mesh,
+  type Object3D,
+  type RawShaderMaterial,
+  type Scene,
+  type ShaderMaterial,
+  type Texture,
+  UnsignedShortType,
+  Vector2,
+  Vector4,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
+import type { View } from './views';
+import type { Fills } from '../techniques/Technique';
+import type { GBuffer } from '../gbuffer/GBuffer';
+import { farthestTold, needsStoredDistance } from '../gbuffer/depthLimits';
+import { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
+import type { LightTable } from '../lighting/LightTable';
+import { depthTwin, hasDepthTwin } from '../forward/depthTwin';
+import type { ForwardTwins } from '../forward/forwardTwin';
+import { setLayers } from '../materials/layersAttribute';
+import { plainBack, plainFront, plainWhole } from '../forward/plainTwins';
+import type { TwinCache } from '../materials/TwinCache';
+import type { TwinKind } from '../materials/TwinKind';
+import type { MicroShaderRegistry } from '../microshaders';
+import { logarithmicFar } from '../gpu/unprojectUniforms';
+import type { GeometryGroup, RenderItem } from './RenderItem';
+import { NodeDraws } from '../three/NodeDraws';
+import { hasOwnShader, RenderQueue } from './RenderQueue';
+
+/** Uniforms that every twin and pass of one renderer shares, by reference. */
+export interface FrameUniforms {
+  readonly [name: string]: { value: unknown };
+}
+
+type Draw = (
+  camera: Camera,
+  scene: Scene,
+  geometry: BufferGeometry,
+  material: Material,
+  object: Object3D,
+  group: GeometryGroup | null,
+) => void;
+type MaterialCallback = (
+  r: WebGLRenderer,
+  s: Scene,
+  c: Camera,
+  g: BufferGeometry,
+  o: Object3D,
+  p: GeometryGroup | null,
+) => void;
+
+/** Of a target, as three keeps them. */
+interface Framebuffers {
+  readonly __webglFramebuffer: WebGLFramebuffer;
+  readonly __webglMultisampledFramebuffer: WebGLFramebuffer;
+}
+
+interface Textures {
+  readonly __webglTexture: WebGLTexture;
+}
+
+const TRANSPARENT = new Vector4(0, 0, 0, 0);
+const size = new Vector2();
+
+/** What the passes of one frame see: the scene, the target, the lists, the lights, and how to draw. Made once. */
+export class Frame {
+  readonly gl: WebGL2RenderingContext;
+  readonly queue = new RenderQueue();
+  scene!: Scene;
+  camera!: Camera;
+  view: View = 'final';
+  /** The host's render target, null for the canvas, and the part of it that is drawn to (pixels: x, y, width, height). */
+  target: WebGLRenderTarget | null = null;
+  readonly viewport = new Vector4();
+  width = 1;
+  height = 1;
+  /** Bytes that passes have sent in this frame. */
+  uploadedBytes = 0;
+  /** How the technique fills the target where three was kept from clearing it, else null. */
+  fills: Fills | null = null;
+  /** Counts of the view 'overdraw' in this frame. */
+  overdraw: Texture | null = null;
+  /** Cube face and mipmap level of the target. */
+  face = 0;
+  level = 0;
+  /** Shadow maps that are drawn anew in this frame. */
+  shadowMapsDrawn = 0;
+  /** Finds which lights light all, or none, of tiles of a G-buffer; null while no light casts a shadow. */
+  findTileShadows: ((gbuffer: GBuffer) => void) | null = null;
+  /** Set by an effect: gives the kind of twin that an item is drawn with in place of another. */
+  adapt: ((kind: TwinKind, item: RenderItem) => TwinKind) | null = null;
+  /** Attachments of the G-buffer; an effect may set others, which begin with the same. */
+  gbufferLayout: readonly GBufferAttachment[] = gbufferLayout;
+  /** Set by an effect: takes the place of the G-buffer's accumulation. */
+  accumulation: Texture | null = null;
+  /** Depth is too coarse to rebuild positions from: surfaces store how far they are. */
+  storesDistance = false;
+  private readonly canvasStencil: boolean;
+  /** Whether the canvas's colours are multiplied by alpha. */
+  readonly premultiplied: boolean;
+  private readonly canvasSamples: number;
+  /** Whether the host's target has several textures; effects may take its place only where it has one. */
+  private several = false;
+  private nodes: NodeDraws | null = null;
+  /** three's `renderBufferDirect`. */
+  readonly draw: Draw;
+
+  constructor(
+    readonly webgl: WebGLRenderer,
+    readonly lights: LightTable,
+    readonly twins: TwinCache,
+    readonly uniforms: FrameUniforms,
+    readonly microshaders: MicroShaderRegistry,
+  ) {
+    this.gl = webgl.getContext() as WebGL2RenderingContext;
+    const attributes = this.gl.getContextAttributes();
+    this.canvasStencil = attributes?.stencil !== false;
+    this.premultiplied = attributes?.premultipliedAlpha !== false;
+    this.draw = webgl.renderBufferDirect as unknown as Draw;
+    this.canvasSamples = attributes?.antialias ? 4 : 0;
+  }
+
+  /** Samples a pixel of the target: above 0 it is multisampled. */
+  get samples(): number {
+    return this.target === null ? this.canvasSamples : this.target.samples;
+  }
+
+  /** Takes over the host's target, viewport, scene and camera. */
+  begin(scene: Object3D, camera: Camera, view: View): void {
+    const { webgl } = this;
+    this.scene = scene as Scene;
+    this.camera = camera;
+    this.view = view;
+    this.uploadedBytes = 0;
+    this.adapt = this.accumulation = null;
+    this.nodes?.begin();
+    this.gbufferLayout = gbufferLayout;
+    this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
+    this.face = webgl.getActiveCubeFace();
+    this.level = webgl.getActiveMipmapLevel();
+    this.several = this.target !== null && this.target.textures.length > 1;
+    webgl.getCurrentViewport(this.viewport);
+    this.resize();
+    const { elements } = camera.projectionMatrix;
+    const reversed = webgl.state.buffers.depth.getReversed();
+    const logarithmic = logarithmicFar(camera, webgl);
+    this.storesDistance = needsStoredDistance(elements, reversed || logarithmic > 0);
+    const coarse = this.target?.depthTexture?.type === UnsignedShortType;
+    this.queue.watchFar(camera, farthestTold(elements, reversed, logarithmic, coarse));
+  }
+
+  /** In place of the canvas, three draws to a buffer of its own where it was made with an `outputBufferType`. */
+  takeOutputBuffer(): void {
+    const { webgl } = this;
+    if (this.target !== null) return;
+    this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
+    if (this.target === null) return;
+    webgl.getCurrentViewport(this.viewport);
+    this.resize();
+  }
+
+  /** Takes the size from the viewport. */
+  resize(): void {
+    const { viewport } = this;
+    if (viewport.z < 1 || viewport.w < 1) {
+      this.webgl.getDrawingBufferSize(size);
+      viewport.set(0, 0, size.x, size.y);
+    }
+    this.width = Math.max(1, Math.round(viewport.z));
+    this.height = Math.max(1, Math.round(viewport.w));
+  }
+
+  /** True if a pass that writes every pixel of the viewport leaves nothing of the target out. */
+  ownsTarget(): boolean {
+    const { webgl, target, viewport, view } = this;
+    if (view !== 'final' || this.level !== 0 || this.samples > 0 || webgl.state.buffers.depth.getReversed())
+      return false;
+    if (target === null) {
+      webgl.getDrawingBufferSize(size);
+      if (this.canvasStencil || webgl.getScissorTest()) return false;
+    } else {
+      size.set(target.width, target.height);
+      if (target.stencilBuffer || target.scissorTest || target.textures.length > 1) return false;
+    }
+    return viewport.x === 0 && viewport.y === 0 && viewport.z === size.x && viewport.w === size.y;
+  }
+
+  /** Draws to the host's target from here on. */
+  bindTarget(): void {
+    this.webgl.setRenderTarget(this.target, this.face, this.level);
+    this.webgl.state.viewport(this.viewport);
+  }
+
+  /** Draws to a target of Farol's own from here on. */
+  bind(target: WebGLRenderTarget): void {
+    this.webgl.setRenderTarget(target);
+  }
+
+  /** Clears attachments of the bound target to a value and its depth to the farthest, without touching the host's clear colour. */
+  clear(attachments: number, depth: boolean, value: Vector4 = TRANSPARENT): void {
+    const { gl, webgl } = this;
+    webgl.state.buffers.color.setMask(true);
+    value.toArray(clearValue);
+    for (let i = 0; i < attachments; i++) gl.clearBufferfv(gl.COLOR, i, clearValue);
+    if (depth) {
+      webgl.state.buffers.depth.setTest(true);
+      webgl.state.buffers.depth.setMask(true);
+      farDepth[0] = webgl.state.buffers.depth.getReversed() ? 0 : 1;
+      gl.clearBufferfv(gl.DEPTH, 0, farDepth);
+    }
+  }
+
+  /** Clears one attachment of the bound target to zeros. */
+  clearOne(attachment: number): void {
+    this.webgl.state.buffers.color.setMask(true);
+    TRANSPARENT.toArray(clearValue);
+    this.gl.clearBufferfv(this.gl.COLOR, attachment, clearValue);
+  }
+
+  /**
+   * Whether depth of pixels is not enough of what was drawn elsewhere: the target is multisampled, and something is to be
+   * drawn over it. Only where nothing else has depth in the target yet.
+   */
+  get wantsSampleDepths(): boolean {
+    const { webgl, queue, scene, view } = this;
+    if (this.samples === 0 || view !== 'final' || queue.early > 0 || webgl.capabilities.logarithmicDepthBuffer)
+      return false;
+    const clears = webgl.autoClear || (scene.background as Color | null)?.isColor === true;
+    if (!clears || !webgl.autoClearDepth) return false;
+    return queue.transparent.length + queue.transmissive.length > 0 || queue.opaque.some(isLeft);
+  }
+
+  /** Gives the samples of the target the depth of the items that were drawn elsewhere. */
+  drawSampleDepths(): void {
+    for (const item of this.queue.opaque) {
+      if (item.drawn && item.splits && hasDepthTwin(item.material)) this.drawTwin(item, depthTwin);
+    }
+  }
+
+  /** Draws only to the lower right quarter from here on. */
+  quarter(): void {
+    const { viewport } = this;
+    const width = Math.max(1, viewport.z >> 1);
+    const height = Math.max(1, viewport.w >> 1);
+    viewport.set(viewport.x + viewport.z - width, viewport.y, width, height);
+    this.resize();
+  }
+
+  /** Brings the samples of a multisampled target into its textures, depth by one of them. */
+  resolve(target: WebGLRenderTarget): void {
+    const { gl } = this;
+    this.copy(target, '__webglMultisampledFramebuffer', target, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  /** Brings what was drawn to three's transmission target, which is bound, into its texture and mipmaps once more. */
+  resolveTransmission(): void {
+    const { gl, webgl } = this;
+    const target = webgl.getRenderTarget() as WebGLRenderTarget;
+    this.copy(target, '__webglMultisampledFramebuffer', target, gl.COLOR_BUFFER_BIT);
+    webgl.state.bindTexture(gl.TEXTURE_2D, (webgl.properties.get(target.texture) as Textures).__webglTexture);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    webgl.state.unbindTexture();
+  }
+
+  /**
+   * Copies depth to all of a target, both with a depth texture of the same format.
+   * @param x first pixel of what is copied, with y
+   */
+  copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget, x = 0, y = 0): void {
+    this.copy(from, '__webglFramebuffer', to, this.gl.DEPTH_BUFFER_BIT, x, y);
+  }
+
+  /** @param x first pixel of what is copied, of `from`, with y */
+  private copy(
+    from: WebGLRenderTarget,
+    name: keyof Framebuffers,
+    to: WebGLRenderTarget,
+    bits: number,
+    x = 0,
+    y = 0,
+  ): void {
+    const { gl, webgl } = this;
+    const { properties, state } = webgl;
+    const { width, height } = to;
+    const written = (properties.get(to) as Framebuffers).__webglFramebuffer;
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, (properties.get(from) as Framebuffers)[name]);
+    state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, written);
+    gl.blitFramebuffer(x, y, x + width, y + height, 0, 0, width, height, bits, gl.NEAREST);
+    state.bindFramebuffer(gl.READ_FRAMEBUFFER, written);
+  }
+
+  /** Draws an item with a twin of its material, if there can be one. */
+  drawTwin(item: RenderItem, kind: TwinKind): void {
+    if (item.nodes) return;
+    this.drawItem(item, this.twins.get(item.material, this.adapt?.(kind, item) ?? kind));
+  }
+
+  /** Draws an item forward: lit ones by a twin, the others as they are. */
+  drawForward(item: RenderItem, twins: ForwardTwins): void {
+    const { material, lit } = item;
+    if (item.nodes) this.drawNodes(item);
+    else if (item.shadowMask) this.drawTwin(item, this.queue.shadowMasks!.twin);
+    else if (material.transparent && material.side === DoubleSide && !material.forceSinglePass) {
+      this.drawTwin(item, lit ? twins.back : plainBack);
+      this.drawTwin(item, lit ? twins.front : plainFront);
+    } else if (lit) this.drawTwin(item, twins.whole);
+    else if ((this.adapt?.(plainWhole, item) ?? plainWhole) !== plainWhole) this.drawTwin(item, plainWhole);
+    else this.drawItem(item, material);
+  }
+
+  /** Has three draw an item of a node material, unless that is done. */
+  drawNodes(item: RenderItem): void {
+    if (!item.drawn) (this.nodes ??= new NodeDraws()).draw(this, item);
+  }
+
+  /** Has a mesh of Farol's own ready to be drawn with a material, drawing nothing: its program compiles now, not in a later frame. */
+  compileMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
+    const { drawRange } = mesh.geometry;
+    const { count } = drawRange;
+    drawRange.count = 0;
+    this.drawMesh(mesh, material);
+    drawRange.count = count;
+  }
+
+  /** Draws a mesh of Farol's own; of a host's target with several textures, to the first. */
+  drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
+    const several = this.drawsToSeveral;
+    if (several) this.setDrawBuffers(1);
+    try {
+      this.draw(this.camera, this.scene, mesh.geometry, material, mesh, null);
+    } finally {
+      if (several) this.setDrawBuffers(this.target!.textures.length);
+    }
+  }
+
+  /** Whether the host's target is bound and has several textures. */
+  private get drawsToSeveral(): boolean {
+    return this.several && this.webgl.getRenderTarget() === this.target;
+  }
+
+  /** Draws to the first so many textures of the bound target; WebGL refuses a shader that writes fewer. */
+  private setDrawBuffers(count: number): void {
+    const { gl } = this;
+    gl.drawBuffers((drawBuffers[count] ??= Array.from({ length: count }, (_, i) => gl.COLOR_ATTACHMENT0 + i)));
+  }
+
+  /** Draws an item with a material as it is, and calls what the host wants to be called. */
+  drawItem(item: RenderItem, material: Material): void {
+    const { object, geometry, group } = item;
+    const { webgl, scene, camera } = this;
+    const source = item.material as ShaderMaterial;
+    (object.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, source as never, group);
+    if (this.queue.layers !== 0) setLayers(this.gl, object.layers.mask);
+    object.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, object.matrixWorld);
+    object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
+    (material.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);
+    // three's own shaders of lit materials write the first texture alone
+    const first = item.lit && this.drawsToSeveral && !hasOwnShader(source);
+    if (first) this.setDrawBuffers(1);
+    try {
+      this.draw(camera, scene, geometry, material, object, group);
+    } finally {
+      if (first) this.setDrawBuffers(this.target!.textures.length);
+    }
+    if (source.uniformsNeedUpdate === true) source.uniformsNeedUpdate = false;
+    (object.onAfterRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, source as never, group);
+  }
+}
+
+const isLeft = (item: RenderItem): boolean => !item.drawn;
+/** By their count. */
+const drawBuffers: number[][] = [];
+const clearValue = new Float32Array(4);
+const farDepth = new Float32Array([1]);

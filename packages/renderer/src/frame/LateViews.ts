@@ -1,0 +1,32 @@
+import type { ViewPasses } from '../lazy/views';
+import { isTechniqueView, type View } from './views';
+import type { MicroShaderRegistry } from '../microshaders';
+import { viewCode } from './lazyCode';
+
+/** What draws the views that no technique draws, once such a view was asked for and its code is there. */
+export class LateViews {
+  passes: ViewPasses | null = null;
+
+  constructor(private readonly microshaders: MicroShaderRegistry) {}
+
+  /** @returns the view to draw for the one asked for: the final picture while its code is not there */
+  available(view: View): View {
+    if (this.passes !== null || isTechniqueView(view)) return view;
+    if (viewCode.code === null) {
+      viewCode.ask();
+      return 'final';
+    }
+    this.passes = viewCode.code.makeViewPasses(this.microshaders);
+    return view;
+  }
+
+  /** Of their targets. */
+  get bytes(): number {
+    return this.passes === null ? 0 : this.passes.overdraw.bytes + this.passes.surfaceView.bytes;
+  }
+
+  dispose(): void {
+    this.passes?.overdraw.dispose();
+    this.passes?.surfaceView.dispose();
+  }
+}

@@ -1,0 +1,81 @@
+import type { Camera, Object3D, WebGLRenderer } from 'three';
+import { collectLights, type FoundLights } from './collectLights';
+import { shadowCode } from './lazyCode';
+import { threeChunks } from '../three/ThreeChunks';
+import type { ShadowMaps } from '../lazy/shadows/ShadowMaps';
+
+/** Lights with a shadow or an image that three has texture units for; more go without until Farol draws them. */
+const FEW_MASKS = 4;
+
+/** Vectors of three's lit shaders but for lights, and of a spot light. */
+const UNIFORMS = 100;
+const UNIFORMS_PER_LIGHT = 7;
+
+type ShadowCode = NonNullable<(typeof shadowCode)['code']>;
+
+/** Finds the lights of a frame, and asks for what masks them when one casts a shadow or throws an image. */
+export class LightFinder {
+  readonly found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0 };
+  /** What three goes on drawing itself. */
+  readonly left = { shadows: false, cookies: true, all: false };
+  /** Null until a scene has asked for what masks lights, and its code is there. */
+  shadows: ShadowMaps | null = null;
+  /** Whether the last scene has what masks lights; not looked at once `shadows` are there. */
+  asksForShadows = false;
+
+  private warned = false;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly makeShadows: (code: ShadowCode) => ShadowMaps,
+  ) {}
+
+  /**
+   * @param layers whether lights reach only objects of their layers, which takes masks too
+   * @param update brings the world matrices of the scene up to date. Default false
+   * @param byThree whether three is to draw all lights. Default false
+   */
+  find(scene: Object3D, camera: Camera, layers: boolean, update = false, byThree = false): void {
+    const { found, left } = this;
+    left.cookies = this.shadows === null;
+    left.all = byThree || threeChunks.lights;
+    left.shadows = (left.cookies || threeChunks.shadows) && this.webgl.shadowMap.enabled;
+    collectLights(scene, camera, left, found, update);
+    if (left.all && this.exceedThree()) {
+      left.all = false;
+      collectLights(scene, camera, left, found);
+    }
+    this.asksForShadows = found.masks > 0 || layers;
+    if (this.shadows !== null || !this.asksForShadows || left.all) return;
+    if (shadowCode.code === null) {
+      shadowCode.ask();
+      if (found.masks <= FEW_MASKS) return;
+    } else {
+      this.shadows = this.makeShadows(shadowCode.code);
+      found.seeksMasks = false;
+    }
+    left.cookies = false;
+    left.shadows = threeChunks.shadows && this.webgl.shadowMap.enabled;
+    collectLights(scene, camera, left, found);
+  }
+
+  /** Frees the shadow maps; a scene may ask for them again. */
+  dispose(): void {
+    this.shadows?.dispose();
+    this.shadows = null;
+    this.found.seeksMasks = true;
+  }
+
+  /** Whether the lights are more than three's shaders have uniforms for, which is told once. */
+  private exceedThree(): boolean {
+    const most = Math.floor((this.webgl.capabilities.maxFragmentUniforms - UNIFORMS) / UNIFORMS_PER_LIGHT);
+    if (this.found.left <= most) return false;
+    if (!this.warned) {
+      this.warned = true;
+      console.warn(
+        `Farol: ShaderChunk's lights chunks were changed, or an onBeforeCompile leaves no #include <lights_fragment_begin>, so that three would have to draw all ${this.found.left} lights. It can draw ${most}: these materials are drawn without lights.`,
+      );
+    }
+    return true;
+  }
+}

@@ -1,0 +1,198 @@
+import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, type Sphere } from 'three';
+import { isOrderSensitive, isPlainOpaque } from '../gbuffer/shadingModel';
+import { hasNodes } from '../three/hasNodes';
+import { isLit } from '../materials/isLit';
+import { RefusedMaterials } from '../materials/RefusedMaterials';
+import { threeChunks } from '../three/ThreeChunks';
+import type { TwinKind } from '../materials/TwinKind';
+import type { GeometryGroup, RenderItem } from './RenderItem';
+import { warnOfNaN } from './warnOfNaN';
+
+export type RenderItemSort = (a: RenderItem, b: RenderItem) => number;
+
+/** three's default order of opaque items: by group, render order, material, then front to back. */
+function byState(a: RenderItem, b: RenderItem): number {
+  return (
+    a.groupOrder - b.groupOrder ||
+    a.renderOrder - b.renderOrder ||
+    a.material.id - b.material.id ||
+    a.materialVariant - b.materialVariant ||
+    a.z - b.z ||
+    a.id - b.id
+  );
+}
+
+/** three's default order of transparent items: by group, render order, then back to front. */
+function backToFront(a: RenderItem, b: RenderItem): number {
+  return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
+}
+
+/** Whether a material is drawn by another shader than three's for its class. */
+export function hasOwnShader(material: Material): boolean {
+  return (
+    (material as ShaderMaterial).isShaderMaterial === true ||
+    material.onBeforeCompile !== Material.prototype.onBeforeCompile
+  );
+}
+
+/** Materials that show shadows by three's `getShadowMask()`, and the kind of twins that shows Farol's. */
+export interface ShadowMaskMaterials {
+  shows(material: Material): boolean;
+  readonly twin: TwinKind;
+}
+
+/** What a frame draws, in the three lists of three.js. Items are pooled. */
+export class RenderQueue {
+  readonly opaque: RenderItem[] = [];
+  readonly transmissive: RenderItem[] = [];
+  readonly transparent: RenderItem[] = [];
+  private readonly pool: RenderItem[] = [];
+  /** Layers of what is not `layered`, 0 when they do not matter. */
+  layers = 0;
+  /** How materials that show nothing but shadows are drawn; null while three does it. */
+  shadowMasks: ShadowMaskMaterials | null = null;
+  /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
+  covers = true;
+  /** True if something opaque may be as far as depth can tell it from nothing, see `watchFar`. */
+  reachesFar = false;
+  private camera!: Camera;
+  /** The distance (m) from which it is so. */
+  farthest = Infinity;
+  /** What three's own lights alone are right for. */
+  readonly refused = new RefusedMaterials();
+  /** How many opaque items, from the first on, are to be drawn into the target before anything else. */
+  early = 0;
+  /** True if an opaque item must be drawn in three's order. */
+  ordered = false;
+  /** True if something lit transmits or is transparent. */
+  hasLitTransparents = false;
+  private used = 0;
+  private opaques = 0;
+  private transmissives = 0;
+  private transparents = 0;
+
+  clear(): void {
+    this.used = 0;
+    this.covers = true;
+    this.ordered = false;
+    this.early = 0;
+    this.reachesFar = this.farthest === -Infinity;
+    this.hasLitTransparents = false;
+    this.opaques = this.transmissives = this.transparents = 0;
+  }
+
+  /** From the next `clear` on, opaque items are looked at for what lies beyond a distance along the view (m). */
+  watchFar(camera: Camera, distance: number): void {
+    this.camera = camera;
+    this.farthest = distance;
+  }
+
+  push(
+    object: Object3D,
+    geometry: BufferGeometry,
+    material: Material,
+    groupOrder: number,
+    z: number,
+    group: GeometryGroup | null,
+    override: Material | null,
+  ): void {
+    const list =
+      ((material as Material & { transmission?: number }).transmission ?? 0) > 0
+        ? this.transmissive
+        : material.transparent
+          ? this.transparent
+          : this.opaque;
+    if (override !== null && material.allowOverride) material = override;
+    if (z !== z) warnOfNaN(object);
+    let item = this.pool[this.used];
+    if (item === undefined) this.pool.push((item = {} as RenderItem));
+    this.used++;
+    const o = object as Object3D & { isInstancedMesh?: boolean; isSkinnedMesh?: boolean };
+    item.id = object.id;
+    item.object = object;
+    item.geometry = geometry;
+    item.material = material;
+    item.materialVariant = (o.isInstancedMesh ? 2 : 0) + (o.isSkinnedMesh ? 1 : 0);
+    item.group = group;
+    item.groupOrder = groupOrder;
+    item.renderOrder = object.renderOrder;
+    item.z = z;
+    item.nodes = hasNodes(material);
+    const ownShader = item.nodes || threeChunks.shading || hasOwnShader(material);
+    item.lit = !item.nodes && !threeChunks.lights && isLit(material) && !(ownShader && this.refused.has(material));
+    item.shadowMask =
+      !item.lit && this.shadowMasks?.shows(material) === true && !(ownShader && this.refused.has(material));
+    item.ownShader = ownShader;
+    if (ownShader && !item.lit && !item.nodes && (material as ShaderMaterial).lights === true)
+      this.refused.look(material as ShaderMaterial);
+    item.plain = list === this.opaque && isPlainOpaque(material);
+    item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
+    item.drawn = false;
+    item.splits = item.plain && item.lit && !ownShader;
+    if (list === this.opaque && !this.reachesFar && this.farthest !== Infinity)
+      this.reachesFar = this.reaches(object, geometry);
+    if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
+    if (list === this.opaque && (!item.plain || ownShader)) this.covers = false;
+    if (list === this.opaque && !item.plain && isOrderSensitive(material)) this.ordered = true;
+    // the lists are cut to their length when all is in, and so keep their storage
+    if (list === this.opaque) list[this.opaques++] = item;
+    else if (list === this.transparent) list[this.transparents++] = item;
+    else list[this.transmissives++] = item;
+  }
+
+  /** Whether what an object's bounding sphere holds may be as far as `farthest`. True where it has none. */
+  private reaches(object: Object3D, geometry: BufferGeometry): boolean {
+    const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
+    if (sphere === null || !object.frustumCulled) return true;
+    const m = object.matrixWorld.elements;
+    const v = this.camera.matrixWorldInverse.elements;
+    const { x, y, z } = sphere.center;
+    const wx = m[0] * x + m[4] * y + m[8] * z + m[12];
+    const wy = m[1] * x + m[5] * y + m[9] * z + m[13];
+    const wz = m[2] * x + m[6] * y + m[10] * z + m[14];
+    const xs = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
+    const ys = m[4] * m[4] + m[5] * m[5] + m[6] * m[6];
+    const zs = m[8] * m[8] + m[9] * m[9] + m[10] * m[10];
+    const middle = -(v[2] * wx + v[6] * wy + v[10] * wz + v[14]);
+    return !(middle + sphere.radius * Math.sqrt(Math.max(xs, ys, zs)) <= this.farthest);
+  }
+
+  /** Ends the lists, and lets go of objects of earlier, larger frames. */
+  finish(): void {
+    this.opaque.length = this.opaques;
+    this.transmissive.length = this.transmissives;
+    this.transparent.length = this.transparents;
+    for (let i = this.used; i < this.pool.length && this.pool[i].object !== null; i++) {
+      const item = this.pool[i] as { -readonly [K in keyof RenderItem]: RenderItem[K] | null };
+      item.object = item.geometry = item.material = item.group = null;
+    }
+  }
+
+  /**
+   * Keeps to three's order where it shows. What comes before an item that must be drawn in order, and after nothing that
+   * passes draw in an order of their own, is drawn early; what comes after such items is left to the forward draws.
+   */
+  keepOrder(): void {
+    if (!this.ordered) return;
+    const { opaque } = this;
+    let split = false;
+    let behind = false;
+    for (let i = 0; i < opaque.length; i++) {
+      const item = opaque[i];
+      if (item.plain) {
+        if (behind) item.plain = item.splits = false;
+        else if (item.splits) split = true;
+      } else if (isOrderSensitive(item.material)) {
+        if (split) behind = true;
+        else this.early = i + 1;
+      }
+    }
+    for (let i = 0; i < this.early; i++) opaque[i].plain = opaque[i].splits = false;
+  }
+
+  sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void {
+    if (this.opaque.length > 1) this.opaque.sort(opaque ?? byState);
+    if (this.transmissive.length > 1) this.transmissive.sort(transparent ?? backToFront);
+    if (this.transparent.length > 1) this.transparent.sort(transparent ?? backToFront);
+  }
+}

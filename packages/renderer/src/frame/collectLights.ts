@@ -1,0 +1,126 @@
+import { type Camera, type Light, Matrix4, Object3D, type Scene } from 'three';
+import { isManagedLight, type LeftToThree } from '../lights/isManagedLight';
+import { cookieOf } from '../lights/lightCookie';
+
+/** Lights of a frame, in arrays that keep their length so that they need not grow again. */
+export interface FoundLights {
+  /** All managed lights, then whatever earlier frames left. */
+  readonly all: Light[];
+  /** How many of `all` are of this frame. */
+  count: number;
+  /** Those of them that three's traversal would meet: not children of the root itself, or with children of their own. */
+  readonly nested: Light[];
+  /** Children of a root that is a Scene, without managed lights that have none of their own; of another root, itself. */
+  readonly rest: Object3D[];
+  /** Whether to look for lights that may cast a shadow or throw an image, and how many there were. */
+  seeksMasks: boolean;
+  masks: number;
+  /** How many directional, point and spot lights were left to three. */
+  left: number;
+}
+
+const { updateMatrixWorld } = Object3D.prototype;
+const identity = new Matrix4();
+
+/** What is done to the world matrices of children: nothing, what each asks for, or all of them. */
+const KEPT = 0;
+const UPDATED = 1;
+const FORCED = 2;
+
+/**
+ * Finds the managed lights that the camera's layers see, parents before children.
+ * @param update brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: what lights have in memory
+ *   is fetched once, not twice. Default false
+ */
+export function collectLights(
+  root: Object3D,
+  camera: Camera,
+  left: LeftToThree,
+  found: FoundLights,
+  update = false,
+): void {
+  found.count = 0;
+  found.masks = found.left = 0;
+  found.nested.length = found.rest.length = 0;
+  const isScene = (root as Scene).isScene === true;
+  const byChild = update && isScene && root.visible && root.updateMatrixWorld === updateMatrixWorld;
+  if (update && !byChild) root.updateMatrixWorld();
+  if (isScene) {
+    if (byChild) visitChildren(root, camera, left, found, updateOne(root, false) ? FORCED : UPDATED);
+    else if (root.visible) visitChildren(root, camera, left, found, KEPT);
+  } else {
+    found.rest.push(root);
+    // three's traversal meets the lights that are its children too
+    if (root.visible) visit(root, camera, left, found);
+  }
+  // what earlier frames had more of is let go
+  if (found.all.length > found.count) found.all.length = found.count;
+}
+
+/** As three's `updateMatrixWorld`, without the children. @returns whether theirs must follow */
+function updateOne(object: Object3D, force: boolean): boolean {
+  if (object.matrixAutoUpdate) object.updateMatrix();
+  if (!(object.matrixWorldNeedsUpdate || force)) return false;
+  if (object.matrixWorldAutoUpdate) {
+    const { parent, matrix, matrixWorld } = object;
+    if (parent === null) matrixWorld.copy(matrix);
+    else matrixWorld.multiplyMatrices(parent.matrixWorld, matrix);
+  }
+  object.matrixWorldNeedsUpdate = false;
+  return true;
+}
+
+function visitChildren(
+  parent: Object3D,
+  camera: Camera,
+  left: LeftToThree,
+  found: FoundLights,
+  matrices: typeof KEPT | typeof UPDATED | typeof FORCED,
+): void {
+  const { children } = parent;
+  const unmoved = matrices !== KEPT && parent.matrixWorld.equals(identity);
+  for (let i = 0; i < children.length; i++) {
+    const child = children[i];
+    const isLight = (child as Light).isLight === true;
+    if (matrices !== KEPT) {
+      if (!isLight || child.children.length > 0 || child.updateMatrixWorld !== updateMatrixWorld) {
+        child.updateMatrixWorld(matrices === FORCED);
+      } else if (unmoved && child.parent === parent && child.matrixAutoUpdate && child.matrixWorldAutoUpdate) {
+        child.updateMatrix();
+        child.matrixWorld.copy(child.matrix);
+        child.matrixWorldNeedsUpdate = false;
+      } else updateOne(child, matrices === FORCED);
+    }
+    if (!child.visible) continue;
+    const isFound = isLight && take(child as Light, camera, left, found);
+    if (isFound && child.children.length === 0) continue;
+    if (isFound) found.nested.push(child as Light);
+    found.rest.push(child);
+    visitBelow(child, camera, left, found);
+  }
+}
+
+function visit(object: Object3D, camera: Camera, left: LeftToThree, found: FoundLights): void {
+  const light = object as Light;
+  if (light.isLight === true && take(light, camera, left, found)) found.nested.push(light);
+  visitBelow(object, camera, left, found);
+}
+
+function visitBelow({ children }: Object3D, camera: Camera, left: LeftToThree, found: FoundLights): void {
+  for (let i = 0; i < children.length; i++) {
+    const child = children[i];
+    if (child.visible) visit(child, camera, left, found);
+  }
+}
+
+/** @returns whether the light is a managed one that the camera's layers see */
+function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
+  if (!light.layers.test(camera.layers)) return false;
+  if (found.seeksMasks && (light.castShadow || cookieOf(light) !== null)) found.masks++;
+  if (!isManagedLight(light, left)) {
+    found.left++;
+    return false;
+  }
+  found.all[found.count++] = light;
+  return true;
+}

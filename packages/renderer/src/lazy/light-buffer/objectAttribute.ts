@@ -1,0 +1,44 @@
+import { beforeLastBrace } from '../../three/beforeLastBrace';
+import type { TwinKind } from '../../materials/TwinKind';
+
+/** WebGL 2 has at least 16 vertex attributes; three's own materials need fewer. */
+const LOCATION = 15;
+
+const DECLARATION = `layout(location = ${LOCATION}) in highp vec2 farol_objectAttribute;\nvarying highp vec2 farol_object;\n`;
+
+/** Each instance is an object of its own. */
+const NUMBER = `farol_object = farol_objectAttribute;
+#if defined( USE_BATCHING )
+  farol_object.x = mod(farol_object.x + 89.0 * float(getIndirectIndex(gl_DrawID)), 2047.0) + 1.0;
+#elif defined( USE_INSTANCING )
+  farol_object.x = mod(farol_object.x + 89.0 * float(gl_InstanceID), 2047.0) + 1.0;
+#endif
+`;
+
+/**
+ * The kind with a varying `farol_object`, the same over a whole draw: it is given by `setObject`. A vertex attribute without
+ * an array has one value for all vertices, which may change from draw to draw without a change of material.
+ */
+export function withObject(kind: TwinKind): TwinKind {
+  return {
+    ...kind,
+    patch(shader, source, header) {
+      kind.patch(shader, source, header);
+      shader.vertexShader = `${DECLARATION}${beforeLastBrace(shader.vertexShader, NUMBER)}`;
+    },
+  };
+}
+
+/**
+ * Sets `farol_object` of the draws to come.
+ * @param number as `objectNumber` gives it
+ * @param corner as `stippleCorner` gives it, 0 for opaque things
+ */
+export function setObject(gl: WebGL2RenderingContext, number: number, corner: number): void {
+  gl.vertexAttrib2f(LOCATION, number, corner);
+}
+
+/** Puts the attribute back to what a fresh context has. */
+export function resetObject(gl: WebGL2RenderingContext): void {
+  gl.vertexAttrib4f(LOCATION, 0, 0, 0, 1);
+}

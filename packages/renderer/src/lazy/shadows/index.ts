@@ -1,0 +1,46 @@
+import { addMicroShaders } from '../../microshaders/addMicroShaders';
+import type { ShadowMaskMaterials } from '../../frame/RenderQueue';
+import type { MicroShaderRegistry } from '../../microshaders';
+import cookieTile from './draw/cookieTile.glsl?raw';
+import lightMaskLayers from './masks/lightMaskLayers.glsl?raw';
+import lightMaskOn from './masks/lightMaskOn.glsl?raw';
+import lightShadow from './masks/lightShadow.glsl?raw';
+import maskKinds from './masks/maskKinds.glsl?raw';
+import { mergedCaster, mergedCasterDepth } from './casters/merged';
+import { ShadowMaps } from './ShadowMaps';
+import shadowMask from './masks/shadowMask.glsl?raw';
+import { shadowMaskTwin, showsShadowMask } from './masks/shadowMaskTwin';
+import shownMap from './draw/shownMap.glsl?raw';
+import shadowMoments from './draw/shadowMoments.glsl?raw';
+import { tileMicroShaders } from './screen-tiles';
+import type { WebGLRenderer } from 'three';
+
+/** Its chunks, by name. */
+export const microShaders = {
+  cookieTile,
+  lightMaskLayers,
+  lightMaskOn,
+  lightShadow,
+  maskKinds,
+  mergedCaster,
+  mergedCasterDepth,
+  shadowMask,
+  shadowMoments,
+  shownMap,
+  ...tileMicroShaders,
+};
+
+export { ShadowMapCalls } from './draw/ShadowMapCalls';
+
+/** Of materials that show nothing but shadows. */
+export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
+
+/**
+ * What masks lights: shadow maps, cookies, layers, and their microshaders. The renderer fetches this when a scene first
+ * asks for it.
+ * @param limit of the atlas of depths, texels a side
+ */
+export function makeShadowMaps(webgl: WebGLRenderer, registry: MicroShaderRegistry, limit: number | null): ShadowMaps {
+  addMicroShaders(registry, microShaders);
+  return new ShadowMaps(webgl, registry, limit);
+}

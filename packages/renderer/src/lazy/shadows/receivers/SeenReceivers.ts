@@ -1,0 +1,254 @@
+import { type Camera, Matrix4, type Object3D } from 'three';
+import { viewFrustumPlanes } from '../../../lights/viewFrustumPlanes';
+import { boxInsidePlanes, boxOutsidePlanes, casterBox } from '../casters/casterBox';
+import { CLUSTERS_PER_GROUP, type MergedCasters } from '../casters/merged';
+import { type Caster, findSphere, type ShadowCasters } from '../casters/ShadowCasters';
+import { isBeyond, makeReach, setReach } from '../slots/reach';
+import type { ShadowFace } from '../slots/ShadowFace';
+import type { ShadowSlot } from '../slots/ShadowSlot';
+import { cubeFaceParts, openFaces } from './cubeFaceParts';
+import { mapPart } from './mapPart';
+import { Widest } from './Widest';
+
+/** How much wider than the camera's the view is that counts: cameras that shake by a part of a pixel see no more. */
+const WIDER = 1.01;
+/** What bends in shaders may leave its sphere by as much. */
+const SPHERES = 2;
+/** Numbers of a group: its box, the index of what it holds first and that after its last; it is a box itself without any. */
+const GROUP = 8;
+
+const matrix = new Matrix4();
+const planes = new Float64Array(24);
+const parts = new Float64Array(24);
+/** Of a cube: the faces whose part is not all of them yet, as bits. */
+let open = 63;
+const reach = makeReach();
+const sphere = { x: 0, y: 0, z: 0, radius: 0 };
+
+/**
+ * Where in the view of a camera shadows can be seen: boxes round what receives them. While something moves, a map is drawn
+ * only where that is, by `cut`.
+ */
+export class SeenReceivers {
+  /** Boxes along the world's axes: centre and half sizes (m), 6 numbers each. */
+  private boxes = new Float64Array(6 * 256);
+  private used = 0;
+  /** Boxes that lie together, and the box round them, see `GROUP`; and groups of one object. */
+  private groups = new Float64Array(GROUP * 64);
+  private groupsUsed = 0;
+  private objects = new Float64Array(GROUP * 64);
+  private objectsUsed = 0;
+  private readonly widest = new WeakMap<ShadowSlot, Widest>();
+  /** Something may be anywhere. */
+  private isUnbounded = false;
+
+  /**
+   * Finds them for a frame.
+   * @param merged those of the casters, ready for the frame
+   */
+  find({ list, count, receivers }: ShadowCasters, merged: MergedCasters | null, camera: Camera): void {
+    this.used = this.groupsUsed = this.objectsUsed = 0;
+    this.isUnbounded = false;
+    matrix.copy(camera.projectionMatrix);
+    const e = matrix.elements;
+    for (let column = 0; column < 16; column += 4) {
+      e[column] /= WIDER;
+      e[column + 1] /= WIDER;
+    }
+    viewFrustumPlanes(matrix.multiply(camera.matrixWorldInverse).elements, planes);
+    for (let i = 0; i < count; i++) {
+      const { object } = list[i];
+      if (object.receiveShadow && object.layers.test(camera.layers)) this.addCaster(list[i], merged);
+    }
+    for (const object of receivers) if (object.layers.test(camera.layers)) this.addObject(object);
+  }
+
+  /**
+   * Finds which part of each face of a light's map can be seen, with what filters read beside it.
+   * @returns false where that is all, or not known
+   */
+  cut(slot: ShadowSlot): boolean {
+    if (this.isUnbounded) return false;
+    const { faces, isCube, light, faceWidth, faceHeight } = slot;
+    const { radius } = light.shadow;
+    const texels = Math.ceil(2 * radius) + 2;
+    // along its normal, a surface looks up the map that far from where it is
+    const shift = Math.abs(slot.normalBias);
+    parts.fill(-Infinity);
+    open = 63;
+    if (!isCube) {
+      for (let i = 0; i < 24; i += 2) parts[i] = Infinity;
+      for (const face of faces)
+        face.matrix.multiplyMatrices(face.camera.projectionMatrix, face.camera.matrixWorldInverse);
+    }
+    const place = faces[0].camera.matrixWorld.elements;
+    setReach(reach, place, slot.range + shift, 1 + (2 * texels) / faceWidth, shift);
+    const { boxes, groups, objects, used } = this;
+    const widest = this.widestOf(slot);
+    for (let i = 0; i < widest.count; i++) {
+      const at = widest.list[i];
+      if (at < used && hold(slot, boxes, at)) widest.keep(at);
+    }
+    for (let object = 0; object < this.objectsUsed && open !== 0; object += GROUP) {
+      if (isHeld(slot, objects, object)) continue;
+      const endOfGroups = objects[object + 7];
+      for (let group = objects[object + 6]; group < endOfGroups; group += GROUP) {
+        if (isHeld(slot, groups, group)) continue;
+        const end = groups[group + 7];
+        for (let at = groups[group + 6]; at < end; at += 6) {
+          if (hold(slot, boxes, at)) widest.find(at);
+        }
+      }
+    }
+    widest.end();
+    if (isCube) for (let i = 0; i < 24; i += 2) parts[i] = -parts[i];
+    let all = true;
+    for (let i = 0; i < faces.length; i++) {
+      setPart(faces[i], i * 4, faceWidth, faceHeight, slot.border, texels);
+      all &&= isWhole(faces[i]);
+    }
+    return !all;
+  }
+
+  private widestOf(slot: ShadowSlot): Widest {
+    let widest = this.widest.get(slot);
+    if (widest === undefined) this.widest.set(slot, (widest = new Widest()));
+    return widest;
+  }
+
+  private addCaster({ merged, hasBox, box, x, y, z, radius }: Caster, all: MergedCasters | null): void {
+    if (merged === null) {
+      if (hasBox) this.addBox(box);
+      else this.addSphere(x, y, z, radius);
+      return;
+    }
+    if (boxOutsidePlanes(planes, box)) return;
+    all!.follow(merged);
+    const { boxes, groups } = merged;
+    const firstGroup = this.groupsUsed;
+    for (let group = 0; group < groups.length; group += 6) {
+      if (boxOutsidePlanes(planes, groups, group)) continue;
+      const isInside = boxInsidePlanes(planes, groups, group);
+      const first = this.used;
+      const end = Math.min(boxes.length, (group + 6) * CLUSTERS_PER_GROUP);
+      for (let at = group * CLUSTERS_PER_GROUP; at < end; at += 6) {
+        if (isInside || !boxOutsidePlanes(planes, boxes, at)) this.push(boxes, at);
+      }
+      if (this.used > first) this.addGroup(first, groups, group);
+    }
+    if (this.groupsUsed > firstGroup) this.addToObjects(box, firstGroup);
+  }
+
+  private addObject(object: Object3D): void {
+    if (casterBox(object, own)) {
+      this.addBox(own);
+      return;
+    }
+    findSphere(object, sphere);
+    this.addSphere(sphere.x, sphere.y, sphere.z, sphere.radius);
+  }
+
+  private addSphere(x: number, y: number, z: number, radius: number): void {
+    if (!Number.isFinite(x + y + z + radius)) {
+      this.isUnbounded = true;
+      return;
+    }
+    own[0] = x;
+    own[1] = y;
+    own[2] = z;
+    own[3] = own[4] = own[5] = SPHERES * radius;
+    this.addBox(own);
+  }
+
+  private addBox(box: Float64Array): void {
+    if (boxOutsidePlanes(planes, box)) return;
+    this.addToObjects(box, this.groupsUsed);
+  }
+
+  private push(boxes: Float64Array, at: number): void {
+    if (this.used + 6 > this.boxes.length) this.boxes = grown(this.boxes);
+    copyBox(boxes, at, this.boxes, this.used);
+    this.used += 6;
+  }
+
+  /**
+   * @param first index of its first box; the others follow
+   * @param round box round them, in it from index `from` on
+   */
+  private addGroup(first: number, round: Float64Array, from: number): void {
+    if (this.groupsUsed === this.groups.length) this.groups = grown(this.groups);
+    copyBox(round, from, this.groups, this.groupsUsed);
+    this.groups[this.groupsUsed + 6] = first;
+    this.groups[this.groupsUsed + 7] = this.used;
+    this.groupsUsed += GROUP;
+  }
+
+  /** @param first index of its first group; the others follow */
+  private addToObjects(round: Float64Array, first: number): void {
+    if (this.objectsUsed === this.objects.length) this.objects = grown(this.objects);
+    copyBox(round, 0, this.objects, this.objectsUsed);
+    this.objects[this.objectsUsed + 6] = first;
+    this.objects[this.objectsUsed + 7] = this.groupsUsed;
+    this.objectsUsed += GROUP;
+  }
+}
+
+const own = new Float64Array(6);
+
+function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
+  const more = new Float64Array(numbers.length * 2);
+  more.set(numbers);
+  return more;
+}
+
+/** True when the parts hold a group's box as far as it is in reach, now at least: one that holds no others, say. */
+function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
+  const isLeaf = groups[at + 6] === groups[at + 7];
+  if (isLeaf) hold(slot, groups, at);
+  else if (slot.isCube) {
+    const widens = cubeFaceParts(parts, groups, at, reach, open, false);
+    if (widens === 2) return false;
+    if (widens === 1) hold(slot, groups, at);
+  } else if (!isBeyond(reach, groups, at)) {
+    const { faces } = slot;
+    for (let i = 0; i < faces.length; i++)
+      if (mapPart(parts, i * 4, groups, at, reach, faces[i].matrix, false)) return false;
+  }
+  return true;
+}
+
+/** Widens the parts to hold a box, as far as it is in reach. @returns whether they had to be */
+function hold({ isCube, faces }: ShadowSlot, boxes: Float64Array, at: number): boolean {
+  let widens = false;
+  if (isCube) {
+    widens = cubeFaceParts(parts, boxes, at, reach, open) !== 0;
+    if (widens) open = openFaces(parts);
+  } else if (!isBeyond(reach, boxes, at)) {
+    for (let i = 0; i < faces.length; i++) {
+      if (mapPart(parts, i * 4, boxes, at, reach, faces[i].matrix)) widens = true;
+    }
+  }
+  return widens;
+}
+
+function copyBox(from: Float64Array, at: number, to: Float64Array, index: number): void {
+  for (let i = 0; i < 6; i++) to[index + i] = from[at + i];
+}
+
+/** Sets a face's part, in texels of what it draws to, from `parts`. */
+function setPart(face: ShadowFace, at: number, width: number, height: number, border: number, texels: number): void {
+  const { part } = face;
+  const nothing = parts[at] > parts[at + 1];
+  part.left = nothing ? 0 : clamp(Math.floor((parts[at] * 0.5 + 0.5) * width) + border - texels, face.width);
+  part.right = nothing ? 0 : clamp(Math.ceil((parts[at + 1] * 0.5 + 0.5) * width) + border + texels, face.width);
+  part.bottom = nothing ? 0 : clamp(Math.floor((parts[at + 2] * 0.5 + 0.5) * height) + border - texels, face.height);
+  part.top = nothing ? 0 : clamp(Math.ceil((parts[at + 3] * 0.5 + 0.5) * height) + border + texels, face.height);
+}
+
+function clamp(texel: number, most: number): number {
+  return Math.min(most, Math.max(0, texel));
+}
+
+function isWhole({ part, width, height }: ShadowFace): boolean {
+  return part.left === 0 && part.bottom === 0 && part.right === width && part.top === height;
+}

@@ -1,0 +1,97 @@
+import { cubeFacesOf } from '../slots/cubeFacesOf';
+import type { Reach } from '../slots/reach';
+
+/** Of each face, +x, -x, +y, -y, +z, -z: which of those six directions lie across and up in it, as farol_cubeFace has them. */
+const ACROSS = new Uint8Array([4, 5, 0, 1, 1, 0]);
+const UP = new Uint8Array([2, 2, 4, 4, 2, 2]);
+
+/** By which a part may be wider than need be, for less work (parts of the axis). */
+const SLACK = 0.06;
+
+/** What is held stays so when numbers are rounded. */
+const ROUNDING = 1e-12;
+
+/** How far what is within range of a box reaches in each of the six directions (m). */
+const ends = new Float64Array(6);
+
+/**
+ * Widens the parts of a cube map's faces so that they hold all directions from a point to what is within range of a box.
+ * @param parts of the six faces: how far each reaches to its left, right, down and up, as parts of the axis, 4 numbers each;
+ * -Infinity for nothing, Infinity for all
+ * @param boxes centre and half sizes (m), 6 numbers from index `at` on
+ * @param reach of the map; what lies farther from the point than its range does not count
+ * @param open the faces that count, as bits: those whose part is not all of them yet
+ * @param writes false to leave the parts as they are
+ * @returns 0 where they hold the box already, 1 where they have to be widened by no more than `SLACK`, else 2
+ */
+export function cubeFaceParts(
+  parts: Float64Array,
+  boxes: Float64Array,
+  at: number,
+  reach: Reach,
+  open = 63,
+  writes = true,
+): number {
+  let faces = open & cubeFacesOf(boxes, at, reach);
+  if (faces === 0) return 0;
+  const range = reach[3];
+  const widening = reach[4];
+  for (let i = 0; i < 3; i++) {
+    const from = boxes[at + i] - reach[i];
+    const half = boxes[at + 3 + i] + reach[5];
+    const end = from + half;
+    const other = half - from;
+    ends[i * 2] = end < range ? end : range;
+    ends[i * 2 + 1] = other < range ? other : range;
+  }
+  let widens = 0;
+  while (faces !== 0) {
+    const face = 31 - Math.clz32(faces);
+    faces ^= 1 << face;
+    const across = ACROSS[face];
+    const up = UP[face];
+    const right = ends[across];
+    const left = ends[across ^ 1];
+    const top = ends[up];
+    const bottom = ends[up ^ 1];
+    // of the box in the face, along its axis
+    const farthest = ends[face];
+    const aside = -least(least(left, right), least(bottom, top)) / widening;
+    const nearest = -least(least(ends[face ^ 1], -aside), -1e-6 * farthest);
+    if (nearest > farthest) continue;
+    const first = face * 4;
+    // towards the middle what is farthest counts, away from it what is nearest: both where each is the greater
+    const isWithin =
+      +(left <= parts[first] * nearest) &
+      +(left <= parts[first] * farthest) &
+      +(right <= parts[first + 1] * nearest) &
+      +(right <= parts[first + 1] * farthest) &
+      +(bottom <= parts[first + 2] * nearest) &
+      +(bottom <= parts[first + 2] * farthest) &
+      +(top <= parts[first + 3] * nearest) &
+      +(top <= parts[first + 3] * farthest);
+    if (isWithin !== 0) continue;
+    widens = 1;
+    for (let side = first; side < first + 4; side++) {
+      const end = ends[(side < first + 2 ? across : up) ^ (~side & 1)];
+      const depth = end < 0 ? farthest : nearest;
+      const part = parts[side];
+      if (end <= part * depth) continue;
+      if (writes) parts[side] = end < widening * depth ? end / depth + ROUNDING : Infinity;
+      else if (part + SLACK < widening && end > (part + SLACK) * depth) return 2;
+    }
+  }
+  return widens;
+}
+
+/** The faces whose part is not all of them, as bits. */
+export function openFaces(parts: Float64Array): number {
+  let open = 0;
+  for (let side = 0; side < 24; side++) if (parts[side] !== Infinity) open |= 1 << (side >> 2);
+  return open;
+}
+
+/** Of two finite numbers; without a branch, see `cubeFacesOf`. */
+function least(a: number, b: number): number {
+  return 0.5 * (a + b - Math.abs(a - b));
+}

@@ -1,0 +1,118 @@
+import { type IUniform, NoBlending, type Texture, type WebGLRenderTarget } from 'three';
+import type { Frame } from '../../../frame/Frame';
+import type { GBuffer } from '../../../gbuffer/GBuffer';
+import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
+import { gbufferUniforms, setGBufferUniforms } from '../../../gbuffer/gbufferUniforms';
+import { PassMaterial } from '../../../gpu/PassMaterial';
+import { wordTarget } from '../../../gpu/wordTarget';
+import type { MaskUniforms } from '../../../lighting/maskUniforms';
+
+/** Pixels a side of a tile; lightListClustered.glsl has it too. A tile of the light grid holds a whole number of them. */
+const TILE = 8;
+/** Pixels a side of the blocks in which depths are looked at first. */
+const BLOCK = 4;
+/** Words of lights that are looked at, at most: 512 lights. */
+const MOST_WORDS = 16;
+const LIGHTS_PER_WORD = 32;
+
+/**
+ * Which lights of a tile of the picture light all that is seen there, and which none, as far as the bounds of their shadow maps
+ * tell: their maps need no look-up there.
+ */
+export class ShadowTiles {
+  /** Lit maps that have bounds. */
+  bounded = 0;
+  private readonly planes = wordTarget();
+  private readonly marks = wordTarget();
+  private readonly triangle = new FullscreenMesh();
+  private readonly uniforms = gbufferUniforms();
+  private readonly own = {
+    farol_tilePlanes: { value: this.planes.texture },
+    farol_shadowBounds: { value: null } as IUniform<Texture | null>,
+  };
+  private materials: { readonly plane: PassMaterial; readonly marks: PassMaterial } | null = null;
+
+  get bytes(): number {
+    return (this.planes.width * this.planes.height + this.marks.width * this.marks.height) * 16;
+  }
+
+  /**
+   * Finds them for a frame, once its G-buffer and light grid are there.
+   * @param bounds of the shadow maps
+   */
+  render(frame: Frame, gbuffer: GBuffer, bounds: WebGLRenderTarget): void {
+    const mask = frame.uniforms as unknown as MaskUniforms;
+    const { lights } = frame;
+    const words = Math.min(MOST_WORDS, 2 * Math.ceil(lights.grid.count / (2 * LIGHTS_PER_WORD)));
+    // logarithmic depth is not linear over a surface, and what is too coarse for positions is so here
+    const linear = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance && !frame.queue.reachesFar;
+    const finds = this.bounded > 0 && lights.bounded > 0 && linear;
+    mask.farol_tileShadows.value = this.marks.texture;
+    mask.farol_tileShadowWords.value = finds ? words : 0;
+    const materials = (this.materials ??= this.make(frame, bounds));
+    if (!finds) {
+      this.giveStorage(frame);
+      return;
+    }
+    setGBufferUniforms(this.uniforms, gbuffer, frame);
+    const x = Math.ceil(frame.width / TILE);
+    const y = Math.ceil(frame.height / TILE);
+    this.draw(frame, this.planes, materials.plane, Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
+    this.draw(frame, this.marks, materials.marks, (x * words) / 2, y);
+  }
+
+  dispose(): void {
+    this.planes.dispose();
+    this.marks.dispose();
+    this.materials?.plane.dispose();
+    this.materials?.marks.dispose();
+    this.materials = null;
+  }
+
+  private draw(frame: Frame, target: WebGLRenderTarget, material: PassMaterial, width: number, height: number): void {
+    if (target.width < width || target.height < height) {
+      target.setSize(Math.max(target.width, width), Math.max(target.height, height));
+    }
+    target.viewport.set(0, 0, width, height);
+    frame.bind(target);
+    frame.drawMesh(this.triangle, material);
+  }
+
+  /** A texture that is not written is bound all the same; also after a lost context. */
+  private giveStorage(frame: Frame): void {
+    const { properties } = frame.webgl;
+    const { __webglTexture } = properties.get(this.marks.texture) as { __webglTexture?: WebGLTexture };
+    if (__webglTexture === undefined) frame.bind(this.marks);
+  }
+
+  private make(frame: Frame, bounds: WebGLRenderTarget): { plane: PassMaterial; marks: PassMaterial } {
+    const { uniforms } = frame;
+    const material = (name: string, fragment: string) =>
+      new PassMaterial(frame.microshaders, {
+        name: `Farol ${name}`,
+        vertex: ['fullscreen'],
+        fragment: [fragment],
+        uniforms: {
+          farol_lightTable: uniforms.farol_lightTable,
+          farol_lightCounts: uniforms.farol_lightCounts,
+          farol_worldAxes: uniforms.farol_worldAxes,
+          farol_gridMasks: uniforms.farol_gridMasks,
+          farol_grid: uniforms.farol_grid,
+          farol_tileShadowWords: uniforms.farol_tileShadowWords,
+          ...this.uniforms,
+          ...this.own,
+        },
+        defines: { FAROL_TILE: `${TILE}` },
+        blending: NoBlending,
+      });
+    const materials = { plane: material('tile planes', 'tilePlane'), marks: material('tile shadows', 'tileShadows') };
+    // both programs are linked now, not when the first map is at rest
+    this.own.farol_shadowBounds.value = bounds.texture;
+    frame.bind(bounds);
+    frame.bind(this.planes);
+    frame.compileMesh(this.triangle, materials.plane);
+    frame.bind(this.marks);
+    frame.compileMesh(this.triangle, materials.marks);
+    return materials;
+  }
+}

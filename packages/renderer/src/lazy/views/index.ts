@@ -1,0 +1,21 @@
+import { addMicroShaders } from '../../microshaders/addMicroShaders';
+import type { MicroShaderRegistry } from '../../microshaders';
+import countView from './countView.glsl?raw';
+import { OverdrawPass } from './OverdrawPass';
+import surfaceView from './surfaceView.glsl?raw';
+import { SurfaceViewPass } from './SurfaceViewPass';
+
+/** Its chunks, by name. */
+export const microShaders = { countView, surfaceView };
+
+/** What draws the views that no technique draws. */
+export interface ViewPasses {
+  readonly overdraw: OverdrawPass;
+  readonly surfaceView: SurfaceViewPass;
+}
+
+/** The renderer fetches this when such a view is first asked for. */
+export function makeViewPasses(registry: MicroShaderRegistry): ViewPasses {
+  addMicroShaders(registry, microShaders);
+  return { overdraw: new OverdrawPass(), surfaceView: new SurfaceViewPass() };
+}

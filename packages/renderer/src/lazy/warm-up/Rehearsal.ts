@@ -1,0 +1,131 @@
+import type { Material, Mesh, Object3D } from 'three';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import type { Frame } from '../../frame/Frame';
+import { LightGridPass } from '../../lighting/lists/LightGridPass';
+import type { Pass } from '../../frame/Pass';
+import type { RenderItem } from '../../frame/RenderItem';
+import type { Technique } from '../../techniques/Technique';
+import type { Preparation } from '../../techniques/TechniqueChooser';
+import { waitingPrograms, type Program, type ProgramList, type WaitingPrograms } from './WaitingPrograms';
+
+/** Draws that are rehearsed in one frame at most: some tenths of a millisecond. */
+const DRAWS = 128;
+const STOP = new Error('Farol: rehearsed');
+const stop = (): never => {
+  throw STOP;
+};
+
+/**
+ * Makes a technique ready to draw the scene at hand while another one draws it. At the end of a frame its passes run
+ * with all targets bound as they would be, but each draw ends where three has set its program to compile and link:
+ * nothing is drawn, cleared or waited for, and nothing of the host's is called but what a compilation calls. One new
+ * program a frame, then one a frame that the device is done with is given its uniforms, so that no frame is long.
+ */
+export class Rehearsal implements Preparation {
+  /** True when all programs that the technique needs for the scene as it was rehearsed can be drawn with at once. */
+  ready = false;
+  private readonly dry: Frame;
+  /** What was rehearsed of each material: geometries, or objects where the object too says what the shader is like. */
+  private readonly seen = new Map<Material, Set<object>>();
+  private programs: ProgramList | null = null;
+  private waiting!: WaitingPrograms;
+  /** Draws that this frame may still rehearse. */
+  private left = 0;
+  /** Whether a draw was left for a later frame. */
+  private cut = true;
+
+  constructor(
+    private readonly frame: Frame,
+    private readonly technique: Technique,
+    readonly passes: readonly Pass[],
+  ) {
+    this.dry = Object.assign(Object.create(frame) as Frame, {
+      clear() {},
+      resolve() {},
+      copyDepth() {},
+      drawNodes() {},
+      drawItem: (item: RenderItem, material: Material) => {
+        // drawn as it is, it has just been drawn
+        if (material !== item.material) this.rehearse(item.object, item, material, item.materialVariant > 0);
+      },
+      drawMesh: (mesh: Mesh, material: Material) =>
+        this.rehearse(mesh, { geometry: mesh.geometry, group: null }, material),
+      // what a pass has compiled in advance it does so once
+      compileMesh: (mesh: Mesh, material: Material) => {
+        const { left } = this;
+        this.left = 1;
+        this.rehearse(mesh, { geometry: mesh.geometry, group: null }, material);
+        this.left = Math.min(left, this.left);
+      },
+    });
+  }
+
+  /** To be called inside three's `render`, when all is drawn; the target may be another one after it. */
+  step(effects: readonly FarolEffect[]): void {
+    const programs = this.frame.webgl.info.programs as unknown as ProgramList;
+    if (programs !== this.programs) {
+      // also after a lost context
+      this.programs = programs;
+      this.waiting = waitingPrograms(programs);
+      this.seen.clear();
+      this.cut = true;
+    }
+    this.waiting.finishOne();
+    if (this.cut) this.run(effects);
+    this.ready = !this.cut && this.waiting.length === 0;
+  }
+
+  private run(effects: readonly FarolEffect[]): void {
+    const { frame, dry, waiting, programs } = this;
+    const { queue } = frame;
+    const { state } = frame.webgl;
+    const { useProgram } = state;
+    for (let i = queue.early; i < queue.opaque.length; i++) queue.opaque[i].drawn = false;
+    dry.fills = frame.fills && (this.technique.fills ?? 'behind');
+    this.left = DRAWS;
+    this.cut = false;
+    state.useProgram = stop;
+    waiting.block(stop);
+    programs!.push = (program: Program) => {
+      this.left = 0;
+      waiting.add(program, stop);
+      return Array.prototype.push.call(programs, program);
+    };
+    try {
+      for (const pass of this.passes) {
+        if (this.cut) break;
+        // lists made on the CPU need no program
+        if (pass instanceof LightGridPass || effects.some(({ replaces }) => replaces === pass.name)) continue;
+        pass.render(dry);
+      }
+    } finally {
+      Reflect.deleteProperty(programs!, 'push');
+      waiting.unblock();
+      state.useProgram = useProgram;
+    }
+  }
+
+  private rehearse(
+    object: Object3D,
+    { geometry, group }: Pick<RenderItem, 'geometry' | 'group'>,
+    material: Material,
+    byObject = false,
+  ): void {
+    let seen = this.seen.get(material);
+    if (seen === undefined) this.seen.set(material, (seen = new Set()));
+    const key = byObject ? object : geometry;
+    if (seen.has(key)) return;
+    if (this.left === 0) {
+      this.cut = true;
+      return;
+    }
+    this.left--;
+    seen.add(key);
+    const { frame } = this;
+    try {
+      frame.draw(frame.camera, frame.scene, geometry, material, object, group);
+    } catch (error) {
+      if (error !== STOP) throw error;
+    }
+  }
+}

@@ -1,0 +1,32 @@
+import { type Camera, type Object3D, WebGLRenderTarget } from 'three';
+import type { FarolRenderer } from '../../FarolRenderer';
+
+/** Programs as `WebGLRenderer.info.programs` lists them. */
+interface Program {
+  isReady?(): boolean;
+}
+
+/** Draws one pixel, which starts the compilation of everything the scene needs, then waits until the device is done. */
+export async function compileByDrawing(farol: FarolRenderer, scene: Object3D, camera: Camera): Promise<void> {
+  drawOnePixel(farol, scene, camera);
+  const programs = (farol.webgl.info.programs ?? []) as unknown as Program[];
+  while (!programs.every((program) => program.isReady?.() ?? true)) {
+    await new Promise((resolve) => setTimeout(resolve, 4));
+  }
+}
+
+/** Draws a scene to a target of one pixel. */
+export function drawOnePixel(farol: FarolRenderer, scene: Object3D, camera: Camera): void {
+  const { webgl } = farol;
+  const before = webgl.getRenderTarget();
+  const face = webgl.getActiveCubeFace();
+  const level = webgl.getActiveMipmapLevel();
+  const target = new WebGLRenderTarget(1, 1);
+  webgl.setRenderTarget(target);
+  try {
+    farol.render(scene, camera);
+  } finally {
+    webgl.setRenderTarget(before, face, level);
+    target.dispose();
+  }
+}

@@ -1,0 +1,258 @@
+import {
+  type Material,
+  DepthStencilFormat,
+  DepthTexture,
+  FloatType,
+  HalfFloatType,
+  NearestFilter,
+  NoToneMapping,
+  Sphere,
+  Vector3,
+  Vector4,
+  WebGLRenderTarget,
+  type BufferGeometry,
+  type Object3D,
+} from 'three';
+import { blendsFloats } from '../gpu/checkDevice';
+import type { Frame } from '../frame/Frame';
+import { coneIntersectsSphere } from '../lights/coneIntersectsSphere';
+import { projectedSphereBounds } from '../lights/projectedSphereBounds';
+import { additiveTwin, baseTwin, lightMark } from './multipassTwins';
+import type { RenderItem } from '../frame/RenderItem';
+import type { Pass } from '../frame/Pass';
+
+const rectangle = new Float64Array(4);
+const scissor = new Vector4();
+const centre = new Vector3();
+const NO_MARK = new Int32Array(1);
+
+/**
+ * Multipass lighting: ambient, environment and emissive once, then each light added by a draw of its own over the objects
+ * that its range reaches, inside the rectangle that its volume covers on screen.
+ * Sums in 32-bit float where the device blends it (EXT_float_blend), else, and where the host's target is multisampled and
+ * so this one too, in half float.
+ * @see thesis 2.2.1.3 and 3.2.3.1
+ */
+export class MultipassLightsPass implements Pass {
+  readonly name = 'multipass lights';
+  readonly reads = [] as const;
+  readonly writes = ['lighting'] as const;
+  target: WebGLRenderTarget | null = null;
+  /** Fog is in the sums; else, where three draws fog after encoding, it is left to the output. */
+  fogged = true;
+  private readonly items: RenderItem[] = [];
+  /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */
+  private spheres = new Float64Array(256);
+  private slot: 0 | 1 = 0;
+  /** Objects whose additive program is there, with the material it is for. */
+  private readonly compiled = new WeakMap<Object3D, Material>();
+
+  constructor(private readonly lightIndex: { value: number }) {}
+
+  get bytes(): number {
+    const perPixel = this.target?.texture.type === FloatType ? 24 : 16;
+    return this.target ? this.target.width * this.target.height * perPixel : 0;
+  }
+
+  render(frame: Frame): void {
+    this.fogged = frame.target !== null;
+    this.prepareTarget(frame);
+    this.items.length = 0;
+    this.drawLights(frame);
+    if (this.target!.samples > 0) frame.resolve(this.target!);
+  }
+
+  dispose(): void {
+    this.target?.depthTexture?.dispose();
+    this.target?.dispose();
+    this.target = null;
+  }
+
+  private drawLights(frame: Frame): void {
+    const { items } = this;
+    const base = baseTwin(frame.view, this.fogged);
+    for (const item of frame.queue.opaque) {
+      if (!item.splits || !this.sums(item.material, frame)) continue;
+      frame.drawTwin(item, base);
+      item.drawn = true;
+      items.push(item);
+    }
+    if (items.length === 0) return;
+    this.compile(frame);
+    this.findSpheres(frame);
+    const { lights } = frame;
+    for (let i = 0; i < lights.directional + lights.unbounded; i++) this.drawLight(frame, i, -1);
+    const { state } = frame.webgl;
+    for (let k = 0; k < lights.bounded; k++) {
+      if (!this.setScissor(frame, lights.rank[k])) continue;
+      state.scissor(scissor);
+      state.setScissorTest(true);
+      this.drawLight(frame, lights.firstBounded + k, lights.rank[k]);
+    }
+    state.setScissorTest(false);
+  }
+
+  /** True if what the output does to all pixels, tone mapping and fog after encoding, three does to the material. */
+  private sums(material: Material, frame: Frame): boolean {
+    if (this.fogged) return true;
+    // the output knows how far a pixel is by its depth alone
+    if (frame.storesDistance && frame.scene.fog) return false;
+    if (!material.toneMapped && frame.webgl.toneMapping !== NoToneMapping) return false;
+    return (material as Material & { fog?: boolean }).fog !== false || !frame.scene.fog;
+  }
+
+  private prepareTarget(frame: Frame): void {
+    const { width, height, gl, samples } = frame;
+    if (this.target !== null && this.target.samples !== samples) this.dispose();
+    this.target ??= new WebGLRenderTarget(1, 1, {
+      samples,
+      type: samples === 0 && blendsFloats(gl) ? FloatType : HalfFloatType,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      stencilBuffer: true,
+      depthTexture: depthAndStencil(),
+    });
+    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
+    frame.bind(this.target);
+    frame.clear(1, true);
+    this.unmark(frame);
+  }
+
+  /** Forgets which light was added to which pixel. */
+  private unmark(frame: Frame): void {
+    lightMark.value = 1;
+    frame.webgl.state.buffers.stencil.setMask(255);
+    frame.gl.clearBufferiv(frame.gl.STENCIL, 0, NO_MARK);
+  }
+
+  /** Draws new objects with the additive twin over no pixels, so that the first light to reach one compiles nothing. */
+  private compile(frame: Frame): void {
+    const { state } = frame.webgl;
+    let scissored = false;
+    for (const item of this.items) {
+      if (this.compiled.get(item.object) === item.material) continue;
+      this.compiled.set(item.object, item.material);
+      if (!scissored) {
+        state.scissor(scissor.set(0, 0, 0, 0));
+        state.setScissorTest(true);
+        scissored = true;
+      }
+      frame.drawTwin(item, additiveTwin(frame.view, this.slot, this.fogged));
+    }
+    if (!scissored) return;
+    state.setScissorTest(false);
+    this.turn();
+  }
+
+  /** Takes the other twin: three sets uniforms, the light among them, only when another material is drawn than before. */
+  private turn(): void {
+    this.slot = this.slot === 0 ? 1 : 0;
+  }
+
+  private drawLight(frame: Frame, record: number, bounded: number): void {
+    const { lights } = frame;
+    this.lightIndex.value = record;
+    if (lightMark.value === 255) this.unmark(frame);
+    else lightMark.value++;
+    const kind = additiveTwin(frame.view, this.slot, this.fogged);
+    let drawn = false;
+    const { spheres, items } = this;
+    const b = bounded * 4;
+    // of surfaces of several objects at one depth the last is seen: it comes first, and the mark keeps the others out
+    for (let i = items.length - 1; i >= 0; i--) {
+      if (bounded >= 0 && spheres[i * 4 + 3] !== Infinity) {
+        const { bounds, axes } = lights;
+        const dx = spheres[i * 4] - bounds[b];
+        const dy = spheres[i * 4 + 1] - bounds[b + 1];
+        const dz = spheres[i * 4 + 2] - bounds[b + 2];
+        const reach = spheres[i * 4 + 3] + bounds[b + 3];
+        if (dx * dx + dy * dy + dz * dz > reach * reach) continue;
+        if (
+          axes[b + 3] > -1 &&
+          !coneIntersectsSphere(
+            bounds[b],
+            bounds[b + 1],
+            bounds[b + 2],
+            -axes[b],
+            -axes[b + 1],
+            -axes[b + 2],
+            bounds[b + 3],
+            Math.acos(axes[b + 3]),
+            spheres[i * 4],
+            spheres[i * 4 + 1],
+            spheres[i * 4 + 2],
+            spheres[i * 4 + 3],
+          )
+        )
+          continue;
+      }
+      frame.drawTwin(items[i], kind);
+      drawn = true;
+    }
+    // a light that reaches nothing leaves the twin drawn last as it was
+    if (drawn) this.turn();
+  }
+
+  /** Puts the light's rectangle into `scissor`; false if it covers nothing. */
+  private setScissor(frame: Frame, k: number): boolean {
+    const { bounds } = frame.lights;
+    const { camera, width, height } = frame;
+    const b = k * 4;
+    if (
+      !projectedSphereBounds(
+        bounds[b],
+        bounds[b + 1],
+        bounds[b + 2],
+        bounds[b + 3],
+        camera.projectionMatrix.elements,
+        rectangle,
+      )
+    )
+      return false;
+    const x0 = Math.max(0, Math.floor((rectangle[0] * 0.5 + 0.5) * width));
+    const y0 = Math.max(0, Math.floor((rectangle[1] * 0.5 + 0.5) * height));
+    const x1 = Math.min(width, Math.ceil((rectangle[2] * 0.5 + 0.5) * width));
+    const y1 = Math.min(height, Math.ceil((rectangle[3] * 0.5 + 0.5) * height));
+    scissor.set(x0, y0, x1 - x0, y1 - y0);
+    return x1 > x0 && y1 > y0;
+  }
+
+  private findSpheres(frame: Frame): void {
+    const { items } = this;
+    if (this.spheres.length < items.length * 4) this.spheres = new Float64Array(items.length * 8);
+    for (let i = 0; i < items.length; i++) {
+      const { object, geometry } = items[i];
+      const bound = boundingSphereOf(object, geometry);
+      const at = i * 4;
+      if (bound === null || !object.frustumCulled) {
+        this.spheres[at + 3] = Infinity;
+        continue;
+      }
+      centre.copy(bound.center).applyMatrix4(object.matrixWorld).applyMatrix4(frame.camera.matrixWorldInverse);
+      const displacement = items[i].material as {
+        displacementMap?: unknown;
+        displacementScale?: number;
+        displacementBias?: number;
+      };
+      const more = displacement.displacementMap
+        ? Math.abs(displacement.displacementScale ?? 0) + Math.abs(displacement.displacementBias ?? 0)
+        : 0;
+      this.spheres[at] = centre.x;
+      this.spheres[at + 1] = centre.y;
+      this.spheres[at + 2] = centre.z;
+      this.spheres[at + 3] = (bound.radius + more) * object.matrixWorld.getMaxScaleOnAxis();
+    }
+  }
+}
+
+/** The sphere that three culls the object by, in its own space. */
+function boundingSphereOf(object: Object3D, geometry: BufferGeometry): Sphere | null {
+  const own = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere;
+  return own ?? geometry.boundingSphere;
+}
+
+function depthAndStencil(): DepthTexture {
+  const texture = new DepthTexture(1, 1, FloatType);
+  texture.format = DepthStencilFormat;
+  return texture;
+}

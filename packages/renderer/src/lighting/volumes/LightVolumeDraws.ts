@@ -1,0 +1,130 @@
+import {
+  AddEquation,
+  BackSide,
+  CustomBlending,
+  GreaterEqualDepth,
+  InstancedBufferGeometry,
+  Mesh,
+  OneFactor,
+  Vector4,
+  type IUniform,
+} from 'three';
+import { isCountView } from '../../frame/views';
+import type { Frame } from '../../frame/Frame';
+import { FullscreenMesh } from '../../gpu/FullscreenMesh';
+import { PassMaterial, type PassMaterialOptions } from '../../gpu/PassMaterial';
+
+/** 12 segments, 8 rings, 6 vertices a quad; the same numbers as in lightVolumeSphere.glsl. */
+const SPHERE_VERTICES = 576;
+/** 12 segments of a side and a cap, 3 vertices each. */
+const CONE_VERTICES = 72;
+
+const ADDITIVE = {
+  blending: CustomBlending,
+  blendEquation: AddEquation,
+  blendSrc: OneFactor,
+  blendDst: OneFactor,
+} as const;
+/** Back faces behind the surface: right with the camera inside the volume, and nothing to do where the volume floats before it. */
+const VOLUME = { ...ADDITIVE, side: BackSide, depthTest: true, depthFunc: GreaterEqualDepth } as const;
+
+interface Materials {
+  readonly global: PassMaterial;
+  readonly sphere: PassMaterial;
+  readonly cone: PassMaterial;
+}
+
+/**
+ * Draws each light over the pixels of its volume, added to what the bound target holds: a triangle over the whole picture
+ * for directional and unbounded lights, instanced spheres for point lights, cones for spot lights. The target's depth is
+ * to be the scene's; the lights are to be ordered 'by-volume'.
+ * @see Hargreaves and Harris 2004, Deferred Shading
+ */
+export class LightVolumeDraws {
+  private readonly firstRecord = { value: 0 };
+  private readonly triangle = new FullscreenMesh();
+  private readonly spheres = instanced(SPHERE_VERTICES);
+  private readonly cones = instanced(CONE_VERTICES);
+  private shading: Materials | null = null;
+  private counting: Materials | null = null;
+
+  /**
+   * @param label begins the names of the programs
+   * @param target microshader that reads the surface of a pixel, lights it and writes it: FAROL_SURFACE_DEPTH,
+   *   FAROL_BEGIN_PIXEL, FAROL_LIGHT_PIXEL, FAROL_END_PIXEL and FAROL_COUNT_PIXEL, as volumeLighting.glsl has them
+   * @param uniforms of that microshader
+   */
+  constructor(
+    private readonly label: string,
+    private readonly target: string,
+    private readonly uniforms: Record<string, IUniform>,
+  ) {}
+
+  /** Draws all lights of the frame; in the count views, ones in place of light. */
+  draw(frame: Frame): void {
+    const { lights } = frame;
+    const materials = isCountView(frame.view)
+      ? (this.counting ??= this.make(frame, true))
+      : (this.shading ??= this.make(frame, false));
+    // the volumes' own depth is not logarithmic, or too coarse: then the distance to the light alone says what they reach
+    const depthTest = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance;
+    materials.sphere.depthTest = materials.cone.depthTest = depthTest;
+    if (lights.directional + lights.unbounded > 0) frame.drawMesh(this.triangle, materials.global);
+    if (lights.spheres > 0) {
+      this.firstRecord.value = lights.firstBounded;
+      this.spheres.geometry.instanceCount = lights.spheres;
+      frame.drawMesh(this.spheres, materials.sphere);
+    }
+    if (lights.cones > 0) {
+      this.firstRecord.value = lights.firstBounded + lights.spheres;
+      this.cones.geometry.instanceCount = lights.cones;
+      frame.drawMesh(this.cones, materials.cone);
+    }
+  }
+
+  dispose(): void {
+    for (const materials of [this.shading, this.counting]) {
+      materials?.global.dispose();
+      materials?.sphere.dispose();
+      materials?.cone.dispose();
+    }
+    this.shading = this.counting = null;
+  }
+
+  private make(frame: Frame, count: boolean): Materials {
+    const material = (name: string, vertex: string, fragment: string, state: Partial<PassMaterialOptions>) =>
+      new PassMaterial(frame.microshaders, {
+        name: `${this.label} ${name}`,
+        vertex: [vertex],
+        fragment: [this.target, fragment],
+        uniforms: {
+          ...frame.uniforms,
+          farol_fit: { value: new Vector4(1, 1, 0, 0) },
+          ...this.uniforms,
+          farol_firstRecord: this.firstRecord,
+          dfgLUT: { value: null },
+        },
+        defines: count ? { FAROL_COUNT: '' } : {},
+        ...state,
+      });
+    const materials = {
+      global: material('global lights', 'fullscreen', 'globalLightsFragment', ADDITIVE),
+      sphere: material('light spheres', 'lightVolumeSphere', 'lightVolumeFragment', VOLUME),
+      cone: material('light cones', 'lightVolumeCone', 'lightVolumeFragment', VOLUME),
+    };
+    // a kind of light that comes later finds its program
+    frame.compileMesh(this.triangle, materials.global);
+    frame.compileMesh(this.spheres, materials.sphere);
+    frame.compileMesh(this.cones, materials.cone);
+    return materials;
+  }
+}
+
+function instanced(vertices: number): Mesh<InstancedBufferGeometry> {
+  const geometry = new InstancedBufferGeometry();
+  geometry.setDrawRange(0, vertices);
+  geometry.instanceCount = 0;
+  const mesh = new Mesh(geometry);
+  mesh.frustumCulled = false;
+  return mesh;
+}

@@ -1,0 +1,106 @@
+import { shortText } from '../shortText';
+
+export interface XMLElement {
+  readonly name: string;
+  readonly attributes: Readonly<Record<string, string>>;
+  readonly children: XMLElement[];
+  /** All text directly inside, CDATA included. */
+  text: string;
+  /** Line of the opening tag, and of its end, from 1. */
+  readonly line: number;
+  readonly textLine: number;
+}
+
+const NAME = '[A-Za-z_][\\w.:-]*';
+const ATTRIBUTE = `(${NAME})\\s*=\\s*("[^"<]*"|'[^'<]*')`;
+const TOKEN = new RegExp(
+  [
+    '<!--(?:(?!--)[^])*-->',
+    '<!\\[CDATA\\[(?<data>[^]*?)\\]\\]>',
+    '<\\?(?!xml\\s)[^]*?\\?>',
+    `</(?<close>${NAME})\\s*>`,
+    `<(?<open>${NAME})(?<attributes>(?:\\s+${ATTRIBUTE.replaceAll(/\((?!\?)/g, '(?:')})*)\\s*(?<empty>/?)>`,
+    '(?<text>[^<]+)',
+  ].join('|'),
+  'y',
+);
+const DECLARATION = /^<\?xml(?:\s+[a-z]+\s*=\s*(?:"[\w.-]*"|'[\w.-]*'))+\s*\?>/;
+const ENTITIES: Record<string, string> = { lt: '<', gt: '>', amp: '&', quot: '"', apos: "'" };
+
+/**
+ * Reads XML 1.0 without a document type: elements, attributes, text, CDATA, comments, character references. Written out
+ * because `DOMParser` is missing in Node, and tells no line of an element in a browser.
+ * @param file named in errors
+ * @throws Error with file and line, for whatever is not well formed
+ * @see https://www.w3.org/TR/xml/
+ */
+export function parseXML(text: string, file: string): XMLElement {
+  const xml = text.replace(/^\uFEFF/, '').replace(/\r\n?/g, '\n');
+  let line = 1;
+  const fail = (message: string, before = ''): never => {
+    throw new Error(`${shortText(file)}:${line + newlines(before)}: ${shortText(message, 240)}`);
+  };
+  const unescaped = (value: string): string =>
+    value.replace(/&([^;\s&]*)(;?)/g, (whole, reference: string, end: string, offset: number) => {
+      const code = /^#(?:x([\da-fA-F]+)|(\d+))$/.exec(reference);
+      const point = code ? Number.parseInt(code[1] ?? code[2], code[1] ? 16 : 10) : 0;
+      if (end && point > 0 && point <= 0x10ffff) return String.fromCodePoint(point);
+      if (end && Object.hasOwn(ENTITIES, reference)) return ENTITIES[reference];
+      return fail(
+        `"${shortText(whole)}" is no entity; write "&amp;" for "&", or use <![CDATA[ … ]]>`,
+        value.slice(0, offset),
+      );
+    });
+  const stack: XMLElement[] = [];
+  let root: XMLElement | undefined;
+  const append = (value: string) => {
+    const parent = stack.at(-1);
+    if (parent) parent.text += value;
+    else if (value.trim() !== '') fail('text outside of the root element', /^\s*/.exec(value)![0]);
+  };
+  const open = (name: string, attributes: string, end: number): XMLElement => {
+    const values: Record<string, string> = {};
+    for (const [, key, quoted] of attributes.matchAll(new RegExp(ATTRIBUTE, 'g'))) {
+      if (Object.hasOwn(values, key)) fail(`attribute "${shortText(key)}" twice in <${shortText(name)}>`);
+      values[key] = unescaped(quoted.slice(1, -1).replace(/\s/g, ' '));
+    }
+    const element = { name, attributes: values, children: [], text: '', line, textLine: end };
+    if (stack.length > 0) stack.at(-1)!.children.push(element);
+    else if (root) fail(`a second root element <${shortText(name)}>`);
+    root ??= element;
+    return element;
+  };
+
+  const declaration = DECLARATION.exec(xml)?.[0] ?? '';
+  line += newlines(declaration);
+  TOKEN.lastIndex = declaration.length;
+  while (TOKEN.lastIndex < xml.length) {
+    const at = TOKEN.lastIndex;
+    const match = TOKEN.exec(xml);
+    if (match === null)
+      return fail(`"${xml.slice(at, at + 20).split('\n')[0]}" is not XML; put code into <![CDATA[ … ]]>`);
+    const { data, close, open: name, attributes, empty, text: plain } = match.groups!;
+    const end = line + newlines(match[0]);
+    if (name !== undefined) {
+      const element = open(name, attributes, end);
+      if (empty === '') stack.push(element);
+    } else if (close !== undefined) {
+      const opened = stack.pop() ?? fail(`</${shortText(close)}> closes nothing`);
+      if (opened.name !== close)
+        fail(`</${shortText(close)}> where </${shortText(opened.name)}> (line ${opened.line}) should be`);
+    } else if (data !== undefined) {
+      if (stack.length === 0) fail('CDATA outside of the root element');
+      append(data);
+    } else if (plain !== undefined) {
+      if (plain.includes(']]>')) fail('"]]>" without <![CDATA[');
+      append(unescaped(plain));
+    }
+    line = end;
+  }
+  if (stack.length > 0) fail(`<${shortText(stack.at(-1)!.name)}> of line ${stack.at(-1)!.line} is never closed`);
+  return root ?? fail('no element');
+}
+
+function newlines(text: string): number {
+  return text.split('\n').length - 1;
+}

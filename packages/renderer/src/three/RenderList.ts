@@ -1,0 +1,27 @@
+import type { BufferGeometry, Camera, Material, Object3D } from 'three';
+import type { GeometryGroup } from '../frame/RenderItem';
+import type { RenderItemSort } from '../frame/RenderQueue';
+
+/** three's WebGLRenderList as far as it is used here. */
+export interface RenderList {
+  opaque: unknown[];
+  transmissive: unknown[];
+  push(
+    object: Object3D,
+    geometry: BufferGeometry,
+    material: Material,
+    groupOrder: number,
+    z: number,
+    group: GeometryGroup | null,
+    camera: Camera,
+  ): void;
+  init(): void;
+  sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void;
+  finish(): void;
+}
+
+/** three's WebGLRenderLists. */
+export interface RenderLists {
+  /** @param depth of nested renders, as three counts it: one too many for each of its frames that an exception has ended */
+  get(scene: Object3D, depth: number): RenderList;
+}
