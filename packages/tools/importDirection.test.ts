@@ -1,8 +1,9 @@
-import { readdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { importViolations } from './importDirection.mjs';
 import { root } from './root.mjs';
+import { sourceFiles } from './sourceFiles.mjs';
 
 const workspaces = [
   'packages/renderer',
@@ -19,21 +20,9 @@ const manifests = new Map(
   ]),
 );
 
-function sources(): Map<string, string> {
-  const files = new Map<string, string>();
-  for (const top of ['packages', 'apps', 'e2e']) {
-    for (const name of readdirSync(join(root, top), { recursive: true, encoding: 'utf8' })) {
-      const path = `${top}/${name.replaceAll('\\', '/')}`;
-      if (!/\.tsx?$/.test(path) || /\/(node_modules|dist)\//.test(path)) continue;
-      files.set(path, readFileSync(join(root, path), 'utf8'));
-    }
-  }
-  return files;
-}
-
 describe('the direction of imports', () => {
   it('holds in every source file', () => {
-    const files = sources();
+    const files = sourceFiles();
     expect(files.size).toBeGreaterThan(20);
     expect(importViolations(files, manifests)).toEqual([]);
   });

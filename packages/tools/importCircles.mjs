@@ -1,0 +1,126 @@
+import { dirname, join, normalize } from 'node:path/posix';
+import { parseSync } from 'vite';
+
+/**
+ * How many files the largest import circle of a folder may have, 0 for no circle at all: `static` by static imports and
+ * types, `fetched` when `import()` at run time counts too. Files in a circle can only be read, moved and tested together.
+ * Numbers go down, never up.
+ */
+export const circleLimits = [
+  { folder: 'packages/renderer', static: 13, fetched: 29 },
+  { folder: 'packages/engine', static: 23, fetched: 23 },
+  { folder: 'packages/attach', static: 2, fetched: 2 },
+  { folder: 'packages', static: 0, fetched: 0 },
+  { folder: 'apps/viewer', static: 0, fetched: 0 },
+  { folder: 'apps/editor', static: 38, fetched: 96 },
+  { folder: 'e2e', static: 2, fetched: 2 },
+];
+
+/**
+ * Finds import circles: the largest sets of files each of which imports each other one, directly or through others of the
+ * set. Static imports, re-exports and types count, `import type` and `import('./X').T` too.
+ *
+ * @param {ReadonlyMap<string, string>} files source by path from the repository's root, with `/`
+ * @param {{ fetched?: boolean }} options fetched: whether `import('./X')` at run time counts
+ * @returns {string[][]} paths in alphabetical order, the largest circle first; a file that imports itself is a circle of one
+ */
+export function importCircles(files, { fetched = false } = {}) {
+  const graph = new Map([...files].map(([path, source]) => [path, targetsOf(path, source, files, fetched)]));
+  return stronglyConnected(graph)
+    .filter(([first, ...others]) => others.length > 0 || graph.get(first)?.includes(first))
+    .map((circle) => circle.toSorted())
+    .toSorted((a, b) => b.length - a.length || a[0].localeCompare(b[0]));
+}
+
+/**
+ * Circles that are larger than the limit of their folder, the first one of the table that holds a file of the circle.
+ *
+ * @param {string[][]} circles as {@link importCircles} gives them
+ * @param {readonly { folder: string, files: number }[]} limits files: how many the largest circle may have
+ * @returns {string[]} one line a circle; empty when all is well
+ */
+export function circlesOverLimit(circles, limits) {
+  return circles.flatMap((circle) => {
+    const limit = limits.find(({ folder }) => circle.some((path) => path.startsWith(`${folder}/`)));
+    if (!limit || circle.length <= limit.files) return [];
+    return [
+      `${limit.folder}: a circle of ${circle.length} files, at most ${limit.files} allowed: ${circle.join(', ')}`,
+    ];
+  });
+}
+
+/** What a specifier without or with an ending may stand for. */
+const ENDINGS = ['', '.ts', '.tsx', '.mjs', '/index.ts', '/index.tsx'];
+
+/**
+ * Files of the set that a file imports.
+ *
+ * @param {string} path @param {string} source @param {ReadonlyMap<string, string>} files @param {boolean} fetched
+ * @returns {string[]}
+ */
+function targetsOf(path, source, files, fetched) {
+  return specifiersOf(path, source, fetched).flatMap((specifier) => {
+    if (!specifier.startsWith('.')) return [];
+    const target = normalize(join(dirname(path), specifier)).replace(/\/$/, '');
+    const ending = ENDINGS.find((each) => files.has(target + each));
+    return ending === undefined ? [] : [target + ending];
+  });
+}
+
+/** @param {string} path @param {string} source @param {boolean} fetched @returns {string[]} */
+function specifiersOf(path, source, fetched) {
+  const { module, program } = parseSync(path, source);
+  return [
+    ...module.staticImports.map((entry) => entry.moduleRequest.value),
+    ...module.staticExports.flatMap(({ entries }) =>
+      entries.flatMap(({ moduleRequest }) => (moduleRequest ? [moduleRequest.value] : [])),
+    ),
+    ...module.dynamicImports.flatMap(({ moduleRequest: { start, end } }) =>
+      fetched ? (/^['"](.*)['"]$/.exec(source.slice(start, end))?.[1] ?? []) : [],
+    ),
+    // walking the tree is slow: only where there may be such a type
+    ...(/\bimport\(\s*['"]\./.test(source) ? importTypesOf(program) : []),
+  ];
+}
+
+/** Specifiers of `import('./X').T` used as a type. @param {unknown} node @returns {string[]} */
+function importTypesOf(node) {
+  if (Array.isArray(node)) return node.flatMap(importTypesOf);
+  if (typeof node !== 'object' || node === null) return [];
+  const { type, source } = /** @type {{ type?: string, source?: { value: string } }} */ (node);
+  const own = type === 'TSImportType' && source ? [source.value] : [];
+  return [...own, ...Object.values(node).flatMap(importTypesOf)];
+}
+
+/**
+ * Strongly connected components of a graph.
+ *
+ * @param {ReadonlyMap<string, readonly string[]>} graph targets by node
+ * @returns {string[][]}
+ * @see Tarjan 1972, Depth-first search and linear graph algorithms
+ */
+function stronglyConnected(graph) {
+  /** @type {string[][]} */
+  const components = [];
+  /** @type {Map<string, { index: number, low: number, isOpen: boolean }>} */
+  const visits = new Map();
+  /** @type {string[]} */
+  const stack = [];
+  const visit = (/** @type {string} */ node) => {
+    const own = { index: visits.size, low: visits.size, isOpen: true };
+    visits.set(node, own);
+    stack.push(node);
+    for (const target of graph.get(node) ?? []) {
+      const other = visits.get(target) ?? visit(target);
+      if (other.isOpen) own.low = Math.min(own.low, other.low);
+    }
+    if (own.low === own.index) {
+      const component = stack.splice(stack.indexOf(node));
+      for (const each of component) /** @type {{ isOpen: boolean }} */ (visits.get(each)).isOpen = false;
+      components.push(component);
+    }
+    return own;
+  };
+  for (const node of graph.keys()) if (!visits.has(node)) visit(node);
+  return components;
+}

@@ -1,0 +1,60 @@
+import { describe, expect, it } from 'vitest';
+import { circleLimits, circlesOverLimit, importCircles } from './importCircles.mjs';
+import { sourceFiles } from './sourceFiles.mjs';
+
+const circlesOf = (files: Record<string, string>, options?: { fetched: boolean }): string[][] =>
+  importCircles(new Map(Object.entries(files)), options);
+
+describe('import circles', () => {
+  it.each(['static', 'fetched'] as const)('are no larger than the table allows (%s imports)', (kind) => {
+    const files = sourceFiles();
+    expect(files.size).toBeGreaterThan(500);
+    const limits = circleLimits.map((row) => ({ folder: row.folder, files: row[kind] }));
+    expect(circlesOverLimit(importCircles(files, { fetched: kind === 'fetched' }), limits)).toEqual([]);
+  });
+
+  it('are found through values, types, re-exports, folders and types of import()', () => {
+    const files = {
+      'p/a.ts': "import { b } from './b';",
+      'p/b.ts': "import type { C } from './c';",
+      'p/c.tsx': "export { d } from './d';\nconst jsx = <b>c</b>;",
+      'p/d/index.ts': "type T = Promise<import('../e').E>;",
+      'p/e.ts': "export * from './a';",
+      'p/f.ts': "import { a } from './a';",
+    };
+    expect(circlesOf(files)).toEqual([['p/a.ts', 'p/b.ts', 'p/c.tsx', 'p/d/index.ts', 'p/e.ts']]);
+  });
+
+  it('are told apart, the largest first, and may be one file', () => {
+    const files = {
+      'p/a.ts': "import './b';\nimport './x';",
+      'p/b.ts': "import './c';",
+      'p/c.ts': "import './a';",
+      'p/x.ts': "import './y.ts';",
+      'p/y.ts': "import './x';",
+      'p/self.ts': "import './self';",
+    };
+    expect(circlesOf(files)).toEqual([['p/a.ts', 'p/b.ts', 'p/c.ts'], ['p/x.ts', 'p/y.ts'], ['p/self.ts']]);
+  });
+
+  it('count what is fetched at run time when asked to, and no comment or text', () => {
+    const files = {
+      'p/a.ts': "// import './b';\nconst text = \"import './b'\";\nconst b = () => import('./b');",
+      'p/b.ts': "import './a';\nimport 'three';\nimport './missing';",
+    };
+    expect(circlesOf(files)).toEqual([]);
+    expect(circlesOf(files, { fetched: true })).toEqual([['p/a.ts', 'p/b.ts']]);
+  });
+
+  it('are held by the first row of the table that they touch', () => {
+    const limits = [
+      { folder: 'p/strict', files: 0 },
+      { folder: 'p', files: 2 },
+    ];
+    expect(circlesOverLimit([['p/a.ts', 'p/b.ts']], limits)).toEqual([]);
+    expect(circlesOverLimit([['p/a.ts', 'p/strict/b.ts']], limits)).toEqual([
+      'p/strict: a circle of 2 files, at most 0 allowed: p/a.ts, p/strict/b.ts',
+    ]);
+    expect(circlesOverLimit([['p/a.ts', 'p/b.ts', 'p/c.ts']], limits)).toHaveLength(1);
+  });
+});
