@@ -1,7 +1,7 @@
 import type { GameObject, Scene } from '@farol/engine';
 import type { FarolRenderer } from '@farol/renderer';
 import { expect, type Page } from '@playwright/test';
-import type { WebGLRenderer } from 'three';
+import type { Material, WebGLRenderer } from 'three';
 
 /** `window.editor` as far as the tests use it; documented in apps/editor/src/Editor.ts. */
 export interface EditorHandle {
@@ -40,6 +40,7 @@ export interface EditorHandle {
     readonly webgl: WebGLRenderer;
     readonly farol: FarolRenderer;
     renderNow(): void;
+    drawMaterial(material: Material, canvas: HTMLCanvasElement): Promise<void>;
   };
   readonly worksOffline: boolean;
   readonly autosave: {

@@ -1,5 +1,6 @@
 import { createHash } from 'node:crypto';
 import type { Page } from '@playwright/test';
+import type { Material, Mesh } from 'three';
 import { loseContext } from '../support/loseContext';
 import { expect, test } from '../support/test';
 import { addObject, openEditor } from './editor';
@@ -22,8 +23,47 @@ async function picture(page: Page): Promise<string> {
   return createHash('sha1').update(Buffer.from(bytes)).digest('hex');
 }
 
+declare global {
+  interface Window {
+    /** While true no fence is reached: a read-back of pixels goes on, as on a slow device. */
+    gpuIsBusy: boolean;
+    /** The picture of the sphere's material, as numbers in a row. */
+    ball: Promise<string>;
+  }
+}
+
+/** Makes every read-back of the page last as long as `window.gpuIsBusy`, for a loss to come in the middle of one. */
+async function holdReads(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const { prototype } = WebGL2RenderingContext;
+    const wait = prototype.clientWaitSync;
+    prototype.clientWaitSync = function (...all) {
+      return window.gpuIsBusy ? this.TIMEOUT_EXPIRED : wait.apply(this, all);
+    };
+  });
+}
+
+/** Starts drawing the ball of the sphere's material. */
+const startBall = (page: Page, gpuIsBusy: boolean): Promise<void> =>
+  page.evaluate((busy) => {
+    window.gpuIsBusy = busy;
+    const { viewport, document: edited } = window.editor;
+    const canvas = Object.assign(document.createElement('canvas'), { width: 32, height: 32 });
+    const { material } = edited.scene.find('Sphere')!.object3D.getObjectByProperty('type', 'Mesh') as Mesh;
+    window.ball = viewport
+      .drawMaterial(material as Material, canvas)
+      .then(() => canvas.getContext('2d')!.getImageData(0, 0, 32, 32).data.join());
+  }, gpuIsBusy);
+
+const ball = (page: Page): Promise<string> =>
+  page.evaluate(() => {
+    window.gpuIsBusy = false;
+    return window.ball;
+  });
+
 test('the editor after a lost context: the same picture, no message, also at another size', async ({ page, watch }) => {
   test.setTimeout(60_000 + 20_000 * LOSSES);
+  await holdReads(page);
   await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Sphere');
   await page.keyboard.press('f');
@@ -34,8 +74,13 @@ test('the editor after a lost context: the same picture, no message, also at ano
   });
   await expect.poll(() => page.evaluate(() => window.editor.viewport.farol.effects.length)).toBe(1);
   const before = await picture(page);
+  await startBall(page, false);
+  const ballBefore = await ball(page);
+  expect(new Set(ballBefore.split(',')).size).toBeGreaterThan(8);
   for (let loss = 0; loss < LOSSES; loss++) {
+    await startBall(page, true);
     await loseContext(page, 'window.editor.viewport.canvas');
+    expect(await ball(page)).toBe(ballBefore);
     expect(await picture(page)).toBe(before);
     await page.setViewportSize({ width: 800, height: 380 });
     await picture(page);

@@ -18,8 +18,6 @@ test('what is told of the picture goes when the picture is back: a lost device, 
   await page.evaluate(() => (Reflect.get(window, 'restore') as () => void)());
   await expect(notices).toHaveText('');
   expect(watch.forgive(/context was lost|Context Lost/i)).toBeGreaterThan(0);
-  // three goes on polling a thumbnail's read-back that the loss has ended, if one was under way
-  watch.forgive(/clientWaitSync: object does not belong to this context/);
 
   // a change of the selection asks for a frame
   const draw = (): Promise<void> =>

@@ -1,4 +1,5 @@
 import { instantiatePrefab, type Prefab, Scene as EngineScene } from '@farol/engine';
+import { readPixels } from '@farol/renderer/authoring';
 import {
   Box3,
   DataUtils,
@@ -21,6 +22,8 @@ import {
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { drawsFloats } from '../viewport/drawsFloats';
 import type { Viewport } from '../viewport/Viewport';
+import { whenLost } from '../viewport/whenLost';
+import { whenRestored } from '../viewport/whenRestored';
 import type { AssetEntry } from './assetKinds';
 
 /** Side of a thumbnail (pixels). */
@@ -40,7 +43,9 @@ export class ThumbnailMaker {
   private readonly pictures = new WeakMap<object, Map<string, Promise<string | null>>>();
   private last: Promise<unknown> = Promise.resolve();
 
-  constructor(private readonly viewport: Viewport) {}
+  constructor(private readonly viewport: Viewport) {
+    whenLost(viewport.webgl, () => this.target.dispose());
+  }
 
   /** An address of a picture of an asset; null when none can be drawn now. It is drawn once for each state of the asset. */
   pictureOf(entry: AssetEntry): Promise<string | null> {
@@ -61,7 +66,18 @@ export class ThumbnailMaker {
     return picture;
   }
 
+  /** Draws an asset, after a lost context once more. */
   private async draw(entry: AssetEntry, prefab: Prefab | null): Promise<string | null> {
+    let picture: string | null | undefined;
+    do {
+      await whenRestored(this.viewport.webgl);
+      picture = await this.drawOnce(entry, prefab);
+    } while (picture === undefined);
+    return picture;
+  }
+
+  /** @returns undefined when the context was lost meanwhile */
+  private async drawOnce(entry: AssetEntry, prefab: Prefab | null): Promise<string | null | undefined> {
     let release = (): void => {};
     try {
       const { assets } = this.viewport.document;
@@ -108,7 +124,8 @@ export class ThumbnailMaker {
     return { subject: new Mesh(geometry, material), dispose: () => geometry.dispose() };
   }
 
-  private async render(stage: Scene, isFlat = false): Promise<string | null> {
+  /** @returns undefined when the context was lost meanwhile */
+  private async render(stage: Scene, isFlat = false): Promise<string | null | undefined> {
     const { webgl } = this.viewport;
     const lights = [new HemisphereLight(0xdfe8ff, 0x55504a, 1.6), new DirectionalLight(0xffffff, 2.4)];
     lights[1].position.set(2, 3, 2.5);
@@ -128,7 +145,7 @@ export class ThumbnailMaker {
       webgl.autoClear = before.autoClear;
       stage.remove(...lights);
     }
-    await webgl.readRenderTargetPixelsAsync(this.target, 0, 0, SIZE, SIZE, this.pixels);
+    if (!(await readPixels(webgl, this.target, 0, 0, SIZE, SIZE, this.pixels))) return undefined;
     return this.toAddress();
   }
 

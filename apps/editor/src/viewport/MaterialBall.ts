@@ -1,3 +1,4 @@
+import { readPixels } from '@farol/renderer/authoring';
 import {
   AmbientLight,
   BackSide,
@@ -15,6 +16,8 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
+import { whenLost } from './whenLost';
+import { whenRestored } from './whenRestored';
 
 /**
  * Draws a ball of a material on a canvas of the page, without waiting for the GPU. The material is the scene's own: it is
@@ -26,8 +29,10 @@ export class MaterialBall {
   private readonly ball: Mesh;
   private readonly target = new WebGLRenderTarget(1, 1, { samples: 4 });
   private readonly own: Material[] = [];
+  private readonly endLost: () => void;
   private pixels = new Uint8Array(0);
   private isBusy = false;
+  private isDisposed = false;
   private next: (() => void) | null = null;
 
   constructor(private readonly webgl: WebGLRenderer) {
@@ -42,10 +47,11 @@ export class MaterialBall {
     this.scene.add(this.ball, new Mesh(new BoxGeometry(12, 12, 12), room), key, rim, new AmbientLight(0xffffff, 0.35));
     this.camera.position.set(0, 0.5, 4.3);
     this.camera.lookAt(0, 0, 0);
+    this.endLost = whenLost(webgl, () => this.free());
   }
 
   /**
-   * Draws the ball. Of several calls while the GPU is at work the last one counts.
+   * Draws the ball, after a lost context once more. Of several calls while the GPU is at work the last one counts.
    * @param canvas - filled by the picture
    * @param environment - what it mirrors; null for none
    */
@@ -56,7 +62,8 @@ export class MaterialBall {
     }
     this.isBusy = true;
     try {
-      await this.drawNow(material, environment, canvas);
+      do await whenRestored(this.webgl);
+      while (!this.isDisposed && !(await this.drawNow(material, environment, canvas)));
     } finally {
       this.isBusy = false;
       const { next } = this;
@@ -66,17 +73,24 @@ export class MaterialBall {
   }
 
   dispose(): void {
+    this.isDisposed = true;
     this.next = null;
+    this.endLost();
+    this.free();
+  }
+
+  private free(): void {
     this.target.dispose();
     for (const child of this.scene.children) if (child instanceof Mesh) child.geometry.dispose();
     for (const material of this.own) material.dispose();
   }
 
-  private async drawNow(material: Material, environment: Texture | null, canvas: HTMLCanvasElement): Promise<void> {
+  /** @returns false when the context was lost before the picture was there */
+  private async drawNow(material: Material, environment: Texture | null, canvas: HTMLCanvasElement): Promise<boolean> {
     const { webgl, target } = this;
     const { width, height } = canvas;
     const context = canvas.getContext('2d', { willReadFrequently: true });
-    if (!context) return;
+    if (!context) return true;
     this.ball.material = material;
     this.scene.environment = environment;
     target.setSize(width, height);
@@ -89,7 +103,7 @@ export class MaterialBall {
     webgl.autoClear = autoClear;
     this.scene.environment = null;
     if (this.pixels.length !== width * height * 4) this.pixels = new Uint8Array(width * height * 4);
-    await webgl.readRenderTargetPixelsAsync(target, 0, 0, width, height, this.pixels);
+    if (!(await readPixels(webgl, target, 0, 0, width, height, this.pixels))) return false;
     // the GPU counts rows from below
     const image = context.createImageData(width, height);
     const row = width * 4;
@@ -97,5 +111,6 @@ export class MaterialBall {
       image.data.set(this.pixels.subarray((height - 1 - y) * row, (height - y) * row), y * row);
     }
     context.putImageData(image, 0, 0);
+    return true;
   }
 }

@@ -1,3 +1,4 @@
+import { readPixels } from '@farol/renderer/authoring';
 import {
   FloatType,
   GLSL3,
@@ -11,6 +12,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
+import { whenLost } from '../whenLost';
 import differenceShader from './difference.frag.glsl?raw';
 import sumShader from './differenceSum.frag.glsl?raw';
 import vertexShader from './whole.vert.glsl?raw';
@@ -46,11 +48,13 @@ export class PictureDifference {
   };
   private readonly shown = this.material('Editor difference', differenceShader);
   private readonly summed = this.material('Editor difference sums', sumShader);
+  private readonly endLost: () => void;
 
   constructor(private readonly webgl: WebGLRenderer) {
     this.quad = new Mesh(new PlaneGeometry(2, 2), this.shown);
     this.quad.frustumCulled = false;
     this.scene.add(this.quad);
+    this.endLost = whenLost(webgl, () => this.free());
   }
 
   /** Draws the difference to the bound target. @param gain - what it is multiplied by */
@@ -59,8 +63,12 @@ export class PictureDifference {
     this.draw(this.shown, a, b);
   }
 
-  /** Measures it, without holding up the page. @param width - of both pictures (pixels) */
-  async measure(a: Texture, b: Texture, width: number, height: number): Promise<DifferenceFigures> {
+  /**
+   * Measures the difference of two pictures, without holding up the page.
+   * @param width - of both pictures (pixels)
+   * @returns null when the context was lost meanwhile
+   */
+  async measure(a: Texture, b: Texture, width: number, height: number): Promise<DifferenceFigures | null> {
     const { webgl, sums } = this;
     const [across, down] = [Math.ceil(width / BLOCK), Math.ceil(height / BLOCK)];
     sums.setSize(across, down);
@@ -69,7 +77,7 @@ export class PictureDifference {
     this.draw(this.summed, a, b);
     webgl.setRenderTarget(before);
     const blocks = new Float32Array(across * down * 4);
-    await webgl.readRenderTargetPixelsAsync(sums, 0, 0, across, down, blocks);
+    if (!(await readPixels(webgl, sums, 0, 0, across, down, blocks))) return null;
     let [squares, largest, differing] = [0, 0, 0];
     for (let i = 0; i < blocks.length; i += 4) {
       squares += blocks[i];
@@ -81,6 +89,11 @@ export class PictureDifference {
   }
 
   dispose(): void {
+    this.endLost();
+    this.free();
+  }
+
+  private free(): void {
     this.sums.dispose();
     this.shown.dispose();
     this.summed.dispose();

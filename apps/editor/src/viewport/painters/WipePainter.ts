@@ -169,7 +169,7 @@ export class WipePainter implements Painter {
     const [a, b] = this.targets;
     try {
       const figures = await this.difference.measure(a.texture, b.texture, size.x, size.y);
-      if (this.isDisposed) return;
+      if (this.isDisposed || !figures) return;
       this.last = figures;
       this.changed.emit();
     } finally {

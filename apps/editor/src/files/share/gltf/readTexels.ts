@@ -1,3 +1,4 @@
+import { readPixels } from '@farol/renderer/authoring';
 import {
   LinearSRGBColorSpace,
   Mesh,
@@ -17,6 +18,7 @@ import vertexShader from './readTexels.vert.glsl?raw';
 /**
  * The texels of any texture that can be sampled (compressed, of floats), as the GPU sees them: RGBA bytes, the row of
  * v = 0 first, in the texture's own colour space; what is brighter than white is white.
+ * @throws Error when the graphics device is lost meanwhile
  */
 export async function readTexels(
   webgl: WebGLRenderer,
@@ -44,7 +46,9 @@ export async function readTexels(
     webgl.render(scene, new OrthographicCamera());
     webgl.setRenderTarget(before);
     const data = new Uint8ClampedArray(width * height * 4);
-    await webgl.readRenderTargetPixelsAsync(target, 0, 0, width, height, data);
+    if (!(await readPixels(webgl, target, 0, 0, width, height, data))) {
+      throw new Error('the graphics device was lost: export again when the picture is back.');
+    }
     return data;
   } finally {
     webgl.setRenderTarget(before);
