@@ -371,6 +371,31 @@ test('edits several objects at once, and goes back with Escape', async ({ page }
   await page.mouse.up();
   await page.keyboard.press('Escape');
   expect(await history(page)).toEqual([...steps, 'Set intensity of Light', 'Set colour of Light']);
+  // the last move and the end of a drag in one turn of the page, as when it is busy: the picker's change comes late
+  await light.getByRole('button', { name: 'Colour', exact: true }).click();
+  const dragged = await fieldOf(page, 'Spot light', 'Light', 'diffuse');
+  await page.mouse.move(picker.x + 30, picker.y + 30);
+  await page.mouse.down();
+  await expect.poll(() => fieldOf(page, 'Spot light', 'Light', 'diffuse')).not.toEqual(dragged);
+  const shown = await fieldOf(page, 'Spot light', 'Light', 'diffuse');
+  await page.locator('.react-colorful__saturation').evaluate((element) => {
+    const { left, top } = element.getBoundingClientRect();
+    const at = { bubbles: true, clientX: left + 90, clientY: top + 60 };
+    element.dispatchEvent(new MouseEvent('mousemove', { ...at, buttons: 1 }));
+    element.dispatchEvent(new PointerEvent('pointerup', at));
+    element.dispatchEvent(new MouseEvent('mouseup', at));
+  });
+  await expect.poll(() => fieldOf(page, 'Spot light', 'Light', 'diffuse')).not.toEqual(shown);
+  await page.mouse.up();
+  await page.keyboard.press('Escape');
+  expect(await history(page)).toEqual([
+    ...steps,
+    'Set intensity of Light',
+    'Set colour of Light',
+    'Set colour of Light',
+  ]);
+  await page.keyboard.press('Control+z');
+  expect(await fieldOf(page, 'Spot light', 'Light', 'diffuse')).toEqual(dragged);
   expect(await fieldOf(page, 'Spot light', 'Light', 'diffuse')).not.toEqual([1, 1, 1]);
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');

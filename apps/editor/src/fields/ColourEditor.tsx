@@ -9,23 +9,43 @@ import type { FieldEditorProps } from './FieldEditorProps';
 
 /** A linear colour, shown as sRGB and a factor of intensity where it is brighter than a screen. */
 export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {
-  const { value, mixed, label, description, disabled, onPreview, onCommit, onDiscard } = props;
+  const { value, mixed, label, description, disabled, onPreview, onCommit, onAmend, onDiscard } = props;
   const { hex, intensity } = splitColour(value ?? [0, 0, 0]);
   /** The intensity while the picker is dragged: it must not follow the rounding of the screen's colour. */
-  const held = useRef<number | null>(null);
+  const held = useRef(1);
+  /** Whether the button, the finger or a key is down that changes the picker. */
+  const pressed = useRef(false);
 
   const pick = (next: string): void => {
-    held.current ??= intensity;
     const colour = joinColour(next, held.current);
-    if (colour && next !== hex) onPreview(colour);
+    if (!colour || next === hex) return;
+    // the picker tells of its last change after the next frame, on a busy page long after the button is up
+    if (pressed.current) onPreview(colour);
+    else onAmend(colour);
   };
-  const commit = (): void => {
-    held.current = null;
+  const press = (): void => {
+    if (pressed.current) return;
+    pressed.current = true;
+    held.current = intensity;
+  };
+  const release = (): void => {
+    if (!pressed.current) return;
+    pressed.current = false;
     onCommit();
+  };
+  const pressPointer = (): void => {
+    press();
+    // the pointer may go up outside of the picker
+    const end = new AbortController();
+    const lift = (): void => {
+      end.abort();
+      release();
+    };
+    for (const name of ['pointerup', 'pointercancel']) addEventListener(name, lift, { signal: end.signal });
   };
 
   return (
-    <Popover.Root onOpenChange={(open) => !open && commit()}>
+    <Popover.Root onOpenChange={(open) => !open && release()}>
       <Popover.Trigger className="colour" aria-label={label} aria-description={description} disabled={disabled}>
         <span className={mixed ? 'swatch mixed' : 'swatch'} style={mixed ? undefined : { background: hex }} />
         <span className="colour-text">
@@ -36,7 +56,7 @@ export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {
       <Popover.Portal>
         <Popover.Positioner className="positioner" sideOffset={4} align="end">
           <Popover.Popup className="popup colour-popup" aria-label={label}>
-            <div onPointerUp={commit} onKeyUp={commit}>
+            <div onPointerDown={pressPointer} onKeyDown={press} onKeyUp={release}>
               <HexColorPicker color={hex} onChange={pick} />
             </div>
             <div className="colour-fields">

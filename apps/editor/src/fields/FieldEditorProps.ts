@@ -18,6 +18,8 @@ export interface FieldEditorProps<F extends Field> {
   onPreview(update: ValueOf<F> | ((before: ValueOf<F>) => ValueOf<F>)): void;
   /** Keeps what was shown last, or this, as one step of history. */
   onCommit(update?: ValueOf<F> | ((before: ValueOf<F>) => ValueOf<F>)): void;
+  /** A value of the edit that was committed last, which comes late: part of the same step of history. */
+  onAmend(update: ValueOf<F>): void;
   /** Goes back to what it was. */
   onDiscard(): void;
 }

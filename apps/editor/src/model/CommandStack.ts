@@ -85,6 +85,22 @@ export class CommandStack {
     return gesture;
   }
 
+  /**
+   * Does `next` in place of the last step, as one step with it: for a value that comes after its gesture was committed.
+   * @param step - what `next` belongs to
+   * @returns false, and nothing is changed, when `step` is not the last step any more or cannot be joined
+   */
+  amend(step: Command, next: Command): boolean {
+    if (this.gesture || step !== this.last || this.done.length <= this.held) return false;
+    const joined = step.replaceWith?.(next);
+    if (!joined) return false;
+    this.done.pop();
+    if (!joined.isEmpty) this.keep(joined);
+    this.onApplied(joined, true);
+    this.changed.emit();
+    return true;
+  }
+
   /** Takes the last step back; of an open gesture, what it has done so far. @returns whether there was one */
   undo(): boolean {
     this.gesture?.commit();

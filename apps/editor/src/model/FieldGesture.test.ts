@@ -46,6 +46,36 @@ it('lets an undo in the middle of a drag stand', () => {
   expect(lights[0].intensity).toBe(9);
 });
 
+it('takes a value that comes after the commit into the same step, unless that was undone', () => {
+  const { document, lights } = twoLights();
+  const { commands } = document;
+  const gesture = new FieldGesture(commands, lights, 'intensity');
+  gesture.preview(5);
+  gesture.commit();
+  commands.markSaved();
+  gesture.amend(6);
+  gesture.amend(7);
+  expect(commands.history).toEqual(['Set intensity of Light']);
+  expect(commands.isDirty).toBe(true);
+  expect(lights.map(({ intensity }) => intensity)).toEqual([7, 7]);
+  commands.undo();
+  gesture.amend(8);
+  expect(lights.map(({ intensity }) => intensity)).toEqual([1, 2]);
+  commands.redo();
+  expect(lights.map(({ intensity }) => intensity)).toEqual([7, 7]);
+
+  // a press without a value: the late one is its step
+  gesture.commit();
+  gesture.amend(9);
+  gesture.amend(10);
+  expect(commands.history).toHaveLength(2);
+  // back to what was before the press: no step
+  gesture.amend(7);
+  expect(commands.history).toHaveLength(1);
+  expect(() => gesture.amend(-1)).toThrow(/at least 0/);
+  expect(lights.map(({ intensity }) => intensity)).toEqual([7, 7]);
+});
+
 it('refuses a wrong value and keeps the one before', () => {
   const { document, lights } = twoLights();
   const gesture = new FieldGesture(document.commands, [lights[1]], 'intensity');

@@ -1,4 +1,5 @@
 import type { FieldOwner, FieldValue } from '@farol/engine';
+import type { Command } from './Command';
 import { SetFields } from './commands/SetFields';
 import type { CommandStack } from './CommandStack';
 import type { Gesture } from './Gesture';
@@ -10,6 +11,8 @@ export type FieldUpdate = FieldValue | ((before: FieldValue) => FieldValue);
 export class FieldGesture {
   private gesture: Gesture | null = null;
   private before: readonly FieldValue[] = [];
+  /** The step that the last commit made; null when it made none. */
+  private step: Command | null = null;
 
   /** @param owners - all of one type */
   constructor(
@@ -24,27 +27,43 @@ export class FieldGesture {
       this.before = this.owners.map((owner) => owner.getAuthored(this.name));
       this.gesture = this.commands.begin();
     }
-    const { name } = this;
-    const edits = this.owners.map((owner, i) => ({
-      owner,
-      name,
-      value: typeof update === 'function' ? update(this.before[i]) : update,
-    }));
     // a gesture that an undo has ended takes nothing more
-    this.gesture.preview(new SetFields(this.label, edits));
+    this.gesture.preview(this.setTo(update));
   }
 
   /** Keeps what was shown last, or the value given, as one step. @throws FieldError when that is not allowed */
   commit(update?: FieldUpdate): void {
     if (update !== undefined) this.preview(update);
+    const { last } = this.commands;
     this.gesture?.commit();
     this.gesture = null;
+    this.step = this.commands.last === last ? null : this.commands.last;
+  }
+
+  /**
+   * A value of the edit that was committed last, which comes late: part of the same step. An undo of the step, and a step
+   * after it, let such a value pass.
+   * @throws FieldError when it is not allowed
+   */
+  amend(update: FieldUpdate): void {
+    if (!this.step) this.commit(update);
+    else if (this.commands.amend(this.step, this.setTo(update))) this.step = this.commands.last;
   }
 
   /** Goes back to what the field was. */
   discard(): void {
     this.gesture?.discard();
     this.gesture = null;
+  }
+
+  private setTo(update: FieldUpdate): SetFields {
+    const { name } = this;
+    const edits = this.owners.map((owner, i) => ({
+      owner,
+      name,
+      value: typeof update === 'function' ? update(this.before[i]) : update,
+    }));
+    return new SetFields(this.label, edits);
   }
 
   private get label(): string {

@@ -73,6 +73,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
           disabled={field.readOnly ?? false}
           onPreview={(update) => editor.attempt(() => gesture.preview(update as FieldUpdate))}
           onCommit={(update) => editor.attempt(() => gesture.commit(update as FieldUpdate))}
+          onAmend={(update) => editor.attempt(() => gesture.amend(update as FieldUpdate))}
           onDiscard={() => gesture.discard()}
         />
         <span ref={place} className="live" hidden />
