@@ -1,4 +1,4 @@
-import type { FieldOwner, FieldValue } from '@farol/engine';
+import type { FieldOwner, FieldValue } from '@farol/engine/fields';
 import { SetFields } from './commands/SetFields';
 import type { CommandStack } from './CommandStack';
 import type { Gesture } from './Gesture';
