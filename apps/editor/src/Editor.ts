@@ -1,13 +1,6 @@
-import {
-  AssetLibrary,
-  type AssetLibraryOptions,
-  FileError,
-  type ForeignAddress,
-  type Scene,
-  scenes,
-  sizesText,
-  type UnpackQuestion,
-} from '@farol/engine';
+import { AssetLibrary, type AssetLibraryOptions, type Scene } from '@farol/engine';
+import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
+import { registerSceneAssets, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
 import type { Autosave } from './files/autosave/Autosave';
 import type { Command } from './model/Command';
@@ -39,6 +32,7 @@ const RECOVERED = 1000;
 function makeLibrary(options: AssetLibraryOptions): AssetLibrary {
   const library = new AssetLibrary(options);
   library.allowedOrigins = new Set();
+  registerSceneAssets(library);
   return library;
 }
 

@@ -1,21 +1,14 @@
-import {
-  App,
-  AssetLibrary,
-  Camera,
-  cancellable,
-  type FieldValue,
-  KeyController,
-  MouseController,
-  type Scene,
-  scenes,
-} from '@farol/engine';
+import { App, AssetLibrary, Camera, KeyController, MouseController, type Scene } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
+import { cancellable } from '@farol/engine/files';
+import { scenes } from '@farol/engine/scenes';
 import { type FarolEffect, FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
 import { type EffectName, effects } from '@farol/renderer/effects';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
 import { dragonUrls } from './dragonUrls';
-import { collectFiles } from '@farol/engine';
+import { collectFiles } from '@farol/engine/files';
 import { loadModel, type LoadedModel } from './model/loadModel';
 import { disposeModel, modelParameters, modelScene } from './model/modelScene';
 import { type Pixels, readPixels } from './readPixels';

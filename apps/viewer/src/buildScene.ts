@@ -1,4 +1,6 @@
-import { type AssetLibrary, type FieldValue, type Scene, scenes, sponza } from '@farol/engine';
+import type { AssetLibrary, Scene } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
+import { scenes, sponza } from '@farol/engine/scenes';
 import type { Group, WebGLRenderer } from 'three';
 import { fetchModel } from './model/fetchModel';
 

@@ -1,4 +1,4 @@
-import { scenes } from '@farol/engine';
+import { scenes } from '@farol/engine/scenes';
 import { makeEmptyScene } from '../model/makeEmptyScene';
 import type { Action } from './Action';
 

@@ -1,4 +1,4 @@
-import { instanceRootOf } from '@farol/engine';
+import { instanceRootOf } from '@farol/engine/prefabs';
 import { createPrefab, unpackInstance } from '../model/prefabEdits';
 import type { Action } from './Action';
 

@@ -1,4 +1,4 @@
-import { containerContent, inlineAssets, writeContainer } from '@farol/engine';
+import { containerContent, inlineAssets, writeContainer } from '@farol/engine/files';
 import type { Editor } from '../Editor';
 import { fileNameOf } from '../files/fileNameOf';
 import type { Action } from './Action';

@@ -1,4 +1,4 @@
-import type { AngleField } from '@farol/engine';
+import type { AngleField } from '@farol/engine/fields';
 import { MathUtils } from 'three';
 import type { ReactNode } from 'react';
 import { NumberInput } from '../ui/NumberInput';

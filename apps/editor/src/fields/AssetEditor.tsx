@@ -1,4 +1,4 @@
-import type { AssetField } from '@farol/engine';
+import type { AssetField } from '@farol/engine/fields';
 import { type ReactNode, useMemo, useState } from 'react';
 import { draggedAsset, isAssetDrag } from '../files/dragAsset';
 import { useEditor, useSignal } from '../ui/EditorContext';

@@ -1,4 +1,4 @@
-import type { BooleanField } from '@farol/engine';
+import type { BooleanField } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { Toggle } from '../ui/Toggle';
 import type { FieldEditorProps } from './FieldEditorProps';

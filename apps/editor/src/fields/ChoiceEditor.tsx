@@ -1,4 +1,4 @@
-import type { ChoiceField } from '@farol/engine';
+import type { ChoiceField } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { SelectBox } from '../ui/SelectBox';
 import type { FieldEditorProps } from './FieldEditorProps';

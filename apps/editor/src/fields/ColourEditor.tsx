@@ -1,5 +1,5 @@
 import { Popover } from '@base-ui/react/popover';
-import type { ColourField } from '@farol/engine';
+import type { ColourField } from '@farol/engine/fields';
 import { type ReactNode, useRef } from 'react';
 import { HexColorPicker } from 'react-colorful';
 import { joinColour, splitColour } from '../ui/colour';

@@ -1,4 +1,4 @@
-import type { CustomField } from '@farol/engine';
+import type { CustomField } from '@farol/engine/fields';
 import { type ComponentType, createElement, type ReactNode } from 'react';
 import type { FieldEditorProps } from './FieldEditorProps';
 

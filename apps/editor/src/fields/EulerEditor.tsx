@@ -1,4 +1,4 @@
-import type { EulerField } from '@farol/engine';
+import type { EulerField } from '@farol/engine/fields';
 import { MathUtils } from 'three';
 import type { ReactNode } from 'react';
 import { toDegrees } from './AngleEditor';

@@ -1,4 +1,4 @@
-import type { Field, ValueOf } from '@farol/engine';
+import type { Field, ValueOf } from '@farol/engine/fields';
 
 /** What an editor of one kind of field gets. */
 export interface FieldEditorProps<F extends Field> {

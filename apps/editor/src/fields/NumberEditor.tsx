@@ -1,4 +1,4 @@
-import type { NumberField } from '@farol/engine';
+import type { NumberField } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { NumberInput } from '../ui/NumberInput';
 import type { FieldEditorProps } from './FieldEditorProps';

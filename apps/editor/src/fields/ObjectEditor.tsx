@@ -1,4 +1,4 @@
-import type { ObjectField } from '@farol/engine';
+import type { ObjectField } from '@farol/engine/fields';
 import { type ReactNode, useMemo } from 'react';
 import { useEditor, useSignal } from '../ui/EditorContext';
 import { SearchSelect, type SearchOption } from '../ui/SearchSelect';

@@ -1,4 +1,4 @@
-import type { StringField } from '@farol/engine';
+import type { StringField } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { TextInput } from '../ui/TextInput';
 import type { FieldEditorProps } from './FieldEditorProps';

@@ -1,4 +1,4 @@
-import type { Vector3Tuple } from '@farol/engine';
+import type { Vector3Tuple } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { NumberInput } from '../ui/NumberInput';
 

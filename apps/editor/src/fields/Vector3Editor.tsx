@@ -1,4 +1,4 @@
-import type { Vector3Field } from '@farol/engine';
+import type { Vector3Field } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import type { FieldEditorProps } from './FieldEditorProps';
 import { stepOf } from './stepOf';

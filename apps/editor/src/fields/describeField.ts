@@ -1,4 +1,4 @@
-import type { Field } from '@farol/engine';
+import type { Field } from '@farol/engine/fields';
 import { toDegrees } from './AngleEditor';
 
 /** Help of a field with its unit and range, in one line. */

@@ -1,4 +1,4 @@
-import { angle, asset, boolean, number, vector3 } from '@farol/engine';
+import { angle, asset, boolean, number, vector3 } from '@farol/engine/fields';
 import { describe, expect, it } from 'vitest';
 import { toDegrees } from './AngleEditor';
 import { describeField } from './describeField';

@@ -1,4 +1,4 @@
-import type { Field, FieldKind } from '@farol/engine';
+import type { Field, FieldKind } from '@farol/engine/fields';
 import type { ComponentType } from 'react';
 import { AngleEditor } from './AngleEditor';
 import { AssetEditor } from './AssetEditor';

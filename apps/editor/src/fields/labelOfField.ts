@@ -1,4 +1,4 @@
-import type { Field } from '@farol/engine';
+import type { Field } from '@farol/engine/fields';
 
 /** The label of a field: its own, else its name in words. */
 export function labelOfField(name: string, field: Field): string {

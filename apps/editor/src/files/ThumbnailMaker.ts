@@ -1,4 +1,5 @@
-import { instantiatePrefab, type Prefab, Scene as EngineScene } from '@farol/engine';
+import { Scene as EngineScene } from '@farol/engine';
+import { instantiatePrefab, type Prefab } from '@farol/engine/prefabs';
 import { readPixels } from '@farol/renderer/authoring';
 import {
   Box3,

@@ -1,4 +1,4 @@
-import type { FileProblem, ForeignAddress } from '@farol/engine';
+import type { FileProblem, ForeignAddress } from '@farol/engine/files';
 import type { Dialogs } from '../model/Dialogs';
 
 /** Names of assets that are listed for a host. */

@@ -1,4 +1,5 @@
-import type { AssetLibrary, AssetType, Scene } from '@farol/engine';
+import type { AssetLibrary, Scene } from '@farol/engine';
+import type { AssetType } from '@farol/engine/fields';
 
 /** What the Assets panel shows: assets of the library, and prefabs. */
 export type AssetKind = AssetType | 'prefab';

@@ -1,9 +1,10 @@
-import type { GameObject, Vector3Tuple } from '@farol/engine';
+import type { GameObject } from '@farol/engine';
+import type { Vector3Tuple } from '@farol/engine/fields';
 import { Plane, Raycaster, Vector2, Vector3 } from 'three';
 import type { Editor } from '../Editor';
 import type { Container } from '../model/commands/Placement';
 import { hitPoint } from '../viewport/pick';
-import type { FileMap } from '@farol/engine';
+import type { FileMap } from '@farol/engine/files';
 import type { DraggedAsset } from './dragAsset';
 import { importFiles } from './importFiles';
 import { type DropPlace, placeAsset } from './placeAsset';

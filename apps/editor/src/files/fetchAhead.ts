@@ -1,4 +1,5 @@
-import { fetchLateCode } from '@farol/engine';
+import { preloadFileCode } from '@farol/engine/files';
+import { preloadSceneCode } from '@farol/engine/scenes';
 import type { Editor } from '../Editor';
 
 /** Once the page has nothing else to do. */
@@ -16,7 +17,8 @@ export async function fetchAhead(editor: Editor): Promise<void> {
   await idle();
   try {
     await Promise.all([
-      fetchLateCode(),
+      preloadFileCode(),
+      preloadSceneCode(),
       import('browser-fs-access'),
       import('./dropOn'),
       import('./readScene'),

@@ -1,8 +1,9 @@
-import { type AssetLibrary, decodedUri, packGltf, readableEndings, typeOfUrl } from '@farol/engine';
+import type { AssetLibrary } from '@farol/engine';
+import { decodedUri, packGltf, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { Editor } from '../Editor';
 import { withProgress } from './withProgress';
 import { AddAssets } from '../model/commands/AddAssets';
-import type { FileMap } from '@farol/engine';
+import type { FileMap } from '@farol/engine/files';
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 

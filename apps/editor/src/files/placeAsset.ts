@@ -1,4 +1,6 @@
-import { GameObject, instanceRootOf, ModelRenderer, ObjectRenderer, type Vector3Tuple } from '@farol/engine';
+import { GameObject, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import type { Vector3Tuple } from '@farol/engine/fields';
+import { instanceRootOf } from '@farol/engine/prefabs';
 import { Box3, Vector3 } from 'three';
 import type { Editor } from '../Editor';
 import type { Container } from '../model/commands/Placement';

@@ -1,2 +1,2 @@
 // What opening a scene needs: fetched by itself, after the first frame.
-export { deserialize, readSceneFile } from '@farol/engine';
+export { deserialize, readSceneFile } from '@farol/engine/files';

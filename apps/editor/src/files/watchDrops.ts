@@ -1,5 +1,5 @@
 import type { Editor } from '../Editor';
-import { collectFiles } from '@farol/engine';
+import { collectFiles } from '@farol/engine/files';
 import { draggedAsset, isAssetDrag, isFileDrag } from './dragAsset';
 import type { DropTarget } from './dropOn';
 

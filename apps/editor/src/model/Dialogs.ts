@@ -1,4 +1,4 @@
-import type { FileProblem } from '@farol/engine';
+import type { FileProblem } from '@farol/engine/files';
 import type { Autosave } from '../files/autosave/Autosave';
 import type { SessionInfo } from '../files/autosave/store';
 import { Signal } from './Signal';

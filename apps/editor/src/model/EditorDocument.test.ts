@@ -1,4 +1,5 @@
-import { GameObject, Light, scenes } from '@farol/engine';
+import { GameObject, Light } from '@farol/engine';
+import { scenes } from '@farol/engine/scenes';
 import { describe, expect, it } from 'vitest';
 import { copyObjects, pasteObjects } from './clip';
 import { SetFields } from './commands/SetFields';

@@ -1,12 +1,6 @@
-import {
-  AssetLibrary,
-  type Component,
-  type FieldOwner,
-  type GameObject,
-  Scene,
-  type SceneChange,
-  serialize,
-} from '@farol/engine';
+import { AssetLibrary, type Component, type GameObject, Scene, type SceneChange } from '@farol/engine';
+import type { FieldOwner } from '@farol/engine/fields';
+import { serialize } from '@farol/engine/files';
 import type { Command } from './Command';
 import { CommandStack } from './CommandStack';
 import { PlayEdits } from './PlayEdits';

@@ -1,4 +1,5 @@
-import { GameObject, Light, type Vector3Tuple } from '@farol/engine';
+import { GameObject, Light } from '@farol/engine';
+import type { Vector3Tuple } from '@farol/engine/fields';
 import { expect, it } from 'vitest';
 import { EditorDocument } from './EditorDocument';
 import { FieldGesture } from './FieldGesture';

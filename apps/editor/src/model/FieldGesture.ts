@@ -1,4 +1,4 @@
-import type { FieldOwner, FieldValue } from '@farol/engine';
+import type { FieldOwner, FieldValue } from '@farol/engine/fields';
 import type { Command } from './Command';
 import { SetFields } from './commands/SetFields';
 import type { CommandStack } from './CommandStack';

@@ -1,15 +1,6 @@
-import {
-  builtinComponents,
-  Component,
-  component,
-  ComponentRegistry,
-  createRandom,
-  GameObject,
-  Light,
-  number,
-  Scene,
-  serialize,
-} from '@farol/engine';
+import { builtinComponents, Component, ComponentRegistry, createRandom, GameObject, Light, Scene } from '@farol/engine';
+import { component, number } from '@farol/engine/fields';
+import { serialize } from '@farol/engine/files';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { SetFields } from './commands/SetFields';
 import { addObject, deleteObjects, moveObjects } from './edits';

@@ -1,11 +1,5 @@
-import {
-  type FieldOwner,
-  type FieldValue,
-  sameValue,
-  type SceneChange,
-  type SceneSettings,
-  type Component,
-} from '@farol/engine';
+import type { SceneChange, SceneSettings, Component } from '@farol/engine';
+import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import type { Command } from './Command';
 import { CommandList } from './commands/CommandList';
 import { SetFields } from './commands/SetFields';

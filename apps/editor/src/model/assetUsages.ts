@@ -1,4 +1,6 @@
-import type { AssetType, FieldOwner, FieldTable, FieldValue, Prefab, Scene } from '@farol/engine';
+import type { Scene } from '@farol/engine';
+import type { AssetType, FieldOwner, FieldTable, FieldValue } from '@farol/engine/fields';
+import type { Prefab } from '@farol/engine/prefabs';
 import type { Command } from './Command';
 import { RemoveAsset } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';

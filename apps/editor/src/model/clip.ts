@@ -1,15 +1,14 @@
+import { GameObject, type Scene } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
 import {
-  type FieldValue,
   FILE_VERSION,
   type FileAsset,
   FileError,
   type FileObject,
-  GameObject,
   makeObjects,
   parseFile,
-  type Scene,
   serializeObject,
-} from '@farol/engine';
+} from '@farol/engine/files';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Command } from './Command';
 import { childrenOf, type Container, topmost } from './commands/Placement';

@@ -1,4 +1,5 @@
-import { checkFieldValue, type Component, type FieldTable, type FieldValue } from '@farol/engine';
+import type { Component } from '@farol/engine';
+import { checkFieldValue, type FieldTable, type FieldValue } from '@farol/engine/fields';
 
 /** A copied component: its type and its authored values. */
 export interface ComponentClip {

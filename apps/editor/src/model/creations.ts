@@ -1,13 +1,5 @@
-import {
-  Camera,
-  type ComponentClass,
-  Decal,
-  type FieldValue,
-  GameObject,
-  Light,
-  ObjectRenderer,
-  type Scene,
-} from '@farol/engine';
+import { Camera, type ComponentClass, Decal, GameObject, Light, ObjectRenderer, type Scene } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
 
 type Values = Readonly<Record<string, FieldValue>>;
 

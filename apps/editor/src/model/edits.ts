@@ -1,11 +1,5 @@
-import {
-  type Component,
-  type ComponentClass,
-  type FieldOwner,
-  type FieldValue,
-  GameObject,
-  type Scene,
-} from '@farol/engine';
+import { type Component, type ComponentClass, GameObject, type Scene } from '@farol/engine';
+import type { FieldOwner, FieldValue } from '@farol/engine/fields';
 import type { Command } from './Command';
 import { MoveComponents } from './commands/MoveComponents';
 import { MoveObjects } from './commands/MoveObjects';

@@ -1,4 +1,5 @@
-import { createRandom, serialize } from '@farol/engine';
+import { createRandom } from '@farol/engine';
+import { serialize } from '@farol/engine/files';
 import { expect, it } from 'vitest';
 import { EditorDocument } from './EditorDocument';
 import { randomCommand } from './testing/randomCommand';

@@ -1,4 +1,5 @@
-import { createRandom, GameObject, instanceRootOf, Light, type Scene } from '@farol/engine';
+import { createRandom, GameObject, Light, type Scene } from '@farol/engine';
+import { instanceRootOf } from '@farol/engine/prefabs';
 import { expect, it } from 'vitest';
 import { SetFields } from './commands/SetFields';
 import { addObject, deleteObjects, duplicateObjects } from './edits';

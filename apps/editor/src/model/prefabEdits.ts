@@ -1,7 +1,6 @@
+import type { Component, GameObject, Scene } from '@farol/engine';
 import {
-  type Component,
   type FieldOverride,
-  type GameObject,
   instanceRootOf,
   instantiatePrefab,
   isInstanceRoot,
@@ -13,9 +12,8 @@ import {
   type Prefab,
   type PrefabEdit,
   type PrefabPlan,
-  type Scene,
   withoutPin,
-} from '@farol/engine';
+} from '@farol/engine/prefabs';
 import type { Command } from './Command';
 import { MoveLocal } from './commands/MoveLocal';
 import type { Container } from './commands/Placement';

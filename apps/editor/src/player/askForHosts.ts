@@ -1,4 +1,4 @@
-import type { ForeignAddress } from '@farol/engine';
+import type { ForeignAddress } from '@farol/engine/files';
 
 /** Asks whether the scene of a link may load from other hosts. @returns the hosts: all of them, or none */
 export function askForHosts(addresses: readonly ForeignAddress[]): Promise<readonly string[]> {

@@ -1,15 +1,5 @@
-import {
-  App,
-  AssetLibrary,
-  deserialize,
-  FileError,
-  followDecals,
-  type ForeignAddress,
-  KeyController,
-  MouseController,
-  readSceneFile,
-  type Scene,
-} from '@farol/engine';
+import { App, AssetLibrary, followDecals, KeyController, MouseController, type Scene } from '@farol/engine';
+import { deserialize, FileError, type ForeignAddress, readSceneFile } from '@farol/engine/files';
 import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { decodeLink } from '../files/share/linkText';

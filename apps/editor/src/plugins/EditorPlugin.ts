@@ -1,4 +1,5 @@
-import type { ComponentClass, CustomField, FieldType } from '@farol/engine';
+import type { ComponentClass } from '@farol/engine';
+import type { CustomField, FieldType } from '@farol/engine/fields';
 import type { Technique } from '@farol/renderer';
 import type { ComponentType } from 'react';
 import type { Action } from '../actions/Action';

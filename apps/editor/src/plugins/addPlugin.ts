@@ -1,4 +1,5 @@
-import { builtinComponents, fieldTypeOf, registerFieldType } from '@farol/engine';
+import { builtinComponents } from '@farol/engine';
+import { fieldTypeOf, registerFieldType } from '@farol/engine/fields';
 import { actions } from '../actions';
 import type { Editor } from '../Editor';
 import { setCustomEditor } from '../fields/CustomEditor';

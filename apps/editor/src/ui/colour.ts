@@ -1,4 +1,4 @@
-import type { Vector3Tuple } from '@farol/engine';
+import type { Vector3Tuple } from '@farol/engine/fields';
 
 /** The sRGB transfer function. @param linear - 0 to 1 @see IEC 61966-2-1 */
 const encode = (linear: number): number => (linear <= 0.0031308 ? linear * 12.92 : 1.055 * linear ** (1 / 2.4) - 0.055);

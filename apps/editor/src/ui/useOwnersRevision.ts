@@ -1,4 +1,4 @@
-import type { FieldOwner } from '@farol/engine';
+import type { FieldOwner } from '@farol/engine/fields';
 import { useCallback, useSyncExternalStore } from 'react';
 import { useEditor } from './EditorContext';
 

@@ -1,4 +1,5 @@
-import type { FieldValue, GameObject } from '@farol/engine';
+import type { GameObject } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
 import { type Camera, Euler, MathUtils, Matrix4, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import type { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
 import { topmost } from '../model/commands/Placement';

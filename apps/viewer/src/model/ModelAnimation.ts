@@ -1,4 +1,4 @@
-import { component } from '@farol/engine';
+import { component } from '@farol/engine/fields';
 import { type AnimationClip, AnimationMixer, type Object3D } from 'three';
 
 /** Plays an animation of a loaded model in step with the scene's time, over and over. */

@@ -1,4 +1,4 @@
-import { makeKTX2Loader } from '@farol/engine';
+import { makeKTX2Loader } from '@farol/engine/files';
 import type { LoadingManager, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 

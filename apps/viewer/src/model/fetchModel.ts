@@ -1,6 +1,6 @@
 import { type Group, LoaderUtils, LoadingManager, type WebGLRenderer } from 'three';
 import { createLoader } from './createLoader';
-import { readGltfJson } from '@farol/engine';
+import { readGltfJson } from '@farol/engine/files';
 
 /**
  * Reads a glTF from an address, with what it names beside it.

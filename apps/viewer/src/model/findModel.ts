@@ -1,4 +1,4 @@
-import { decodedUri, type FileMap, type GltfJson } from '@farol/engine';
+import { decodedUri, type FileMap, type GltfJson } from '@farol/engine/files';
 
 /**
  * Path of the model among dropped files: the .glb or .gltf that is nearest to the top.

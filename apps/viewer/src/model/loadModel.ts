@@ -1,7 +1,7 @@
-import { checkModel, checkModelFile, modelError, readGltfJson } from '@farol/engine';
+import { checkModel, checkModelFile, modelError, readGltfJson } from '@farol/engine/files';
 import { LoadingManager, type WebGLRenderer } from 'three';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
-import type { FileMap } from '@farol/engine';
+import type { FileMap } from '@farol/engine/files';
 import { createLoader } from './createLoader';
 import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
 

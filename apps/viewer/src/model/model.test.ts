@@ -1,4 +1,4 @@
-import { readGltfJson } from '@farol/engine';
+import { readGltfJson } from '@farol/engine/files';
 import { describe, expect, it } from 'vitest';
 import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
 

@@ -1,13 +1,5 @@
-import {
-  type AssetLibrary,
-  Camera,
-  createRandom,
-  type FieldTable,
-  GameObject,
-  Light,
-  RandomMovement,
-  Scene,
-} from '@farol/engine';
+import { type AssetLibrary, Camera, createRandom, GameObject, Light, RandomMovement, Scene } from '@farol/engine';
+import type { FieldTable } from '@farol/engine/fields';
 import { Box3, Color, type Material, Mesh, type Object3D, Sphere, Texture, Vector3 } from 'three';
 import type { LoadedModel } from './loadModel';
 import { ModelAnimation } from './ModelAnimation';

@@ -1,4 +1,4 @@
-import type { FieldTable, FieldValue } from '@farol/engine';
+import type { FieldTable, FieldValue } from '@farol/engine/fields';
 
 /** What the viewer shows. All of it stands in the URL. */
 export interface ViewerState {

@@ -1,4 +1,4 @@
-import type { Field, FieldValue } from '@farol/engine';
+import type { Field, FieldValue } from '@farol/engine/fields';
 import type { KnownNames, ViewerState } from './ViewerState';
 
 /** A value that a URL cannot have: what it is and what is allowed. */

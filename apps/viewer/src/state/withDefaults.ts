@@ -1,4 +1,4 @@
-import type { FieldTable, FieldValue, ValuesOf } from '@farol/engine';
+import type { FieldTable, FieldValue, ValuesOf } from '@farol/engine/fields';
 
 /** A value for every field of a table: the given one, else the default. Names that the table has not are left out. */
 export function withDefaults<F extends FieldTable>(fields: F, values: Record<string, FieldValue>): ValuesOf<F> {

@@ -1,4 +1,4 @@
-import type { FieldValue } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
 import type { KnownNames, ViewerState } from './ViewerState';
 
 /**

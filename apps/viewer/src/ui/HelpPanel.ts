@@ -1,4 +1,4 @@
-import type { Field } from '@farol/engine';
+import type { Field } from '@farol/engine/fields';
 import type { KnownNames } from '../state/ViewerState';
 
 const keys: [string, string][] = [

@@ -1,4 +1,4 @@
-import type { Field, FieldValue } from '@farol/engine';
+import type { Field, FieldValue } from '@farol/engine/fields';
 
 /** A value of something of three's, declared as a field of the editor is: kind, unit, range and a line of help. */
 export interface Property<Target = unknown> {

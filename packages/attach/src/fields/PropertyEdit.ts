@@ -1,4 +1,4 @@
-import { checkFieldValue, type FieldValue, sameValue } from '@farol/engine';
+import { checkFieldValue, type FieldValue, sameValue } from '@farol/engine/fields';
 import type { Session } from '../model/Session';
 import type { BoundProperty } from './Property';
 

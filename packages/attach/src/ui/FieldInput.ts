@@ -1,4 +1,4 @@
-import type { Field, FieldValue, Vector3Tuple } from '@farol/engine';
+import type { Field, FieldValue, Vector3Tuple } from '@farol/engine/fields';
 import type { Session } from '../model/Session';
 import type { BoundProperty } from '../fields/Property';
 import { type PartialValue, PropertyEdit } from '../fields/PropertyEdit';

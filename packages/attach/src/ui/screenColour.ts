@@ -1,4 +1,4 @@
-import type { Vector3Tuple } from '@farol/engine';
+import type { Vector3Tuple } from '@farol/engine/fields';
 import { Color, SRGBColorSpace } from 'three';
 
 const colour = new Color();

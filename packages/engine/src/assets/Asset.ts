@@ -7,7 +7,13 @@ export type Asset = BufferGeometry | Texture | Material | ShaderMaterial | Model
 
 /** How an asset comes to be: at once, or after loading. */
 export type AssetSource =
-  | { readonly type: AssetType; readonly make: () => Asset; readonly partOf?: string }
+  | {
+      readonly type: AssetType;
+      readonly make: () => Asset;
+      readonly partOf?: string;
+      /** Made by code that a page has anyway: needs no file, and is not a user's to delete. */
+      readonly isBuiltin?: boolean;
+    }
   | {
       readonly type: AssetType;
       readonly load: (signal?: AbortSignal) => Promise<Asset>;

@@ -97,10 +97,13 @@ export class AssetLibrary {
     return this;
   }
 
-  /** Adds an asset that is made when it is first needed. @throws AssetError when the name is taken */
+  /**
+   * Adds an asset that code makes when it is first needed; it counts as built in.
+   * @throws AssetError when the name is taken
+   */
   registerMaker(name: string, type: AssetType, make: () => Asset): this {
     this.checkFree(name);
-    this.sources.set(name, { type, make });
+    this.sources.set(name, { type, make, isBuiltin: true });
     this.tell({ kind: 'registered', name, type });
     return this;
   }
@@ -166,9 +169,12 @@ export class AssetLibrary {
     return [...(this.parts.get(name) ?? [])].filter((part) => this.modelOf(part) === name);
   }
 
-  /** Whether an asset came with the library, as the box does. */
+  /** Whether an asset came with the library, as the box did, or with a scene by `registerMaker`. */
   isBuiltin(name: string): boolean {
-    return Object.hasOwn(builtinAssets, name);
+    const source = this.sources.get(name);
+    return (
+      Object.hasOwn(builtinAssets, name) || (source !== undefined && 'make' in source && source.isBuiltin === true)
+    );
   }
 
   /**

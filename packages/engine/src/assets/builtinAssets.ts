@@ -7,8 +7,6 @@ import {
   SphereGeometry,
   TorusGeometry,
 } from 'three';
-import { atriumMeshes } from '../scenes/sponza/atriumMeshes';
-import { templeMeshes } from '../scenes/temple/templeMeshes';
 import { builtinTextures } from '../textures/builtinTextures';
 import type { AssetSource } from './Asset';
 
@@ -29,8 +27,6 @@ export const builtinAssets: Readonly<Record<string, AssetSource>> = {
   /** A ball of 12 cm and 80 triangles, to show where lamps are. */
   bulb: mesh(() => new IcosahedronGeometry(0.06, 1)),
   /** A dragon made in code, 1 m long, standing on y = 0; `urls: { dragon }` of a library puts another in its place. */
-  dragon: { type: 'mesh', load: async () => (await import('../scenes/dragon/dragonMesh')).dragonMesh() },
-  ...templeMeshes,
-  ...atriumMeshes,
+  dragon: { type: 'mesh', load: async () => (await import('../geometry/dragon/dragonMesh')).dragonMesh() },
   ...builtinTextures,
 };

@@ -1,4 +1,4 @@
-import { counted } from '../file/fileLimits';
+import { counted } from '../files/fileLimits';
 import { checkGltfNodes } from './checkGltfNodes';
 import { GltfLists } from './GltfLists';
 import type { GltfJson } from './readGltfJson';

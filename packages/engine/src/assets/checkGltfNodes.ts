@@ -1,5 +1,5 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { counted, fileLimits } from '../file/fileLimits';
+import { counted, fileLimits } from '../files/fileLimits';
 import { absurdSize, LARGEST } from './checkModel';
 import type { GltfLists } from './GltfLists';
 

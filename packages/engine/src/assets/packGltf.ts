@@ -1,5 +1,5 @@
 import { shortText } from '@farol/renderer';
-import { sampleOf } from '../file/ProblemList';
+import { sampleOf } from '../files/ProblemList';
 import { checkGltf } from './checkGltf';
 import { readGltfJson } from './readGltfJson';
 

@@ -5,8 +5,8 @@ import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { Decal } from './Decal';
 import { decalCode, loadDecalCode } from './decalCode';
-import { deserialize } from '../file/deserialize';
-import { serialize } from '../file/serialize';
+import { deserialize } from '../files/deserialize';
+import { serialize } from '../files/serialize';
 
 function decalIn(scene: Scene, values: Parameters<GameObject['addComponent']>[1] = {}): Decal {
   const object = new GameObject('Stain');

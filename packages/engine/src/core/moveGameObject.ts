@@ -1,6 +1,6 @@
 import { shortText } from '@farol/renderer';
 import { Matrix4, type Object3D } from 'three';
-import { fileLimits } from '../file/fileLimits';
+import { fileLimits } from '../files/fileLimits';
 import type { GameObject } from './GameObject';
 import type { Scene } from './Scene';
 

@@ -3,7 +3,7 @@ import { builtinComponents } from '../components/builtinComponents';
 import { sceneFields } from '../core/SceneSettings';
 import type { FieldTable, FieldValue } from '../fields/Field';
 import { randomFieldValue } from '../fields/randomFieldValue';
-import { type FarolFile, FILE_VERSION, type FileObject } from '../file/FarolFile';
+import { type FarolFile, FILE_VERSION, type FileObject } from '../files/FarolFile';
 import type { Prefab } from '../prefabs/Prefab';
 import { FuzzRandom } from './FuzzRandom';
 import { hostileValue, mutate, mutateBytes, textOf } from './hostileValues';

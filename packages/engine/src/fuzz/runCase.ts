@@ -5,11 +5,11 @@ import { AssetLibrary } from '../assets/AssetLibrary';
 import { readModel } from '../assets/readModel';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { readSceneFile, type SceneFile } from '../file/readSceneFile';
-import { deserialize } from '../file/deserialize';
-import { FileError } from '../file/FileError';
-import { serialize } from '../file/serialize';
-import { unpack } from '../file/unpack';
+import { readSceneFile, type SceneFile } from '../files/readSceneFile';
+import { deserialize } from '../files/deserialize';
+import { FileError } from '../files/FileError';
+import { serialize } from '../files/serialize';
+import { unpack } from '../files/unpack';
 import { parsePly } from '../geometry/parsePly';
 import type { FuzzCase } from './generate';
 

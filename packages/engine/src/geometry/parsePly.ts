@@ -1,8 +1,8 @@
 import { shortText } from '@farol/renderer';
 import type { BufferGeometry } from 'three';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
-import { FileError } from '../file/FileError';
-import { unpack } from '../file/unpack';
+import { FileError } from '../files/FileError';
+import { unpack } from '../files/unpack';
 
 /** Bytes in which a header ends. */
 const HEADER = 65_536;

@@ -2,7 +2,7 @@ import type { ComponentRegistry } from '../components/ComponentRegistry';
 import type { Component } from '../core/Component';
 import type { GameObject } from '../core/GameObject';
 import { sameValue } from '../fields/FieldOwner';
-import type { FileComponent, FileObject } from '../file/FarolFile';
+import type { FileComponent, FileObject } from '../files/FarolFile';
 import { mapReferences } from './copyObjects';
 import { isOwnOfInstance, keyOf, objectsBySource } from './instances';
 import { instantiatePrefab } from './instantiatePrefab';

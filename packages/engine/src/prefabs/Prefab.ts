@@ -1,5 +1,5 @@
 import { shortText } from '@farol/renderer';
-import type { FileObject } from '../file/FarolFile';
+import type { FileObject } from '../files/FarolFile';
 
 /** A tree of objects to be placed any number of times. It is data: nothing of it is drawn. Never changed in place. */
 export interface Prefab {

@@ -1,4 +1,4 @@
-import type { FileObject } from '../file/FarolFile';
+import type { FileObject } from '../files/FarolFile';
 import type { Prefab } from './Prefab';
 
 /** Prefabs, each once, that objects hold whole instances of, by how often. */

@@ -1,6 +1,6 @@
 import type { Component } from '../core/Component';
 import type { GameObject } from '../core/GameObject';
-import type { FileComponent, FileObject } from '../file/FarolFile';
+import type { FileComponent, FileObject } from '../files/FarolFile';
 import { sameValue } from '../fields/FieldOwner';
 import { InstanceUpdate } from './InstanceUpdate';
 import { componentKey, instanceRootOf, keyOf, objectsBySource } from './instances';

@@ -1,6 +1,6 @@
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import type { FieldValue } from '../fields/Field';
-import type { FileObject } from '../file/FarolFile';
+import type { FileObject } from '../files/FarolFile';
 import { componentKey } from './instances';
 
 /** References to objects among field values, by a map of ids; what is not in it becomes null. */

@@ -2,7 +2,7 @@ import { builtinComponents } from '../components/builtinComponents';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { createId } from '../core/createId';
 import type { GameObject } from '../core/GameObject';
-import { makeObjects } from '../file/makeObjects';
+import { makeObjects } from '../files/makeObjects';
 import { copyObjects } from './copyObjects';
 import type { Prefab } from './Prefab';
 

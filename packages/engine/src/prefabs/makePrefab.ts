@@ -2,7 +2,7 @@ import { shortText } from '@farol/renderer';
 import { builtinComponents } from '../components/builtinComponents';
 import { createId } from '../core/createId';
 import type { GameObject } from '../core/GameObject';
-import { serializeObject } from '../file/serialize';
+import { serializeObject } from '../files/serialize';
 import { copyObjects } from './copyObjects';
 import { instanceRootOf } from './instances';
 import { type Prefab, PrefabError, type PrefabLink } from './Prefab';

@@ -2,7 +2,7 @@ import type { Component } from '../core/Component';
 import type { GameObject } from '../core/GameObject';
 import type { FieldValue } from '../fields/Field';
 import { sameValue } from '../fields/FieldOwner';
-import type { FileObject } from '../file/FarolFile';
+import type { FileObject } from '../files/FarolFile';
 import { instanceRootOf, isOwnOfInstance, keyOf, objectsBySource } from './instances';
 import type { Prefab } from './Prefab';
 import { componentsOf, objectsOf, valueIn } from './prefabData';

@@ -1,9 +1,9 @@
 import { shortText } from '@farol/renderer';
 import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
-import { makeObjects } from '../file/makeObjects';
-import { counted, fileLimits } from '../file/fileLimits';
-import { serializeObject } from '../file/serialize';
+import { makeObjects } from '../files/makeObjects';
+import { counted, fileLimits } from '../files/fileLimits';
+import { serializeObject } from '../files/serialize';
 import { InstanceUpdate } from './InstanceUpdate';
 import { isInstanceRoot } from './instances';
 import { type Prefab, PrefabError } from './Prefab';

@@ -1,5 +1,5 @@
 import type { Field, FieldValue } from '../fields/Field';
-import type { FileComponent, FileObject } from '../file/FarolFile';
+import type { FileComponent, FileObject } from '../files/FarolFile';
 import { componentKey } from './instances';
 import type { Prefab } from './Prefab';
 

@@ -1,4 +1,4 @@
-import { createId } from '@farol/engine';
+import { createId } from '@farol/engine/files';
 import type { Editor } from '../../Editor';
 import { Signal } from '../../model/Signal';
 import { AutosaveStore, lockOf } from './AutosaveStore';

@@ -1,12 +1,6 @@
-import {
-  type FileObject,
-  type GameObject,
-  type Prefab,
-  type Scene,
-  type SceneChange,
-  serializeHead,
-  serializeObject,
-} from '@farol/engine';
+import type { GameObject, Scene, SceneChange } from '@farol/engine';
+import { type FileObject, serializeHead, serializeObject } from '@farol/engine/files';
+import type { Prefab } from '@farol/engine/prefabs';
 import { NoteList } from './NoteList';
 import {
   childrenKey,

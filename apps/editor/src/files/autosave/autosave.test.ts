@@ -1,4 +1,6 @@
-import { changePrefab, createRandom, GameObject, Light, makePrefab, type SceneChange, serialize } from '@farol/engine';
+import { createRandom, GameObject, Light, type SceneChange } from '@farol/engine';
+import { serialize } from '@farol/engine/files';
+import { changePrefab, makePrefab } from '@farol/engine/prefabs';
 import { expect, it } from 'vitest';
 import { EditorDocument } from '../../model/EditorDocument';
 import { canMoveTo, deleteObjects, duplicateObjects, moveObjects } from '../../model/edits';

@@ -1,4 +1,5 @@
-import type { FarolFile, FileObject, Prefab } from '@farol/engine';
+import type { FarolFile, FileObject } from '@farol/engine/files';
+import type { Prefab } from '@farol/engine/prefabs';
 
 /**
  * A scene in parts that are stored one by one, as JSON by key: 'head' (everything but objects and prefabs), 'o/ID' (an

@@ -1,4 +1,5 @@
-import { assetUses, containerContent, foreignAddresses, readGltfJson, type Scene, writeContainer } from '@farol/engine';
+import type { Scene } from '@farol/engine';
+import { assetUses, containerContent, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
 
 /** Bytes as base64. */
 function base64Of(bytes: Uint8Array): string {

@@ -1,4 +1,4 @@
-import { FileError, type UnpackQuestion } from '@farol/engine';
+import { FileError, type UnpackQuestion } from '@farol/engine/files';
 import { deflateRawSync } from 'node:zlib';
 import { expect, test } from 'vitest';
 import { decodeLink, encodeLink } from './linkText';

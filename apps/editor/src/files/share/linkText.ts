@@ -1,4 +1,4 @@
-import { FileError, type MayUnpack, unpack } from '@farol/engine';
+import { FileError, type MayUnpack, unpack } from '@farol/engine/files';
 import { isLink, PREFIX } from './isLink';
 
 async function through(

@@ -1,4 +1,5 @@
-import { containerContent, inlineAssets, type Scene } from '@farol/engine';
+import type { Scene } from '@farol/engine';
+import { containerContent, inlineAssets } from '@farol/engine/files';
 import { encodeLink } from './linkText';
 
 /** Longest link (letters): what browsers, messengers and servers of mail still hand on whole. */

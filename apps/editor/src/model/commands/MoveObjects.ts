@@ -1,4 +1,5 @@
-import type { FieldValue, GameObject, Scene } from '@farol/engine';
+import type { GameObject, Scene } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
 import { childrenOf, type Container, containerOf, type Placement, placementOf } from './Placement';
 import { StructuralCommand } from './StructuralCommand';
 

@@ -1,4 +1,4 @@
-import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine';
+import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import type { Command } from '../Command';
 
 /** A field of a component, or of a scene's settings, and what it shall be. */

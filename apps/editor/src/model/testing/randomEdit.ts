@@ -1,4 +1,4 @@
-import type { FieldOwner } from '@farol/engine';
+import type { FieldOwner } from '@farol/engine/fields';
 import { SetFields } from '../commands/SetFields';
 import type { EditorDocument } from '../EditorDocument';
 import { pick, type Random } from './random';

@@ -1,4 +1,5 @@
-import { type GameObject, instanceRootOf, overridesOf, PrefabError } from '@farol/engine';
+import type { GameObject } from '@farol/engine';
+import { instanceRootOf, overridesOf, PrefabError } from '@farol/engine/prefabs';
 import type { Command } from '../Command';
 import type { Container } from '../commands/Placement';
 import type { EditorDocument } from '../EditorDocument';

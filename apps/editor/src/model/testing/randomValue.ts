@@ -1,4 +1,4 @@
-import type { Field, FieldValue } from '@farol/engine';
+import type { Field, FieldValue } from '@farol/engine/fields';
 import type { EditorDocument } from '../EditorDocument';
 import { importedTextures } from './randomAssetCommand';
 import { below, objectsOf, pick, type Random } from './random';

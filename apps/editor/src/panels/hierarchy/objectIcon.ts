@@ -1,4 +1,5 @@
-import { Camera, Decal, type GameObject, isInstanceRoot, Light, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { Camera, Decal, type GameObject, Light, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { isInstanceRoot } from '@farol/engine/prefabs';
 import type { IconName } from '../../ui/iconPaths';
 
 /** The icon that says what a GameObject is. */

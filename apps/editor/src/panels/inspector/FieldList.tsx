@@ -1,4 +1,4 @@
-import { type FieldOwner, isFieldVisible, sameValue } from '@farol/engine';
+import { type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { FieldRow } from './FieldRow';

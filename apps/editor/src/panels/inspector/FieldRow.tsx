@@ -1,4 +1,4 @@
-import type { Field, FieldOwner, FieldValue } from '@farol/engine';
+import type { Field, FieldOwner, FieldValue } from '@farol/engine/fields';
 import { type ComponentType, memo, type ReactNode, useCallback, useMemo } from 'react';
 import { fieldEditors } from '../../fields';
 import { describeField } from '../../fields/describeField';

@@ -1,4 +1,4 @@
-import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine';
+import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { useEffect, useState } from 'react';
 import { MathUtils } from 'three';
 import { useEditor, useSignal } from '../../ui/EditorContext';

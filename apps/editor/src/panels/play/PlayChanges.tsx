@@ -1,4 +1,4 @@
-import { type FieldValue, sameValue } from '@farol/engine';
+import { type FieldValue, sameValue } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { MathUtils } from 'three';
 import { nameOf, type PlayChange } from '../../model/PlayEdits';

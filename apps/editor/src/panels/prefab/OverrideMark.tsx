@@ -1,4 +1,6 @@
-import { Component, type FieldOwner, fieldOverride, type FieldValue } from '@farol/engine';
+import { Component } from '@farol/engine';
+import type { FieldOwner, FieldValue } from '@farol/engine/fields';
+import { fieldOverride } from '@farol/engine/prefabs';
 import type { ReactNode } from 'react';
 import { applyField, revertField } from '../../model/prefabEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';

@@ -1,4 +1,5 @@
-import { type GameObject, instanceRootOf, overridesOf } from '@farol/engine';
+import type { GameObject } from '@farol/engine';
+import { instanceRootOf, overridesOf } from '@farol/engine/prefabs';
 import type { ReactNode } from 'react';
 import { applyInstance, revertInstance, unpackInstance } from '../../model/prefabEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';

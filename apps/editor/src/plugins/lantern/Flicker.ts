@@ -1,4 +1,5 @@
-import { component, custom, Light, number } from '@farol/engine';
+import { Light } from '@farol/engine';
+import { component, custom, number } from '@farol/engine/fields';
 
 /** Lets the light of its object flicker like a flame: the same in every run, since it depends on time alone. */
 export class Flicker extends component({

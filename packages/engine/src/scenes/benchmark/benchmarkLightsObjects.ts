@@ -2,6 +2,7 @@ import { Vector3 } from 'three';
 import type { Scene } from '../../core/Scene';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
+import { registerSceneAssets } from '../registerSceneAssets';
 import { hueColour } from '../hueColour';
 import { addLightGrid } from './addLightGrid';
 
@@ -12,7 +13,7 @@ const SPACING = 1.8;
  * `n` × `n` meshes of size 1 on a floor, and `m` × `m` moving point lights above them (thesis 3.2.8).
  * @param n - meshes along a side, 1 or more
  * @param m - lights along a side, 0 or more
- * @param mesh - name of a mesh of the library, loaded if need be
+ * @param mesh - name of a mesh of the library, or of a scene's own such as 'temple/column'; loaded if need be
  * @throws AssetError (as a rejection) when there is no such mesh
  */
 export async function benchmarkLightsObjects(
@@ -24,6 +25,7 @@ export async function benchmarkLightsObjects(
   const build = new SceneBuilder('Benchmark: lights and objects', options);
   build.scene.settings.backgroundColour = [0.004, 0.005, 0.008];
   const { assets } = build.scene;
+  registerSceneAssets(assets);
   await assets.load(mesh);
   const geometry = assets.mesh(mesh, Math.PI);
   geometry.computeBoundingBox();

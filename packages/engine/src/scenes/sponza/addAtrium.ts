@@ -2,6 +2,8 @@ import type { GameObject } from '../../core/GameObject';
 import type { FieldValue } from '../../fields/Field';
 import { textureName } from '../../textures/builtinTextures';
 import type { SceneBuilder } from '../SceneBuilder';
+import { registerMeshes } from '../registerMeshes';
+import { atriumMeshes } from './atriumMeshes';
 import { atriumPlan, bayWidth } from './atriumPlan';
 
 type Look = Readonly<Record<string, FieldValue>>;
@@ -36,6 +38,7 @@ function looksFor(textureSize: number): Record<string, Look> {
 
 /** Puts the atrium's 100-odd meshes into the scene. */
 export function addAtrium(build: SceneBuilder, textureSize: number): void {
+  registerMeshes(build.scene.assets, atriumMeshes);
   const looks = looksFor(textureSize);
   const atrium = build.group('Atrium');
   build.mesh('Floor', 'sponza/floor', looks.floor, { parent: atrium });

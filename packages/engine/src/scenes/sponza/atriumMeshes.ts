@@ -1,7 +1,7 @@
 import type { BufferGeometry } from 'three';
-import type { AssetSource } from '../../assets/Asset';
 import type { Vector3Tuple } from '../../fields/Field';
 import { MeshBuilder, type Profile } from '../../geometry/MeshBuilder';
+import type { MeshMakers } from '../registerMeshes';
 import { addArchPanel } from './addArchPanel';
 import { atriumPlan, bayWidth } from './atriumPlan';
 import { curtainMesh, lampMesh, plantMesh, urnMesh } from './furnitureMeshes';
@@ -225,7 +225,7 @@ export function corniceMesh(): BufferGeometry {
 }
 
 /** The atrium's parts, by asset name. */
-export const atriumMeshes: Readonly<Record<string, AssetSource>> = Object.fromEntries(
+export const atriumMeshes: MeshMakers = Object.fromEntries(
   Object.entries({
     'lower-column': lowerColumnMesh,
     'upper-column': upperColumnMesh,
@@ -242,5 +242,5 @@ export const atriumMeshes: Readonly<Record<string, AssetSource>> = Object.fromEn
     urn: urnMesh,
     plant: plantMesh,
     lamp: lampMesh,
-  }).map(([name, make]): [string, AssetSource] => [`sponza/${name}`, { type: 'mesh', make }]),
+  }).map(([name, make]) => [`sponza/${name}`, make]),
 );

@@ -5,7 +5,9 @@ import { number } from '../../fields/fields';
 import { SceneBuilder } from '../SceneBuilder';
 import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
 import { lightBudget } from '../lightBudget';
+import { registerMeshes } from '../registerMeshes';
 import { seedField } from '../seedField';
+import { templeMeshes } from './templeMeshes';
 import { templePlan, templeSize } from './templePlan';
 
 const stone = { map: 'marble', normalMap: 'marble-normal', colour: [0.86, 0.83, 0.78], roughness: 0.7 } as const;
@@ -93,7 +95,8 @@ function colonnadePlace(random: () => number): Vector3Tuple {
  */
 export async function temple(lights: number, options: SceneBuildOptions = {}): Promise<Scene> {
   const build = new SceneBuilder('Temple', options);
-  const { settings } = build.scene;
+  const { assets, settings } = build.scene;
+  registerMeshes(assets, templeMeshes);
   settings.backgroundColour = [0.012, 0.016, 0.035];
   build.camera([13.5, 3.4, 22.5], [-0.4, 4.1, 3], { fov: 0.87, near: 0.2, far: 160 });
   build.mesh(

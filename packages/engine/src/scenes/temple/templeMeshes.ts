@@ -1,7 +1,7 @@
 import type { BufferGeometry } from 'three';
-import type { AssetSource } from '../../assets/Asset';
 import type { Vector3Tuple } from '../../fields/Field';
 import { MeshBuilder, type Surface } from '../../geometry/MeshBuilder';
+import type { MeshMakers } from '../registerMeshes';
 import { templePlan, templeSize } from './templePlan';
 
 const FLUTES = 20;
@@ -167,10 +167,10 @@ export function cellaMesh(): BufferGeometry {
 }
 
 /** The temple's parts, by asset name. */
-export const templeMeshes: Readonly<Record<string, AssetSource>> = {
-  'temple/column': { type: 'mesh', make: columnMesh },
-  'temple/steps': { type: 'mesh', make: stepsMesh },
-  'temple/entablature': { type: 'mesh', make: entablatureMesh },
-  'temple/roof': { type: 'mesh', make: roofMesh },
-  'temple/cella': { type: 'mesh', make: cellaMesh },
+export const templeMeshes: MeshMakers = {
+  'temple/column': columnMesh,
+  'temple/steps': stepsMesh,
+  'temple/entablature': entablatureMesh,
+  'temple/roof': roofMesh,
+  'temple/cella': cellaMesh,
 };

@@ -1,8 +1,8 @@
 import type { BufferGeometry } from 'three';
 import { createRandom } from '../../core/createRandom';
 import type { Vector3Tuple } from '../../fields/Field';
-import { fitGeometry } from '../../geometry/fitGeometry';
-import { MeshBuilder } from '../../geometry/MeshBuilder';
+import { fitGeometry } from '../fitGeometry';
+import { MeshBuilder } from '../MeshBuilder';
 import { round, type Section, Sweep } from './Sweep';
 
 /** From the nape to the tip of the tail (m, before the mesh is fitted). */

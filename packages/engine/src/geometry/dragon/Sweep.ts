@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import type { Vector3Tuple } from '../../fields/Field';
-import type { Surface } from '../../geometry/MeshBuilder';
+import type { Surface } from '../MeshBuilder';
 
 /** A point of a cross-section for u from 0 to 1 round it and v from 0 to 1 along: offsets to the side and upwards (m). */
 export type Section = (u: number, v: number) => readonly [side: number, up: number];

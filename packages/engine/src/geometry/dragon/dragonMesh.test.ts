@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { scenes } from '../index';
+import { scenes } from '../../scenes/index';
 import { dragonMesh } from './dragonMesh';
 
 test('the dragon made in code is as large and as fine as the Stanford dragon, and faces out', () => {

@@ -12,7 +12,7 @@ import type { FarolFile } from './FarolFile';
 import { FileError } from './FileError';
 import { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 import { makeObjects } from './makeObjects';
-import { parseFile } from './parseFile';
+import { checkAssets, missingAssets, readFile } from './parseFile';
 import { ProblemList } from './ProblemList';
 
 export interface DeserializeOptions {
@@ -31,6 +31,17 @@ export interface DeserializeOptions {
 
 /** Which foreign origins may be fetched from: all of those asked about, none, or these. */
 export type MayFetch = boolean | Iterable<string>;
+
+/** Registers the demo scenes' own meshes when a file names one, such as 'temple/column', that the library does not have. */
+async function registerNamedSceneAssets(
+  file: FarolFile,
+  registry: ComponentRegistry,
+  assets: AssetLibrary,
+): Promise<void> {
+  if (!missingAssets(file, registry, assets).some(({ type, name }) => type === 'mesh' && name.includes('/'))) return;
+  const { registerSceneAssets } = await import('../scenes/registerSceneAssets');
+  registerSceneAssets(assets);
+}
 
 /** Registers the file's own assets that the library does not have, their names in `registered`. */
 async function registerAssets(
@@ -126,7 +137,11 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
   const registered: string[] = [];
   const originsBefore = scene.assets.allowedOrigins;
   try {
-    const checked = parseFile(file, { registry, assets: scene.assets });
+    const problems = new ProblemList();
+    const checked = readFile(file, registry, problems);
+    await registerNamedSceneAssets(checked, registry, scene.assets);
+    checkAssets(checked, registry, scene.assets, problems);
+    problems.throwIfAny();
     const origins = await allowedOrigins(checked, options);
     if (options.mayFetch) scene.assets.allowedOrigins = origins;
     await registerAssets(checked, scene.assets, options.fileOf ?? (() => null), registered);

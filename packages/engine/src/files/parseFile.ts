@@ -4,7 +4,7 @@ import { builtinComponents } from '../components/builtinComponents';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import { sceneFields } from '../core/SceneSettings';
 import { describeValue } from '../fields/checkFieldValue';
-import { assetUses } from './assetUses';
+import { assetUses, type AssetUse } from './assetUses';
 import { checkDepth } from './checkDepth';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from './FarolFile';
 import { FileError } from './FileError';
@@ -86,9 +86,21 @@ function checkCamera(id: unknown, objects: readonly FileObject[], problems: Prob
  * when `options.assets` is given, missing assets
  */
 export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile {
-  const raw = migrateFile(checkHead(typeof input === 'string' ? parseJson(input) : input));
   const registry = options.registry ?? builtinComponents;
   const problems = new ProblemList();
+  const file = readFile(input, registry, problems);
+  if (options.assets) checkAssets(file, registry, options.assets, problems);
+  problems.throwIfAny();
+  return file;
+}
+
+/**
+ * The first half of `parseFile`: all but the look for missing assets.
+ * @param problems - gets what is wrong
+ * @throws FileError when nothing of the file can be read
+ */
+export function readFile(input: unknown, registry: ComponentRegistry, problems: ProblemList): FarolFile {
+  const raw = migrateFile(checkHead(typeof input === 'string' ? parseJson(input) : input));
   problems.onlyKeys(raw, '', [
     ...['format', 'version', 'name', 'settings', 'activeCamera', 'assets', 'prefabs', 'microShaders', 'objects'],
   ]);
@@ -96,7 +108,7 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
   const objects = readObjects(raw.objects, 'objects', registry, problems);
   checkLinks(objects, 'objects', new Set(prefabs.map(({ id }) => id)), problems);
   checkSizes(prefabs, objects, 'prefabs', problems);
-  const file: FarolFile = {
+  return {
     format: 'farol-scene',
     version: FILE_VERSION,
     name: problems.text(raw.name, 'name', true),
@@ -109,12 +121,21 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
     ...(prefabs.length > 0 ? { prefabs } : {}),
     objects,
   };
-  if (options.assets) checkAssets(file, registry, options.assets, problems);
-  problems.throwIfAny();
-  return file;
 }
 
-function checkAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary, problems: ProblemList): void {
+/** The uses of assets that neither a library nor the file itself may have. */
+export function missingAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary): AssetUse[] {
+  const own = new OwnAssets(file.assets);
+  return assetUses(file, registry).filter((use) => !assets.has(use.name) && !own.mayHold(use));
+}
+
+/** The second half of `parseFile`: every asset that the file names must be in the library, or among the file's own. */
+export function checkAssets(
+  file: FarolFile,
+  registry: ComponentRegistry,
+  assets: AssetLibrary,
+  problems: ProblemList,
+): void {
   const own = new OwnAssets(file.assets);
   for (const use of assetUses(file, registry)) {
     if (problems.isFull) return;

@@ -1,0 +1,66 @@
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { readFileSync } from 'node:fs';
+import { parseSync } from 'vite';
+import { describe, expect, test } from 'vitest';
+import * as main from './index';
+
+const source = fileURLToPath(new URL('.', import.meta.url));
+
+/** What the main entry exports besides types: whoever adds a name decides here that every author needs it. */
+const names = {
+  app: ['App', 'createWebGLRenderer', 'noWebGL2'],
+  loopsOfOnesOwn: ['followDecals', 'InputRouter', 'MicroShaderOverrides'],
+  scene: ['Scene', 'GameObject', 'Component', 'createRandom', 'gameObjectOf'],
+  components: [
+    ...['Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
+    ...['RandomMovement', 'Transform', 'ComponentRegistry', 'builtinComponents'],
+  ],
+  assets: ['AssetLibrary', 'AssetError', 'Model', 'importModel'],
+};
+
+test('the main entry exports these names', () => {
+  expect(Object.keys(main).toSorted()).toEqual(Object.values(names).flat().toSorted());
+});
+
+/** The modules that a module needs when it is loaded: static imports, types left out. */
+function importsOf(path: string): string[] {
+  const { module } = parseSync(path, readFileSync(path, 'utf8'));
+  const requests = [
+    ...module.staticImports.filter(({ entries }) => entries.length === 0 || entries.some(({ isType }) => !isType)),
+    ...module.staticExports.flatMap(({ entries }) => entries.filter(({ isType }) => !isType)),
+  ];
+  return requests.flatMap(({ moduleRequest }) =>
+    moduleRequest?.value.startsWith('.') ? [join(dirname(path), `${moduleRequest.value}.ts`)] : [],
+  );
+}
+
+/** All modules that are loaded with one, as paths from `src`. */
+function loadedWith(entry: string): string[] {
+  const loaded = new Set([join(source, entry)]);
+  for (const path of loaded) for (const next of importsOf(path)) loaded.add(next);
+  return [...loaded].map((path) => path.slice(source.length)).toSorted();
+}
+
+describe('what is loaded with the main entry', () => {
+  const loaded = loadedWith('index.ts');
+
+  test('is found by following imports', () => {
+    expect(loaded).toEqual(expect.arrayContaining(['core/Scene.ts', 'components/Light.ts', 'assets/AssetLibrary.ts']));
+    expect(loadedWith('files/index.ts')).toContain('files/readZip.ts');
+  });
+
+  test.each([
+    ['scenes', []],
+    ['prefabs', ['prefabs/Prefab.ts', 'prefabs/PrefabTable.ts']],
+    ['files', ['files/fileLimits.ts']],
+    ['fuzz', []],
+  ])('of %s: %j', (folder, needed) => {
+    expect(loaded.filter((path) => path.startsWith(`${folder}/`))).toEqual(needed);
+  });
+
+  test('holds nothing that reads the bytes of an asset', () => {
+    const readers = loaded.filter((path) => /(read|check|parse|pack)[A-Z]\w+\.ts$/.test(path));
+    expect(readers).toEqual(['fields/checkFieldValue.ts']);
+  });
+});

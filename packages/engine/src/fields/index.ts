@@ -1,0 +1,9 @@
+/** What components declare: their fields, how a value is checked, and what an inspector reads. */
+export * from './Field';
+export * from './fields';
+export { checkFieldValue } from './checkFieldValue';
+export { component } from './component';
+export { FieldError } from './FieldError';
+export { FieldOwner, sameValue } from './FieldOwner';
+export { type FieldType, fieldTypeOf, registerFieldType } from './fieldTypes';
+export { isFieldVisible } from './isFieldVisible';

@@ -1,0 +1,10 @@
+/** Trees of objects that are placed any number of times, and what an editor does with them. */
+export { planApplyAll, planApplyField, planRevertAll, planUnpack, withoutPin } from './applyOverrides';
+export { instanceRootOf, isInstanceRoot } from './instances';
+export { instantiatePrefab } from './instantiatePrefab';
+export { type MadePrefab, makePrefab } from './makePrefab';
+export { type FieldOverride, fieldOverride, overridesOf, type PrefabOverrides } from './overrides';
+export { changePrefab, planPrefabChange, type PrefabPlan } from './planPrefabChange';
+export { type Prefab, PrefabError, type PrefabLink } from './Prefab';
+export { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
+export type { PrefabTable } from './PrefabTable';
