@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 
 /**
- * Vite plugin: in a production build, `import text from './x.glsl?raw'` gives the text without comments and
+ * Vite plugin: in a production build, `import text from './<name>.glsl?raw'` gives the text without comments and
  * indentation. Every line stays in its place, though it be empty, so that errors name the line of the file.
  *
  * @returns {import('vite').Plugin}

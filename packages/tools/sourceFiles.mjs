@@ -8,13 +8,19 @@ import { root } from './root.mjs';
  * @returns {Map<string, string>} source by path from the repository's root, with `/`
  */
 export function sourceFiles() {
-  const files = new Map();
-  for (const top of ['packages', 'apps', 'e2e']) {
-    for (const name of readdirSync(join(root, top), { recursive: true, encoding: 'utf8' })) {
-      const path = `${top}/${name.replaceAll('\\', '/')}`;
-      if (!/\.tsx?$/.test(path) || /\/(node_modules|dist)\//.test(path)) continue;
-      files.set(path, readFileSync(join(root, path), 'utf8'));
-    }
-  }
-  return files;
+  return new Map(filesEnding('.ts', '.tsx').map((path) => [path, readFileSync(join(root, path), 'utf8')]));
+}
+
+/**
+ * Files of packages, apps and browser tests, without what is installed or built.
+ *
+ * @param {...string} endings of their names, '' for all files
+ * @returns {string[]} paths from the repository's root, with `/`
+ */
+export function filesEnding(...endings) {
+  return ['packages', 'apps', 'e2e'].flatMap((top) =>
+    readdirSync(join(root, top), { recursive: true, encoding: 'utf8' })
+      .map((name) => `${top}/${name.replaceAll('\\', '/')}`)
+      .filter((path) => endings.some((ending) => path.endsWith(ending)) && !/\/(node_modules|dist)\//.test(path)),
+  );
 }

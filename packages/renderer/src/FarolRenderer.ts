@@ -323,8 +323,9 @@ export class FarolRenderer {
   /** Adds the microshaders of all code that is fetched late to `microshaders`, where they can be seen and replaced. */
   async addLateMicroShaders(): Promise<void> {
     await FarolRenderer.preload();
-    for (const { code } of [shadowCode, viewCode, lightBufferCode])
-      addMicroShaders(this.microshaders, code!.microShaders);
+    addMicroShaders(this.microshaders, 'shadows', shadowCode.code!.microShaders);
+    addMicroShaders(this.microshaders, 'views', viewCode.code!.microShaders);
+    addMicroShaders(this.microshaders, 'light-buffer', lightBufferCode.code!.microShaders);
   }
 
   /**

@@ -9,7 +9,16 @@ const files = import.meta.glob<string>('../{gbuffer,gpu,lighting,output}/**/*.gl
   eager: true,
 });
 
+const folders = import.meta.glob<Record<string, string>>('../**/chunks.ts', { eager: true });
+
 describe('the built-in microshaders', () => {
+  it('have a name each over all folders, those that are fetched late too', () => {
+    const names = Object.values(folders).flatMap((chunks) => Object.keys(chunks));
+    expect(names.length).toBeGreaterThan(50);
+    expect(names.filter((name, i) => names.indexOf(name) !== i)).toEqual([]);
+    expect(names).toEqual(expect.arrayContaining(builtinMicroShaders.map(({ name }) => name)));
+  });
+
   it('are all in the table, and resolve', () => {
     const registry = new MicroShaderRegistry();
     registry.add(builtinMicroShaders);

@@ -170,7 +170,7 @@ export class Picture {
   }
 
   private makeMaterial(frame: Frame): PassMaterial {
-    addMicroShaders(frame.microshaders, { displayTransfer, picturePresent });
+    addMicroShaders(frame.microshaders, 'Picture', { displayTransfer, picturePresent });
     return new PassMaterial(frame.microshaders, {
       name: 'Farol picture',
       vertex: ['fullscreen'],

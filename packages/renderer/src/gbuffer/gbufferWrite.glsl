@@ -4,9 +4,11 @@
 #include "roundToHalf"
 #include "storedDistance"
 #if defined( STANDARD )
-  #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(material.roughness, material.metalness, sqrt(material.specularColor.r), material.specularF90); gl_FragColor.a = 1.0;
+  #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(material.roughness, material.metalness, \
+    sqrt(material.specularColor.r), material.specularF90); gl_FragColor.a = 1.0;
 #elif defined( PHONG )
-  #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(sqrt(material.specularColor), material.specularStrength); gl_FragColor.a = material.specularShininess;
+  #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(sqrt(material.specularColor), material.specularStrength); \
+    gl_FragColor.a = material.specularShininess;
 #else
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(1.0, 0.0, 0.0, 0.0); gl_FragColor.a = 1.0;
 #endif

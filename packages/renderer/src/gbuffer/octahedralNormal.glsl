@@ -1,5 +1,5 @@
 // Unit vector to two numbers in -1..1 and back, by the octahedral map.
-// Cigolle et al. 2014, A Survey of Efficient Representations for Independent Unit Vectors, https://jcgt.org/published/0003/02/01/
+// Cigolle et al. 2014, Survey of Representations for Independent Unit Vectors, https://jcgt.org/published/0003/02/01/
 //? farol_encodeNormal(vec3(0.0, 0.0, 1.0)) == vec2(0.0)
 //? farol_encodeNormal(vec3(0.0, 0.0, -1.0)) == vec2(1.0)
 //? farol_decodeNormal(vec2(1.0, 0.0)) == vec3(1.0, 0.0, 0.0)

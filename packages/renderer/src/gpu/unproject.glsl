@@ -1,5 +1,5 @@
 // View-space position from window depth, exact where depth is near 1: works with 1 - depth, which loses nothing.
-// Farol; uniforms by passes/unprojectUniforms.ts; perspective, orthographic and off-centre projections
+// Farol; uniforms by gpu/unprojectUniforms.ts; perspective, orthographic and off-centre projections
 #include "depthMode"
 uniform highp vec4 farol_unprojectZ; // view z = (x + y e) / (z + w e), e = 1 - depth, or reversed depth itself
 uniform highp vec4 farol_unprojectXY; // scale of x and y, then offset

@@ -1,4 +1,4 @@
-// Directional lights and lights without a range over every pixel; how it is lit, the chunk before says (volumeLighting).
+// Directional lights and lights without a range over every pixel, which the chunk before (volumeLighting) lights.
 // Thesis 3.2.3.2
 #include "lightTable"
 #include "depthMode"

@@ -13,12 +13,14 @@ struct FarolLight {
 };
 
 // exponent: of the thesis's spot light, -1 for three's penumbra
-float farol_angularAttenuation(const in float angleCosine, const in float cutoff, const in float penumbra, const in float exponent) {
+float farol_angularAttenuation(const in float angleCosine, const in float cutoff, const in float penumbra,
+  const in float exponent) {
   if (exponent >= 0.0) return angleCosine > cutoff ? pow(max(angleCosine, 0.0), exponent) : 0.0;
   return smoothstep(cutoff, penumbra, angleCosine);
 }
 
-float farol_extendedAttenuation(const in int extension, const in float lightDistance, const in float range, const in float decay) {
+float farol_extendedAttenuation(const in int extension, const in float lightDistance, const in float range,
+  const in float decay) {
   vec4 falloff = farol_lightTexel(extension, 3);
   if (falloff.w == 1.0) return farol_nearFarAttenuation(lightDistance, falloff.x, falloff.y);
   if (falloff.w == 2.0) return farol_polynomialAttenuation(lightDistance, falloff.xyz, range);

@@ -1,5 +1,5 @@
 // Attenuation of a local light with distance (m) and angle; the falloffs of three.js and of the thesis.
-// Lagarde and de Rousiers, Moving Frostbite to PBR, 2014, equation 26; https://github.com/KhronosGroup/glTF KHR_lights_punctual
+// Lagarde and de Rousiers 2014, Moving Frostbite to PBR, equation 26; glTF KHR_lights_punctual
 //? farol_distanceAttenuation(2.0, 0.0, 2.0) == 0.25
 //? farol_distanceAttenuation(4.0, 4.0, 2.0) == 0.0
 //? farol_nearFarAttenuation(1.0, 2.0, 4.0) == 1.0

@@ -14,7 +14,7 @@
  * An extension record holds what only a light of the thesis has: 0 diffuse scale, 1 specular scale, 2 ambient colour,
  * 3 attenuation parameters (near, far | constant, linear, quadratic) and kind (0 physical, 1 near-far, 2 polynomial).
  *
- * A mask takes `RECORDS_PER_MASK` records: what a shadow map and a cookie let through of a light, see shadows/maskRecord.ts.
+ * A mask takes `RECORDS_PER_MASK` records: what a shadow map and a cookie let through of a light, see masks/maskRecord.ts.
  */
 export const TEXELS_PER_RECORD = 4;
 export const RECORDS_PER_ROW = 256;

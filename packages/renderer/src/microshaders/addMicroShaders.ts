@@ -1,9 +1,35 @@
 import type { MicroShaderRegistry } from './MicroShaderRegistry';
 import { parseMicroShader } from './parseMicroShader';
 
-/** Adds an effect's own chunks, by name, to a renderer's registry, unless they are there. */
-export function addMicroShaders(registry: MicroShaderRegistry, sources: Record<string, string>): void {
-  for (const [name, text] of Object.entries(sources)) {
-    if (!registry.has(name)) registry.add([parseMicroShader(name, text)]);
-  }
+interface Added {
+  readonly owner: string;
+  readonly text: string;
+}
+
+/** What was added to each registry, by name: a live edit may have replaced the text since. */
+const added = new WeakMap<MicroShaderRegistry, Map<string, Added>>();
+
+/**
+ * Adds chunks that several parts of a page may bring to a renderer's registry, each once.
+ * @param owner who brings them, for errors
+ * @param sources texts by name
+ * @throws Error when a name stands for another text already; then no chunk is added
+ */
+export function addMicroShaders(
+  registry: MicroShaderRegistry,
+  owner: string,
+  sources: Readonly<Record<string, string>>,
+): void {
+  const known = added.get(registry) ?? new Map<string, Added>();
+  added.set(registry, known);
+  const fresh = Object.entries(sources).filter(([name, text]) => {
+    const before = known.get(name);
+    if (before === undefined && !registry.has(name)) return true;
+    if (before?.text === text) return false;
+    throw new Error(
+      `Microshader "${name}" of ${owner} is another text than that of ${before?.owner ?? 'Farol'}; give it a name of its own.`,
+    );
+  });
+  registry.add(fresh.map(([name, text]) => parseMicroShader(name, text)));
+  for (const [name, text] of fresh) known.set(name, { owner, text });
 }

@@ -1,5 +1,5 @@
 // Lights a pixel of the G-buffer by its light list and writes the picture with its depth, in one pass.
-// Andersson 2009, Parallel Graphics in Frostbite; Lauritzen 2010, Deferred Rendering for Current and Future Rendering Pipelines
+// Andersson 2009, Parallel Graphics in Frostbite; Lauritzen 2010, Deferred Rendering for Current and Future Pipelines
 #include "shadeSurface"
 #include "output"
 #include "heatMap"

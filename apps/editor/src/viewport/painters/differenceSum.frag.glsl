@@ -1,4 +1,5 @@
-// Of a block of 16 by 16 pixels: sum of squared differences of all channels, the largest difference, pixels off by more than 2/255.
+// Of a block of 16 by 16 pixels: sum of squared differences of all channels, the largest difference, the number of
+// pixels off by more than 2/255.
 // Farol
 precision highp float;
 precision highp sampler2D;

@@ -189,7 +189,7 @@ export class AmbientOcclusion implements FarolEffect {
     const key = `${normals} ${accumulation}`;
     let materials = this.made.get(key);
     if (materials === undefined) {
-      addMicroShaders(frame.microshaders, { ambientOcclusion, occlusionFilter });
+      addMicroShaders(frame.microshaders, 'AmbientOcclusion', { ambientOcclusion, occlusionFilter });
       const uniforms = { ...this.unproject, farol_reach: this.reach, farol_surfaceDepth: this.depth };
       const material = (chunk: string, define: string, defined: boolean, more: Record<string, IUniform>) =>
         new PassMaterial(frame.microshaders, {

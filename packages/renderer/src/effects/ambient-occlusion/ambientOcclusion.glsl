@@ -1,4 +1,4 @@
-// Horizon-based ambient occlusion: the share of the sky, weighted by the cosine, that is open above each pixel, and its view z.
+// Horizon-based ambient occlusion: the share of the sky (weighted by the cosine) open above each pixel, and its view z.
 // Jimenez et al. 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion (GTAO)
 #include "unproject"
 #include "octahedralNormal"
@@ -40,7 +40,8 @@ vec3 farol_normalAt(const in ivec2 pixel, const in vec3 position) {
 }
 
 // cosine of the highest horizon along a direction of the picture, seen from the position
-float farol_horizon(const in ivec2 pixel, const in vec3 position, const in vec3 toEye, const in vec2 direction, const in float radius, const in float shift, const in float lowest) {
+float farol_horizon(const in ivec2 pixel, const in vec3 position, const in vec3 toEye, const in vec2 direction,
+  const in float radius, const in float shift, const in float lowest) {
   float highest = lowest;
   for (int i = 0; i < FAROL_STEPS; i++) {
     float part = (float(i) + shift) / float(FAROL_STEPS);
@@ -81,8 +82,10 @@ if (!farol_isEmpty(depth)) {
       float size = length(projected);
       float cosine = clamp(dot(projected, toEye) / max(size, 1e-6), -1.0, 1.0);
       float n = sign(dot(inPlane, projected)) * acos(cosine);
-      float ahead = farol_horizon(pixel, position, toEye, direction, radius, shift, cos(min(n + 1.57079633, 3.14159265)));
-      float behind = farol_horizon(pixel, position, toEye, -direction, radius, shift, cos(max(n - 1.57079633, -3.14159265)));
+      float ahead = farol_horizon(pixel, position, toEye, direction, radius, shift,
+        cos(min(n + 1.57079633, 3.14159265)));
+      float behind = farol_horizon(pixel, position, toEye, -direction, radius, shift,
+        cos(max(n - 1.57079633, -3.14159265)));
       float h1 = n + clamp(acos(clamp(ahead, -1.0, 1.0)) - n, -1.57079633, 1.57079633);
       float h0 = n + clamp(-acos(clamp(behind, -1.0, 1.0)) - n, -1.57079633, 1.57079633);
       open += size * 0.25 * (2.0 * cosine + 2.0 * (h0 + h1) * sin(n) - cos(2.0 * h0 - n) - cos(2.0 * h1 - n));

@@ -1,4 +1,4 @@
-// Averages ambient occlusion over four by four texels that lie on the pixel's own surface, and brings it to full resolution.
+// Averages ambient occlusion over 4 × 4 texels that lie on the pixel's own surface, and brings it to full resolution.
 // Kopf et al. 2007, Joint Bilateral Upsampling; Jimenez et al. 2016 (GTAO), spatial filter
 #include "unproject"
 uniform highp sampler2D farol_openMap;
@@ -18,8 +18,10 @@ if (!farol_isEmpty(depth)) {
   vec2 size = vec2(textureSize(farol_surfaceDepth, 0));
   float z = farol_unproject((vec2(pixel) + 0.5) / size, depth).z;
   // slope of the surface, by the neighbour that is more like it
-  vec2 left = vec2(texelFetch(farol_surfaceDepth, pixel - ivec2(1, 0), 0).r, texelFetch(farol_surfaceDepth, pixel - ivec2(0, 1), 0).r);
-  vec2 right = vec2(texelFetch(farol_surfaceDepth, pixel + ivec2(1, 0), 0).r, texelFetch(farol_surfaceDepth, pixel + ivec2(0, 1), 0).r);
+  vec2 left = vec2(texelFetch(farol_surfaceDepth, pixel - ivec2(1, 0), 0).r,
+    texelFetch(farol_surfaceDepth, pixel - ivec2(0, 1), 0).r);
+  vec2 right = vec2(texelFetch(farol_surfaceDepth, pixel + ivec2(1, 0), 0).r,
+    texelFetch(farol_surfaceDepth, pixel + ivec2(0, 1), 0).r);
   vec2 zs0 = z - vec2(farol_unproject(vec2(0.5), left.x).z, farol_unproject(vec2(0.5), left.y).z);
   vec2 zs1 = vec2(farol_unproject(vec2(0.5), right.x).z, farol_unproject(vec2(0.5), right.y).z) - z;
   vec2 slope = vec2(abs(zs0.x) < abs(zs1.x) ? zs0.x : zs1.x, abs(zs0.y) < abs(zs1.y) ? zs0.y : zs1.y);

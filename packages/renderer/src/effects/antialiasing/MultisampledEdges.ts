@@ -147,7 +147,7 @@ export class MultisampledEdges implements FarolEffect {
 
   private makeMaterials(frame: Frame): void {
     const { microshaders } = frame;
-    addMicroShaders(microshaders, CHUNKS);
+    addMicroShaders(microshaders, 'MultisampledEdges', CHUNKS);
     const pass = (fragment: string, uniforms: Record<string, IUniform>) =>
       new PassMaterial(microshaders, {
         name: `Farol ${fragment}`,

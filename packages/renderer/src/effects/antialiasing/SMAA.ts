@@ -80,7 +80,7 @@ export class SMAA implements FarolEffect {
   }
 
   private makeSteps(frame: Frame): readonly PassMaterial[] {
-    addMicroShaders(frame.microshaders, CHUNKS);
+    addMicroShaders(frame.microshaders, 'SMAA', CHUNKS);
     const step = (chunk: string, uniforms: Record<string, IUniform>) =>
       new PassMaterial(frame.microshaders, {
         name: `Farol ${chunk}`,

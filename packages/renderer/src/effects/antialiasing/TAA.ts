@@ -287,7 +287,7 @@ export class TAA implements FarolEffect {
   private makeMaterials(frame: Frame): void {
     if (this.resolve !== null) return;
     const { microshaders } = frame;
-    addMicroShaders(microshaders, { displayTransfer, lanczosCross, taaDepth, taaNear, taaPicture, taaResolve });
+    addMicroShaders(microshaders, 'TAA', { displayTransfer, lanczosCross, taaDepth, taaNear, taaPicture, taaResolve });
     const depth = {
       farol_pictureDepth: this.depth,
       farol_motionMap: this.motionMap,

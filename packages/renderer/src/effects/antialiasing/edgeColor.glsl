@@ -1,5 +1,5 @@
-// The colour of a surface in a picture that shows one surface a pixel, by the depth that it has there: that of its own pixel, or of
-// the one round it whose depth lies nearest to the plane of the fragment's triangle.
+// The colour of a surface in a picture that shows one surface a pixel, by the depth that it has there: that of its own
+// pixel, or of the neighbour whose depth lies nearest to the plane of the fragment's triangle.
 // Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_pictureDepth;
@@ -18,7 +18,8 @@ const float FAROL_SHOWN = 8.0;
  * @param shown FAROL_SHOWN if it is what its own pixel shows, else 0
  */
 bool farol_edgeColor(
-  const in ivec2 pixel, const in float depth, const in vec2 slope, const in float fit, const in bool nearby, out vec4 color, out float shown
+  const in ivec2 pixel, const in float depth, const in vec2 slope, const in float fit, const in bool nearby,
+  out vec4 color, out float shown
 ) {
   float slopes = abs(slope.x) + abs(slope.y);
   float least = abs(texelFetch(farol_pictureDepth, pixel, 0).r - depth);
@@ -31,7 +32,8 @@ bool farol_edgeColor(
       ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
       vec2 off = vec2(at - pixel);
       // of two that fit, the nearer
-      float apart = abs(texelFetch(farol_pictureDepth, at, 0).r - depth - dot(slope, off)) + (FAROL_ROUNDING + 0.01 * slopes) * dot(off, off);
+      float apart = abs(texelFetch(farol_pictureDepth, at, 0).r - depth - dot(slope, off))
+        + (FAROL_ROUNDING + 0.01 * slopes) * dot(off, off);
       if (apart < least) { least = apart; found = at; }
     }
     most += (FAROL_ROUNDING + 0.01 * slopes) * 2.0;

@@ -13,7 +13,8 @@ if (length(fwidth(vNormal)) > 1e-3) farol_fit = 0.2;
 #endif
 vec2 farol_slope = vec2(dFdx(farol_depth), dFdy(farol_depth));
 vec4 farol_seen;
-bool farol_found = farol_edgeColor(ivec2(gl_FragCoord.xy), farol_depth, farol_slope, farol_fit, farol_reuse, farol_seen, farol_shown);
+bool farol_found = farol_edgeColor(ivec2(gl_FragCoord.xy), farol_depth, farol_slope, farol_fit, farol_reuse, farol_seen,
+  farol_shown);
 farol_keeps = farol_found || !farol_shades;
 farol_kept = vec4(farol_seen.rgb, farol_seen.a + farol_shown);
 if (!farol_keeps) {

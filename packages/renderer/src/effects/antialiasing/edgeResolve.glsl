@@ -1,4 +1,4 @@
-// The mean of the samples; the picture itself where none of them is what it shows there, but something that was not drawn anew.
+// The mean of the samples; where none of them is what the picture shows, but something not drawn anew, the picture.
 // Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_samples; // alpha is that of edgeColor.glsl

@@ -1,4 +1,4 @@
-// Lanczos's kernel of three lobes in nine bilinear reads: the rows and columns next to the place, without the corners between.
+// Lanczos's kernel of three lobes in nine bilinear reads: the rows and columns next to the place, without corners.
 // Duchon 1979, Lanczos Filtering in One and Two Dimensions
 //? farol_lanczos(0.0) == 1.0
 //? farol_lanczos(1.0) == 0.0

@@ -2,10 +2,12 @@ vec3 farol_position = vec3(position);
 #if defined( USE_MORPHTARGETS )
   #ifdef USE_INSTANCING_MORPH
     farol_position *= morphTargetBaseInfluence;
-    for (int i = 0; i < MORPHTARGETS_COUNT; i++) farol_position += getMorph(gl_VertexID, i, 0).xyz * morphTargetInfluences[i];
+    for (int i = 0; i < MORPHTARGETS_COUNT; i++)
+      farol_position += getMorph(gl_VertexID, i, 0).xyz * morphTargetInfluences[i];
   #else
     farol_position *= farol_morphBaseBefore;
-    for (int i = 0; i < MORPHTARGETS_COUNT; i++) farol_position += getMorph(gl_VertexID, i, 0).xyz * farol_morphsBefore[i];
+    for (int i = 0; i < MORPHTARGETS_COUNT; i++)
+      farol_position += getMorph(gl_VertexID, i, 0).xyz * farol_morphsBefore[i];
   #endif
 #endif
 vec4 farol_there = vec4(farol_position, 1.0);
@@ -17,7 +19,8 @@ vec4 farol_there = vec4(farol_position, 1.0);
     + farol_matrixOf(farol_bonesBefore, int(skinIndex.w)) * farol_there * skinWeight.w;
 #endif
 #ifdef USE_DISPLACEMENTMAP
-  farol_there.xyz += normalize(objectNormal) * (texture2D(displacementMap, vDisplacementMapUv).x * displacementScale + displacementBias);
+  farol_there.xyz += normalize(objectNormal)
+    * (texture2D(displacementMap, vDisplacementMapUv).x * displacementScale + displacementBias);
 #endif
 #ifdef USE_BATCHING
   farol_there = farol_matrixOf(farol_instancesBefore, int(getIndirectIndex(gl_DrawID))) * farol_there;

@@ -7,7 +7,8 @@ mat4 farol_matrixOf(highp sampler2D matrices, const in int i) {
   int size = textureSize(matrices, 0).x;
   int j = i * 4;
   ivec2 at = ivec2(j % size, j / size);
-  return mat4(texelFetch(matrices, at, 0), texelFetch(matrices, at + ivec2(1, 0), 0), texelFetch(matrices, at + ivec2(2, 0), 0), texelFetch(matrices, at + ivec2(3, 0), 0));
+  return mat4(texelFetch(matrices, at, 0), texelFetch(matrices, at + ivec2(1, 0), 0),
+    texelFetch(matrices, at + ivec2(2, 0), 0), texelFetch(matrices, at + ivec2(3, 0), 0));
 }
 #ifdef USE_SKINNING
 uniform highp sampler2D farol_bonesBefore;

@@ -13,7 +13,8 @@ vec4 farol_linearAt(const in ivec2 pixel) {
 }
 
 vec4 farol_weightsAt(const in ivec2 pixel) {
-  return any(greaterThanEqual(pixel, textureSize(farol_weightMap, 0))) ? vec4(0.0) : texelFetch(farol_weightMap, pixel, 0);
+  return any(greaterThanEqual(pixel, textureSize(farol_weightMap, 0))) ? vec4(0.0)
+    : texelFetch(farol_weightMap, pixel, 0);
 }
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);

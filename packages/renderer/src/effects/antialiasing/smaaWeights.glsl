@@ -1,5 +1,6 @@
-// SMAA, second step: how much of its neighbour over each edge a pixel gets: the area between the edge and the line that it stands for.
-// Jimenez et al. 2012, SMAA, 3.2 and 4.2; the area is that of the published AreaTex, computed here in place of being looked up
+// SMAA, second step: how much of its neighbour over each edge a pixel gets: the area between the edge and the line that
+// it stands for.
+// Jimenez et al. 2012, SMAA, 3.2 and 4.2; the area is that of the published AreaTex, computed here
 uniform highp sampler2D farol_edgeMap;
 layout(location = 0) out highp vec4 farol_weights; // below edge: own, neighbour's; left edge: own, neighbour's
 
@@ -42,7 +43,8 @@ vec2 farol_edgeArea(const in float before, const in float after, const in float 
 }
 
 vec2 farol_edgesAt(const in ivec2 pixel) {
-  return any(lessThan(pixel, ivec2(0))) ? vec2(0.0) : texelFetch(farol_edgeMap, min(pixel, textureSize(farol_edgeMap, 0) - 1), 0).rg;
+  return any(lessThan(pixel, ivec2(0))) ? vec2(0.0)
+    : texelFetch(farol_edgeMap, min(pixel, textureSize(farol_edgeMap, 0) - 1), 0).rg;
 }
 
 float farol_turn(const in bool own, const in bool other) {

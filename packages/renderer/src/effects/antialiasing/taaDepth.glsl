@@ -1,7 +1,8 @@
-// What temporal anti-aliasing asks of depth: distances (m along the view) of samples, the way of a sample since the last frame.
+// Depth for temporal anti-aliasing: distances of samples (m along the view), and their ways since the last frame.
 // Karis 2014, High Quality Temporal Supersampling
 uniform highp sampler2D farol_pictureDepth;
-uniform highp sampler2D farol_motionMap; // x, y: way in pictures; z: change of distance (m); w: 1 where something moves by itself
+// x, y: way in pictures; z: change of distance (m); w: 1 where something moves by itself
+uniform highp sampler2D farol_motionMap;
 uniform highp mat4 farol_reproject; // this frame's normalised device coordinates to last frame's
 uniform highp vec2 farol_jitter; // normalised device coordinates
 uniform highp vec2 farol_depthKind; // 1 if depth is reversed; log2(far + 1) if it is logarithmic, else 0

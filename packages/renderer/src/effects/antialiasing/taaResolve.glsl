@@ -1,6 +1,7 @@
-// Temporal anti-aliasing: what earlier frames showed of a cell of a pixel, mixed with this frame's sample by how near that lies.
-// Yang et al. 2009, Amortized Supersampling (cells); Karis 2014, High Quality Temporal Supersampling; Salvi 2016, An Excursion
-// in Temporal Supersampling (variance clipping)
+// Temporal anti-aliasing: what earlier frames showed of a cell of a pixel, mixed with this frame's sample by how near
+// that lies.
+// Yang et al. 2009, Amortized Supersampling (cells); Karis 2014, High Quality Temporal Supersampling; Salvi 2016, An
+// Excursion in Temporal Supersampling (variance clipping)
 #include "displayTransfer"
 #include "taaDepth"
 #include "lanczosCross"
@@ -14,7 +15,9 @@ uniform bool farol_encoded;
 uniform bool farol_hasPast;
 uniform highp vec2 farol_share; // of a sample of weight 1 in what moves, and in what does not
 uniform float farol_gamma; // standard deviations to which the past is clipped; 0: nothing has changed, it is not
-uniform int farol_belief; // 0: the light has changed; 1: it may have; 2: it has not; 3: nor has what stands still gone, nor the camera; 4: the camera has
+// 0: the light has changed; 1: it may have; 2: it has not; 3: nor has what stands still gone, nor the camera; 4: the
+// camera has
+uniform int farol_belief;
 layout(location = 0) out highp vec4 farol_color;
 
 /** Distances this much apart (ratio) belong to different surfaces. */
@@ -111,7 +114,8 @@ else if (farol_hasPast) {
     bool missed = farol_belief > 2 && !same && reach.x > 0.0 && before > 0.0 && before < expected
       && length((farol_wayAt(place / size, before) - way.xy) * size) < FAROL_ALONG;
     bool believed = stays || missed || (farol_belief > 0 && edge && same);
-    if (!believed || farol_belief < 2) past.rgb = farol_likeNow(past.rgb, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
+    if (!believed || farol_belief < 2)
+      past.rgb = farol_likeNow(past.rgb, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
     float share = weight * (still ? farol_share.y : farol_share.x);
     // where the past is of less worth, samples count in a wider reach
     if (edge && !believed) share = max(share, farol_share.x * pow(weight, 0.36));

@@ -164,7 +164,7 @@ export class Decals implements FarolEffect {
   }
 
   private makeMaterials(frame: Frame): readonly [PassMaterial, PassMaterial] {
-    addMicroShaders(frame.microshaders, { decalBox, decalSurface, decalAccumulation, decalGBuffer });
+    addMicroShaders(frame.microshaders, 'Decals', { decalBox, decalSurface, decalAccumulation, decalGBuffer });
     const material = (chunk: string) =>
       new PassMaterial(frame.microshaders, {
         name: `Farol ${chunk}`,

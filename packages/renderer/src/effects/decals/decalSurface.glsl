@@ -63,7 +63,8 @@ bool farol_findDecal(const in ivec2 pixel, out FarolDecal decal) {
   decal.across = farol_smaller(farol_inDecal(pixel + ivec2(1, 0)) - place, place - farol_inDecal(pixel - ivec2(1, 0)));
   decal.up = farol_smaller(farol_inDecal(pixel + ivec2(0, 1)) - place, place - farol_inDecal(pixel - ivec2(0, 1)));
   mat2 linear = mat2(farol_decalMapTransform);
-  vec4 color = textureGrad(farol_decalMap, (farol_decalMapTransform * vec3(decal.uv, 1.0)).xy, linear * decal.across, linear * decal.up);
+  vec4 color = textureGrad(farol_decalMap, (farol_decalMapTransform * vec3(decal.uv, 1.0)).xy, linear * decal.across,
+    linear * decal.up);
   color *= farol_decalColor;
   decal.color = color.rgb;
   decal.opacity = color.a;

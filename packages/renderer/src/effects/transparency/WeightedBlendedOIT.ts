@@ -137,7 +137,7 @@ export class WeightedBlendedOIT implements FarolEffect {
   }
 
   private makeMaterial(frame: Frame): PassMaterial {
-    addMicroShaders(frame.microshaders, { weightedResolve });
+    addMicroShaders(frame.microshaders, 'WeightedBlendedOIT', { weightedResolve });
     return new PassMaterial(frame.microshaders, {
       name: 'Farol weighted transparency',
       vertex: ['fullscreen'],

@@ -1,4 +1,4 @@
-// Shows what a technique with a light buffer shades at each pixel: its materials, and its share of the light buffer's texel.
+// What a technique with a light buffer shades at each pixel: its materials, and a share of the light buffer's texel.
 // Farol
 #include "heatMap"
 #include "heatScale"
@@ -8,6 +8,7 @@ uniform highp sampler2D farol_overdrawMap;
 uniform highp vec4 farol_lightGrid; // texels a pixel (x, y); pixels to take off first (x, y)
 //# main
 ivec2 texel = ivec2((gl_FragCoord.xy - farol_lightGrid.zw) * farol_lightGrid.xy);
-float counted = texelFetch(farol_sums0, min(texel, textureSize(farol_sums0, 0) - 1), 0).r * farol_lightGrid.x * farol_lightGrid.y;
+float counted = texelFetch(farol_sums0, min(texel, textureSize(farol_sums0, 0) - 1), 0).r
+  * farol_lightGrid.x * farol_lightGrid.y;
 counted += texelFetch(farol_overdrawMap, ivec2(gl_FragCoord.xy - farol_offset), 0).r;
 gl_FragColor = vec4(farol_heatMap(counted * farol_heatScale), 1.0);

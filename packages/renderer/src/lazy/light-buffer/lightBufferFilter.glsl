@@ -112,5 +112,6 @@ FarolLightSums farol_lightSums(const in vec3 positionVS, const in vec3 normalVS)
     farol_readWide(reader, place);
   }
   vec3 specularF90 = vec3(reader.sums0.a, reader.sums1.a, reader.sums2.a);
-  return FarolLightSums(reader.sums0.rgb / reader.total, reader.sums1.rgb / reader.total, reader.sums2.rgb / reader.total, specularF90 / reader.total);
+  return FarolLightSums(reader.sums0.rgb / reader.total, reader.sums1.rgb / reader.total,
+    reader.sums2.rgb / reader.total, specularF90 / reader.total);
 }

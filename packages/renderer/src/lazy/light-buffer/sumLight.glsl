@@ -36,7 +36,8 @@ FarolLobe farol_lobe(const in float lobe, const in float object, const in vec3 n
   return l;
 }
 
-void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in vec3 positionVS, const in FarolLight light) {
+void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in vec3 positionVS,
+  const in FarolLight light) {
   if (light.attenuation <= 0.0) return;
   vec3 diffuseColor = vec3(1.0);
   vec3 specularColor = vec3(1.0);
@@ -50,7 +51,8 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
   }
   float dotNLRaw = dot(lobe.normalVS, light.direction);
   if (!(dotNLRaw > 0.0)) return;
-  vec3 color = FAROL_MASKED(light.color, light.mask, light.direction * light.distance, positionVS, lobe.normalVS, lobe.receivesShadows);
+  vec3 color = FAROL_MASKED(light.color, light.mask, light.direction * light.distance, positionVS, lobe.normalVS,
+    lobe.receivesShadows);
   diffuseColor *= color;
   specularColor *= color;
   float dotNL = min(dotNLRaw, 1.0);
@@ -63,14 +65,16 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
   float specular = 0.0;
   if (lobe.physical) {
     float dotNV = clamp(lobe.dotNV, 0.0, 1.0);
-    float visibility = 0.5 / max(dotNL * lobe.lambdaV + dotNV * sqrt(lobe.alphaSquared + (1.0 - lobe.alphaSquared) * dotNL * dotNL), 1e-6);
+    float visibility = 0.5 / max(dotNL * lobe.lambdaV
+      + dotNV * sqrt(lobe.alphaSquared + (1.0 - lobe.alphaSquared) * dotNL * dotNL), 1e-6);
     float d = dotNH * dotNH * (lobe.alphaSquared - 1.0) + 1.0;
     specular = dotNL * visibility * 0.3183098861 * lobe.alphaSquared / (d * d);
     sums.diffuse += dotNL * (1.0 - fresnel) * diffuseColor;
     if (lobe.splitsDiffuse) sums.rest += dotNL * fresnel * diffuseColor;
   } else {
     sums.diffuse += dotNL * diffuseColor;
-    if (lobe.specular) specular = dotNL * 0.25 * 0.3183098861 * (lobe.alphaSquared * 0.5 + 1.0) * pow(dotNH, lobe.alphaSquared);
+    if (lobe.specular)
+      specular = dotNL * 0.25 * 0.3183098861 * (lobe.alphaSquared * 0.5 + 1.0) * pow(dotNH, lobe.alphaSquared);
   }
   sums.specularF0 += specular * (1.0 - fresnel) * specularColor;
   sums.specularF90 += specular * fresnel * specularColor;

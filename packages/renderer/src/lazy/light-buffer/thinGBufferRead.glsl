@@ -1,4 +1,4 @@
-// Reads a pixel of the thin G-buffer; layout in gbuffer/thinGBufferLayout.ts.
+// Reads a pixel of the thin G-buffer; layout in thinGBufferLayout.ts.
 // Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5)
 #include "octahedralNormal"
 #include "storedDistance"

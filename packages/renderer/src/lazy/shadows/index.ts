@@ -41,6 +41,6 @@ export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: 
  * @param limit of the atlas of depths, texels a side
  */
 export function makeShadowMaps(webgl: WebGLRenderer, registry: MicroShaderRegistry, limit: number | null): ShadowMaps {
-  addMicroShaders(registry, microShaders);
+  addMicroShaders(registry, 'shadows', microShaders);
   return new ShadowMaps(webgl, registry, limit);
 }

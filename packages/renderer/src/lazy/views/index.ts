@@ -1,12 +1,11 @@
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import type { MicroShaderRegistry } from '../../microshaders';
-import countView from './countView.glsl?raw';
+import * as chunks from './chunks';
 import { OverdrawPass } from './OverdrawPass';
-import surfaceView from './surfaceView.glsl?raw';
 import { SurfaceViewPass } from './SurfaceViewPass';
 
 /** Its chunks, by name. */
-export const microShaders = { countView, surfaceView };
+export const microShaders = { ...chunks };
 
 /** What draws the views that no technique draws. */
 export interface ViewPasses {
@@ -16,6 +15,6 @@ export interface ViewPasses {
 
 /** The renderer fetches this when such a view is first asked for. */
 export function makeViewPasses(registry: MicroShaderRegistry): ViewPasses {
-  addMicroShaders(registry, microShaders);
+  addMicroShaders(registry, 'views', microShaders);
   return { overdraw: new OverdrawPass(), surfaceView: new SurfaceViewPass() };
 }

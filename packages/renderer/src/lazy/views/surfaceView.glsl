@@ -25,7 +25,8 @@ if (!farol_isEmptyPixel(pixel, depth)) {
     gl_FragColor.rgb = fract((farol_viewInverse * vec4(surface.positionVS, 1.0)).xyz * 0.1);
   } else if (farol_view == 4) {
     // Blinn-Phong's roughness by its shininess: alpha² = 2 / (shininess + 2)
-    gl_FragColor.rgb = vec3(model == 1 ? surface.material.r : model == 2 ? sqrt(sqrt(2.0 / (surface.accumulation.a + 2.0))) : 1.0);
+    gl_FragColor.rgb = vec3(model == 1 ? surface.material.r
+      : model == 2 ? sqrt(sqrt(2.0 / (surface.accumulation.a + 2.0))) : 1.0);
   } else if (farol_view == 5) gl_FragColor.rgb = vec3(model == 1 ? surface.material.g : 0.0);
   else gl_FragColor = linearToOutputTexel(vec4(surface.accumulation.rgb, 1.0));
 }

@@ -1,5 +1,5 @@
 // Walks the light list of the pixel's tile.
-// Olsson and Assarsson 2011, Tiled Shading; the bit lists after Drobot 2017, Improved Culling for Tiled and Clustered Rendering
+// Olsson and Assarsson 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering (bit lists)
 #include "lightTiles"
 #include "viewport"
 uniform highp usampler2D farol_tileMask;
@@ -30,10 +30,13 @@ uint farol_quadsFrom(const in uint bits, const in int start, const in int first,
 #define FAROL_FOR_EACH_LISTED_IN(positionVS, firstQuad, lastQuad) \
   for (int farol_page = 0; farol_page < farol_tileRun.z; farol_page++) { \
     uvec4 farol_summary = farol_summaryOf(farol_list, farol_page); \
-    for (int farol_word = farol_page * 128; farol_summary != uvec4(0u); farol_word += 32, farol_summary = uvec4(farol_summary.yzw, 0u)) \
-      for (uint farol_quads = farol_quadsFrom(farol_summary.x, farol_word, firstQuad, lastQuad); farol_quads != 0u; farol_quads &= farol_quads - 1u) { \
+    for (int farol_word = farol_page * 128; farol_summary != uvec4(0u); \
+      farol_word += 32, farol_summary = uvec4(farol_summary.yzw, 0u)) \
+      for (uint farol_quads = farol_quadsFrom(farol_summary.x, farol_word, firstQuad, lastQuad); farol_quads != 0u; \
+        farol_quads &= farol_quads - 1u) { \
         int farol_start = (farol_word + farol_lowestBit(farol_quads)) * 128; \
-        uvec4 farol_mask = texelFetch(farol_tileMask, farol_listTexel(farol_list * farol_tiles.w + (farol_start >> 7)), 0); \
+        uvec4 farol_mask = texelFetch(farol_tileMask, \
+          farol_listTexel(farol_list * farol_tiles.w + (farol_start >> 7)), 0); \
         for (; farol_mask != uvec4(0u); farol_mask = uvec4(farol_mask.yzw, 0u), farol_start += 32) \
           for (uint farol_bits = farol_mask.x; farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
             int farol_record = farol_tileRun.x + farol_start + farol_lowestBit(farol_bits);
@@ -43,11 +46,15 @@ uint farol_quadsFrom(const in uint bits, const in int start, const in int first,
 // plain point lights by one loop, the others by another, so that the first stays short
 #define FAROL_SHADE_LISTED(shading) \
   int farol_list = farol_tileOf(gl_FragCoord.xy); \
-  FAROL_FOR_EACH_LISTED_IN(shading.positionVS, 0, farol_tileRun.w - 1) farol_addPoint(shading, farol_record); FAROL_END_LISTED \
-  FAROL_FOR_EACH_LISTED_IN(shading.positionVS, farol_tileRun.w, farol_tiles.w - 1) farol_addBounded(shading, farol_record); FAROL_END_LISTED
+  FAROL_FOR_EACH_LISTED_IN(shading.positionVS, 0, farol_tileRun.w - 1) farol_addPoint(shading, farol_record); \
+    FAROL_END_LISTED \
+  FAROL_FOR_EACH_LISTED_IN(shading.positionVS, farol_tileRun.w, farol_tiles.w - 1) \
+    farol_addBounded(shading, farol_record); FAROL_END_LISTED
 #define FAROL_END_LISTED }}}
 #define FAROL_SHADE_ALL(shading) farol_addUnbounded(shading); FAROL_SHADE_LISTED(shading)
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \
-  for (int farol_i = 0; farol_i < farol_tileRun.x; farol_i++) { FarolLight farol_light = farol_unboundedLight(farol_i, positionVS); FAROL_SHADE(farol_light) } \
-  FAROL_FOR_EACH_LISTED(positionVS) FarolLight farol_light = farol_localLight(farol_record, positionVS); FAROL_SHADE(farol_light) FAROL_END_LISTED
+  for (int farol_i = 0; farol_i < farol_tileRun.x; farol_i++) { \
+    FarolLight farol_light = farol_unboundedLight(farol_i, positionVS); FAROL_SHADE(farol_light) } \
+  FAROL_FOR_EACH_LISTED(positionVS) FarolLight farol_light = farol_localLight(farol_record, positionVS); \
+    FAROL_SHADE(farol_light) FAROL_END_LISTED

@@ -1,16 +1,18 @@
 // Walks the lights of the pixel's cluster: the bits of its tile's mask that lie in the range of its depth's bin.
-// Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare; lights/LightGrid.ts
+// Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty; lights/LightGrid.ts
 #include "shadePlain"
 #include "lightTiles"
 #include "viewport"
 uniform highp usampler2D farol_gridMasks; // a row of texels for a row of tiles, quad by quad
 uniform highp usampler2D farol_gridBins; // first rank, last rank << 16
-uniform highp ivec4 farol_grid; // pixels a side, as a power of two; tiles in y; words of lights that count for every depth; first record
+// pixels a side, as a power of two; tiles in y; words of lights that count for every depth; first record
+uniform highp ivec4 farol_grid;
 uniform highp vec3 farol_gridDepth; // shift (m), start, scale
 
 uvec2 farol_depthBin(const in float depth) {
   if (farol_lightCounts.z == 0) return uvec2(1u, 0u);
-  int bin = int(float(floatBitsToInt(max(depth + farol_gridDepth.x, 0.0)) - floatBitsToInt(farol_gridDepth.y)) * farol_gridDepth.z);
+  int bin = int(float(floatBitsToInt(max(depth + farol_gridDepth.x, 0.0)) - floatBitsToInt(farol_gridDepth.y))
+    * farol_gridDepth.z);
   uint ranks = texelFetch(farol_gridBins, ivec2(clamp(bin, 0, 1023), 0), 0).x;
   return uvec2(ranks & 65535u, ranks >> 16);
 }
@@ -29,7 +31,9 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
 }
 
 #if defined( FAROL_HAS_MASKS ) && defined( FAROL_TILE_SHADOWS )
-uniform highp usampler2D farol_tileShadows; // of tiles of 8 pixels, two words of lights a texel: those that light all, those that light none of it; both: that light all, and are point lights of three
+// of tiles of 8 pixels, two words of lights a texel: those that light all, those that light none of it; both: that
+// light all, and are point lights of three
+uniform highp usampler2D farol_tileShadows;
 uniform highp int farol_tileShadowWords; // of a tile; 0 while nothing is known
 
 uvec2 farol_tileMarks(const in int word) {
@@ -52,7 +56,8 @@ uvec2 farol_tileMarks(const in int word) {
   for (int farol_word = farol_grid.z > 0 ? 0 : farol_ranks.x >> 5; farol_word <= farol_lastWord; \
        farol_word = farol_word + 1 < farol_grid.z ? farol_word + 1 : max(farol_word + 1, farol_ranks.x >> 5)) { \
     uvec2 farol_marks = (without) ? farol_tileMarks(farol_word) : uvec2(0u); \
-    for (uint farol_bits = farol_listedBits(farol_tile, farol_word, farol_ranks) & (farol_marks.x | ~farol_marks.y); farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
+    for (uint farol_bits = farol_listedBits(farol_tile, farol_word, farol_ranks) & (farol_marks.x | ~farol_marks.y); \
+      farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
       int farol_record = farol_grid.w + farol_word * 32 + farol_lowestBit(farol_bits);
 #define FAROL_END_LISTED }}
 // where lights have masks there may be no plain one; elsewhere the question costs more than it saves
@@ -63,10 +68,16 @@ uvec2 farol_tileMarks(const in int word) {
 #endif
 // plain point lights by one loop, the others by another, so that the first stays short
 #define FAROL_SHADE_LISTED(shading) \
-  if (FAROL_HAS_PLAIN) { FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addPoint(shading, farol_record); FAROL_END_LISTED } \
-  if (farol_lightCounts.w > 0) { FAROL_FOR_EACH_UNMARKED(shading.positionVS, (shading.flags & 16) != 0) { uvec2 farol_mark = farol_marks & (farol_bits & (~farol_bits + 1u)); farol_addOther(shading, farol_record, farol_mark.x != 0u, (farol_mark.x & farol_mark.y) != 0u); } FAROL_END_LISTED }
+  if (FAROL_HAS_PLAIN) { FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addPoint(shading, farol_record); \
+    FAROL_END_LISTED } \
+  if (farol_lightCounts.w > 0) { FAROL_FOR_EACH_UNMARKED(shading.positionVS, (shading.flags & 16) != 0) { \
+    uvec2 farol_mark = farol_marks & (farol_bits & (~farol_bits + 1u)); \
+    farol_addOther(shading, farol_record, farol_mark.x != 0u, (farol_mark.x & farol_mark.y) != 0u); } \
+    FAROL_END_LISTED }
 #define FAROL_SHADE_ALL(shading) farol_addUnbounded(shading); FAROL_SHADE_LISTED(shading)
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \
-  for (int farol_i = 0; farol_i < farol_grid.w; farol_i++) { FarolLight farol_light = farol_unboundedLight(farol_i, positionVS); FAROL_SHADE(farol_light) } \
-  FAROL_FOR_EACH_LISTED(positionVS) FarolLight farol_light = farol_localLight(farol_record, positionVS); FAROL_SHADE(farol_light) FAROL_END_LISTED
+  for (int farol_i = 0; farol_i < farol_grid.w; farol_i++) { \
+    FarolLight farol_light = farol_unboundedLight(farol_i, positionVS); FAROL_SHADE(farol_light) } \
+  FAROL_FOR_EACH_LISTED(positionVS) FarolLight farol_light = farol_localLight(farol_record, positionVS); \
+    FAROL_SHADE(farol_light) FAROL_END_LISTED

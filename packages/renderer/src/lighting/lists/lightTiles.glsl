@@ -7,7 +7,8 @@
 //? farol_bitsFrom(32, 33, 34) == 6u
 //? farol_bitsFrom(32, 0, 20) == 0u
 uniform highp ivec4 farol_tiles; // pixels a side, as a power of two; tiles in x; tiles in y; quads a tile
-uniform highp ivec4 farol_tileRun; // first record of the listed lights; their number; summary texels a tile; quads of plain point lights
+// first record of the listed lights; their number; summary texels a tile; quads of plain point lights
+uniform highp ivec4 farol_tileRun;
 
 ivec2 farol_listTexel(const in int index) {
   return ivec2(index & 2047, index >> 11);

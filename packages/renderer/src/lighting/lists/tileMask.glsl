@@ -1,5 +1,6 @@
-// Which of 128 lights touch one tile: the sphere of its range (and its cone) against the tile's frustum, and the box and slices of
-// the depths in it where these are known. FAROL_COARSE: all lights against blocks of 4 × 4 tiles, which the fine tiles follow.
+// Which of 128 lights touch one tile: the sphere of a light's range (and its cone) against the tile's frustum, and the
+// box and slices of the depths in the tile where these are known. FAROL_COARSE: all lights against blocks of 4 × 4
+// tiles, which the fine tiles follow.
 // Olsson and Assarsson 2011, Tiled Shading; Harada 2012, A 2.5D Culling for Forward+; Wronski 2017, Cull that cone
 #include "lightTiles"
 #include "lightTable"
@@ -25,7 +26,8 @@ FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
   FarolTile t;
   vec2 low = vec2(tile << shift) / farol_size * 2.0 - 1.0;
   vec2 high = vec2((tile + 1) << shift) / farol_size * 2.0 - 1.0;
-  t.slopes = vec4((low + farol_unprojectXY.zw) * farol_unprojectXY.xy, (high + farol_unprojectXY.zw) * farol_unprojectXY.xy);
+  t.slopes = vec4((low + farol_unprojectXY.zw) * farol_unprojectXY.xy,
+    (high + farol_unprojectXY.zw) * farol_unprojectXY.xy);
   t.scales = inversesqrt(1.0 + farol_perspective * t.slopes * t.slopes);
   t.range = vec2(-1e30, 1e30);
   t.slices = 4294967295u;
@@ -56,7 +58,8 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
   vec3 outside = max(max(tile.low - sphere.xyz, sphere.xyz - tile.high), 0.0);
   if (dot(outside, outside) > radius * radius) return false;
 #ifdef FAROL_SLICES
-  vec2 slices = (vec2(-sphere.z - radius, -sphere.z + radius) - tile.range.x) * (32.0 / max(tile.range.y - tile.range.x, 1e-6));
+  vec2 slices = (vec2(-sphere.z - radius, -sphere.z + radius) - tile.range.x)
+    * (32.0 / max(tile.range.y - tile.range.x, 1e-6));
   int first = int(clamp(slices.x, 0.0, 31.0));
   int last = int(clamp(slices.y, 0.0, 31.0));
   if ((tile.slices & farol_bitsFrom(0, max(first - 1, 0), min(last + 1, 31))) == 0u) return false;
@@ -105,7 +108,8 @@ if (position.y < grid.y) {
 #else
   ivec2 block = position >> 2;
   int blocks = (grid.x + 3) >> 2;
-  uvec4 candidates = texelFetch(farol_coarseMask, farol_listTexel((block.y * blocks + block.x) * quads + (start >> 7)), 0);
+  int texel = (block.y * blocks + block.x) * quads + (start >> 7);
+  uvec4 candidates = texelFetch(farol_coarseMask, farol_listTexel(texel), 0);
 #endif
   if (candidates != uvec4(0u)) {
     FarolTile tile = farol_tileAt(position, shift);

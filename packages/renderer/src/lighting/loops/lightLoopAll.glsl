@@ -3,7 +3,11 @@
 #include "shadePlain"
 #define FAROL_SHADE_ALL(shading) \
   farol_addUnbounded(shading); \
-  for (int farol_i = farol_lightCounts.x + farol_lightCounts.y; farol_i < farol_lightCounts.x + farol_lightCounts.y + farol_lightCounts.z; farol_i++) farol_addBounded(shading, farol_i);
+  for (int farol_i = farol_lightCounts.x + farol_lightCounts.y; \
+    farol_i < farol_lightCounts.x + farol_lightCounts.y + farol_lightCounts.z; \
+    farol_i++) farol_addBounded(shading, farol_i);
 #define FAROL_FOR_EACH_LIGHT(positionVS) \
-  for (int farol_i = 0; farol_i < farol_lightCounts.x; farol_i++) { FarolLight farol_light = farol_directionalLight(farol_i); FAROL_SHADE(farol_light) } \
-  for (int farol_i = farol_lightCounts.x; farol_i < farol_lightCounts.x + farol_lightCounts.y + farol_lightCounts.z; farol_i++) { FarolLight farol_light = farol_localLight(farol_i, positionVS); FAROL_SHADE(farol_light) }
+  for (int farol_i = 0; farol_i < farol_lightCounts.x; farol_i++) { \
+    FarolLight farol_light = farol_directionalLight(farol_i); FAROL_SHADE(farol_light) } \
+  for (int farol_i = farol_lightCounts.x; farol_i < farol_lightCounts.x + farol_lightCounts.y + farol_lightCounts.z; \
+    farol_i++) { FarolLight farol_light = farol_localLight(farol_i, positionVS); FAROL_SHADE(farol_light) }

@@ -1,7 +1,9 @@
-// All lights on a plain MeshStandardMaterial by three sums, where three would call RE_Direct for each: FAROL_SHADE_PLAIN.
+// FAROL_SHADE_PLAIN: all lights on a plain MeshStandardMaterial by three sums, in place of an RE_Direct for each light.
 // Farol; three.js r187's RE_Direct_Physical
 #include "shading"
-#if defined( STANDARD ) && ! defined( USE_SPECULAR ) && ! defined( USE_CLEARCOAT ) && ! defined( USE_SHEEN ) && ! defined( USE_IRIDESCENCE ) && ! defined( USE_ANISOTROPY ) && ! defined( USE_DIFFUSE_ROUGHNESS ) && ! defined( USE_RETROREFLECTION )
+#if defined( STANDARD ) && ! defined( USE_SPECULAR ) && ! defined( USE_CLEARCOAT ) && ! defined( USE_SHEEN ) \
+  && ! defined( USE_IRIDESCENCE ) && ! defined( USE_ANISOTROPY ) && ! defined( USE_DIFFUSE_ROUGHNESS ) \
+  && ! defined( USE_RETROREFLECTION )
   #define FAROL_PLAIN_STANDARD
 #endif
 #ifdef FAROL_VERTEX_NORMAL

@@ -33,7 +33,8 @@ vec3 farol_endShading(const in FarolShading s, const in ivec2 pixel) {
     vec3 f0 = mix(vec3(material.b * material.b), albedo, material.g);
     vec2 dfg = texture(dfgLUT, vec2(material.r, clamp(s.dotNV, 0.0, 1.0))).rg;
     vec3 compensation = 1.0 + f0 * (1.0 / (dfg.x + dfg.y) - 1.0);
-    return s.diffuse * albedo * ((1.0 - material.g) * 0.3183098861) + (f0 * (s.specular - s.grazing) + material.a * s.grazing) * compensation;
+    return s.diffuse * albedo * ((1.0 - material.g) * 0.3183098861)
+      + (f0 * (s.specular - s.grazing) + material.a * s.grazing) * compensation;
   }
   float strength = (s.flags & 3) == 2 ? material.a : 0.0;
   vec3 f0 = material.rgb * material.rgb;

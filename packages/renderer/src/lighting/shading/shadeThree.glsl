@@ -1,4 +1,4 @@
-// FAROL_SHADE for three's lit materials: fills IncidentLight, calls RE_Direct, applies the light's own specular and ambient.
+// FAROL_SHADE for three's lit materials: fills IncidentLight, calls RE_Direct, applies a light's specular and ambient.
 // Farol; three's lights_fragment_begin
 #include "lightMask"
 #ifdef STANDARD
@@ -8,7 +8,8 @@
 #endif
 #ifdef USE_CLEARCOAT
   #define FAROL_SAVE_CLEARCOAT vec3 farol_clearcoat = clearcoatSpecularDirect;
-  #define FAROL_SCALE_CLEARCOAT clearcoatSpecularDirect = mix(farol_clearcoat, clearcoatSpecularDirect, farol_specular.rgb);
+  #define FAROL_SCALE_CLEARCOAT clearcoatSpecularDirect = mix(farol_clearcoat, clearcoatSpecularDirect, \
+    farol_specular.rgb);
 #else
   #define FAROL_SAVE_CLEARCOAT
   #define FAROL_SCALE_CLEARCOAT
@@ -27,9 +28,11 @@
   #define FAROL_IS_LIT(light) light.attenuation > 0.0
 #endif
 #ifdef FAROL_TOON
-  #define FAROL_DIRECT(light) reflectedLight.directDiffuse += farol_toonGradient(light, geometryNormal) * directLight.color * BRDF_Lambert(material.diffuseColor);
+  #define FAROL_DIRECT(light) reflectedLight.directDiffuse += farol_toonGradient(light, geometryNormal) \
+    * directLight.color * BRDF_Lambert(material.diffuseColor);
 #else
-  #define FAROL_DIRECT(light) RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight);
+  #define FAROL_DIRECT(light) RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, \
+    geometryClearcoatNormal, material, reflectedLight);
 #endif
 // along the normal of the geometry, as three has it from the vertices, a shadow map is looked up some way off
 #if defined( FAROL_VERTEX_NORMAL ) && !defined( FLAT_SHADED )
@@ -40,13 +43,17 @@
 #define FAROL_SHADE(light) \
   farol_lightsEvaluated += 1.0; \
   if (FAROL_IS_LIT(light)) { \
-  directLight.direction = light.direction; directLight.color = FAROL_MASKED(light.color, light.mask, light.direction * light.distance, geometryPosition, FAROL_SHADOW_NORMAL, receiveShadow); directLight.visible = true; \
+  directLight.direction = light.direction; \
+    directLight.color = FAROL_MASKED(light.color, light.mask, light.direction * light.distance, geometryPosition, \
+    FAROL_SHADOW_NORMAL, receiveShadow); directLight.visible = true; \
   ReflectedLight farol_before = reflectedLight; FAROL_SAVE_CLEARCOAT FAROL_SAVE_SHEEN \
   FAROL_DIRECT(light) \
   if (light.extension > 0) { \
-    vec4 farol_diffuse = farol_lightTexel(light.extension, 0); vec4 farol_specular = farol_lightTexel(light.extension, 1); \
+    vec4 farol_diffuse = farol_lightTexel(light.extension, 0); \
+      vec4 farol_specular = farol_lightTexel(light.extension, 1); \
     reflectedLight.directDiffuse = mix(farol_before.directDiffuse, reflectedLight.directDiffuse, farol_diffuse.rgb) \
       + farol_lightTexel(light.extension, 2).rgb * light.attenuation * BRDF_Lambert(FAROL_DIFFUSE_COLOR); \
-    reflectedLight.directSpecular = mix(farol_before.directSpecular, reflectedLight.directSpecular, farol_specular.rgb); \
+    reflectedLight.directSpecular = mix(farol_before.directSpecular, reflectedLight.directSpecular, \
+      farol_specular.rgb); \
     FAROL_SCALE_CLEARCOAT FAROL_SCALE_SHEEN \
   } }

@@ -1,5 +1,5 @@
-// Light on one surface as three's RE_Direct_Physical and RE_Direct_BlinnPhong have it, with what the lights have in common
-// taken out of the loop: three sums, weighted at the end by the surface's colours.
+// Light on one surface as three's RE_Direct_Physical and RE_Direct_BlinnPhong have it, with what the lights have in
+// common taken out of the loop: three sums, weighted at the end by the surface's colours.
 // three.js r187; Walter et al. 2007 (GGX), Heitz 2014 (height-correlated Smith), Turquin 2018 (multiple scattering)
 #include "incidentLight"
 #include "lightMask"
@@ -44,7 +44,8 @@ void farol_setPhysical(inout FarolShading s, const in float roughness, const in 
 }
 
 // direction: to the light, unit; colours: what arrives at a surface that faces it
-void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3 diffuseColor, const in vec3 specularColor) {
+void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3 diffuseColor,
+  const in vec3 specularColor) {
   float dotNLRaw = dot(s.normalVS, direction);
   if (!(dotNLRaw > 0.0)) return; // nor without a normal
   float dotNL = min(dotNLRaw, 1.0);
@@ -106,8 +107,8 @@ void farol_addPlain(inout FarolShading s, const in vec4 centre, const in vec3 co
   farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), arriving, arriving);
 }
 
-// a light with a range, its first two texels; point lights of three, most of all lights, take the short way; isLit: its mask lets
-// all through
+// a light with a range, its first two texels; point lights of three, most of all lights, take the short way; isLit: its
+// mask lets all through
 void farol_addRead(inout FarolShading s, const in int record, const in vec4 centre, vec4 color, const in bool isLit) {
   vec3 toLight = centre.xyz - s.positionVS;
   float distanceSquared = dot(toLight, toLight);
@@ -160,7 +161,8 @@ void farol_addBounded(inout FarolShading s, const in int record) {
   farol_addRead(s, record, farol_lightTexel(record, 0), farol_lightTexel(record, 1), false);
 }
 
-// the same, for all but plain point lights; isPlain: a mask that lets all through is all that keeps it from being one; both texels are asked for before either is looked at
+// the same, for all but plain point lights; isPlain: a mask that lets all through is all that keeps it from being one;
+// both texels are asked for before either is looked at
 void farol_addOther(inout FarolShading s, const in int record, const in bool isLit, const in bool isPlain) {
   vec4 centre = farol_lightTexel(record, 0);
   vec4 color = farol_lightTexel(record, 1);

@@ -1,4 +1,4 @@
-// The vertices of a sphere round each light of a run, instanced, made from gl_VertexID: LIGHT_VOLUME_SPHERE_VERTICES a light.
+// The vertices of a sphere round each light of a run, instanced, made from gl_VertexID: 576 a light.
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
 #include "lightTable"
 #include "lightVolumeWide"

@@ -12,10 +12,12 @@ layout(location = 0) out highp vec4 farol_cookie;
 vec2 at = gl_FragCoord.xy - farol_cookieTile.xy;
 #ifdef FAROL_CUBE
 vec2 cell = floor(at / farol_cookieTile.w);
-vec2 across = (at - cell * farol_cookieTile.w - 0.5 * (farol_cookieTile.w - farol_cookieTile.z)) / farol_cookieTile.z * 2.0 - 1.0;
+vec2 across = (at - cell * farol_cookieTile.w - 0.5 * (farol_cookieTile.w - farol_cookieTile.z))
+  / farol_cookieTile.z * 2.0 - 1.0;
 int face = int(cell.x + 3.0 * cell.y + 0.5);
 float side = (face & 1) == 0 ? 1.0 : -1.0;
-vec3 direction = face < 2 ? vec3(side, across.y, side * across.x) : face < 4 ? vec3(side * across.x, side, across.y) : vec3(-side * across.x, across.y, side);
+vec3 direction = face < 2 ? vec3(side, across.y, side * across.x) : face < 4 ? vec3(side * across.x, side, across.y)
+  : vec3(-side * across.x, across.y, side);
 farol_cookie = textureLod(farol_cookieImage, vec3(farol_cookieFlip * direction.x, direction.yz), 0.0);
 #else
 farol_cookie = texture(farol_cookieImage, at / farol_cookieTile.zw);

@@ -1,4 +1,4 @@
-// Mean and standard deviation of the depths of a shadow map, blurred down its columns; then (FAROL_ACROSS) across its rows.
+// Mean and standard deviation of the depths of a shadow map, blurred down its columns, or (FAROL_ACROSS) its rows.
 // three.js r187 vsm; Donnelly and Lauritzen 2006, Variance Shadow Maps
 uniform highp sampler2D farol_momentSource;
 uniform highp vec4 farol_momentTile; // corner of what is drawn, size of the map (texels)

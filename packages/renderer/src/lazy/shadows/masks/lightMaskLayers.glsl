@@ -14,8 +14,11 @@ bool farol_sharesLayer(const in int mask) {
   uvec2 layers = uvec2(farol_lightTexel(mask + 2, 1).xy + 0.5);
   return layers == uvec2(0u) || (layers & uvec2(FAROL_OBJECT_LAYERS + 0.5)) != uvec2(0u);
 }
-vec3 farol_layeredMask(const in int mask, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS, const in vec3 shadowNormalVS, const in bool receives) {
-  return farol_sharesLayer(mask) ? farol_lightMask(mask, isPoint, toLight, positionVS, shadowNormalVS, receives) : vec3(0.0);
+vec3 farol_layeredMask(const in int mask, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS,
+  const in vec3 shadowNormalVS, const in bool receives) {
+  return farol_sharesLayer(mask) ? farol_lightMask(mask, isPoint, toLight, positionVS, shadowNormalVS, receives)
+    : vec3(0.0);
 }
 #define FAROL_MASK farol_layeredMask
-#define FAROL_MASKED(color, mask, toLight, positionVS, shadowNormalVS, receives) ((mask) > 0 ? (color) * FAROL_MASK(mask, false, toLight, positionVS, shadowNormalVS, receives) : (color))
+#define FAROL_MASKED(color, mask, toLight, positionVS, shadowNormalVS, receives) \
+  ((mask) > 0 ? (color) * FAROL_MASK(mask, false, toLight, positionVS, shadowNormalVS, receives) : (color))

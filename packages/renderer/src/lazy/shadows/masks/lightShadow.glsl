@@ -1,5 +1,5 @@
 // Shadow maps and cookies of lights, from the tiles of two atlases; the filters are three's own.
-// three.js r187 shadowmap_pars_fragment; Reeves et al. 1987 (PCF); Donnelly and Lauritzen 2006 (VSM); Jimenez 2014 (noise)
+// three.js r187 shadowmap_pars_fragment; Reeves 1987 (PCF); Donnelly and Lauritzen 2006 (VSM); Jimenez 2014 (noise)
 //? farol_cubeFace(vec3(2.0, 1.0, 1.0)) == vec3(0.75, 0.75, 0.0)
 //? farol_cubeFace(vec3(0.0, 0.5, -2.0)) == vec3(0.5, 0.625, 5.0)
 #include "lightTable"
@@ -17,7 +17,8 @@ const vec2 FAROL_DISK[5] = vec2[5](vec2(0.31622777, 0.0), vec2(-0.40387357, 0.36
 vec3 farol_cubeFace(const in vec3 direction) {
   vec3 size = abs(direction);
   vec3 side = vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0, direction.z < 0.0 ? -1.0 : 1.0);
-  if (size.x >= size.y && size.x >= size.z) return vec3(vec2(side.x * direction.z, direction.y) / size.x * 0.5 + 0.5, 0.5 - 0.5 * side.x);
+  if (size.x >= size.y && size.x >= size.z)
+    return vec3(vec2(side.x * direction.z, direction.y) / size.x * 0.5 + 0.5, 0.5 - 0.5 * side.x);
   if (size.y >= size.z) return vec3(vec2(side.y * direction.x, direction.z) / size.y * 0.5 + 0.5, 2.5 - 0.5 * side.y);
   return vec3(vec2(-side.z * direction.x, direction.y) / size.z * 0.5 + 0.5, 4.5 - 0.5 * side.z);
 }
@@ -47,7 +48,8 @@ vec2 farol_turn; // found once a pixel
 #define FAROL_TURN farol_diskTurn()
 #endif
 
-// The samples of a disk: where its middle is in the atlas (0..1), with the depth there; how both change along the disk's axes.
+// The samples of a disk: where its middle is in the atlas (0..1), with the depth there; how both change along the
+// disk's axes.
 struct FarolDisk {
   vec3 middle;
   vec3 alongX;
@@ -68,12 +70,14 @@ float farol_diskShadow(const in FarolDisk disk) {
   return lit * 0.2;
 }
 
-// tile: corner and size (texels); coord: across the map 0..1, and depth; reach: radius of the filter, as part of the map
+// tile: corner and size (texels); coord: across the map 0..1, and depth; reach: radius of the filter, as part of the
+// map
 FarolDisk farol_mapDisk(const in vec4 tile, const in vec3 coord, const in vec2 reach) {
   float texel = farol_atlasTexel.x;
   vec2 turn = FAROL_TURN;
   vec2 radius = reach * tile.zw * texel;
-  return FarolDisk(vec3((tile.xy + coord.xy * tile.zw) * texel, coord.z), vec3(turn * radius, 0.0), vec3(vec2(-turn.y, turn.x) * radius, 0.0),
+  return FarolDisk(vec3((tile.xy + coord.xy * tile.zw) * texel, coord.z), vec3(turn * radius, 0.0),
+    vec3(vec2(-turn.y, turn.x) * radius, 0.0),
     vec4(tile.xy + 0.5, tile.xy + tile.zw - 0.5) * texel);
 }
 
@@ -102,11 +106,13 @@ float farol_varianceShadow(const in vec4 tile, const in vec3 coord) {
   return clamp((variance / (variance + beyond * beyond) - 0.3) / 0.65, 0.0, 1.0);
 }
 
-// Three's disk at right angles to the direction, in the plane of the face that it meets, to first order. With (p, q) where the
-// direction meets the face (-1..1), l² = 1 + p² + q² and the disk's tangent t and bitangent b as three has them, the plane is met
-// at (p, q) + l (t.xy - (p, q) t.z) and likewise for b. What lies beyond the face is in its border.
-// depths: a and b of a face's depth a + b / distance along its axis; reach: radius of the filter, as part of a face
-FarolDisk farol_cubeDisk(const in vec3 tile, const in float border, const in vec3 fromLight, const in vec2 depths, const in float reach) {
+// Three's disk at right angles to the direction, in the plane of the face that it meets, to first order. With (p, q)
+// where the direction meets the face (-1..1), l² = 1 + p² + q² and the disk's tangent t and bitangent b as three has
+// them, the plane is met at (p, q) + l (t.xy - (p, q) t.z) and likewise for b. What lies beyond the face is in its
+// border. depths: a and b of a face's depth a + b / distance along its axis; reach: radius of the filter, as part of a
+// face
+FarolDisk farol_cubeDisk(const in vec3 tile, const in float border, const in vec3 fromLight, const in vec2 depths,
+  const in float reach) {
   vec3 size = abs(fromLight);
   vec3 side = vec3(fromLight.x < 0.0 ? -1.0 : 1.0, fromLight.y < 0.0 ? -1.0 : 1.0, fromLight.z < 0.0 ? -1.0 : 1.0);
   bool byX = size.x > size.z; // three's tangent is at right angles to y then, else to x
@@ -114,7 +120,8 @@ FarolDisk farol_cubeDisk(const in vec3 tile, const in float border, const in vec
   bool isY = size.y >= size.z && !isX;
   float face = isX ? 0.5 - 0.5 * side.x : isY ? 2.5 - 0.5 * side.y : 4.5 - 0.5 * side.z;
   float away = 1.0 / (isX ? size.x : isY ? size.y : size.z);
-  vec2 p = (isX ? vec2(side.x * fromLight.z, fromLight.y) : isY ? vec2(side.y * fromLight.x, fromLight.z) : vec2(-side.z * fromLight.x, fromLight.y)) * away;
+  vec2 p = (isX ? vec2(side.x * fromLight.z, fromLight.y) : isY ? vec2(side.y * fromLight.x, fromLight.z)
+    : vec2(-side.z * fromLight.x, fromLight.y)) * away;
   float lengthSquared = 1.0 + dot(p, p);
   float depth = depths.y * away;
   bool isRound = isY && byX;
@@ -135,7 +142,8 @@ FarolDisk farol_cubeDisk(const in vec3 tile, const in float border, const in vec
   vec3 unit = vec3(vec2(0.5 * tile.z * texel), 1.0);
   float row = face >= 3.0 ? 1.0 : 0.0;
   vec2 centre = (tile.xy + (vec2(face - 3.0 * row, row) + 0.5) * (tile.z + 2.0 * border)) * texel;
-  return FarolDisk(vec3(centre, depths.x) + vec3(p, depth) * unit, (tangent * turn.x + bitangent * turn.y) * unit, (bitangent * turn.x - tangent * turn.y) * unit,
+  return FarolDisk(vec3(centre, depths.x) + vec3(p, depth) * unit, (tangent * turn.x + bitangent * turn.y) * unit,
+    (bitangent * turn.x - tangent * turn.y) * unit,
     vec4(0.0, 0.0, 1.0, 1.0));
 }
 
@@ -153,7 +161,8 @@ struct FarolMask {
 FarolMask farol_readMask(const in int record) {
   vec4 place = farol_lightTexel(record + 1, 0);
   int bits = int(place.z);
-  return FarolMask(bits >> 15 & 7, float(bits >> 18 & 3), (bits & 1 << 20) != 0, vec3(place.xy, bits & 32767), float(1 << (bits >> 21)), place.w, farol_lightTexel(record + 1, 1));
+  return FarolMask(bits >> 15 & 7, float(bits >> 18 & 3), (bits & 1 << 20) != 0, vec3(place.xy, bits & 32767),
+    float(1 << (bits >> 21)), place.w, farol_lightTexel(record + 1, 1));
 }
 
 // isPoint: that is known
@@ -168,12 +177,17 @@ bool farol_isCube(const in FarolMask mask, const in bool isPoint) {
 #endif
 }
 
-// where a point is in a map (homogeneous, 0..1), or from a point light (m, world axes); toLight: from it to the light (m)
-vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS, const in vec3 shadowNormalVS) {
+// where a point is in a map (homogeneous, 0..1), or from a point light (m, world axes); toLight: from it to the light
+// (m)
+vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in bool isPoint, const in vec3 toLight,
+  const in vec3 positionVS, const in vec3 shadowNormalVS) {
   vec3 shift = shadowNormalVS * mask.normalBias;
   // lights that left their maps do not come as points for certain: those need not wait for the mask here
-  if (farol_isCube(mask, isPoint)) return vec4(farol_worldAxes * (shift - (!isPoint && mask.extended ? farol_lightTexel(record, 0).xyz - positionVS : toLight)), 1.0);
-  return mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2), farol_lightTexel(record, 3)) * vec4(positionVS + shift, 1.0);
+  if (farol_isCube(mask, isPoint))
+    return vec4(farol_worldAxes * (shift - (!isPoint && mask.extended
+      ? farol_lightTexel(record, 0).xyz - positionVS : toLight)), 1.0);
+  return mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2),
+    farol_lightTexel(record, 3)) * vec4(positionVS + shift, 1.0);
 }
 
 // 1 in the light, 0 in full shadow; PCF without branches, as far as only kinds of it have been met
@@ -194,7 +208,8 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
 #endif
     inside = depth >= 0.0 && depth <= 1.0; // neither before the nearest nor beyond the farthest
 #ifdef FAROL_BASIC_SHADOWS
-    if (mask.kind == 3) lit = farol_shadowTap(farol_cubeTexel(mask.tile, mask.border, farol_cubeFace(coord.xyz), true), depth);
+    if (mask.kind == 3)
+      lit = farol_shadowTap(farol_cubeTexel(mask.tile, mask.border, farol_cubeFace(coord.xyz), true), depth);
 #endif
 #endif
   } else {
@@ -205,7 +220,9 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
     if (mask.extended) more = farol_lightTexel(record + 1, 2).xy; // height, nearer maps
     vec4 tile = farol_cascadeTile(record, vec4(mask.tile, more.x), across, int(more.y));
 #ifdef FAROL_BASIC_SHADOWS
-    if (mask.kind == 1) lit = farol_shadowTap(clamp(floor(tile.xy + across.xy * tile.zw) + 0.5, tile.xy + 0.5, tile.xy + tile.zw - 0.5), across.z);
+    if (mask.kind == 1)
+      lit = farol_shadowTap(
+        clamp(floor(tile.xy + across.xy * tile.zw) + 0.5, tile.xy + 0.5, tile.xy + tile.zw - 0.5), across.z);
 #endif
 #ifdef FAROL_VARIANCE_SHADOWS
     if (mask.kind == 5) lit = farol_varianceShadow(tile, across);
@@ -243,9 +260,10 @@ vec3 farol_cookieAt(const in int record, const in vec4 coord, const in float kin
   return textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).rgb;
 }
 
-// how much of the light a mask lets through to a point, by colour; isPoint: a point light's, for certain; receives: false where
-// shadows do not count
-vec3 farol_lightMask(const in int record, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS, const in vec3 shadowNormalVS, const in bool receives) {
+// how much of the light a mask lets through to a point, by colour; isPoint: a point light's, for certain; receives:
+// false where shadows do not count
+vec3 farol_lightMask(const in int record, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS,
+  const in vec3 shadowNormalVS, const in bool receives) {
   FarolMask mask = farol_readMask(record);
   vec4 coord = farol_maskCoord(record, mask, isPoint, toLight, positionVS, shadowNormalVS);
   vec3 passed = vec3(1.0);

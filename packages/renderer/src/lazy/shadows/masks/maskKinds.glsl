@@ -1,4 +1,5 @@
-// Which kinds of shadow maps and cookies shaders have code for, and of which lights: all of them here, but only those that have been met once lights have masks.
+// Which kinds of shadow maps and cookies shaders have code for, and of which lights: all of them here; once lights have
+// masks, the kinds that have been met.
 // Farol
 #define FAROL_SHADOW_MAPS
 #define FAROL_SHADOW_CUBES

@@ -9,7 +9,8 @@ float farol_shadowMask() {
   float lit = 1.0;
 #ifdef FAROL_HAS_MASKS
   if (receiveShadow)
-    for (int i = 0; i < farol_masks.y; i++) lit *= farol_lightLit(farol_masks.x + i * 3, farol_maskPositionVS, farol_maskNormalVS);
+    for (int i = 0; i < farol_masks.y; i++)
+      lit *= farol_lightLit(farol_masks.x + i * 3, farol_maskPositionVS, farol_maskNormalVS);
 #endif
   return lit;
 }

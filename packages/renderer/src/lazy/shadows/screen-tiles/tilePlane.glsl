@@ -1,10 +1,12 @@
-// How far the depths of a block of 4 × 4 pixels are from the plane that its tile's depths lie along, roughly: depth is linear over
-// the picture where a surface is flat.
+// How far the depths of a block of 4 × 4 pixels are from the plane that its tile's depths lie along, roughly: depth is
+// linear over the picture where a surface is flat.
 // Farol
 #include "unproject"
 uniform highp sampler2D farol_gDepth;
 uniform highp vec2 farol_size;
-layout(location = 0) out highp uvec4 farol_plane; // bits of: least and most beside the plane (most below least: nothing there), the plane's change a pixel across, a pixel up
+// bits of: least and most beside the plane (most below least: nothing there), the plane's change a pixel across, a
+// pixel up
+layout(location = 0) out highp uvec4 farol_plane;
 
 // as unproject.glsl has it: what is lost near 1 is not lost here
 float farol_preciseDepth(const in float depth) {
@@ -19,7 +21,8 @@ vec4 corners = vec4(texelFetch(farol_gDepth, first, 0).r, texelFetch(farol_gDept
   texelFetch(farol_gDepth, ivec2(first.x, last.y), 0).r, texelFetch(farol_gDepth, last, 0).r);
 vec2 slope = vec2(0.0);
 if (!farol_isEmpty(corners.x) && !farol_isEmpty(corners.y) && !farol_isEmpty(corners.z) && !farol_isEmpty(corners.w)) {
-  vec4 d = vec4(farol_preciseDepth(corners.x), farol_preciseDepth(corners.y), farol_preciseDepth(corners.z), farol_preciseDepth(corners.w));
+  vec4 d = vec4(farol_preciseDepth(corners.x), farol_preciseDepth(corners.y), farol_preciseDepth(corners.z),
+    farol_preciseDepth(corners.w));
   slope = vec2(d.y + d.w - d.x - d.z, d.z + d.w - d.x - d.y) * 0.5 / vec2(max(last - first, 1));
 }
 float least = 1e30;

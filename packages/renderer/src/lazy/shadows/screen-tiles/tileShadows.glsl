@@ -1,5 +1,5 @@
-// Which lights of a tile light all of its surfaces, and which none, by the depth bounds of their shadow maps: where a light's map
-// is known to be beyond, or before, everything in the tile, no pixel has to look it up.
+// Which lights of a tile light all of its surfaces, and which none, by the depth bounds of their shadow maps: where a
+// light's map is known to be beyond, or before, everything in the tile, no pixel has to look it up.
 // Farol; Olsson et al. 2014, Efficient Virtual Shadow Maps for Many Lights, for culling lights by shadow maps
 #include "lightShadow"
 #include "lightTiles"
@@ -10,7 +10,9 @@ uniform highp usampler2D farol_gridMasks;
 uniform highp ivec4 farol_grid;
 uniform highp vec2 farol_size;
 uniform highp int farol_tileShadowWords;
-layout(location = 0) out highp uvec4 farol_marks; // of two words of lights: those that light all of the tile, those that light none of it; both: see lightListClustered.glsl
+// of two words of lights: those that light all of the tile, those that light none of it; both: see
+// lightListClustered.glsl
+layout(location = 0) out highp uvec4 farol_marks;
 
 const int FAROL_MOST_BLOCKS = 6; // across a tile's part of a map
 
@@ -37,7 +39,8 @@ bool farol_findCorners(const in ivec2 tile) {
     float e = dot(a.zw, away) + ((i & 4) == 0 ? least - rounding : most + rounding);
     float z = (farol_unprojectZ.x + farol_unprojectZ.y * e) / (farol_unprojectZ.z + farol_unprojectZ.w * e);
     vec2 uv = (vec2(tile * FAROL_TILE) + 0.5 * float(FAROL_TILE) + away) / farol_size;
-    farol_corners[i] = vec3((uv * 2.0 - 1.0 + farol_unprojectXY.zw) * farol_unprojectXY.xy * mix(1.0, -z, farol_perspective), z);
+    farol_corners[i] = vec3((uv * 2.0 - 1.0 + farol_unprojectXY.zw) * farol_unprojectXY.xy
+      * mix(1.0, -z, farol_perspective), z);
 #ifdef FAROL_SHADOW_CUBES
     farol_worldCorners[i] = farol_worldAxes * farol_corners[i];
 #endif
@@ -60,8 +63,10 @@ struct FarolComparison {
   bool isDark; // something is before all of them
 };
 
-// low, high: the part of the atlas that is looked up (texels); depths: of the surfaces there, least and most; inside: all within the map
-bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, const in bool inside, inout FarolComparison comparison) {
+// low, high: the part of the atlas that is looked up (texels); depths: of the surfaces there, least and most; inside:
+// all within the map
+bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, const in bool inside,
+  inout FarolComparison comparison) {
   ivec2 first = ivec2(max(low, 0.0)) >> 3;
   ivec2 last = ivec2(high) >> 3;
   if (max(last.x - first.x, last.y - first.y) >= FAROL_MOST_BLOCKS) return false;
@@ -74,7 +79,8 @@ bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, 
       uvec2 b = texelFetch(farol_shadowBounds, ivec2(next.x, y), 0).xy;
       uvec2 c = texelFetch(farol_shadowBounds, ivec2(x, next.y), 0).xy;
       uvec2 d = texelFetch(farol_shadowBounds, next, 0).xy;
-      bounds = uvec2(min(min(bounds.x, min(a.x, b.x)), min(c.x, d.x)), max(max(bounds.y, max(a.y, b.y)), max(c.y, d.y)));
+      bounds = uvec2(min(min(bounds.x, min(a.x, b.x)), min(c.x, d.x)),
+        max(max(bounds.y, max(a.y, b.y)), max(c.y, d.y)));
     }
   }
   vec2 map = vec2(bounds);
@@ -86,8 +92,8 @@ bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, 
 }
 
 #ifdef FAROL_SHADOW_CUBES
-// The same for a cube, where one face sees all of the tile: tiles that two see are few. Samples are no farther beside than the
-// face's border is wide.
+// The same for a cube, where one face sees all of the tile: tiles that two see are few. Samples are no farther beside
+// than the face's border is wide.
 bool farol_compareCube(const in int record, const in FarolMask mask, inout FarolComparison comparison) {
   vec3 centre = farol_worldAxes * farol_lightTexel(record, 0).xyz;
   float bias = abs(mask.normalBias);
@@ -117,7 +123,8 @@ bool farol_compareCube(const in int record, const in FarolMask mask, inout Farol
   terms = mask.filtering.x + vec2(min(terms.x, terms.y), max(terms.x, terms.y));
   int row = face / 3;
   vec2 corner = mask.tile.xy + vec2(face - 3 * row, row) * (mask.tile.z + 2.0 * mask.border);
-  return farol_compare(corner + (part.xy * 0.5 + 0.5) * mask.tile.z - 1.0, corner + (part.zw * 0.5 + 0.5) * mask.tile.z + 2.0 * mask.border + 1.0,
+  return farol_compare(corner + (part.xy * 0.5 + 0.5) * mask.tile.z - 1.0,
+    corner + (part.zw * 0.5 + 0.5) * mask.tile.z + 2.0 * mask.border + 1.0,
     terms + vec2(-slant, slant), terms.x >= 0.0 && terms.y <= 1.0, comparison);
 }
 
@@ -126,9 +133,11 @@ bool farol_compareCube(const in int record, const in FarolMask mask, inout Farol
 #ifdef FAROL_SHADOW_MAPS
 // the same for a map
 bool farol_compareMap(const in int record, const in FarolMask mask, inout FarolComparison comparison) {
-  mat4 matrix = mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2), farol_lightTexel(record, 3));
+  mat4 matrix = mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2),
+    farol_lightTexel(record, 3));
   mat4 rows = transpose(matrix);
-  vec4 shift = abs(mask.normalBias) * vec4(length(rows[0].xyz), length(rows[1].xyz), length(rows[2].xyz), length(rows[3].xyz));
+  vec4 shift = abs(mask.normalBias) * vec4(length(rows[0].xyz), length(rows[1].xyz), length(rows[2].xyz),
+    length(rows[3].xyz));
   vec3 low = vec3(1e30);
   vec3 high = vec3(-1e30);
   for (int i = 0; i < 8; i++) {

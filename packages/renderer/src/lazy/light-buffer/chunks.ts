@@ -1,0 +1,9 @@
+// The microshaders of this folder, by name.
+export { default as lightBufferCounts } from './lightBufferCounts.glsl?raw';
+export { default as lightBufferFilter } from './lightBufferFilter.glsl?raw';
+export { default as lightLoopBuffer } from './lightLoopBuffer.glsl?raw';
+export { default as lightSums } from './lightSums.glsl?raw';
+export { default as sumLight } from './sumLight.glsl?raw';
+export { default as thinGBufferRead } from './thinGBufferRead.glsl?raw';
+export { default as thinGBufferWrite } from './thinGBufferWrite.glsl?raw';
+export { default as volumeLightBuffer } from './volumeLightBuffer.glsl?raw';

@@ -1,0 +1,32 @@
+import { describe, expect, it } from 'vitest';
+import { addMicroShaders } from './addMicroShaders';
+import { MicroShaderRegistry } from './MicroShaderRegistry';
+
+const parent = new MicroShaderRegistry();
+parent.loadGLSL('built', 'float built;');
+
+describe('addMicroShaders', () => {
+  it('adds each chunk once, whoever brings it, and keeps a live edit', () => {
+    const registry = new MicroShaderRegistry(parent);
+    addMicroShaders(registry, 'SMAA', { a: 'float a;', b: 'float b;' });
+    registry.replace('a', 'float edited;');
+    addMicroShaders(registry, 'TAA', { a: 'float a;', c: 'float c;' });
+    expect(registry.names()).toEqual(['built', 'a', 'b', 'c']);
+    expect(registry.get('a')!.header).toBe('float edited;');
+  });
+
+  it('names both who bring different texts of one name, and adds none', () => {
+    const registry = new MicroShaderRegistry(parent);
+    addMicroShaders(registry, 'SMAA', { a: 'float a;' });
+    expect(() => addMicroShaders(registry, 'my effect', { b: '', a: 'float other;' })).toThrow(
+      'Microshader "a" of my effect is another text than that of SMAA; give it a name of its own.',
+    );
+    expect(() => addMicroShaders(registry, 'my effect', { built: 'float other;' })).toThrow('than that of Farol;');
+    expect(registry.names()).toEqual(['built', 'a']);
+  });
+
+  it('lets two renderers have chunks of one name', () => {
+    addMicroShaders(new MicroShaderRegistry(), 'SMAA', { a: 'float a;' });
+    expect(() => addMicroShaders(new MicroShaderRegistry(), 'TAA', { a: 'float b;' })).not.toThrow();
+  });
+});
