@@ -1,18 +1,13 @@
 import { defineConfig } from 'vite';
+import { libraryConfig } from '../tools/libraryConfig.mjs';
 
 /**
  * The published bundle: a file for each module, so that what an app does not need at first comes later; three and the
- * renderer are left to the host. Its types come from `tsc -b`.
+ * renderer are left to the host.
  */
-export default defineConfig({
-  publicDir: false,
-  build: {
-    target: 'es2022',
-    lib: { entry: 'src/index.ts', formats: ['es'], fileName: 'index' },
-    emptyOutDir: false,
-    rolldownOptions: {
-      external: [/^three($|\/)/, /^@farol\/renderer($|\/)/],
-      output: { minify: true, preserveModules: true, preserveModulesRoot: 'src', entryFileNames: '[name].js' },
-    },
-  },
-});
+export default defineConfig(
+  libraryConfig(new URL('.', import.meta.url), {
+    preserveModules: true,
+    preserveModulesRoot: 'src',
+  }),
+);
