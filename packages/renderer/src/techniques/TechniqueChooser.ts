@@ -29,9 +29,9 @@ export interface Choice {
 
 /** Few enough lights that a list costs more than it saves. */
 const FEW_LIGHTS = 2;
-/** Lights over a pixel from which a G-buffer pays; measured, see PERFORMANCE.md. */
+/** Lights over a pixel from which a G-buffer pays; measured, see docs/performance.md. */
 const MANY_OVER_A_PIXEL = 4;
-/** Lights with a range from which lists made on the GPU cost less than lists made on the CPU; measured, see PERFORMANCE.md. */
+/** Lights with a range from which lists made on the GPU cost less than lists made on the CPU; measured, see docs/performance.md. */
 const MANY_LIGHTS = 400;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;

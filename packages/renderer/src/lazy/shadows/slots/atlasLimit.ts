@@ -1,7 +1,7 @@
 import type { PictureSize } from '../../../lighting/LightTable';
 import type { ShadowSlot } from './ShadowSlot';
 
-/** Texels of the maps of lights with a range for a pixel of the picture, at most: fewer show, see PERFORMANCE.md. */
+/** Texels of the maps of lights with a range for a pixel of the picture, at most: fewer show, see docs/performance.md. */
 const TEXELS_PER_PIXEL = 48;
 /** Pixels that a picture is taken to have at least. */
 const LEAST_PIXELS = 1280 * 720;
