@@ -1,5 +1,6 @@
 import { DepthTexture, FloatType, NearestFilter, RGBAFormat, type WebGLRenderer } from 'three';
 import { drawBuffersOf } from '../gpu/checkDevice';
+import { attachmentIndex } from './gbufferNames';
 import { gbufferLayout, type GBufferAttachment } from './gbufferLayout';
 import { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets';
 
@@ -38,16 +39,16 @@ export class GBuffer {
   }
 
   get accumulation() {
-    return this.target.textures[0];
+    return this.target.textures[attachmentIndex.accumulation];
   }
   get normal() {
-    return this.target.textures[1];
+    return this.target.textures[attachmentIndex.normal];
   }
   get albedo() {
-    return this.target.textures[2];
+    return this.target.textures[attachmentIndex.albedo];
   }
   get material() {
-    return this.target.textures[3];
+    return this.target.textures[attachmentIndex.material];
   }
   get depth(): DepthTexture {
     return this.target.depthTexture!;

@@ -1,13 +1,11 @@
 import type { Material } from 'three';
 import type { Frame } from '../frame/Frame';
 import { GBuffer } from './GBuffer';
+import { attachmentIndex } from './gbufferNames';
 import { shadingModelOf } from './shadingModel';
 import { gbufferTwin } from './gbufferTwins';
 import type { TwinKind } from '../materials/TwinKind';
 import type { Pass } from '../frame/Pass';
-
-/** Attachment of the albedo and flags. */
-const ALBEDO = 2;
 
 /** How lit and unlit meshes are drawn for the views of the G-buffer. */
 export interface GBufferViewTwins {
@@ -42,7 +40,7 @@ export class GBufferPass implements Pass {
     // where nothing is drawn, depth 1 says so: what the other attachments hold there is never shown, and a clear costs as much as a draw
     frame.clear(0, true);
     // but what is drawn as far off: there flags say so
-    if (frame.queue.reachesFar) frame.clearOne(ALBEDO);
+    if (frame.queue.reachesFar) frame.clearOne(attachmentIndex.albedo);
     for (const item of frame.queue.opaque) {
       if (this.forView) {
         if (!item.plain) continue;

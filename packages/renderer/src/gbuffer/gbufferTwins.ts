@@ -1,10 +1,12 @@
 import type { Material } from 'three';
-import { flagsOf, shadingModelOf, type ShadingModel } from './shadingModel';
+import { attachmentOutputs } from './gbufferNames';
+import { flagsOf, shadingModelOf } from './shadingModel';
+import type { ShadingModel } from './surfaceFlags';
 import { litTwin } from '../materials/litTwin';
 import type { TwinKind } from '../materials/TwinKind';
 
-export const OUTPUTS =
-  'layout(location = 1) out highp vec4 farol_outNormal;\nlayout(location = 2) out highp vec4 farol_outAlbedo;\nlayout(location = 3) out highp vec4 farol_outMaterial;\n';
+/** Declares what the G-buffer's shaders write beside gl_FragColor. */
+export const OUTPUTS = attachmentOutputs();
 
 type AnyMaterial = Material & {
   isMeshToonMaterial?: boolean;
@@ -21,7 +23,7 @@ export function nearestModel(source: Material): ShadingModel {
 }
 
 export const outputs = (text: string, source: Material) =>
-  `${OUTPUTS}#define FAROL_FLAGS ${flagsOf(source, nearestModel(source))}.0\n${text}`;
+  `${OUTPUTS}#define FAROL_FLAGS ${flagsOf(source, nearestModel(source))}\n${text}`;
 
 /** Writes the G-buffer; the first attachment gets emissive, ambient, environment and what three itself lights. */
 export const gbufferTwin: TwinKind = litTwin({

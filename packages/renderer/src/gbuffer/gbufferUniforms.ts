@@ -1,27 +1,20 @@
-import { Vector2, type Camera, type IUniform, type OrthographicCamera, type Texture } from 'three';
+import { Vector2, type Camera, type IUniform, type OrthographicCamera } from 'three';
 import type { Frame } from '../frame/Frame';
 import type { GBuffer } from './GBuffer';
+import { gbufferTextureUniforms, type GBufferTextureUniforms, textureUniforms } from './gbufferNames';
 import { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../gpu/unprojectUniforms';
 
 /** Uniforms of gbufferRead.glsl and of where the picture lies. */
-export interface GBufferUniforms extends UnprojectUniforms {
-  farol_gAccumulation: IUniform<Texture | null>;
-  farol_gNormal: IUniform<Texture | null>;
-  farol_gAlbedo: IUniform<Texture | null>;
-  farol_gMaterial: IUniform<Texture | null>;
-  farol_gDepth: IUniform<Texture | null>;
+export interface GBufferUniforms extends GBufferTextureUniforms, UnprojectUniforms {
   farol_gStored: IUniform<number[]>;
+  /** Pixels. */
   farol_size: IUniform<Vector2>;
   farol_offset: IUniform<Vector2>;
 }
 
 export function gbufferUniforms(): GBufferUniforms {
   return {
-    farol_gAccumulation: { value: null },
-    farol_gNormal: { value: null },
-    farol_gAlbedo: { value: null },
-    farol_gMaterial: { value: null },
-    farol_gDepth: { value: null },
+    ...gbufferTextureUniforms(),
     farol_gStored: { value: [0, 0] },
     ...unprojectUniforms(),
     farol_size: { value: new Vector2() },
@@ -36,10 +29,8 @@ export function storedKind(camera: Camera): 1 | 2 {
 
 /** Points the uniforms at a G-buffer and at this frame's camera and size. */
 export function setGBufferUniforms(uniforms: GBufferUniforms, gbuffer: GBuffer, frame: Frame): void {
-  uniforms.farol_gAccumulation.value = frame.accumulation ?? gbuffer.accumulation;
-  uniforms.farol_gNormal.value = gbuffer.normal;
-  uniforms.farol_gAlbedo.value = gbuffer.albedo;
-  uniforms.farol_gMaterial.value = gbuffer.material;
+  for (let i = 0; i < textureUniforms.length; i++) uniforms[textureUniforms[i]].value = gbuffer.target.textures[i];
+  if (frame.accumulation !== null) uniforms.farol_gAccumulation.value = frame.accumulation;
   uniforms.farol_gDepth.value = gbuffer.depth;
   const stored = uniforms.farol_gStored.value;
   stored[0] = gbuffer.storesDistance ? storedKind(frame.camera) : 0;

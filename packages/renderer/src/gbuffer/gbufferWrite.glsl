@@ -3,6 +3,7 @@
 #include "octahedralNormal"
 #include "roundToHalf"
 #include "storedDistance"
+#include "surfaceFlags"
 #if defined( STANDARD )
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(material.roughness, material.metalness, \
     sqrt(material.specularColor.r), material.specularF90); gl_FragColor.a = 1.0;
@@ -15,5 +16,6 @@
 #define FAROL_WRITE_GBUFFER \
   farol_outNormal = \
     vec4(farol_roundToHalf(farol_encodeNormal(normal)), farol_packDistance(vViewPosition.z, isOrthographic)); \
-  farol_outAlbedo = vec4(sqrt(material.diffuseColor), (FAROL_FLAGS + (receiveShadow ? 16.0 : 0.0)) / 255.0); \
+  farol_outAlbedo = vec4(sqrt(material.diffuseColor), \
+    farol_packFlags(FAROL_FLAGS + (receiveShadow ? FAROL_RECEIVES_SHADOWS : 0))); \
   FAROL_WRITE_MATERIAL

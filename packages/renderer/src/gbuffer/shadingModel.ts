@@ -1,15 +1,6 @@
 import type { Color, Material, MeshPhongMaterial, MeshPhysicalMaterial, MeshStandardMaterial } from 'three';
 import { LessEqualDepth, NoBlending, NormalBlending } from 'three';
-
-/** Which of three's lighting models a pixel of the G-buffer is lit by; the low two bits of its flags. */
-export const shadingModels = { unlit: 0, standard: 1, phong: 2, lambert: 3 } as const;
-export type ShadingModel = keyof typeof shadingModels;
-
-/** Flag bits above the shading model. */
-export const FLAG_FOG = 4;
-export const FLAG_TONE_MAPPED = 8;
-/** Not of the material but of the object: set by the shader. */
-export const FLAG_RECEIVES_SHADOWS = 16;
+import { type ShadingModel, shadingModels, surfaceFlags } from './surfaceFlags';
 
 type AnyMaterial = Material & {
   isMeshStandardMaterial?: boolean;
@@ -70,8 +61,8 @@ export function shadingModelOf(material: Material): ShadingModel | null {
 export function flagsOf(material: Material, model: ShadingModel): number {
   return (
     shadingModels[model] +
-    ((material as AnyMaterial).fog === false ? 0 : FLAG_FOG) +
-    (material.toneMapped ? FLAG_TONE_MAPPED : 0)
+    ((material as AnyMaterial).fog === false ? 0 : surfaceFlags.hasFog) +
+    (material.toneMapped ? surfaceFlags.isToneMapped : 0)
   );
 }
 

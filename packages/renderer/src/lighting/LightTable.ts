@@ -17,7 +17,7 @@ import { FiniteLights } from '../lights/FiniteLights';
 import { isBlackLight } from '../lights/isBlackLight';
 import { lightAxis } from '../lights/lightAxis';
 import { lightRange } from '../lights/lightRange';
-import { type LightMasks, LightRecords } from '../lights/LightRecords';
+import { type LightMasks, LightRecords } from './LightRecords';
 import { viewFrustumPlanes } from '../lights/viewFrustumPlanes';
 import { sphereOutsidePlanes } from '../lights/sphereOutsidePlanes';
 import { coneBoundingSphere } from '../lights/coneBoundingSphere';

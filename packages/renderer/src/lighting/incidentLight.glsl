@@ -21,51 +21,56 @@ float farol_angularAttenuation(const in float angleCosine, const in float cutoff
 
 float farol_extendedAttenuation(const in int extension, const in float lightDistance, const in float range,
   const in float decay) {
-  vec4 falloff = farol_lightTexel(extension, 3);
-  if (falloff.w == 1.0) return farol_nearFarAttenuation(lightDistance, falloff.x, falloff.y);
-  if (falloff.w == 2.0) return farol_polynomialAttenuation(lightDistance, falloff.xyz, range);
+  vec4 falloff = farol_extensionFalloff(extension);
+  if (farol_extensionIsNearFar(falloff))
+    return farol_nearFarAttenuation(lightDistance, farol_extensionNear(falloff), farol_extensionFar(falloff));
+  if (farol_extensionIsPolynomial(falloff))
+    return farol_polynomialAttenuation(lightDistance, farol_extensionFactors(falloff), range);
   return farol_distanceAttenuation(lightDistance, range, decay);
 }
 
-FarolLight farol_directionalLight(const in int index) {
+FarolLight farol_directionalLight(const in int record) {
   FarolLight light;
-  light.direction = farol_lightTexel(index, 0).xyz;
-  vec4 color = farol_lightTexel(index, 1);
-  light.color = color.rgb;
+  light.direction = farol_lightDirection(record);
+  vec4 emission = farol_lightEmission(record);
+  light.color = farol_lightColor(emission);
   light.distance = 0.0;
   light.attenuation = 1.0;
   light.extension = light.mask = 0;
-  if (color.w != 0.0) {
-    vec4 more = farol_lightTexel(index, 3);
-    light.mask = int(more.z);
-    light.extension = int(more.w);
+  if (farol_lightHasDetails(emission)) {
+    vec4 details = farol_lightDetails(record);
+    light.mask = farol_lightMaskRecord(details);
+    light.extension = farol_lightExtensionRecord(details);
   }
   return light;
 }
 
-FarolLight farol_localLight(const in int index, const in vec3 positionVS) {
+FarolLight farol_localLight(const in int record, const in vec3 positionVS) {
   FarolLight light;
-  vec4 centre = farol_lightTexel(index, 0);
-  vec4 color = farol_lightTexel(index, 1);
-  vec3 toLight = centre.xyz - positionVS;
+  vec4 sphere = farol_lightSphere(record);
+  vec4 emission = farol_lightEmission(record);
+  vec3 toLight = farol_lightPosition(sphere) - positionVS;
+  float range = farol_lightRange(sphere);
   float lightDistance = light.distance = length(toLight);
   light.direction = normalize(toLight);
   light.extension = light.mask = 0;
-  if (color.w >= 0.0) { // a plain point light: w is its decay
-    light.attenuation = farol_distanceAttenuation(lightDistance, centre.w, color.w);
-  } else { // a spot light, a light of the thesis or one with a mask: w is -1 - decay
-    vec4 axis = farol_lightTexel(index, 2);
-    vec4 cone = farol_lightTexel(index, 3);
-    light.mask = int(cone.z);
-    light.extension = int(cone.w);
-    float angleCosine = dot(light.direction, axis.xyz);
-    light.attenuation = farol_angularAttenuation(angleCosine, axis.w, cone.x, cone.y);
+  if (farol_lightIsPlain(emission)) {
+    light.attenuation = farol_distanceAttenuation(lightDistance, range, farol_lightPlainDecay(emission));
+  } else { // a spot light, a light of the thesis or one with a mask
+    vec4 cone = farol_lightCone(record);
+    vec4 details = farol_lightDetails(record);
+    light.mask = farol_lightMaskRecord(details);
+    light.extension = farol_lightExtensionRecord(details);
+    float angleCosine = dot(light.direction, farol_lightAxis(cone));
+    light.attenuation = farol_angularAttenuation(
+      angleCosine, farol_lightCutoff(cone), farol_lightPenumbra(details), farol_lightExponent(details));
     if (light.attenuation > 0.0) {
+      float decay = farol_lightOtherDecay(emission);
       light.attenuation *= light.extension > 0
-        ? farol_extendedAttenuation(light.extension, lightDistance, centre.w, -1.0 - color.w)
-        : farol_distanceAttenuation(lightDistance, centre.w, -1.0 - color.w);
+        ? farol_extendedAttenuation(light.extension, lightDistance, range, decay)
+        : farol_distanceAttenuation(lightDistance, range, decay);
     }
   }
-  light.color = color.rgb * light.attenuation;
+  light.color = farol_lightColor(emission) * light.attenuation;
   return light;
 }

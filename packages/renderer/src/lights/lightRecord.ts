@@ -1,21 +1,91 @@
+import { texelOffsets, type RecordLayout } from './recordLayout';
+
 /**
- * Layout of the light table: a texture of RGBA32F texels, `TEXELS_PER_RECORD` a record, `RECORDS_PER_ROW` records a row.
+ * The light table: a texture of RGBA32F texels, `TEXELS_PER_RECORD` a record, `RECORDS_PER_ROW` records a row. A light is one
+ * record; what few lights need lies in records of their own, behind all lights: a mask (`masks/maskRecord.ts`: the light's
+ * shadow map and cookie) and an extension (what only a light of the thesis has).
  *
- * | texel | directional | local |
- * |---|---|---|
- * | 0 | direction to the light (view space), 0 | centre (view space, m), range (m, 0: none) |
- * | 1 | colour × intensity, 1 if extended or masked | colour × intensity, decay if a plain point light, else -1 - decay |
- * | 2 | – | axis from target to light (view space), cosine of the cutoff angle |
- * | 3 | –, –, mask record or 0, extension record or 0 | cosine of the penumbra (-2: a point light), spot exponent or -1, mask record or 0, extension record or 0 |
- *
- * Of a point light that is elsewhere than its mask, both records have a half more, which integers lose: it is not taken for one
- * that may go the short way.
- *
- * An extension record holds what only a light of the thesis has: 0 diffuse scale, 1 specular scale, 2 ambient colour,
- * 3 attenuation parameters (near, far | constant, linear, quadratic) and kind (0 physical, 1 near-far, 2 polynomial).
- *
- * A mask takes `RECORDS_PER_MASK` records: what a shadow map and a cookie let through of a light, see masks/maskRecord.ts.
+ * Offsets for TypeScript and getters for GLSL (microshader `lightRecord`) are made from the tables below.
  */
 export const TEXELS_PER_RECORD = 4;
 export const RECORDS_PER_ROW = 256;
 export const FLOATS_PER_RECORD = TEXELS_PER_RECORD * 4;
+
+/** In place of a point light's cone: the cosine of its cutoff, and that of its penumbra, which no spot light has. */
+export const POINT_CUTOFF = -3;
+export const POINT_PENUMBRA = -2;
+/** Spot exponent of a light that has three's penumbra. */
+export const NO_EXPONENT = -1;
+/** Added to the records of mask and extension of a point light that is elsewhere than its map; integers lose it. */
+export const ELSEWHERE = 0.5;
+
+/** How an extension attenuates its light with distance. */
+export const attenuationKinds = { physical: 0, nearFar: 1, polynomial: 2 } as const;
+
+/** One light. Vectors are in view space; lengths in metres; angles as cosines. */
+export const lightRecord = {
+  sphere: {
+    /** Directional: to the light, unit length. */
+    direction: 'xyz',
+    position: 'xyz',
+    /** 0: none. */
+    range: 'w',
+  },
+  emission: {
+    /** Colour × intensity. */
+    color: 'rgb',
+    /** Local: a point light as three has it, that nothing masks; its cone and details are not written. */
+    isPlain: ['bool', 't.w >= 0.0'],
+    plainDecay: 'w',
+    /** Of a light that is not plain. */
+    otherDecay: ['float', '-1.0 - t.w'],
+    decay: ['float', 't.w >= 0.0 ? t.w : -1.0 - t.w'],
+    /** Directional: it has a mask or an extension. */
+    hasDetails: ['bool', 't.w != 0.0'],
+  },
+  cone: {
+    /** From the target to the light, unit length. */
+    axis: 'xyz',
+    cutoff: 'w',
+    isCone: ['bool', 't.w > -1.0'],
+  },
+  details: {
+    penumbra: 'x',
+    /** Of the thesis's spot light, or NO_EXPONENT. */
+    exponent: 'y',
+    /** 0: none. */
+    maskRecord: ['int', 'int(t.z)'],
+    extensionRecord: ['int', 'int(t.w)'],
+    isSpot: ['bool', 't.x >= -1.0'],
+    isMasked: ['bool', 't.z > 0.0'],
+    /** A point light as three has it, at the place of its mask. */
+    isMaskedPoint: ['bool', 't.x < -1.0 && t.w == 0.0'],
+  },
+} as const satisfies RecordLayout;
+
+/** What only a light of the thesis has. Colours are linear. */
+export const extensionRecord = {
+  /** Times the light's colour: what diffuse surfaces take. */
+  diffuse: { diffuse: 'rgb' },
+  /** Times the light's colour: what the specular term takes. */
+  specular: { specular: 'rgb' },
+  /** Given to every surface in reach, whatever its normal. */
+  ambient: { ambient: 'rgb' },
+  falloff: {
+    near: 'x',
+    far: 'y',
+    /** Constant, linear (1/m), quadratic (1/m²). */
+    factors: 'xyz',
+    isNearFar: ['bool', `t.w == ${attenuationKinds.nearFar}.0`],
+    isPolynomial: ['bool', `t.w == ${attenuationKinds.polynomial}.0`],
+  },
+} as const satisfies RecordLayout;
+
+/** Where the texels of a record begin (floats). */
+export const LIGHT = texelOffsets(lightRecord);
+export const EXTENSION = texelOffsets(extensionRecord);
+
+/** What the fourth number of `emission` holds of a local light. @param decay as three has it */
+export function emissionDecay(decay: number, isPlain: boolean): number {
+  return isPlain ? decay : -1 - decay;
+}

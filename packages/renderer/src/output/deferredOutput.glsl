@@ -10,7 +10,7 @@ uniform vec2 farol_size;
 uniform int farol_view; // 0 final, 1 lighting, 2 counts
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
-float depth = texelFetch(farol_gDepth, pixel, 0).r;
+float depth = farol_gDepthAt(pixel);
 vec3 lighting = texelFetch(farol_lightingMap, pixel, 0).rgb;
 if (farol_view == 2) {
   gl_FragColor = vec4(farol_heatMap((lighting.r + texelFetch(farol_overdrawMap, pixel, 0).r) * farol_heatScale), 1.0);
@@ -18,9 +18,9 @@ if (farol_view == 2) {
   if (farol_background.a < 0.0) discard;
   gl_FragColor = farol_background;
 } else {
-  int flags = int(texelFetch(farol_gAlbedo, pixel, 0).a * 255.0 + 0.5);
-  vec3 radiance = farol_view == 1 ? lighting : lighting + texelFetch(farol_gAccumulation, pixel, 0).rgb;
+  int flags = farol_unpackFlags(farol_gAlbedoAt(pixel).a);
+  vec3 radiance = farol_view == 1 ? lighting : lighting + farol_gAccumulationAt(pixel).rgb;
   vec3 positionVS = farol_surfacePosition(pixel, depth, farol_size);
-  gl_FragColor = farol_output(radiance, -positionVS.z, (flags & 8) != 0, (flags & 4) != 0);
+  gl_FragColor = farol_output(radiance, -positionVS.z, farol_isToneMapped(flags), farol_hasFog(flags));
 }
 gl_FragDepth = depth;

@@ -9,7 +9,7 @@ uniform vec2 farol_size;
 uniform int farol_view; // 0 final, 1 lighting, 2 counts
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
-float depth = texelFetch(farol_gDepth, pixel, 0).r;
+float depth = farol_gDepthAt(pixel);
 gl_FragDepth = depth;
 if (farol_view == 2) {
   float counted = texelFetch(farol_overdrawMap, pixel, 0).r;
@@ -30,6 +30,7 @@ if (farol_view == 2) {
   farol_addUnbounded(shading);
   FAROL_SHADE_LISTED(shading)
   vec3 radiance = farol_endShading(shading, pixel);
-  if (farol_view == 0) radiance += texelFetch(farol_gAccumulation, pixel, 0).rgb;
-  gl_FragColor = farol_output(radiance, -shading.positionVS.z, (shading.flags & 8) != 0, (shading.flags & 4) != 0);
+  if (farol_view == 0) radiance += farol_gAccumulationAt(pixel).rgb;
+  int flags = shading.flags;
+  gl_FragColor = farol_output(radiance, -shading.positionVS.z, farol_isToneMapped(flags), farol_hasFog(flags));
 }

@@ -11,7 +11,7 @@ if (!farol_findDecal(ivec2(gl_FragCoord.xy), decal)) discard;
 // a square root in 8 bits ends at this albedo: below it, black
 vec3 before = decal.albedo;
 vec3 after = decal.blended;
-if (farol_decalBlending == 1 && !farol_environment && (decal.flags & 3) == 1) {
+if (farol_decalBlending == 1 && !farol_environment && farol_shadingModel(decal.flags) == FAROL_STANDARD) {
   before *= 1.0 - texelFetch(farol_surfaceMaterial, ivec2(gl_FragCoord.xy), 0).g;
   after = mix(before, decal.color * (1.0 - farol_decalValues.y), decal.opacity);
 }

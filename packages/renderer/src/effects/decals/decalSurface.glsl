@@ -3,6 +3,7 @@
 #include "unproject"
 #include "octahedralNormal"
 #include "storedDistance"
+#include "surfaceFlags"
 uniform highp sampler2D farol_surfaceDepth;
 uniform highp sampler2D farol_surfaceNormal; // octahedral; stored distances
 uniform highp int farol_surfaceStored; // 0; distances are stored: 1 in perspective, 2 orthographic
@@ -24,7 +25,7 @@ struct FarolDecal {
   vec3 blended; // what comes of the surface's albedo, linear, 0 to 1
   vec3 normal; // of the surface, view space
   vec3 albedo; // of the surface and what lies on it already, linear
-  int flags; // of the surface
+  int flags; // of the surface: surfaceFlags
   vec2 uv;
   vec2 across; // change of uv to the next pixel
   vec2 up;
@@ -71,6 +72,6 @@ bool farol_findDecal(const in ivec2 pixel, out FarolDecal decal) {
   vec4 albedo = texelFetch(farol_surfaceAlbedo, pixel, 0);
   decal.albedo = albedo.rgb * albedo.rgb;
   decal.blended = clamp(farol_blend(decal.albedo, color.rgb * color.a, color.a), 0.0, 1.0);
-  decal.flags = int(albedo.a * 255.0 + 0.5);
+  decal.flags = farol_unpackFlags(albedo.a);
   return decal.opacity > 0.0;
 }

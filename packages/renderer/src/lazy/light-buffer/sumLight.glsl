@@ -1,5 +1,6 @@
 // Adds one light to the sums of the light buffer, by the specular lobe that the thin G-buffer holds.
 // three.js r187; Walter et al. 2007 (GGX), Heitz 2014 (height-correlated Smith), Blinn 1977, Schlick 1994
+#include "ggx"
 #include "incidentLight"
 #include "lightSums"
 #include "lightMask"
@@ -31,7 +32,7 @@ FarolLobe farol_lobe(const in float lobe, const in float object, const in vec3 n
     float roughness = l.splitsDiffuse ? lobe - 2.0 : lobe;
     l.alphaSquared = roughness * roughness * roughness * roughness;
     float dotNV = clamp(l.dotNV, 0.0, 1.0);
-    l.lambdaV = sqrt(l.alphaSquared + (1.0 - l.alphaSquared) * dotNV * dotNV);
+    l.lambdaV = farol_smithLambda(l.alphaSquared, dotNV);
   } else l.alphaSquared = -1.0 - lobe;
   return l;
 }
@@ -42,9 +43,9 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
   vec3 diffuseColor = vec3(1.0);
   vec3 specularColor = vec3(1.0);
   if (light.extension > 0) {
-    diffuseColor = farol_lightTexel(light.extension, 0).rgb;
-    specularColor = farol_lightTexel(light.extension, 1).rgb;
-    vec3 ambient = farol_lightTexel(light.extension, 2).rgb * light.attenuation;
+    diffuseColor = farol_extensionDiffuse(light.extension);
+    specularColor = farol_extensionSpecular(light.extension);
+    vec3 ambient = farol_extensionAmbient(light.extension) * light.attenuation;
     // with F90 below 1 there is no room: the ambient part then loses F0 of itself
     if (lobe.physical && !lobe.splitsDiffuse) sums.rest += ambient;
     else sums.diffuse += ambient;
@@ -61,20 +62,15 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
   float halfScale = inversesqrt(max(2.0 + 2.0 * dotLV, 1e-8));
   float dotNH = clamp((dotNLRaw + lobe.dotNV) * halfScale, 0.0, 1.0);
   float dotVH = clamp((1.0 + dotLV) * halfScale, 0.0, 1.0);
-  float fresnel = exp2((-5.55473 * dotVH - 6.98316) * dotVH);
+  float fresnel = farol_schlickPower(dotVH);
   float specular = 0.0;
   if (lobe.physical) {
-    float dotNV = clamp(lobe.dotNV, 0.0, 1.0);
-    float visibility = 0.5 / max(dotNL * lobe.lambdaV
-      + dotNV * sqrt(lobe.alphaSquared + (1.0 - lobe.alphaSquared) * dotNL * dotNL), 1e-6);
-    float d = dotNH * dotNH * (lobe.alphaSquared - 1.0) + 1.0;
-    specular = dotNL * visibility * 0.3183098861 * lobe.alphaSquared / (d * d);
+    specular = dotNL * farol_ggxLobe(lobe.alphaSquared, lobe.lambdaV, clamp(lobe.dotNV, 0.0, 1.0), dotNL, dotNH);
     sums.diffuse += dotNL * (1.0 - fresnel) * diffuseColor;
     if (lobe.splitsDiffuse) sums.rest += dotNL * fresnel * diffuseColor;
   } else {
     sums.diffuse += dotNL * diffuseColor;
-    if (lobe.specular)
-      specular = dotNL * 0.25 * 0.3183098861 * (lobe.alphaSquared * 0.5 + 1.0) * pow(dotNH, lobe.alphaSquared);
+    if (lobe.specular) specular = dotNL * farol_blinnPhongLobe(lobe.alphaSquared, dotNH);
   }
   sums.specularF0 += specular * (1.0 - fresnel) * specularColor;
   sums.specularF90 += specular * fresnel * specularColor;

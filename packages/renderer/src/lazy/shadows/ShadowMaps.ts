@@ -11,7 +11,7 @@ import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { DataTable } from '../../gpu/DataTable';
 import { cookieOf } from '../../lights/lightCookie';
 import { LightLayers } from './LightLayers';
-import type { LightMasks } from '../../lights/LightRecords';
+import type { LightMasks } from '../../lighting/LightRecords';
 import type { LightTable, PictureSize } from '../../lighting/LightTable';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { RecentlyUsed } from '../../frame/RecentlyUsed';

@@ -8,11 +8,11 @@ uniform mat4 farol_viewInverse;
 uniform int farol_view; // 0 albedo, 1 normal, 2 depth, 3 position, 4 roughness, 5 metalness, 6 emissive
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
-float depth = texelFetch(farol_gDepth, pixel, 0).r;
+float depth = farol_gDepthAt(pixel);
 gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);
 if (!farol_isEmptyPixel(pixel, depth)) {
   FarolSurface surface = farol_readSurface(pixel, depth, farol_size);
-  int model = surface.flags & 3;
+  int model = farol_shadingModel(surface.flags);
   if (farol_view == 0) gl_FragColor = linearToOutputTexel(vec4(surface.albedo, 1.0));
   else if (farol_view == 1) gl_FragColor.rgb = model == 0 ? vec3(0.5) : surface.normalVS * 0.5 + 0.5;
   else if (farol_view == 2) {

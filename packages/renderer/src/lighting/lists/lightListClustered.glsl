@@ -70,7 +70,7 @@ uvec2 farol_tileMarks(const in int word) {
 #define FAROL_SHADE_LISTED(shading) \
   if (FAROL_HAS_PLAIN) { FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addPoint(shading, farol_record); \
     FAROL_END_LISTED } \
-  if (farol_lightCounts.w > 0) { FAROL_FOR_EACH_UNMARKED(shading.positionVS, (shading.flags & 16) != 0) { \
+  if (farol_lightCounts.w > 0) { FAROL_FOR_EACH_UNMARKED(shading.positionVS, farol_receivesShadows(shading.flags)) { \
     uvec2 farol_mark = farol_marks & (farol_bits & (~farol_bits + 1u)); \
     farol_addOther(shading, farol_record, farol_mark.x != 0u, (farol_mark.x & farol_mark.y) != 0u); } \
     FAROL_END_LISTED }

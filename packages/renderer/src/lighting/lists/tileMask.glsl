@@ -64,14 +64,15 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
   int last = int(clamp(slices.y, 0.0, 31.0));
   if ((tile.slices & farol_bitsFrom(0, max(first - 1, 0), min(last + 1, 31))) == 0u) return false;
 #endif
-  if (farol_lightTexel(farol_tileRun.x + light, 1).w < 0.0) { // a cone against the sphere round the box
-    vec4 axis = farol_lightTexel(farol_tileRun.x + light, 2);
-    if (axis.w > -1.0) {
+  if (!farol_lightIsPlain(farol_tileRun.x + light)) { // a cone against the sphere round the box
+    vec4 cone = farol_lightCone(farol_tileRun.x + light);
+    if (farol_lightIsCone(cone)) {
+      float cutoff = farol_lightCutoff(cone);
       vec3 towards = 0.5 * (tile.low + tile.high) - sphere.xyz;
       float around = 0.5 * length(tile.high - tile.low) * 1.0001;
-      float along = -dot(towards, axis.xyz);
+      float along = -dot(towards, farol_lightAxis(cone));
       float across = sqrt(max(dot(towards, towards) - along * along, 0.0));
-      if (axis.w * across - along * sqrt(1.0 - axis.w * axis.w) > around || along < -around) return false;
+      if (cutoff * across - along * sqrt(1.0 - cutoff * cutoff) > around || along < -around) return false;
     }
   }
 #endif
@@ -83,7 +84,7 @@ uint farol_touching(const in FarolTile tile, const in uint candidates, const in 
   for (uint bits = candidates; bits != 0u; bits &= bits - 1u) {
     int bit = farol_lowestBit(bits);
     int light = start + bit;
-    if (farol_touches(tile, farol_lightTexel(farol_tileRun.x + light, 0), light)) touching |= 1u << uint(bit);
+    if (farol_touches(tile, farol_lightSphere(farol_tileRun.x + light), light)) touching |= 1u << uint(bit);
   }
   return touching;
 }

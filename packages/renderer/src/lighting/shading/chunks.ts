@@ -1,4 +1,5 @@
 // The microshaders of this folder, by name.
+export { default as ggx } from './ggx.glsl?raw';
 export { default as shadePlain } from './shadePlain.glsl?raw';
 export { default as shadeSurface } from './shadeSurface.glsl?raw';
 export { default as shadeThree } from './shadeThree.glsl?raw';

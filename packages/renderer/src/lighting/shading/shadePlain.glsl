@@ -13,7 +13,7 @@
 #endif
 #define FAROL_SHADE_PLAIN \
   FarolShading farol_shading; \
-  farol_shading.flags = receiveShadow ? 17 : 1; \
+  farol_shading.flags = FAROL_STANDARD + (receiveShadow ? FAROL_RECEIVES_SHADOWS : 0); \
   FAROL_SET_SHADOW_NORMAL \
   farol_shading.positionVS = geometryPosition; \
   farol_shading.normalVS = geometryNormal; \

@@ -6,16 +6,16 @@ uniform highp sampler2D dfgLUT;
 
 FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, const in vec2 size) {
   FarolShading s;
-  s.flags = int(texelFetch(farol_gAlbedo, pixel, 0).a * 255.0 + 0.5);
+  s.flags = farol_unpackFlags(farol_gAlbedoAt(pixel).a);
   s.positionVS = farol_surfacePosition(pixel, depth, size);
-  s.normalVS = farol_decodeNormal(texelFetch(farol_gNormal, pixel, 0).xy);
+  s.normalVS = farol_decodeNormal(farol_gNormalAt(pixel).xy);
   s.viewDirVS = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-s.positionVS);
   s.dotNV = dot(s.normalVS, s.viewDirVS);
   if (farol_isPhysical(s)) {
-    vec4 material = texelFetch(farol_gMaterial, pixel, 0);
+    vec4 material = farol_gMaterialAt(pixel);
     farol_setPhysical(s, max(material.r, 0.045), material.b * material.b, material.a);
   } else {
-    s.alphaSquared = texelFetch(farol_gAccumulation, pixel, 0).a;
+    s.alphaSquared = farol_gAccumulationAt(pixel).a;
     s.lambdaV = 0.0;
     s.diffuse0 = 1.0;
     s.diffuse90 = 0.0;
@@ -26,9 +26,9 @@ FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, cons
 
 // the radiance that the pixel's surface sends to the eye
 vec3 farol_endShading(const in FarolShading s, const in ivec2 pixel) {
-  vec3 albedo = texelFetch(farol_gAlbedo, pixel, 0).rgb;
+  vec3 albedo = farol_gAlbedoAt(pixel).rgb;
   albedo *= albedo;
-  vec4 material = texelFetch(farol_gMaterial, pixel, 0);
+  vec4 material = farol_gMaterialAt(pixel);
   if (farol_isPhysical(s)) {
     vec3 f0 = mix(vec3(material.b * material.b), albedo, material.g);
     vec2 dfg = texture(dfgLUT, vec2(material.r, clamp(s.dotNV, 0.0, 1.0))).rg;
@@ -36,7 +36,7 @@ vec3 farol_endShading(const in FarolShading s, const in ivec2 pixel) {
     return s.diffuse * albedo * ((1.0 - material.g) * 0.3183098861)
       + (f0 * (s.specular - s.grazing) + material.a * s.grazing) * compensation;
   }
-  float strength = (s.flags & 3) == 2 ? material.a : 0.0;
+  float strength = farol_shadingModel(s.flags) == FAROL_PHONG ? material.a : 0.0;
   vec3 f0 = material.rgb * material.rgb;
   return s.diffuse * albedo * 0.3183098861 + (f0 * (s.specular - s.grazing) + s.grazing) * strength;
 }

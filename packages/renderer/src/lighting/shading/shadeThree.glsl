@@ -9,14 +9,14 @@
 #ifdef USE_CLEARCOAT
   #define FAROL_SAVE_CLEARCOAT vec3 farol_clearcoat = clearcoatSpecularDirect;
   #define FAROL_SCALE_CLEARCOAT clearcoatSpecularDirect = mix(farol_clearcoat, clearcoatSpecularDirect, \
-    farol_specular.rgb);
+    farol_specular);
 #else
   #define FAROL_SAVE_CLEARCOAT
   #define FAROL_SCALE_CLEARCOAT
 #endif
 #ifdef USE_SHEEN
   #define FAROL_SAVE_SHEEN vec3 farol_sheen = sheenSpecularDirect;
-  #define FAROL_SCALE_SHEEN sheenSpecularDirect = mix(farol_sheen, sheenSpecularDirect, farol_specular.rgb);
+  #define FAROL_SCALE_SHEEN sheenSpecularDirect = mix(farol_sheen, sheenSpecularDirect, farol_specular);
 #else
   #define FAROL_SAVE_SHEEN
   #define FAROL_SCALE_SHEEN
@@ -49,11 +49,11 @@
   ReflectedLight farol_before = reflectedLight; FAROL_SAVE_CLEARCOAT FAROL_SAVE_SHEEN \
   FAROL_DIRECT(light) \
   if (light.extension > 0) { \
-    vec4 farol_diffuse = farol_lightTexel(light.extension, 0); \
-      vec4 farol_specular = farol_lightTexel(light.extension, 1); \
-    reflectedLight.directDiffuse = mix(farol_before.directDiffuse, reflectedLight.directDiffuse, farol_diffuse.rgb) \
-      + farol_lightTexel(light.extension, 2).rgb * light.attenuation * BRDF_Lambert(FAROL_DIFFUSE_COLOR); \
+    vec3 farol_diffuse = farol_extensionDiffuse(light.extension); \
+    vec3 farol_specular = farol_extensionSpecular(light.extension); \
+    reflectedLight.directDiffuse = mix(farol_before.directDiffuse, reflectedLight.directDiffuse, farol_diffuse) \
+      + farol_extensionAmbient(light.extension) * light.attenuation * BRDF_Lambert(FAROL_DIFFUSE_COLOR); \
     reflectedLight.directSpecular = mix(farol_before.directSpecular, reflectedLight.directSpecular, \
-      farol_specular.rgb); \
+      farol_specular); \
     FAROL_SCALE_CLEARCOAT FAROL_SCALE_SHEEN \
   } }

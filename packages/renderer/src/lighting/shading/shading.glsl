@@ -1,8 +1,10 @@
 // Light on one surface as three's RE_Direct_Physical and RE_Direct_BlinnPhong have it, with what the lights have in
 // common taken out of the loop: three sums, weighted at the end by the surface's colours.
 // three.js r187; Walter et al. 2007 (GGX), Heitz 2014 (height-correlated Smith), Turquin 2018 (multiple scattering)
+#include "ggx"
 #include "incidentLight"
 #include "lightMask"
+#include "surfaceFlags"
 
 struct FarolShading {
   int flags;
@@ -27,10 +29,10 @@ struct FarolShading {
 #else
   #define FAROL_SHADOW_NORMAL_OF(s) s.normalVS
 #endif
-#define FAROL_LOOKUP_OF(s) s.positionVS, FAROL_SHADOW_NORMAL_OF(s), (s.flags & 16) != 0
+#define FAROL_LOOKUP_OF(s) s.positionVS, FAROL_SHADOW_NORMAL_OF(s), farol_receivesShadows(s.flags)
 
 bool farol_isPhysical(const in FarolShading s) {
-  return (s.flags & 3) == 1;
+  return farol_shadingModel(s.flags) == FAROL_STANDARD;
 }
 
 // roughness: at least 0.045; f0, f90: of the layer over the diffuse one, grey
@@ -38,7 +40,7 @@ void farol_setPhysical(inout FarolShading s, const in float roughness, const in 
   float alpha = roughness * roughness;
   float dotNV = clamp(s.dotNV, 0.0, 1.0);
   s.alphaSquared = alpha * alpha;
-  s.lambdaV = sqrt(s.alphaSquared + (1.0 - s.alphaSquared) * dotNV * dotNV);
+  s.lambdaV = farol_smithLambda(s.alphaSquared, dotNV);
   s.diffuse0 = 1.0 - f0;
   s.diffuse90 = f90 - f0;
 }
@@ -61,16 +63,10 @@ void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3
   float dotNH = clamp((dotNLRaw + s.dotNV) * halfScale, 0.0, 1.0);
   float dotVH = min((1.0 + dotLV) * halfScale, 1.0);
 #endif
-  float fresnel = exp2((-5.55473 * dotVH - 6.98316) * dotVH);
+  float fresnel = farol_schlickPower(dotVH);
   float lobe;
-  if (farol_isPhysical(s)) {
-    float lambdaL = sqrt(s.alphaSquared + (1.0 - s.alphaSquared) * dotNL * dotNL);
-    float d = dotNH * dotNH * (s.alphaSquared - 1.0) + 1.0;
-    // V = 0.5 / (gv + gl), D = alpha² / (pi d²)
-    lobe = 0.1591549431 * s.alphaSquared / (max(dotNL * s.lambdaV + clamp(s.dotNV, 0.0, 1.0) * lambdaL, 1e-6) * d * d);
-  } else {
-    lobe = 0.0795774716 * (s.alphaSquared * 0.5 + 1.0) * pow(dotNH, s.alphaSquared);
-  }
+  if (farol_isPhysical(s)) lobe = farol_ggxLobe(s.alphaSquared, s.lambdaV, clamp(s.dotNV, 0.0, 1.0), dotNL, dotNH);
+  else lobe = farol_blinnPhongLobe(s.alphaSquared, dotNH);
   lobe *= dotNL;
   s.diffuse += dotNL * (s.diffuse0 - s.diffuse90 * fresnel) * diffuseColor;
   s.specular += lobe * specularColor;
@@ -81,9 +77,9 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   vec3 diffuseScale = vec3(1.0);
   vec3 specularScale = vec3(1.0);
   if (light.extension > 0) {
-    diffuseScale = farol_lightTexel(light.extension, 0).rgb;
-    specularScale = farol_lightTexel(light.extension, 1).rgb;
-    s.diffuse += farol_lightTexel(light.extension, 2).rgb * light.attenuation;
+    diffuseScale = farol_extensionDiffuse(light.extension);
+    specularScale = farol_extensionSpecular(light.extension);
+    s.diffuse += farol_extensionAmbient(light.extension) * light.attenuation;
   }
   if (dot(s.normalVS, light.direction) <= 0.0) return; // masks cost more than the light
 #ifdef FAROL_UNBOUNDED_MASKS
@@ -97,98 +93,105 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   farol_addLight(s, light.direction, light.color * diffuseScale, light.color * specularScale);
 }
 
-// a point light of three that nothing masks, its first two texels
-void farol_addPlain(inout FarolShading s, const in vec4 centre, const in vec3 color, const in float decay) {
-  vec3 toLight = centre.xyz - s.positionVS;
+// a point light as three has it, of which no mask takes anything; sphere: texel of its record
+void farol_addPlain(inout FarolShading s, const in vec4 sphere, const in vec3 color, const in float decay) {
+  vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
+  float range = farol_lightRange(sphere);
   float distanceSquared = dot(toLight, toLight);
-  float ratio = distanceSquared / (centre.w * centre.w);
+  float ratio = distanceSquared / (range * range);
   if (ratio >= 1.0) return;
   vec3 arriving = color * farol_boundedAttenuation(distanceSquared, ratio, decay);
   farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), arriving, arriving);
 }
 
-// a light with a range, its first two texels; point lights of three, most of all lights, take the short way; isLit: its
-// mask lets all through
-void farol_addRead(inout FarolShading s, const in int record, const in vec4 centre, vec4 color, const in bool isLit) {
-  vec3 toLight = centre.xyz - s.positionVS;
+// a light with a range; sphere, emission: texels of its record; isLit: its mask lets all through; plain point lights,
+// most of all lights, take the short way
+void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphere, const in vec4 emission,
+  const in bool isLit) {
+  vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
+  float range = farol_lightRange(sphere);
   float distanceSquared = dot(toLight, toLight);
-  float ratio = distanceSquared / (centre.w * centre.w);
+  float ratio = distanceSquared / (range * range);
   if (ratio >= 1.0) return;
   vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
-  float decay = color.w >= 0.0 ? color.w : -1.0 - color.w;
+  vec3 color = farol_lightColor(emission);
+  float decay = farol_lightDecay(emission);
   float attenuation = farol_boundedAttenuation(distanceSquared, ratio, decay);
   vec3 specularScale = vec3(1.0);
-  if (color.w < 0.0) {
-    vec4 cone = farol_lightTexel(record, 3);
+  if (!farol_lightIsPlain(emission)) {
+    vec4 details = farol_lightDetails(record);
 #ifdef FAROL_POINT_MASKS
-    if (cone.x < -1.0 && cone.w == 0.0) { // a point light of three with a mask
+    if (farol_lightIsMaskedPoint(details)) {
       if (dot(s.normalVS, direction) <= 0.0) return;
-      color.rgb *= attenuation * FAROL_MASK(int(cone.z), true, toLight, FAROL_LOOKUP_OF(s));
-      farol_addLight(s, direction, color.rgb, color.rgb);
+      color *= attenuation * FAROL_MASK(farol_lightMaskRecord(details), true, toLight, FAROL_LOOKUP_OF(s));
+      farol_addLight(s, direction, color, color);
       return;
     }
 #endif
-    int extension = int(cone.w);
+    int extension = farol_lightExtensionRecord(details);
     vec3 ambient = vec3(0.0);
     if (extension > 0) {
-      attenuation = farol_extendedAttenuation(extension, sqrt(distanceSquared), centre.w, decay);
-      vec3 diffuseScale = farol_lightTexel(extension, 0).rgb;
+      attenuation = farol_extendedAttenuation(extension, sqrt(distanceSquared), range, decay);
+      vec3 diffuseScale = farol_extensionDiffuse(extension);
       // the sums take one colour; the specular one may have another scale
-      specularScale = farol_lightTexel(extension, 1).rgb / max(diffuseScale, 1e-6);
-      color.rgb *= max(diffuseScale, 1e-6);
-      ambient = farol_lightTexel(extension, 2).rgb;
+      specularScale = farol_extensionSpecular(extension) / max(diffuseScale, 1e-6);
+      color *= max(diffuseScale, 1e-6);
+      ambient = farol_extensionAmbient(extension);
     }
-    if (cone.x >= -1.0) { // a spot light
-      vec4 axis = farol_lightTexel(record, 2);
-      attenuation *= farol_angularAttenuation(dot(direction, axis.xyz), axis.w, cone.x, cone.y);
+    if (farol_lightIsSpot(details)) {
+      vec4 cone = farol_lightCone(record);
+      attenuation *= farol_angularAttenuation(dot(direction, farol_lightAxis(cone)), farol_lightCutoff(cone),
+        farol_lightPenumbra(details), farol_lightExponent(details));
     }
     if (attenuation <= 0.0) return;
     s.diffuse += ambient * attenuation;
     if (dot(s.normalVS, direction) <= 0.0) return;
 #ifdef FAROL_BOUNDED_MASKS
-    if (cone.z > 0.0 && !isLit) {
-      color.rgb *= attenuation * FAROL_MASK(int(cone.z), false, toLight, FAROL_LOOKUP_OF(s));
-      farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
+    if (farol_lightIsMasked(details) && !isLit) {
+      color *= attenuation * FAROL_MASK(farol_lightMaskRecord(details), false, toLight, FAROL_LOOKUP_OF(s));
+      farol_addLight(s, direction, color, color * specularScale);
       return;
     }
 #endif
   }
-  color.rgb *= attenuation;
-  farol_addLight(s, direction, color.rgb, color.rgb * specularScale);
+  color *= attenuation;
+  farol_addLight(s, direction, color, color * specularScale);
 }
 
 void farol_addBounded(inout FarolShading s, const in int record) {
-  farol_addRead(s, record, farol_lightTexel(record, 0), farol_lightTexel(record, 1), false);
+  farol_addRead(s, record, farol_lightSphere(record), farol_lightEmission(record), false);
 }
 
-// the same, for all but plain point lights; isPlain: a mask that lets all through is all that keeps it from being one;
-// both texels are asked for before either is looked at
+// a light with a range, unless it is a plain point light; isPlain: it would be one but for its mask, which lets all
+// through; both texels are fetched before either is looked at
 void farol_addOther(inout FarolShading s, const in int record, const in bool isLit, const in bool isPlain) {
-  vec4 centre = farol_lightTexel(record, 0);
-  vec4 color = farol_lightTexel(record, 1);
+  vec4 sphere = farol_lightSphere(record);
+  vec4 emission = farol_lightEmission(record);
 #ifdef FAROL_POINT_MASKS
   if (isPlain) {
-    farol_addPlain(s, centre, color.rgb, -1.0 - color.w);
+    farol_addPlain(s, sphere, farol_lightColor(emission), farol_lightOtherDecay(emission));
     return;
   }
 #endif
 #ifdef FAROL_BOUNDED_MASKS
-  if (color.w < 0.0) farol_addRead(s, record, centre, color, isLit);
+  if (!farol_lightIsPlain(emission)) farol_addRead(s, record, sphere, emission, isLit);
 #else
-  if (color.w < 0.0) farol_addRead(s, record, centre, color, false);
+  if (!farol_lightIsPlain(emission)) farol_addRead(s, record, sphere, emission, false);
 #endif
 }
 
-// a point light of three; others are left out
+// a plain point light; others are left out. Not by farol_addPlain: its emission is fetched while the distance is found
 void farol_addPoint(inout FarolShading s, const in int record) {
-  vec4 centre = farol_lightTexel(record, 0);
-  vec3 toLight = centre.xyz - s.positionVS;
+  vec4 sphere = farol_lightSphere(record);
+  vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
+  float range = farol_lightRange(sphere);
   float distanceSquared = dot(toLight, toLight);
-  float ratio = distanceSquared / (centre.w * centre.w);
-  vec4 color = farol_lightTexel(record, 1);
-  if (ratio >= 1.0 || color.w < 0.0) return;
-  color.rgb *= farol_boundedAttenuation(distanceSquared, ratio, color.w);
-  farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color.rgb, color.rgb);
+  float ratio = distanceSquared / (range * range);
+  vec4 emission = farol_lightEmission(record);
+  if (ratio >= 1.0 || !farol_lightIsPlain(emission)) return;
+  vec3 color = farol_lightColor(emission)
+    * farol_boundedAttenuation(distanceSquared, ratio, farol_lightPlainDecay(emission));
+  farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color, color);
 }
 
 // directional lights and lights without a range

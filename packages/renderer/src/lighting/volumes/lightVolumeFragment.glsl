@@ -10,9 +10,10 @@ if (FAROL_IS_EMPTY(pixel, depth)) discard;
 #ifdef FAROL_COUNT
 FAROL_COUNT_PIXEL(1.0)
 #else
-vec4 centre = farol_lightTexel(farol_record, 0);
-vec3 toLight = centre.xyz - FAROL_SURFACE_POSITION(pixel, depth);
-if (dot(toLight, toLight) >= centre.w * centre.w) discard;
+vec4 sphere = farol_lightSphere(farol_record);
+vec3 toLight = farol_lightPosition(sphere) - FAROL_SURFACE_POSITION(pixel, depth);
+float range = farol_lightRange(sphere);
+if (dot(toLight, toLight) >= range * range) discard;
 FAROL_BEGIN_PIXEL
 FAROL_BOUNDED_PIXEL(farol_record)
 FAROL_END_PIXEL

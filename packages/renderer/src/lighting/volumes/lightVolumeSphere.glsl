@@ -9,7 +9,7 @@ flat out highp int farol_record;
 const int SEGMENTS = 12;
 const int RINGS = 8;
 farol_record = farol_firstRecord + gl_InstanceID;
-vec4 centre = farol_lightTexel(farol_record, 0);
+vec4 sphere = farol_lightSphere(farol_record);
 int quad = gl_VertexID / 6;
 int corner = gl_VertexID - quad * 6;
 float east = float(quad - quad / SEGMENTS * SEGMENTS) + (corner == 1 || corner == 2 || corner == 4 ? 1.0 : 0.0);
@@ -17,11 +17,12 @@ float south = float(quad / SEGMENTS) + (corner == 2 || corner == 4 || corner == 
 float longitude = east * 6.28318531 / float(SEGMENTS);
 float latitude = south * 3.14159265 / float(RINGS);
 // 1.06: the flat faces stay outside the sphere
-vec3 offset = centre.w * 1.06 * vec3(sin(latitude) * cos(longitude), cos(latitude), sin(latitude) * sin(longitude));
-if (farol_isTooWide(centre)) {
+vec3 offset = farol_lightRange(sphere) * 1.06
+  * vec3(sin(latitude) * cos(longitude), cos(latitude), sin(latitude) * sin(longitude));
+if (farol_isTooWide(sphere)) {
   gl_Position = farol_wholePicture();
 } else {
-  gl_Position = projectionMatrix * vec4(centre.xyz + offset, 1.0);
-  gl_Position.z = farol_volumeZ(gl_Position, centre);
+  gl_Position = projectionMatrix * vec4(farol_lightPosition(sphere) + offset, 1.0);
+  gl_Position.z = farol_volumeZ(gl_Position, sphere);
   gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;
 }

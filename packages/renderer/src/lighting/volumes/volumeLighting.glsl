@@ -3,7 +3,7 @@
 #include "shadeSurface"
 uniform vec2 farol_size;
 layout(location = 0) out highp vec4 farol_lighting;
-#define FAROL_SURFACE_DEPTH(pixel) texelFetch(farol_gDepth, pixel, 0).r
+#define FAROL_SURFACE_DEPTH(pixel) farol_gDepthAt(pixel)
 #define FAROL_IS_EMPTY(pixel, depth) farol_isEmptyPixel(pixel, depth)
 #define FAROL_SURFACE_POSITION(pixel, depth) farol_surfacePosition(pixel, depth, farol_size)
 #define FAROL_BEGIN_PIXEL FarolShading shading = farol_beginShading(pixel, depth, farol_size);

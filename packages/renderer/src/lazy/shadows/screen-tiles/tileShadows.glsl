@@ -192,13 +192,16 @@ if (farol_findCorners(tile)) {
   for (int half2 = 0; half2 < 2; half2++) {
     for (uint bits = half2 == 0 ? words.x : words.y; bits != 0u; bits &= bits - 1u) {
       int light = farol_grid.w + (word + half2) * 32 + farol_lowestBit(bits);
-      if (farol_lightTexel(light, 1).w >= 0.0) continue;
-      vec4 centre = farol_lightTexel(light, 0);
-      vec3 away = max(max(low - centre.xyz, centre.xyz - high), 0.0);
-      vec4 cone = farol_lightTexel(light, 3);
-      int shadow = dot(away, away) > centre.w * centre.w ? 2 : cone.z > 0.0 ? farol_tileShadow(int(cone.z)) : 0;
+      if (farol_lightIsPlain(light)) continue;
+      vec4 sphere = farol_lightSphere(light);
+      vec3 centre = farol_lightPosition(sphere);
+      float range = farol_lightRange(sphere);
+      vec3 away = max(max(low - centre, centre - high), 0.0);
+      vec4 details = farol_lightDetails(light);
+      int shadow = dot(away, away) > range * range ? 2
+        : farol_lightIsMasked(details) ? farol_tileShadow(farol_lightMaskRecord(details)) : 0;
       // a point light of three takes a shorter way
-      if (shadow == 1 && cone.x < -1.0 && cone.w == 0.0) shadow = 3;
+      if (shadow == 1 && farol_lightIsMaskedPoint(details)) shadow = 3;
       uvec2 mark = (bits & (~bits + 1u)) * uvec2(shadow & 1, shadow >> 1);
       if (half2 == 0) marks.xy |= mark; else marks.zw |= mark;
     }

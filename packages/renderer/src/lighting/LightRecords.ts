@@ -9,10 +9,19 @@ import {
   Vector3,
 } from 'three';
 import type { DataTable } from '../gpu/DataTable';
-import type { FarolAttenuation, FarolLightData } from './FarolLightData';
-import { lightAxis } from './lightAxis';
-import { lightRange } from './lightRange';
-import { FLOATS_PER_RECORD } from './lightRecord';
+import type { FarolAttenuation, FarolLightData } from '../lights/FarolLightData';
+import { lightAxis } from '../lights/lightAxis';
+import { lightRange } from '../lights/lightRange';
+import {
+  attenuationKinds,
+  emissionDecay,
+  EXTENSION,
+  FLOATS_PER_RECORD,
+  LIGHT,
+  NO_EXPONENT,
+  POINT_CUTOFF,
+  POINT_PENUMBRA,
+} from '../lights/lightRecord';
 
 const NO_DATA: FarolLightData = {};
 const axis = new Vector3();
@@ -62,10 +71,10 @@ export class LightRecords {
     const mask = this.maskOf(light);
     const { r, g, b } = light.color;
     const i = light.intensity;
-    table.set4(at, axis.x, axis.y, axis.z, 0);
-    if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, 1);
-    else table.set4(at + 4, r * i, g * i, b * i, mask > 0 ? 1 : 0);
-    table.set4(at + 12, 0, 0, mask, extension);
+    table.set4(at + LIGHT.sphere, axis.x, axis.y, axis.z, 0);
+    if (extension > 0) table.set4(at + LIGHT.emission, colour.r, colour.g, colour.b, 1);
+    else table.set4(at + LIGHT.emission, r * i, g * i, b * i, mask > 0 ? 1 : 0);
+    table.set4(at + LIGHT.details, 0, 0, mask, extension);
   }
 
   /** Writes the record of a point or spot light whose centre (view space, m) is given. */
@@ -78,24 +87,18 @@ export class LightRecords {
     const mask = this.maskOf(light);
     const plain = spot === null && extension === 0 && mask === 0;
     const i = light.intensity;
-    table.set4(at, x, y, z, lightRange(point));
-    if (extension > 0) table.set4(at + 4, colour.r, colour.g, colour.b, -1 - point.decay);
-    else
-      table.set4(
-        at + 4,
-        light.color.r * i,
-        light.color.g * i,
-        light.color.b * i,
-        plain ? point.decay : -1 - point.decay,
-      );
+    const decay = emissionDecay(point.decay, plain);
+    table.set4(at + LIGHT.sphere, x, y, z, lightRange(point));
+    if (extension > 0) table.set4(at + LIGHT.emission, colour.r, colour.g, colour.b, decay);
+    else table.set4(at + LIGHT.emission, light.color.r * i, light.color.g * i, light.color.b * i, decay);
     if (spot !== null) {
       lightAxis(spot, view, axis);
-      table.set4(at + 8, axis.x, axis.y, axis.z, Math.cos(spot.angle));
-      const exponent = (spot.userData.farol as FarolLightData | undefined)?.spotExponent ?? -1;
-      table.set4(at + 12, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, mask, extension);
+      table.set4(at + LIGHT.cone, axis.x, axis.y, axis.z, Math.cos(spot.angle));
+      const exponent = (spot.userData.farol as FarolLightData | undefined)?.spotExponent ?? NO_EXPONENT;
+      table.set4(at + LIGHT.details, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, mask, extension);
     } else if (!plain) {
-      table.set4(at + 8, 0, 0, 1, -3);
-      table.set4(at + 12, -2, -1, mask, extension || mask % 1);
+      table.set4(at + LIGHT.cone, 0, 0, 1, POINT_CUTOFF);
+      table.set4(at + LIGHT.details, POINT_PENUMBRA, NO_EXPONENT, mask, extension || mask % 1);
     }
   }
 
@@ -115,21 +118,22 @@ export class LightRecords {
     const c0 = Math.max(d.r, s0);
     const c1 = Math.max(d.g, s1);
     const c2 = Math.max(d.b, s2);
-    table.set4(at, ratio(d.r, c0), ratio(d.g, c1), ratio(d.b, c2), 0);
-    table.set4(at + 4, ratio(s0, c0), ratio(s1, c1), ratio(s2, c2), 0);
-    table.set4(at + 8, ambient ? ambient[0] * i : 0, ambient ? ambient[1] * i : 0, ambient ? ambient[2] * i : 0, 0);
-    this.writeAttenuation(at + 12, attenuation);
+    table.set4(at + EXTENSION.diffuse, ratio(d.r, c0), ratio(d.g, c1), ratio(d.b, c2), 0);
+    table.set4(at + EXTENSION.specular, ratio(s0, c0), ratio(s1, c1), ratio(s2, c2), 0);
+    if (ambient === undefined) table.set4(at + EXTENSION.ambient, 0, 0, 0, 0);
+    else table.set4(at + EXTENSION.ambient, ambient[0] * i, ambient[1] * i, ambient[2] * i, 0);
+    this.writeAttenuation(at + EXTENSION.falloff, attenuation);
     colour.setRGB(c0 * i, c1 * i, c2 * i);
     return record;
   }
 
   private writeAttenuation(at: number, attenuation: FarolAttenuation | undefined): void {
-    if (attenuation === undefined) this.table.set4(at, 0, 0, 0, 0);
+    if (attenuation === undefined) this.table.set4(at, 0, 0, 0, attenuationKinds.physical);
     else if (attenuation.kind === 'near-far')
-      this.table.set4(at, finite(attenuation.near), finite(attenuation.far), 0, 1);
+      this.table.set4(at, finite(attenuation.near), finite(attenuation.far), 0, attenuationKinds.nearFar);
     else {
       const { constant, linear, quadratic } = attenuation;
-      this.table.set4(at, finite(constant), finite(linear), finite(quadratic), 2);
+      this.table.set4(at, finite(constant), finite(linear), finite(quadratic), attenuationKinds.polynomial);
     }
   }
 

@@ -1,0 +1,54 @@
+import type { IUniform, Texture } from 'three';
+import { type GBufferAttachment, gbufferLayout } from './gbufferLayout';
+
+type AttachmentName = (typeof gbufferLayout)[number]['name'];
+
+/** Where each attachment is among the G-buffer's textures and draw buffers. */
+export const attachmentIndex = Object.fromEntries(gbufferLayout.map(({ name }, i) => [name, i])) as {
+  readonly [name in AttachmentName]: number;
+};
+
+/** Uniforms of the microshader `gbufferTextures`: `farol_gNormal` and the like. */
+export type GBufferTextureUniforms = {
+  -readonly [name in AttachmentName | 'depth' as `farol_g${Capitalize<name>}`]: IUniform<Texture | null>;
+};
+
+/** The uniform of each attachment, in order. */
+export const textureUniforms = gbufferLayout.map(
+  ({ name }) => `farol_g${capital(name)}` as Exclude<keyof GBufferTextureUniforms, 'farol_gDepth'>,
+);
+
+export function gbufferTextureUniforms(): GBufferTextureUniforms {
+  const names = [...textureUniforms, 'farol_gDepth'];
+  return Object.fromEntries(names.map((name) => [name, { value: null }])) as unknown as GBufferTextureUniforms;
+}
+
+/**
+ * Declares the outputs of a shader that draws into attachments: `farol_outNormal` and the like.
+ * @param layout of the target; `gbufferLayout`, or one that begins with it
+ * @param from location of the first, 0 to the number of attachments. Default 1: three's own gl_FragColor is at 0
+ */
+export function attachmentOutputs(layout: readonly GBufferAttachment[] = gbufferLayout, from = 1): string {
+  const line = ({ name }: GBufferAttachment, i: number) =>
+    `layout(location = ${from + i}) out highp vec4 farol_out${capital(name)};\n`;
+  return layout.slice(from).map(line).join('');
+}
+
+const samplers = gbufferLayout.map(({ name, ...row }: GBufferAttachment) => {
+  const texture = `farol_g${capital(name)}`;
+  return (
+    `uniform ${row.precision ?? 'highp'} sampler2D ${texture};\n` +
+    `vec4 ${texture}At(const in ivec2 pixel) { return texelFetch(${texture}, pixel, 0); }\n`
+  );
+});
+
+/** The microshader `gbufferTextures`: a sampler for each attachment and depth, and a function that reads a pixel of each. */
+export const gbufferTexturesChunk = `// Reads the attachments of the G-buffer, and its depth.
+// Farol; made from the rows of gbuffer/gbufferLayout.ts
+${samplers.join('')}uniform highp sampler2D farol_gDepth;
+float farol_gDepthAt(const in ivec2 pixel) { return texelFetch(farol_gDepth, pixel, 0).r; }
+`;
+
+function capital<Name extends string>(name: Name): Capitalize<Name> {
+  return (name[0].toUpperCase() + name.slice(1)) as Capitalize<Name>;
+}

@@ -1,0 +1,20 @@
+/** Which of three's lighting models a surface is lit by: the low two bits of its flags. */
+export const shadingModels = { unlit: 0, standard: 1, phong: 2, lambert: 3 } as const;
+export type ShadingModel = keyof typeof shadingModels;
+
+/** Flag bits above the shading model. Whether an object receives shadows its shader says; the others are the material's. */
+export const surfaceFlags = { hasFog: 4, isToneMapped: 8, receivesShadows: 16 } as const;
+
+const models = Object.entries(shadingModels).map(([name, value]) => `#define FAROL_${name.toUpperCase()} ${value}\n`);
+const flags = Object.entries(surfaceFlags).map(
+  ([name, bit]) => `bool farol_${name}(const in int flags) { return (flags & ${bit}) != 0; }\n`,
+);
+
+/** The microshader `surfaceFlags`: the shading models by name, and what the flags of a surface say. */
+export const surfaceFlagsChunk = `// The flags of a surface: its shading model, and what else is done with it.
+// Farol; made from the tables in gbuffer/surfaceFlags.ts
+${models.join('')}#define FAROL_RECEIVES_SHADOWS ${surfaceFlags.receivesShadows}
+int farol_shadingModel(const in int flags) { return flags & 3; }
+float farol_packFlags(const in int flags) { return float(flags) / 255.0; }
+int farol_unpackFlags(const in float stored) { return int(stored * 255.0 + 0.5); }
+${flags.join('')}`;

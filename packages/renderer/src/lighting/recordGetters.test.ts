@@ -1,0 +1,30 @@
+import { describe, expect, it } from 'vitest';
+import { EXTENSION, FLOATS_PER_RECORD, extensionRecord, LIGHT, lightRecord } from '../lights/lightRecord';
+import { texelOffsets } from '../lights/recordLayout';
+import { recordGetters } from './recordGetters';
+
+describe('the getters of a record', () => {
+  it('read a value of a record by one fetch, or of a texel that was fetched', () => {
+    const layout = { first: { a: 'xyz', b: 'w' }, second: { isC: ['bool', 't.w >= 0.0'], d: ['float', 't.x + t.y'] } };
+    expect(recordGetters('light', layout as never).split('\n')).toEqual([
+      'vec4 farol_lightFirst(const in int record) { return farol_lightTexel(record, 0); }',
+      'vec3 farol_lightA(const in vec4 t) { return t.xyz; }',
+      'vec3 farol_lightA(const in int record) { return farol_lightTexel(record, 0).xyz; }',
+      'float farol_lightB(const in vec4 t) { return t.w; }',
+      'float farol_lightB(const in int record) { return farol_lightTexel(record, 0).w; }',
+      'vec4 farol_lightSecond(const in int record) { return farol_lightTexel(record, 1); }',
+      'bool farol_lightIsC(const in vec4 t) { return t.w >= 0.0; }',
+      'bool farol_lightIsC(const in int record) { return farol_lightTexel(record, 1).w >= 0.0; }',
+      // of two numbers, so that nothing is fetched twice
+      'float farol_lightD(const in vec4 t) { return t.x + t.y; }',
+    ]);
+  });
+
+  it('lie where TypeScript writes, in one record', () => {
+    expect(texelOffsets(lightRecord)).toEqual({ sphere: 0, emission: 4, cone: 8, details: 12 });
+    for (const [offsets, layout] of [[LIGHT, lightRecord] as const, [EXTENSION, extensionRecord] as const]) {
+      expect(Object.keys(offsets)).toEqual(Object.keys(layout));
+      expect(Math.max(...Object.values(offsets))).toBeLessThan(FLOATS_PER_RECORD);
+    }
+  });
+});

@@ -1,0 +1,29 @@
+import type { RecordLayout } from '../lights/recordLayout';
+
+const TYPES = ['', 'float', 'vec2', 'vec3', 'vec4'];
+
+/**
+ * GLSL functions that read a record of the light table: `vec4 farol_<prefix><Texel>(record)` for each texel, and
+ * `farol_<prefix><Value>` for each value, of a record or of a texel that was fetched before.
+ * @param prefix such as `light`: `farol_lightRange(record)`, `farol_lightRange(farol_lightSphere(record))`
+ */
+export function recordGetters(prefix: string, layout: RecordLayout): string {
+  const lines: string[] = [];
+  const add = (type: string, name: string, of: string, value: string) =>
+    lines.push(`${type} farol_${prefix}${capital(name)}(const in ${of}) { return ${value}; }`);
+  Object.entries(layout).forEach(([texel, values], i) => {
+    const fetched = `farol_lightTexel(record, ${i})`;
+    if (!(texel in values)) add('vec4', texel, 'int record', fetched);
+    for (const [name, value] of Object.entries(values)) {
+      const [type, expression] = typeof value === 'string' ? [TYPES[value.length], `t.${value}`] : value;
+      add(type, name, 'vec4 t', expression);
+      if (expression.split('t.').length === 2)
+        add(type, name, 'int record', expression.replace(/\bt\./, `${fetched}.`));
+    }
+  });
+  return lines.join('\n');
+}
+
+function capital(name: string): string {
+  return name[0].toUpperCase() + name.slice(1);
+}

@@ -1,0 +1,30 @@
+// Specular lobes of one light: visibility times distribution, and Fresnel's weight.
+// Walter et al. 2007 (GGX); Heitz 2014 (height-correlated Smith); Blinn 1977; Schlick 1994, as three.js r187 has them
+//? farol_smithLambda(0.25, 1.0) == 1.0
+//? farol_ggxLobe(1.0, 1.0, 1.0, 1.0, 1.0) == 0.07957747
+//? farol_ggxLobe(1.0, farol_smithLambda(1.0, 0.5), 0.5, 0.5, 0.8) == 0.15915494
+//? farol_blinnPhongLobe(2.0, 0.5) == 0.03978874
+//? farol_schlickPower(0.0) == 1.0
+
+// of the height-correlated Smith term, for the cosine of one direction with the normal; alphaSquared: roughness⁴
+float farol_smithLambda(const in float alphaSquared, const in float cosine) {
+  return sqrt(alphaSquared + (1.0 - alphaSquared) * cosine * cosine);
+}
+
+// V = 0.5 / (gv + gl), D = alpha² / (pi d²); lambdaV: farol_smithLambda of dotNV
+float farol_ggxLobe(const in float alphaSquared, const in float lambdaV, const in float dotNV, const in float dotNL,
+  const in float dotNH) {
+  float lambdaL = farol_smithLambda(alphaSquared, dotNL);
+  float d = dotNH * dotNH * (alphaSquared - 1.0) + 1.0;
+  return 0.1591549431 * alphaSquared / (max(dotNL * lambdaV + dotNV * lambdaL, 1e-6) * d * d);
+}
+
+// V = 0.25, D = (shininess / 2 + 1) / pi (n·h)^shininess
+float farol_blinnPhongLobe(const in float shininess, const in float dotNH) {
+  return 0.0795774716 * (shininess * 0.5 + 1.0) * pow(dotNH, shininess);
+}
+
+// Schlick's fifth power of 1 - cosine
+float farol_schlickPower(const in float dotVH) {
+  return exp2((-5.55473 * dotVH - 6.98316) * dotVH);
+}
