@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
+import { serverSourceConditions } from './tools/sourceConditions.mjs';
 
 const include = ['packages/*/**/*.test.ts', 'apps/*/src/**/*.test.{ts,tsx}', 'e2e/support/*.test.ts'];
 const exclude = ['**/node_modules/**', '**/dist/**'];
@@ -13,6 +14,7 @@ const alone = [
 /** One run over the unit tests of all workspaces, in Node. */
 export default defineConfig({
   root: fileURLToPath(new URL('..', import.meta.url)),
+  ssr: { resolve: { conditions: serverSourceConditions } },
   test: {
     environment: 'node',
     // a process for each file costs more than a thread for each

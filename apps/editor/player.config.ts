@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { contentSecurityPolicy, policyElement } from '@farol/tools/contentSecurityPolicy';
+import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragonFile } from '@farol/tools/stanfordDragon';
 import { build, type Plugin } from 'vite';
 
@@ -35,10 +36,7 @@ async function buildPlayer(fromSource: boolean, decoders: boolean): Promise<stri
     mode: 'production',
     plugins: decoders ? [] : [withoutDecoders()],
     define: { 'process.env.NODE_ENV': '"production"' },
-    resolve: {
-      dedupe: ['three'],
-      ...(fromSource ? { conditions: ['development', 'module', 'browser'] } : {}),
-    },
+    resolve: { dedupe: ['three'], ...(fromSource ? { conditions: sourceConditions } : {}) },
     build: {
       write: false,
       target: 'es2022',

@@ -1,10 +1,11 @@
 import react from '@vitejs/plugin-react';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
+import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
 import { playerPlugin } from './player.config.ts';
 
-export default defineConfig({
+export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
@@ -23,7 +24,10 @@ export default defineConfig({
       'three/addons/loaders/KTX2Loader.js',
     ],
   },
-  resolve: { dedupe: ['three', 'react', 'react-dom'] },
+  resolve: {
+    dedupe: ['three', 'react', 'react-dom'],
+    ...(command === 'serve' ? { conditions: sourceConditions } : {}),
+  },
   build: {
     target: 'es2022',
     chunkSizeWarningLimit: 2000,
@@ -40,4 +44,4 @@ export default defineConfig({
       },
     },
   },
-});
+}));

@@ -2,6 +2,7 @@ import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
+import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
 
@@ -23,13 +24,16 @@ function pages(): string[] {
   return ['index.html', 'examples/index.html', ...names.filter((name) => existsSync(join(folder, name)))];
 }
 
-export default defineConfig({
+export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
   plugins: [stanfordDragon(), securePages()],
   define: { SPONZA_URL: JSON.stringify(sponzaUrl()) },
-  resolve: { dedupe: ['three', 'react', 'react-dom'] },
+  resolve: {
+    dedupe: ['three', 'react', 'react-dom'],
+    ...(command === 'serve' ? { conditions: sourceConditions } : {}),
+  },
   // What is imported late must be known early, or the development server reloads the page when a model asks for it.
   optimizeDeps: {
     entries: pages(),
@@ -42,4 +46,4 @@ export default defineConfig({
     ],
   },
   build: { target: 'es2022', chunkSizeWarningLimit: 2000, rolldownOptions: { input: pages() } },
-});
+}));

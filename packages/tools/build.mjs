@@ -7,11 +7,12 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { bundleSize, editorLimit, rendererLimit } from './bundleSize.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
+import { publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 import { runTool } from './runTool.mjs';
 
 ensureInstalled();
-const folders = ['packages/renderer', 'packages/engine', 'packages/attach', 'apps/viewer', 'apps/editor'];
+const folders = [...publishedPackages().map(({ folder }) => folder), 'apps/viewer', 'apps/editor'];
 if (process.argv.includes('--tests')) {
   folders.push('e2e/pages');
   process.env.FAROL_STANFORD_DRAGON ??= '1';

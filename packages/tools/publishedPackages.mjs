@@ -1,0 +1,57 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { root } from './root.mjs';
+
+/**
+ * @typedef {object} Manifest of a published package: what of package.json the tools read
+ * @property {string} name
+ * @property {string} version
+ * @property {string[]} files
+ * @property {Record<string, Record<'farol-source' | 'types' | 'default', string>>} exports
+ * @property {Record<string, string>} [dependencies]
+ * @property {Record<string, string>} [peerDependencies]
+ * @property {Record<string, { optional?: boolean }>} [peerDependenciesMeta]
+ */
+
+/** @typedef {{ folder: string, path: string, manifest: Manifest }} PublishedPackage folder: from the root; path: whole */
+
+/**
+ * Packages for the registry: each folder of packages/ whose package.json is not private.
+ *
+ * @returns {PublishedPackage[]} by name of the folder
+ */
+export function publishedPackages() {
+  return readdirSync(join(root, 'packages'), { withFileTypes: true })
+    .filter((entry) => entry.isDirectory())
+    .map(({ name }) => ({ folder: `packages/${name}`, path: join(root, 'packages', name) }))
+    .map((each) => ({ ...each, manifest: readManifest(each.path) }))
+    .filter(({ manifest }) => !manifest.private);
+}
+
+/** @param {string} folder @returns {Manifest & { private?: boolean }} its package.json */
+export function readManifest(folder) {
+  return JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+}
+
+/**
+ * Whether an import is left to the host: the package is a dependency or a peer, or a part of one.
+ *
+ * @param {Manifest} manifest of the package that imports
+ * @returns {(specifier: string) => boolean}
+ */
+export function leftToHost({ dependencies, peerDependencies }) {
+  const names = Object.keys({ ...dependencies, ...peerDependencies });
+  return (specifier) => names.some((name) => specifier === name || specifier.startsWith(`${name}/`));
+}
+
+/**
+ * Entries of a package by their place in dist, without an extension: `effects/decals/index` is dist/effects/decals/index.js.
+ *
+ * @param {Manifest} manifest
+ * @returns {Record<string, string>} sources, from the package's folder
+ */
+export function entrySources({ exports }) {
+  return Object.fromEntries(
+    Object.values(exports).map((paths) => [paths.default.replace(/^\.\/dist\/|\.js$/g, ''), paths['farol-source']]),
+  );
+}
