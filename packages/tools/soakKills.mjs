@@ -97,10 +97,12 @@ async function slowWrites(page) {
   const [worker] = page.workers();
   await worker.evaluate(() => {
     const { put } = IDBObjectStore.prototype;
-    IDBObjectStore.prototype.put = function (...args) {
+    /** @this {IDBObjectStore} @param {any[]} args */
+    const slowPut = function (...args) {
       for (const end = performance.now() + 40; performance.now() < end;);
       return put.apply(this, /** @type {any} */ (args));
     };
+    IDBObjectStore.prototype.put = slowPut;
   });
 }
 
