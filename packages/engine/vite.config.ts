@@ -2,12 +2,9 @@ import { defineConfig } from 'vite';
 import { libraryConfig } from '../tools/libraryConfig.mjs';
 
 /**
- * The published bundle: a file for each module, so that what an app does not need at first comes later; three and the
+ * The published package: a file for each module, so that an app loads code of its first frame alone; three and the
  * renderer are left to the host.
  */
 export default defineConfig(
-  libraryConfig(new URL('.', import.meta.url), {
-    preserveModules: true,
-    preserveModulesRoot: 'src',
-  }),
+  libraryConfig(new URL('.', import.meta.url), { preserveModules: true, preserveModulesRoot: 'src' }),
 );
