@@ -25,6 +25,9 @@ const help = `npm run soak -- [options]
   --gpu            on the GPU (default: the software rasteriser)
   --built          of what npm run build made (default: from source)`;
 
+/** Rounds from one measurement to the next. */
+const EVERY = 10;
+
 const { values } = parseArgs({
   options: {
     minutes: { type: 'string', default: '5' },
@@ -60,6 +63,9 @@ async function soak() {
   }
 }
 
+/** @param {import('./soakReport.mjs').Sample} sample */
+const sampleText = ({ minutes, heap, objects }) => `${minutes.toFixed(1)} ${heap.toFixed(0)} ${objects}`;
+
 /** @param {import('playwright-core').BrowserContext} context @param {string} url @param {number} seed */
 async function soakRenderer(context, url, seed) {
   const minutes = Number(values.minutes);
@@ -67,7 +73,7 @@ async function soakRenderer(context, url, seed) {
   const end = performance.now() + minutes * 60_000;
   const page = await context.newPage();
   const without = values.without.split(',').filter(Boolean);
-  const options = { url, seed, without, isOver: () => performance.now() > end, say: console.log };
+  const options = { url, seed, without, every: EVERY, isOver: () => performance.now() > end, say: console.log };
   const result = await soakRounds(page, options);
   await page.close();
   const { heap, objects } = growthOf(result.samples);
@@ -76,7 +82,8 @@ async function soakRenderer(context, url, seed) {
 |---|---|---|---|---|---|
 | ${result.rounds} | ${result.mismatches.length} | ${result.messages.length} | ${figure(heap)} | ${figure(objects)} | ${result.samples.at(-1)?.objects ?? 0} |
 at rest: ${JSON.stringify(result.table)}
-left once all is disposed: ${JSON.stringify(result.left)}`);
+left once all is disposed: ${JSON.stringify(result.left)}
+minutes, heap in kB and GPU objects each ${EVERY} rounds: ${result.samples.map(sampleText).join('; ')}`);
   const faults = soakFaults(result);
   for (const fault of faults.slice(-20)) console.log(fault);
   return faults.length;

@@ -110,9 +110,10 @@ export class Soak {
     return { acts: done, technique: this.farol.technique, ...this.compare(), problems: this.problems };
   }
 
-  /** Brings all back to where it began, and counts the objects on the GPU. */
+  /** Brings all back to where it began, without the fresh renderers, and counts the objects on the GPU. */
   rest(): { objects: number; table: Record<string, number> } {
     const { farol } = this;
+    this.disposeFresh();
     farol.technique = 'forward';
     farol.view = 'final';
     farol.shadowCascades = 1;
@@ -129,13 +130,18 @@ export class Soak {
 
   /** Frees everything. @returns what is left on the GPU of each kind, less what was there before the first frame */
   end(): Record<string, number> {
-    for (const dispose of this.last.values()) dispose();
+    this.disposeFresh();
     for (const { scene } of this.scenes.values()) this.close(scene);
     for (const effect of this.made.values()) effect.dispose();
     this.farol.dispose();
     drawLit(this.webgl);
     const left = Object.entries(this.objects.table).map(([kind, count]) => [kind, count - (this.first[kind] ?? 0)]);
     return Object.fromEntries(left.filter(([, count]) => count !== 0)) as Record<string, number>;
+  }
+
+  private disposeFresh(): void {
+    for (const dispose of this.last.values()) dispose();
+    this.last.clear();
   }
 
   /** Draws a frame; what it throws is a problem, unless the soak had it thrown. */

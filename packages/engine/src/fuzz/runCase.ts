@@ -83,14 +83,15 @@ async function openScene({ kind, bytes }: FuzzCase, open: OpenScene): Promise<Sc
   return deserialize(file.text, { assets: open.assets, fileOf: file.fileOf });
 }
 
-/** What is wrong with a scene that was opened. */
-async function checkScene(scene: Scene, open: OpenScene): Promise<string | null> {
+/** What is wrong with a scene that was opened. @param measure - called while the scene is all there is of the case */
+async function checkScene(scene: Scene, open: OpenScene, measure: () => void): Promise<string | null> {
   scene.update(1 / 60);
   scene.three.updateMatrixWorld();
   const lights: Light[] = [];
   scene.three.traverse((object) => 'isLight' in object && lights.push(object as Light));
   scene.reset();
   const saved = JSON.stringify(serialize(scene));
+  measure();
   const copy = await deserialize(saved, { assets: open.assets });
   const again = JSON.stringify(serialize(copy));
   copy.dispose();
@@ -103,7 +104,8 @@ function differ(a: string, b: string): string {
   return `${a.slice(at - 40, at + 60)} | ${b.slice(at - 40, at + 60)}`;
 }
 
-async function open(given: FuzzCase, other: OpenScene): Promise<string | null> {
+/** @param measure - called when the memory is taken that the case needs; a second scene for the check is none of it */
+async function open(given: FuzzCase, other: OpenScene, measure: () => void): Promise<string | null> {
   const { kind, bytes } = given;
   if (kind === 'xml') void parseMicroShaderXML(text(bytes), 'fuzz.xml');
   else if (kind === 'glsl') void parseMicroShader('fuzz', text(bytes));
@@ -114,10 +116,11 @@ async function open(given: FuzzCase, other: OpenScene): Promise<string | null> {
     model.dispose();
   } else {
     const scene = await openScene(given, other);
-    const failure = await checkScene(scene, other);
+    const failure = await checkScene(scene, other, measure);
     scene.dispose();
     return failure;
   }
+  measure();
   return null;
 }
 
@@ -146,16 +149,20 @@ export async function runCase(given: FuzzCase): Promise<FuzzResult> {
   const work = process.cpuUsage();
   let failure: string | null = null;
   let isTaken = false;
+  let grown = 0;
+  const measure = (): void => {
+    grown = used() - memory;
+  };
   try {
-    failure = await open(given, other);
+    failure = await open(given, other, measure);
     isTaken = true;
   } catch (error) {
+    measure();
     failure = errorFailure(given, error) ?? other.change();
   }
   const { user, system } = process.cpuUsage(work);
   // neither what other processes took of the machine, nor threads that worked at once
   const seconds = Math.min((performance.now() - start) / 1e3, (user + system) / 1e6);
-  const grown = used() - memory;
   if (prototypes() !== shapes) failure ??= 'a prototype was changed';
   if (seconds > fuzzBudget.seconds) failure ??= `${seconds.toFixed(1)} s`;
   if (grown > fuzzBudget.memory(given.bytes.length)) failure ??= `${Math.round(grown / 2 ** 20)} MB`;

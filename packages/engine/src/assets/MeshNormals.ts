@@ -1,0 +1,96 @@
+import type { BufferGeometry } from 'three';
+import { cancellable } from '../core/cancellable';
+import { computeCreaseNormals, computeCreaseNormalsInSlices } from '../geometry/computeCreaseNormals';
+
+/** Corners of triangles above which normals are computed in slices: about 50 ms of work. */
+const MANY_CORNERS = 100_000;
+
+interface Computation {
+  readonly promise: Promise<BufferGeometry>;
+  readonly control: AbortController;
+  /** Who waits for the result; nobody is left when the last of them has cancelled. */
+  waiting: number;
+}
+
+/** Crease angles that agree to a ten-thousandth of a radian are one. */
+const keyOf = (creaseAngle: number): number => Math.round(creaseAngle * 1e4) / 1e4;
+
+const isLarge = ({ index, attributes }: BufferGeometry): boolean =>
+  (index ?? attributes.position).count > MANY_CORNERS;
+
+/** Copies with normals of geometries that have none, one for each crease angle. */
+export class MeshNormals {
+  private readonly made = new Map<BufferGeometry, Map<number, BufferGeometry>>();
+  private readonly computing = new Map<BufferGeometry, Map<number, Computation>>();
+
+  /** Whether `get` gives a geometry without holding the page for long. */
+  isReady(geometry: BufferGeometry, creaseAngle: number): boolean {
+    const isThere = geometry.hasAttribute('normal') || this.made.get(geometry)?.has(keyOf(creaseAngle));
+    return isThere || !isLarge(geometry);
+  }
+
+  /** The geometry itself when it has normals, else its copy, which is computed now if need be. @param creaseAngle - radians */
+  get(geometry: BufferGeometry, creaseAngle: number): BufferGeometry {
+    if (geometry.hasAttribute('normal')) return geometry;
+    const angle = keyOf(creaseAngle);
+    return this.made.get(geometry)?.get(angle) ?? this.keep(geometry, angle, computeCreaseNormals(geometry, angle));
+  }
+
+  /**
+   * The same, computed in slices, so that the page answers meanwhile.
+   * @param signal - cancels the wait, and the work when nobody else waits for it
+   * @throws what the signal was aborted with (as a rejection)
+   */
+  prepare(geometry: BufferGeometry, creaseAngle: number, signal?: AbortSignal): Promise<BufferGeometry> {
+    if (signal?.aborted) return Promise.reject(signal.reason as Error);
+    if (this.isReady(geometry, creaseAngle)) return Promise.resolve(this.get(geometry, creaseAngle));
+    const computation = this.compute(geometry, keyOf(creaseAngle));
+    computation.waiting++;
+    signal?.addEventListener('abort', () => --computation.waiting === 0 && computation.control.abort(), { once: true });
+    return cancellable(computation.promise, signal, () => {});
+  }
+
+  /** Fulfilled when nothing is being computed any more that is being computed now. */
+  async settled(): Promise<void> {
+    const all = [...this.computing.values()].flatMap((angles) => [...angles.values()]);
+    await Promise.allSettled(all.map(({ promise }) => promise));
+  }
+
+  /** Cancels what is being computed of a geometry, and forgets its copies; what uses them keeps them. */
+  forget(geometry: BufferGeometry): void {
+    for (const { control } of this.computing.get(geometry)?.values() ?? []) control.abort();
+    this.made.delete(geometry);
+  }
+
+  dispose(): void {
+    for (const copies of this.made.values()) for (const copy of copies.values()) copy.dispose();
+    for (const geometry of [...this.made.keys(), ...this.computing.keys()]) this.forget(geometry);
+  }
+
+  private compute(geometry: BufferGeometry, angle: number): Computation {
+    let angles = this.computing.get(geometry);
+    if (!angles) this.computing.set(geometry, (angles = new Map()));
+    const before = angles.get(angle);
+    // one that was cancelled ends with its next slice
+    if (before && !before.control.signal.aborted) return before;
+    const control = new AbortController();
+    const promise = computeCreaseNormalsInSlices(geometry, angle, control.signal).then(
+      (copy) => this.keep(geometry, angle, copy),
+    );
+    const computation = { promise, control, waiting: 0 };
+    angles.set(angle, computation);
+    const end = (): void => {
+      if (angles.get(angle) === computation) angles.delete(angle);
+      if (angles.size === 0 && this.computing.get(geometry) === angles) this.computing.delete(geometry);
+    };
+    promise.then(end, end);
+    return computation;
+  }
+
+  private keep(geometry: BufferGeometry, angle: number, copy: BufferGeometry): BufferGeometry {
+    let copies = this.made.get(geometry);
+    if (!copies) this.made.set(geometry, (copies = new Map()));
+    copies.set(angle, copy);
+    return copy;
+  }
+}
