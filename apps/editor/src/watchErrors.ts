@@ -1,10 +1,10 @@
 import { explainCompileError } from '@farol/renderer';
-import type { Editor } from './Editor';
+import type { EditorApi } from './api/EditorApi';
 
 const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 /** Brings what goes wrong without anybody asking into the editor's console: components, shaders, the page. */
-export function watchErrors(editor: Editor): void {
+export function watchErrors(editor: EditorApi): void {
   const { document, viewport, log } = editor;
   document.onComponentError = (component, error) => {
     const owner = component.isAttached ? component.gameObject.name : 'no object';

@@ -2,14 +2,14 @@ import { expect, it } from 'vitest';
 import { actions } from './index';
 
 it('gives each action an id and keys of its own', () => {
-  const ids = actions.list.map(({ id }) => id);
+  const ids = actions.map(({ id }) => id);
   expect(new Set(ids).size).toBe(ids.length);
-  const keys = actions.list.flatMap((action) => action.keys ?? []);
+  const keys = actions.flatMap((action) => action.keys ?? []);
   expect(new Set(keys).size).toBe(keys.length);
 });
 
 it('has every key of EDITOR.md that this editor can do', () => {
-  const keys = new Set(actions.list.flatMap((action) => action.keys ?? []));
+  const keys = new Set(actions.flatMap((action) => action.keys ?? []));
   const wanted =
     'Q W E R X F Ctrl+Z Ctrl+Y Ctrl+Shift+Z Ctrl+D Delete F2 H Ctrl+S Ctrl+O Ctrl+P Ctrl+Shift+P Ctrl+Alt+P Ctrl+K Space ?';
   for (const key of wanted.split(' ')) expect(keys).toContain(key);

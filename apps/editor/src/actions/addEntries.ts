@@ -1,12 +1,12 @@
 import type { GameObject } from '@farol/engine';
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import { addObject } from '../model/edits';
 import { type Creation, creations } from '../model/creations';
-import { type IconName, iconPaths } from '../ui/iconPaths';
-import type { MenuEntry } from '../ui/MenuEntry';
+import { type IconName, iconPaths } from '../style/iconPaths';
+import type { MenuEntry } from '../api/MenuEntry';
 
 /** Adds something to the scene. @param parent - what it goes below; the top of the tree when null */
-export function addCreation(editor: Editor, creation: Creation, parent: GameObject | null): void {
+export function addCreation(editor: EditorApi, creation: Creation, parent: GameObject | null): void {
   const { document, viewport, commands } = editor;
   const object = creation.make();
   // a child begins where its parent is; others in the middle of the picture
@@ -17,7 +17,7 @@ export function addCreation(editor: Editor, creation: Creation, parent: GameObje
 const iconOf = (kind: string): IconName => (kind in iconPaths ? (kind as IconName) : 'object');
 
 /** The lines of the Add menu. @param parent - what the new object goes below; the top of the tree when null */
-export function addEntries(editor: Editor, parent: GameObject | null = null): MenuEntry[] {
+export function addEntries(editor: EditorApi, parent: GameObject | null = null): MenuEntry[] {
   const all = creations(editor.document.scene);
   const entries = (group: Creation['group'], folder: string | null = null): MenuEntry[] =>
     all

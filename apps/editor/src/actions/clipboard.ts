@@ -1,10 +1,10 @@
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import { copyObjects, isClip, pasteObjects } from '../model/clip';
 import { deleteObjects } from '../model/edits';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
-const copySelection = ({ document, clipboard }: Editor): void => {
+const copySelection = ({ document, clipboard }: EditorApi): void => {
   clipboard.text = copyObjects(document.scene, document.selectedObjects);
 };
 

@@ -1,4 +1,4 @@
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 /** Escape: ends a drag of the gizmo and puts everything back; else selects nothing. */
 export const deselect: Action = {

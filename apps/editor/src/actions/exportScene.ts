@@ -1,4 +1,4 @@
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 /** Shows the ways to give the scene away. */
 export const exportScene: Action = {

@@ -1,4 +1,4 @@
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 export const focus: Action = {
   id: 'view.focus',

@@ -1,6 +1,6 @@
-import type { IconName } from '../ui/iconPaths';
+import type { IconName } from '../style/iconPaths';
 import type { GizmoMode } from '../viewport/Gizmo';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 const modes: readonly [GizmoMode & IconName, string, string][] = [
   ['select', 'Select', 'Q'],

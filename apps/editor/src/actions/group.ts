@@ -1,5 +1,5 @@
 import { groupObjects, ungroupObjects } from '../model/groupObjects';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
 export const group: Action = {

@@ -1,7 +1,5 @@
-import type { Editor } from '../Editor';
-import type { Action } from './Action';
-import { actions } from './index';
-import { keysOf } from './keyBindings';
+import type { EditorApi } from '../api/EditorApi';
+import type { Action } from '../api/Action';
 import { matchKey } from './matchKey';
 
 /** What the focus is in. A menu or a list takes letters as text does: they choose what begins with them. */
@@ -37,14 +35,14 @@ function isOwnKey(target: EventTarget | null, action: Action): boolean {
  * that is just closing shall swallow; else those that count where the focus is
  * @returns whether there is one; nobody else shall do anything with the key then
  */
-export function handleKey(editor: Editor, event: KeyboardEvent, isCapture: boolean): boolean {
+export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: boolean): boolean {
   if (event.defaultPrevented || event.isComposing || editor.dialogs.current) return false;
   // a scene that is played through one of its cameras has the letters for itself
   if (editor.viewport.sceneListens && !event.ctrlKey && !event.metaKey && event.key.length === 1) return false;
   const focus = focusOf(event.target);
-  for (const action of actions.list) {
+  for (const action of editor.actions.list) {
     if ((action.inFields ?? false) !== isCapture) continue;
-    const combination = keysOf(action).find((keys) => matchKey(keys, event));
+    const combination = editor.keys.keysOf(action).find((keys) => matchKey(keys, event));
     if (combination === undefined || !counts(action, combination, focus)) continue;
     if (isOwnKey(event.target, action)) continue;
     if (combination === 'Space' && event.target instanceof Element && event.target.closest(PRESSABLE)) continue;

@@ -1,4 +1,4 @@
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 
 /** Whether anything is selected. */
-export const hasSelection = ({ document }: Editor): boolean => document.selection.ids.length > 0;
+export const hasSelection = ({ document }: EditorApi): boolean => document.selection.ids.length > 0;

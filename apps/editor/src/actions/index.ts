@@ -1,5 +1,5 @@
 import { copy, cut, paste, pasteBelow } from './clipboard';
-import { ActionRegistry } from './ActionRegistry';
+import type { Action } from '../api/Action';
 import { deselect } from './deselect';
 import { duplicate } from './duplicate';
 import { focus } from './focus';
@@ -28,8 +28,8 @@ import { showStatistics } from './statistics';
 import { undo } from './undo';
 import { continuous, showGrid, showIcons, showRanges } from './viewportToggles';
 
-/** Everything that the user can do by a key or a menu. A new action is a file and a line here. */
-export const actions = new ActionRegistry([
+/** Everything built in that the user can do by a key or a menu. A new action is a file and a line here. */
+export const actions: readonly Action[] = [
   newScene,
   ...openExamples,
   open,
@@ -74,4 +74,4 @@ export const actions = new ActionRegistry([
   resetPanels,
   showPalette,
   showKeys,
-]);
+];

@@ -1,5 +1,5 @@
 import { setLocked } from '../model/edits';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
 export const lock: Action = {

@@ -1,6 +1,6 @@
 import { scenes } from '@farol/engine/scenes';
 import { makeEmptyScene } from '../model/makeEmptyScene';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 /** A scene to begin with: a camera, a sun and a sky. */
 export const newScene: Action = {

@@ -1,6 +1,6 @@
-import type { Editor } from '../Editor';
-import { actionEntry, type MenuEntry } from '../ui/MenuEntry';
-import type { Action } from './Action';
+import type { EditorApi } from '../api/EditorApi';
+import { actionEntry, type MenuEntry } from '../api/MenuEntry';
+import type { Action } from '../api/Action';
 import { addEntries } from './addEntries';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import { duplicate } from './duplicate';
@@ -13,7 +13,7 @@ import { remove } from './remove';
 import { rename } from './rename';
 
 /** The lines of the menu of what is selected; null when nothing is. */
-export function objectEntries(editor: Editor): MenuEntry[] | null {
+export function objectEntries(editor: EditorApi): MenuEntry[] | null {
   const selected = editor.document.selectedObjects.at(-1);
   if (!selected) return null;
   const entries = (...actions: Action[]): MenuEntry[] => actions.map((action) => actionEntry(action, editor));

@@ -1,4 +1,4 @@
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 import { fileType } from './save';
 
 export const open: Action = {

@@ -1,6 +1,6 @@
 import { instanceRootOf } from '@farol/engine/prefabs';
 import { createPrefab, unpackInstance } from '../model/prefabEdits';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 /** Makes a prefab of the selected object. */
 export const makePrefab: Action = {

@@ -1,4 +1,4 @@
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 /** Offers again what tabs that were closed without warning have left, and what was put off by Later. */
 export const recover: Action = {
@@ -7,8 +7,7 @@ export const recover: Action = {
   icon: 'undo',
   async run(editor) {
     if (!editor.autosave) return;
-    const { offerRecovery } = await import('../files/autosave/startAutosave');
-    if (await offerRecovery(editor, editor.autosave)) return;
+    if (await editor.autosave.offerRecovery()) return;
     editor.notices.show('info', 'There is nothing to recover: no tab was closed with unsaved work');
   },
   enabled: ({ autosave }) => autosave !== null,

@@ -1,4 +1,4 @@
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 import { lower } from './undo';
 
 export const redo: Action = {

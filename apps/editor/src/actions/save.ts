@@ -1,7 +1,7 @@
 import { containerContent, inlineAssets, writeContainer } from '@farol/engine/files';
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import { fileNameOf } from '../files/fileNameOf';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 /** What the file dialogs of open and save offer. */
 export const fileType = {
@@ -15,7 +15,7 @@ export const fileType = {
  * The scene as a file: JSON with all assets inside where the name ends so, else a container.
  * @throws Error that names the file and says why it was not saved
  */
-async function bytesFor(editor: Editor, name: string): Promise<Blob> {
+async function bytesFor(editor: EditorApi, name: string): Promise<Blob> {
   const { notSaved } = await import('../files/saveFile');
   try {
     const content = containerContent(editor.document.scene);
@@ -28,9 +28,9 @@ async function bytesFor(editor: Editor, name: string): Promise<Blob> {
 }
 
 /** The message of the last save that failed, which one that does not takes away. */
-const failures = new WeakMap<Editor, number>();
+const failures = new WeakMap<EditorApi, number>();
 
-async function write(editor: Editor, handle: FileSystemFileHandle | null): Promise<void> {
+async function write(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<void> {
   const { notices } = editor;
   try {
     await writeTo(editor, handle);
@@ -42,7 +42,7 @@ async function write(editor: Editor, handle: FileSystemFileHandle | null): Promi
   }
 }
 
-async function writeTo(editor: Editor, handle: FileSystemFileHandle | null): Promise<void> {
+async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<void> {
   const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(editor.document.scene.name)}.farol`;
   const { saveFile } = await import('../files/saveFile');
   const step = editor.commands.last;

@@ -1,7 +1,6 @@
 import { groupWith } from '../layout/LayoutNode';
-import { currentLayout, layoutActions, useLayout } from '../layout/useLayout';
-import { panels } from '../panels';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
 
 /** Puts the focus into a panel once it is there. */
 function focusPanel(id: string): void {
@@ -40,32 +39,32 @@ export const previousPanel: Action = {
 
 export const maximiseViewport: Action = {
   id: 'panels.maximise',
-  label: () => (useLayout.getState().maximised === null ? 'Maximise the viewport' : 'Show all panels'),
+  label: ({ layout }) => (layout.maximised() === null ? 'Maximise the viewport' : 'Show all panels'),
   keys: ['Space'],
   icon: 'maximise',
-  run: () => layoutActions.maximise(useLayout.getState().maximised === null ? 'viewport' : null),
-  checked: () => useLayout.getState().maximised !== null,
+  run: ({ layout }) => layout.maximise(layout.maximised() === null ? 'viewport' : null),
+  checked: ({ layout }) => layout.maximised() !== null,
 };
 
 export const resetPanels: Action = {
   id: 'panels.reset',
   label: 'Panels as at first',
   icon: 'panels',
-  run: () => layoutActions.reset(),
+  run: ({ layout }) => layout.reset(),
 };
 
 /** One action for each panel: shows it, puts the focus there, or closes it when it is in front. */
-export const showPanels = (): Action[] =>
+export const showPanels = ({ panels }: EditorApi): Action[] =>
   panels.list.map(({ id, title, icon }) => ({
     id: `panels.show.${id}`,
     label: title,
     icon,
-    run() {
-      if (groupWith(currentLayout(), id)?.active === id) layoutActions.close(id);
+    run({ layout }) {
+      if (groupWith(layout.current(), id)?.active === id) layout.close(id);
       else {
-        layoutActions.open(id);
+        layout.open(id);
         focusPanel(id);
       }
     },
-    checked: () => layoutActions.isOpen(id),
+    checked: ({ layout }) => layout.isOpen(id),
   }));

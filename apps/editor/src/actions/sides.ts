@@ -1,5 +1,5 @@
 import { Vector3 } from 'three';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 /** The sides that a scene is looked at from: name, and direction from the scene to the camera. */
 export const sides = [

@@ -1,10 +1,9 @@
-import { usePreferences } from '../ui/preferences';
-import type { Action } from './Action';
+import type { Action } from '../api/Action';
 
 export const snap: Action = {
   id: 'gizmo.snap',
-  label() {
-    const { translate, rotate, scale } = usePreferences.getState().snapSteps;
+  label({ preferences }) {
+    const { translate, rotate, scale } = preferences.getState().snapSteps;
     return `Snap: ${translate} m, ${rotate}°, ${scale} (hold Ctrl for once)`;
   },
   icon: 'magnet',

@@ -2,7 +2,7 @@ import type { AngleField } from '@farol/engine/fields';
 import { MathUtils } from 'three';
 import type { ReactNode } from 'react';
 import { NumberInput } from '../ui/NumberInput';
-import type { FieldEditorProps } from './FieldEditorProps';
+import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 /** Radians as degrees, without the digits that the conversion adds. */
 export const toDegrees = (radians: number): number => Number((radians * MathUtils.RAD2DEG).toFixed(9));

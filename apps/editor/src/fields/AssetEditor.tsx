@@ -3,7 +3,7 @@ import { type ReactNode, useMemo, useState } from 'react';
 import { draggedAsset, isAssetDrag } from '../files/dragAsset';
 import { useEditor, useSignal } from '../ui/EditorContext';
 import { SearchSelect } from '../ui/SearchSelect';
-import type { FieldEditorProps } from './FieldEditorProps';
+import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 /** The name of an asset: chosen from a list, or dropped from the Assets panel. */
 export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {

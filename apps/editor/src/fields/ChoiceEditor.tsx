@@ -1,7 +1,7 @@
 import type { ChoiceField } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { SelectBox } from '../ui/SelectBox';
-import type { FieldEditorProps } from './FieldEditorProps';
+import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 export function ChoiceEditor(props: FieldEditorProps<ChoiceField>): ReactNode {
   const { field, value, label, description, disabled, onCommit } = props;

@@ -5,7 +5,7 @@ import { HexColorPicker } from 'react-colorful';
 import { joinColour, splitColour } from '../ui/colour';
 import { NumberInput } from '../ui/NumberInput';
 import { TextInput } from '../ui/TextInput';
-import type { FieldEditorProps } from './FieldEditorProps';
+import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 /** A linear colour, shown as sRGB and a factor of intensity where it is brighter than a screen. */
 export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {

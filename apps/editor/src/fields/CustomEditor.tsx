@@ -1,16 +1,12 @@
 import type { CustomField } from '@farol/engine/fields';
-import { type ComponentType, createElement, type ReactNode } from 'react';
-import type { FieldEditorProps } from './FieldEditorProps';
+import { createElement, type ReactNode } from 'react';
+import type { FieldEditorProps } from '../api/FieldEditorProps';
+import { useEditor, useSignal } from '../ui/EditorContext';
 
-const editors = new Map<string, ComponentType<FieldEditorProps<CustomField>>>();
-
-/** Gives the fields of a registered type their editor. */
-export function setCustomEditor(type: string, editor: ComponentType<FieldEditorProps<CustomField>>): void {
-  editors.set(type, editor);
-}
-
-/** The editor of a field of a type that a plugin has brought; its value as text where the plugin is not there. */
+/** The control of a field of a plugin's type; the value as text where no plugin has brought a control. */
 export function CustomEditor(props: FieldEditorProps<CustomField>): ReactNode {
-  const editor = editors.get(props.field.type);
-  return editor ? createElement(editor, props) : <span className="dim">{String(props.value)}</span>;
+  const { fieldEditors } = useEditor();
+  useSignal(fieldEditors.changed);
+  const known = fieldEditors.get(props.field.type.name);
+  return known ? createElement(known.editor, props) : <span className="dim">{String(props.value)}</span>;
 }

@@ -1,7 +1,7 @@
 import type { NumberField } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { NumberInput } from '../ui/NumberInput';
-import type { FieldEditorProps } from './FieldEditorProps';
+import type { FieldEditorProps } from '../api/FieldEditorProps';
 import { stepOf } from './stepOf';
 
 export function NumberEditor({ field, value, onPreview, onCommit, ...rest }: FieldEditorProps<NumberField>): ReactNode {

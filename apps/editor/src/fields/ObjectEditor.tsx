@@ -2,7 +2,7 @@ import type { ObjectField } from '@farol/engine/fields';
 import { type ReactNode, useMemo } from 'react';
 import { useEditor, useSignal } from '../ui/EditorContext';
 import { SearchSelect, type SearchOption } from '../ui/SearchSelect';
-import type { FieldEditorProps } from './FieldEditorProps';
+import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 export function ObjectEditor(props: FieldEditorProps<ObjectField>): ReactNode {
   const { value, mixed, label, description, disabled, onCommit } = props;

@@ -1,6 +1,6 @@
 import type { Vector3Field } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
-import type { FieldEditorProps } from './FieldEditorProps';
+import type { FieldEditorProps } from '../api/FieldEditorProps';
 import { stepOf } from './stepOf';
 import { TripleEditor } from './TripleEditor';
 

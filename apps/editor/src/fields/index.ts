@@ -7,7 +7,7 @@ import { ChoiceEditor } from './ChoiceEditor';
 import { CustomEditor } from './CustomEditor';
 import { ColourEditor } from './ColourEditor';
 import { EulerEditor } from './EulerEditor';
-import type { FieldEditorProps } from './FieldEditorProps';
+import type { FieldEditorProps } from '../api/FieldEditorProps';
 import { NumberEditor } from './NumberEditor';
 import { ObjectEditor } from './ObjectEditor';
 import { StringEditor } from './StringEditor';

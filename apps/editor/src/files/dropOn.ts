@@ -1,7 +1,7 @@
 import type { GameObject } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import { Plane, Raycaster, Vector2, Vector3 } from 'three';
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
 import { hitPoint } from '../viewport/pick';
 import type { FileMap } from '@farol/engine/files';
@@ -28,7 +28,7 @@ const ground = new Plane(new Vector3(0, 1, 0), 0);
 const raycaster = new Raycaster();
 
 /** The point and the object under the pointer: on what is seen there, else on the ground, else in the middle. */
-function placeInPicture(editor: Editor, x: number, y: number): DropPlace {
+function placeInPicture(editor: EditorApi, x: number, y: number): DropPlace {
   const { viewport, document } = editor;
   const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
   const point = new Vector2(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2);
@@ -41,7 +41,7 @@ function placeInPicture(editor: Editor, x: number, y: number): DropPlace {
   return isNear ? { point: onGround.toArray() as Vector3Tuple, target } : { target };
 }
 
-function placeOf(editor: Editor, target: DropTarget): DropPlace {
+function placeOf(editor: EditorApi, target: DropTarget): DropPlace {
   if (target.kind === 'picture') return placeInPicture(editor, target.x, target.y);
   const object = target.kind === 'tree' && target.id !== null ? editor.document.scene.findById(target.id) : null;
   const parent: Container | undefined = object ?? undefined;
@@ -49,7 +49,7 @@ function placeOf(editor: Editor, target: DropTarget): DropPlace {
 }
 
 /** Imports what was dropped, where it is files, and places it. A scene among files is opened instead. */
-export async function dropOn(editor: Editor, { asset, files }: Dropped, target: DropTarget): Promise<void> {
+export async function dropOn(editor: EditorApi, { asset, files }: Dropped, target: DropTarget): Promise<void> {
   if (asset) {
     if (target.kind !== 'elsewhere') await placeAsset(editor, asset, placeOf(editor, target));
     return;

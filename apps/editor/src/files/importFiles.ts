@@ -1,6 +1,6 @@
 import type { AssetLibrary } from '@farol/engine';
 import { decodedUri, packGltf, readableEndings, typeOfUrl } from '@farol/engine/files';
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import { withProgress } from './withProgress';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
@@ -64,13 +64,13 @@ export interface ImportResult {
  * @throws Error naming the files, when none of them is one that can be read; AbortError when the user cancelled, and then
  * nothing has changed
  */
-export function importFiles(editor: Editor, files: FileMap): Promise<ImportResult> {
+export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportResult> {
   const [first] = files.keys();
   const title = files.size === 1 ? `Reading ${nameIn(first)}` : `Reading ${files.size} files`;
   return withProgress(editor.dialogs, title, (signal) => importAll(editor, files, signal));
 }
 
-async function importAll(editor: Editor, files: FileMap, signal: AbortSignal): Promise<ImportResult> {
+async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal): Promise<ImportResult> {
   const { assets } = editor.document;
   const left = new Set(files.keys());
   const problems: string[] = [];

@@ -2,7 +2,7 @@ import { GameObject, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import { instanceRootOf } from '@farol/engine/prefabs';
 import { Box3, Vector3 } from 'three';
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
 import { SetFields } from '../model/commands/SetFields';
 import { addObject } from '../model/edits';
@@ -23,7 +23,7 @@ export interface DropPlace {
 const stemOf = (name: string): string => name.replace(/^.*\//, '').replace(/\.\w+$/, '') || name;
 
 /** The lowest point of what is drawn (m below its origin, up to 10 km), so that it stands where it is dropped. */
-function footOf(editor: Editor, { kind, name }: DraggedAsset): number {
+function footOf(editor: EditorApi, { kind, name }: DraggedAsset): number {
   const { assets } = editor.document;
   const box = new Box3();
   if (kind === 'model') box.setFromObject(assets.model(name).scene);
@@ -35,7 +35,7 @@ function footOf(editor: Editor, { kind, name }: DraggedAsset): number {
   return box.isEmpty() ? 0 : Math.min(1e4, Math.max(-1e4, -box.min.y));
 }
 
-function makeObject(editor: Editor, { kind, name }: DraggedAsset): GameObject {
+function makeObject(editor: EditorApi, { kind, name }: DraggedAsset): GameObject {
   const object = new GameObject(stemOf(name));
   const { assets } = editor.document;
   if (kind === 'model') {
@@ -55,7 +55,7 @@ function makeObject(editor: Editor, { kind, name }: DraggedAsset): GameObject {
 }
 
 /** Lights the scene by a texture, and shows it behind. */
-export function useAsEnvironment(editor: Editor, name: string): void {
+export function useAsEnvironment(editor: EditorApi, name: string): void {
   const { settings } = editor.document.scene;
   editor.commands.run(
     new SetFields(`Light by ${name}`, [
@@ -66,7 +66,7 @@ export function useAsEnvironment(editor: Editor, name: string): void {
 }
 
 /** Gives the object under the pointer a material, shader or texture. @returns whether it could */
-function paint(editor: Editor, { kind, name }: DraggedAsset, target: GameObject | null): boolean {
+function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObject | null): boolean {
   const owner = target?.getComponent(ObjectRenderer);
   if (!owner) return false;
   const field = kind === 'texture' ? 'map' : kind;
@@ -86,7 +86,7 @@ function paint(editor: Editor, { kind, name }: DraggedAsset, target: GameObject 
  * and textures go onto the object under the pointer, or else onto something new.
  * @throws Error when a prefab would be placed within itself
  */
-export async function placeAsset(editor: Editor, asset: DraggedAsset, place: DropPlace = {}): Promise<void> {
+export async function placeAsset(editor: EditorApi, asset: DraggedAsset, place: DropPlace = {}): Promise<void> {
   const { document, commands } = editor;
   const { scene, selection } = document;
   const parent = place.parent ?? scene;

@@ -1,4 +1,4 @@
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import { collectFiles } from '@farol/engine/files';
 import { draggedAsset, isAssetDrag, isFileDrag } from './dragAsset';
 import type { DropTarget } from './dropOn';
@@ -25,7 +25,7 @@ function isOurs(event: DragEvent): event is DragEvent & { readonly dataTransfer:
  * Takes what is dropped on the page, files from outside and assets of the editor's: into the picture, below an object of
  * the tree, or elsewhere, where files are imported only. What a field takes for itself is not heard of here.
  */
-export function watchDrops(editor: Editor): void {
+export function watchDrops(editor: EditorApi): void {
   const over = (event: DragEvent): void => {
     if (!isOurs(event)) return;
     const { kind } = targetOf(event);

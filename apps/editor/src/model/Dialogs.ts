@@ -1,6 +1,5 @@
 import type { FileProblem } from '@farol/engine/files';
-import type { Autosave } from '../files/autosave/Autosave';
-import type { SessionInfo } from '../files/autosave/store';
+import type { SessionInfo } from './SessionInfo';
 import { Signal } from './Signal';
 
 /** A question with two answers. */
@@ -46,7 +45,10 @@ export interface PaletteDialog {
 export interface RecoverDialog {
   readonly kind: 'recover';
   readonly sessions: readonly SessionInfo[];
-  readonly autosave: Autosave;
+  /** Opens what a session left. */
+  recover(session: SessionInfo): Promise<unknown>;
+  /** Throws a session away. */
+  discard(session: SessionInfo): Promise<void>;
 }
 
 /** The ways to give a scene away. */

@@ -1,4 +1,11 @@
-import { AssetLibrary, type Component, type GameObject, Scene, type SceneChange } from '@farol/engine';
+import {
+  AssetLibrary,
+  type Component,
+  type ComponentRegistry,
+  type GameObject,
+  Scene,
+  type SceneChange,
+} from '@farol/engine';
 import type { FieldOwner } from '@farol/engine/fields';
 import { serialize } from '@farol/engine/files';
 import type { Command } from './Command';
@@ -43,8 +50,12 @@ export class EditorDocument {
   private endAssets: () => void = () => {};
   private readonly ownerSignals = new WeakMap<FieldOwner, Signal>();
 
-  constructor(assets: AssetLibrary = new AssetLibrary()) {
-    this.current = new Scene({ name: 'Untitled', assets });
+  /** @param registry - types of components that every scene of the document shall know; each scene's own when absent */
+  constructor(
+    assets: AssetLibrary = new AssetLibrary(),
+    private readonly registry?: ComponentRegistry,
+  ) {
+    this.current = new Scene({ name: 'Untitled', assets, registry });
     this.watchAssets();
     this.unsubscribe = this.watch(this.current);
   }
@@ -69,6 +80,7 @@ export class EditorDocument {
     this.commands.clear();
     this.unsubscribe();
     this.current = scene;
+    if (this.registry) scene.registry = this.registry;
     this.unsubscribe = this.watch(scene);
     this.simulation.restart();
     this.selection.clear();

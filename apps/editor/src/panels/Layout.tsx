@@ -1,6 +1,6 @@
 import { lazy, type ReactNode, Suspense, useLayoutEffect } from 'react';
 import { useEditor, useSignal } from '../ui/EditorContext';
-import { usePreferences } from '../ui/preferences';
+import { usePreferences } from '../ui/usePreferences';
 import { DialogHost } from './dialogs/DialogHost';
 import { NoticeList } from './dialogs/NoticeList';
 import { Dock } from './dock/Dock';

@@ -1,7 +1,7 @@
-import { PanelRegistry } from '../layout/PanelRegistry';
+import type { Panel } from '../layout/PanelRegistry';
 
-/** All panels, loaded when they are first in front. A new one is a folder and a line here. */
-export const panels = new PanelRegistry([
+/** All panels built in, loaded when they are first in front. A new one is a folder and a line here. */
+export const panels: readonly Panel[] = [
   {
     id: 'hierarchy',
     title: 'Hierarchy',
@@ -58,4 +58,4 @@ export const panels = new PanelRegistry([
     place: 'bottom',
     load: () => import('./microshaders/MicroShadersPanel').then(({ MicroShadersPanel }) => MicroShadersPanel),
   },
-]);
+];

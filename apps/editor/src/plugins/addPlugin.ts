@@ -1,22 +1,18 @@
-import { builtinComponents } from '@farol/engine';
-import { fieldTypeOf, registerFieldType } from '@farol/engine/fields';
-import { actions } from '../actions';
-import type { Editor } from '../Editor';
-import { setCustomEditor } from '../fields/CustomEditor';
-import { panels } from '../panels';
-import type { EditorPlugin } from './EditorPlugin';
+import type { EditorApi } from '../api/EditorApi';
+import type { EditorPlugin } from '../api/EditorPlugin';
 
 /** Names of a plugin that something else has. */
-function takenNames(editor: Editor, plugin: EditorPlugin): string[] {
+function takenNames(editor: EditorApi, plugin: EditorPlugin): string[] {
+  const { actions, panels, components, fieldEditors } = editor;
   const { techniques } = editor.viewport.farol;
   return [
     ...(plugin.panels ?? []).filter(({ id }) => panels.get(id)).map(({ id }) => `the panel '${id}'`),
     ...(plugin.actions ?? []).filter(({ id }) => actions.get(id)).map(({ id }) => `the action '${id}'`),
     ...(plugin.components ?? [])
-      .filter((type) => (builtinComponents.types.get(type.typeName) ?? type) !== type)
+      .filter((type) => components.types.has(type.typeName))
       .map(({ typeName }) => `the component '${typeName}'`),
     ...(plugin.fieldTypes ?? [])
-      .filter((type) => (fieldTypeOf(type.name) ?? type) !== type)
+      .filter(({ name }) => fieldEditors.get(name))
       .map(({ name }) => `the type of fields '${name}'`),
     ...Object.keys(plugin.techniques ?? {})
       .filter((name) => Object.hasOwn(techniques, name))
@@ -33,24 +29,21 @@ function takenNames(editor: Editor, plugin: EditorPlugin): string[] {
  * addPlugin(editor, { name: 'Notes', panels: [{ id: 'notes', title: 'Notes', icon: 'scene', place: 'right', load }] });
  * @throws Error naming what there is already
  */
-export function addPlugin(editor: Editor, plugin: EditorPlugin): void {
+export function addPlugin(editor: EditorApi, plugin: EditorPlugin): void {
   const taken = takenNames(editor, plugin);
   if (taken.length > 0) {
     throw new Error(
       `The plugin '${plugin.name}' cannot be added: there is ${taken.join(', ')} already. Choose other names.`,
     );
   }
-  // field types first: a component that is made checks its defaults
-  for (const type of plugin.fieldTypes ?? []) {
-    registerFieldType(type);
-    setCustomEditor(type.name, type.editor);
-  }
-  for (const type of plugin.components ?? []) builtinComponents.register(type);
+  for (const { name, editor: control } of plugin.fieldTypes ?? [])
+    editor.fieldEditors.add({ id: name, editor: control });
+  for (const type of plugin.components ?? []) editor.components.register(type);
   for (const [name, technique] of Object.entries(plugin.techniques ?? {})) {
     editor.viewport.farol.addTechnique(name, technique);
   }
-  for (const action of plugin.actions ?? []) actions.add(action);
-  for (const panel of plugin.panels ?? []) panels.add(panel);
+  for (const action of plugin.actions ?? []) editor.actions.add(action);
+  for (const panel of plugin.panels ?? []) editor.panels.add(panel);
   plugin.setUp?.(editor);
   editor.viewport.changed.emit();
   editor.document.structure.emit();

@@ -1,4 +1,4 @@
-import type { EditorPlugin } from './EditorPlugin';
+import type { EditorPlugin } from '../api/EditorPlugin';
 
 /** Plugins that come with the editor, loaded when the user asks for them. A new one is a folder and a line here. */
 export const knownPlugins: Readonly<Record<string, { label: string; load(): Promise<EditorPlugin> }>> = {

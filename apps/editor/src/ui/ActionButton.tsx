@@ -1,10 +1,10 @@
 import type { ReactNode } from 'react';
-import { type Action, labelOf } from '../actions/Action';
-import { keysOf, useKeyBindings } from '../actions/keyBindings';
+import { type Action, labelOf } from '../api/Action';
 import { useEditor } from './EditorContext';
 import { Icon } from './Icon';
-import type { IconName } from './iconPaths';
+import type { IconName } from '../style/iconPaths';
 import { keyText } from './keyText';
+import { useKeyBindings } from './useKeyBindings';
 
 interface ActionButtonProps {
   readonly action: Action;
@@ -18,8 +18,7 @@ interface ActionButtonProps {
 export function ActionButton({ action, icon = action.icon, withLabel = false }: ActionButtonProps): ReactNode {
   const editor = useEditor();
   const label = labelOf(action, editor);
-  useKeyBindings();
-  const key = keysOf(action).at(0);
+  const key = useKeyBindings().keysOf(action).at(0);
   return (
     <button
       type="button"

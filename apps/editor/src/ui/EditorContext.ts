@@ -1,14 +1,14 @@
 import { createContext, useContext, useSyncExternalStore } from 'react';
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import type { Signal } from '../model/Signal';
 
-const Context = createContext<Editor | null>(null);
+const Context = createContext<EditorApi | null>(null);
 
 /** Gives the editor to all components below. */
 export const EditorProvider = Context.Provider;
 
 /** The editor. */
-export function useEditor(): Editor {
+export function useEditor(): EditorApi {
   const editor = useContext(Context);
   if (!editor) throw new Error('No editor: render the component below EditorProvider.');
   return editor;

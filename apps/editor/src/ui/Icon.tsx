@@ -1,5 +1,5 @@
 import type { ReactNode } from 'react';
-import { type IconName, iconPaths } from './iconPaths';
+import { type IconName, iconPaths } from '../style/iconPaths';
 
 /** An icon of 16 by 16 in the colour of the text; what it stands for must be said beside it. */
 export function Icon({ name, size = 16 }: { name: IconName; size?: number }): ReactNode {

@@ -1,8 +1,8 @@
 import { Menu } from '@base-ui/react/menu';
 import type { ReactNode } from 'react';
 import { Icon } from './Icon';
-import type { IconName } from './iconPaths';
-import type { MenuEntry } from './MenuEntry';
+import type { IconName } from '../style/iconPaths';
+import type { MenuEntry } from '../api/MenuEntry';
 import { MenuItems } from './MenuItems';
 
 interface MenuButtonProps {

@@ -2,7 +2,7 @@ import { Menu } from '@base-ui/react/menu';
 import type { ReactNode } from 'react';
 import { Icon } from './Icon';
 import { keyText } from './keyText';
-import type { MenuEntry } from './MenuEntry';
+import type { MenuEntry } from '../api/MenuEntry';
 
 /** The lines of a menu; submenus open beside it. */
 export function MenuItems({ entries }: { entries: readonly MenuEntry[] }): ReactNode {

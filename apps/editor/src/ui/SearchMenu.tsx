@@ -1,7 +1,7 @@
 import { Combobox } from '@base-ui/react/combobox';
 import { type ReactNode, useState } from 'react';
 import { Icon } from './Icon';
-import type { IconName } from './iconPaths';
+import type { IconName } from '../style/iconPaths';
 
 export interface SearchMenuItem {
   readonly value: string;

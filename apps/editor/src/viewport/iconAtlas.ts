@@ -1,5 +1,5 @@
 import { CanvasTexture, LinearFilter } from 'three';
-import { iconPaths } from '../ui/iconPaths';
+import { iconPaths } from '../style/iconPaths';
 
 /** Icons of the viewport in the order of the atlas. */
 export const iconKinds = ['point', 'spot', 'directional', 'ambient', 'hemisphere', 'camera', 'decal'] as const;

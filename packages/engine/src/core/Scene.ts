@@ -35,7 +35,8 @@ export class Scene implements GameObjectContainer {
   readonly instances = new InstanceGroups();
   readonly three: ThreeScene = this.instances.root;
   readonly assets: AssetLibrary;
-  readonly registry: ComponentRegistry;
+  /** Types of components that can be added by name: by files, prefabs and menus. Another one must have those in use. */
+  registry: ComponentRegistry;
   readonly settings: SceneSettings;
   /** Microshaders that are saved with the scene. */
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));

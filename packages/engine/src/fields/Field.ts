@@ -96,11 +96,20 @@ export interface ObjectField extends FieldBase {
   readonly default: string | null;
 }
 
-/** A field of a type of its own, with its own check and its own editor: see `registerFieldType`. */
+/** A type of fields that the engine does not know by itself. */
+export interface FieldType {
+  /** By which editors find a control for its fields. */
+  readonly name: string;
+  /** What it allows, as the end of "must be …". */
+  readonly allows: string;
+  /** Whether it allows a value. NaN and infinities are no values in any case. */
+  check(value: FieldValue): boolean;
+}
+
+/** A field of a type of its own, with its own check. */
 export interface CustomField extends FieldBase {
   readonly kind: 'custom';
-  /** Name of a registered type. */
-  readonly type: string;
+  readonly type: FieldType;
   readonly default: FieldValue;
 }
 

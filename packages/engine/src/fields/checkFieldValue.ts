@@ -1,6 +1,5 @@
 import { shortText } from '@farol/renderer';
 import type { Field, FieldValue } from './Field';
-import { fieldTypeOf } from './fieldTypes';
 
 const isFiniteNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 
@@ -53,7 +52,7 @@ export function describeField(field: Field): string {
     case 'object':
       return 'the id of a GameObject, or null';
     case 'custom':
-      return fieldTypeOf(field.type)?.allows ?? `of the type '${field.type}', which nobody has registered`;
+      return field.type.allows;
   }
 }
 
@@ -93,7 +92,7 @@ function isAllowed(field: Field, value: unknown): boolean {
     case 'object':
       return value === null || (typeof value === 'string' && value.length > 0);
     case 'custom':
-      return isFieldValue(value) && (fieldTypeOf(field.type)?.check(value) ?? false);
+      return isFieldValue(value) && field.type.check(value);
   }
 }
 

@@ -1,5 +1,6 @@
 import type {
   CustomField,
+  FieldType,
   FieldValue,
   AngleField,
   AssetField,
@@ -91,9 +92,9 @@ export const object = (value: string | null, options: Options<ObjectField>): Obj
   ...options,
 });
 
-/** A value of a registered type: see `registerFieldType`. */
+/** A value of a type of your own. */
 export const custom = <const Value extends FieldValue>(
-  type: string,
+  type: FieldType,
   value: Value,
   options: Options<Omit<CustomField, 'type'>>,
 ): Omit<CustomField, 'default'> & { readonly default: Value } => ({ kind: 'custom', type, default: value, ...options });

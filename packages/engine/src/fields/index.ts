@@ -5,5 +5,4 @@ export { checkFieldValue } from './checkFieldValue';
 export { component } from './component';
 export { FieldError } from './FieldError';
 export { FieldOwner, sameValue } from './FieldOwner';
-export { type FieldType, fieldTypeOf, registerFieldType } from './fieldTypes';
 export { isFieldVisible } from './isFieldVisible';

@@ -1,12 +1,12 @@
 import { createId } from '@farol/engine/files';
-import type { Editor } from '../../Editor';
+import type { DraftKeeper, EditorApi } from '../../api/EditorApi';
 import { Signal } from '../../model/Signal';
 import { AutosaveStore, lockOf } from './AutosaveStore';
 import { noteClean } from './cleanSessions';
 import { draftReason } from './draftReason';
 import { SceneDelta } from './SceneDelta';
 import { SliceBudget } from './SliceBudget';
-import type { SessionInfo } from './store';
+import type { SessionInfo } from '../../model/SessionInfo';
 
 /** How long after a change it is read (ms), so that a drag is stored some times a second and not each frame. */
 const QUIET = 200;
@@ -22,7 +22,7 @@ const RETRIES = [1000, 2000, 5000, 10_000, 30_000];
  * by part in idle moments, all of it once it is open, later what changed; a worker stores that from the first change on.
  * A write that is refused is told of, and tried again after a while and with each change.
  */
-export class Autosave {
+export class Autosave implements DraftKeeper {
   /** Emits after each time that everything up to now was stored. */
   readonly stored = new Signal();
   /** For measurements: how long each of the last slices took of the page's time (ms), what was read, what was stored. */
@@ -50,7 +50,7 @@ export class Autosave {
   private replaced: string | null = null;
 
   constructor(
-    private readonly editor: Editor,
+    private readonly editor: EditorApi,
     readonly store: AutosaveStore,
   ) {
     const { document, commands } = editor;
@@ -82,10 +82,18 @@ export class Autosave {
     return this.changedAt === null && !this.isReading && this.writes === 0 && this.delta.isEmpty;
   }
 
-  /** Edits a scene that was recovered: all of it is stored again, and takes the place of the old session then. */
-  replace(session: string): void {
-    this.replaced = session;
-    this.wake();
+  /** Offers what tabs that were killed have left. @returns whether there was any */
+  async offerRecovery(): Promise<boolean> {
+    const sessions = (await this.store.lost()).filter(({ isDirty }) => isDirty);
+    if (sessions.length > 0) {
+      void this.editor.dialogs.show({
+        kind: 'recover',
+        sessions,
+        recover: (session) => this.recover(session),
+        discard: ({ id }) => this.store.delete(id),
+      });
+    }
+    return sessions.length > 0;
   }
 
   /** Something of the store's was refused: it is told of, and what is not stored is tried again. */
@@ -99,6 +107,18 @@ export class Autosave {
       this.delta.noteAll();
     }
     if (this.changedAt !== null) this.schedule(RETRIES[Math.min(this.refusals, RETRIES.length) - 1]);
+  }
+
+  /** Opens a scene that was stored, as one that is not saved: stored again, it takes the place of the old session. */
+  private async recover({ id, name, fileName, handle }: SessionInfo): Promise<void> {
+    const { editor } = this;
+    if (!(await editor.mayLoseChanges())) return;
+    const { text, files } = await this.store.read(id);
+    if (!(await editor.openFileBytes(text, { name: fileName, handle }, (path) => files.get(path) ?? null))) return;
+    editor.commands.markUnsaved();
+    this.replaced = id;
+    this.wake();
+    editor.notices.show('info', `${name} is as it was. Save it to keep it.`);
   }
 
   /** Another scene: nothing is stored until it is changed. */

@@ -1,5 +1,5 @@
 import type { StoredScene, WorkerRequest, WorkerResponse } from './messages';
-import type { SessionInfo } from './store';
+import type { SessionInfo } from '../../model/SessionInfo';
 
 interface Asked {
   resolve(result: unknown): void;

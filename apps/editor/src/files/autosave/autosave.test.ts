@@ -10,7 +10,7 @@ import { draftReason } from './draftReason';
 import { PendingParts } from './PendingParts';
 import { SceneDelta } from './SceneDelta';
 import { SliceBudget } from './SliceBudget';
-import type { SessionInfo } from './store';
+import type { SessionInfo } from '../../model/SessionInfo';
 
 const keep = (changes: readonly PartChange[], parts: Map<string, string>): number => {
   for (const [key, json] of changes) {

@@ -1,4 +1,4 @@
-import type { SessionInfo } from './store';
+import type { SessionInfo } from '../../model/SessionInfo';
 
 const when = new Intl.DateTimeFormat(undefined, { dateStyle: 'medium', timeStyle: 'medium' });
 const integer = new Intl.NumberFormat('en');

@@ -1,5 +1,5 @@
 import type { PartChange } from './parts';
-import type { SessionInfo } from './store';
+import type { SessionInfo } from '../../model/SessionInfo';
 
 /** What the autosave's worker is asked for. */
 export type WorkerRequest =

@@ -3,7 +3,7 @@ import { setDraggedAsset } from '../../files/dragAsset';
 import type { AssetEntry, AssetKind } from '../../files/assetKinds';
 import type { ThumbnailMaker } from '../../files/ThumbnailMaker';
 import { Icon } from '../../ui/Icon';
-import type { IconName } from '../../ui/iconPaths';
+import type { IconName } from '../../style/iconPaths';
 
 const icons: Readonly<Record<AssetKind, IconName>> = {
   prefab: 'prefab',

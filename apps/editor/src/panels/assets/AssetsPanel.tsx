@@ -6,7 +6,7 @@ import { isFileDrag } from '../../files/dragAsset';
 import { importFiles } from '../../files/importFiles';
 import { placeAsset } from '../../files/placeAsset';
 import { ThumbnailMaker } from '../../files/ThumbnailMaker';
-import type { Editor } from '../../Editor';
+import type { EditorApi } from '../../api/EditorApi';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { LateItems } from '../../ui/MenuButton';
@@ -27,9 +27,9 @@ const filters: readonly SelectOption<Filter>[] = [
   { value: 'material', label: 'Materials' },
 ];
 
-const makers = new WeakMap<Editor, ThumbnailMaker>();
+const makers = new WeakMap<EditorApi, ThumbnailMaker>();
 
-function makerOf(editor: Editor): ThumbnailMaker {
+function makerOf(editor: EditorApi): ThumbnailMaker {
   let maker = makers.get(editor);
   if (!maker) makers.set(editor, (maker = new ThumbnailMaker(editor.viewport)));
   return maker;
@@ -37,7 +37,7 @@ function makerOf(editor: Editor): ThumbnailMaker {
 
 const endings = ['.glb', '.gltf', '.bin', '.png', '.jpg', '.jpeg', '.webp', '.hdr', '.exr', '.ply', '.gz', '.ktx2'];
 
-async function choose(editor: Editor): Promise<void> {
+async function choose(editor: EditorApi): Promise<void> {
   const files = await fileOpen({ description: 'Models, textures, environments', extensions: endings, multiple: true });
   await importFiles(editor, new Map(files.map((file) => [file.name, file])));
 }

@@ -1,16 +1,16 @@
 import { importModel } from '@farol/engine';
-import type { Editor } from '../../Editor';
+import type { EditorApi } from '../../api/EditorApi';
 import { type AssetEntry, isEnvironment } from '../../files/assetKinds';
 import { placeAsset, useAsEnvironment } from '../../files/placeAsset';
 import { deleteAsset, usagesOf } from '../../model/assetUsages';
 import { addObject } from '../../model/edits';
 import { deletePrefab, instancesOf, renamePrefab } from '../../model/prefabEdits';
-import type { MenuEntry } from '../../ui/MenuEntry';
+import type { MenuEntry } from '../../api/MenuEntry';
 
 const counted = (count: number, what: string): string => `${count} ${what}${count === 1 ? '' : 's'}`;
 
 /** Deletes an asset or a prefab; where it is used, the user is asked first, with every place by name. */
-export async function removeEntry(editor: Editor, entry: AssetEntry): Promise<void> {
+export async function removeEntry(editor: EditorApi, entry: AssetEntry): Promise<void> {
   const { document, commands, dialogs } = editor;
   const { scene } = document;
   if (entry.isBuiltin) throw new Error(`${entry.label} came with Farol, and cannot be deleted.`);
@@ -35,7 +35,7 @@ export async function removeEntry(editor: Editor, entry: AssetEntry): Promise<vo
 }
 
 /** Asks for another name of a prefab. */
-export function renameEntry(editor: Editor, entry: AssetEntry): void {
+export function renameEntry(editor: EditorApi, entry: AssetEntry): void {
   const { document, commands, dialogs } = editor;
   const { scene } = document;
   const prefab = scene.prefabs.get(entry.name);
@@ -53,7 +53,7 @@ export function renameEntry(editor: Editor, entry: AssetEntry): void {
 }
 
 /** Puts the parts of a model into the scene, each an object that can be edited. */
-function unpackModel(editor: Editor, name: string): void {
+function unpackModel(editor: EditorApi, name: string): void {
   const { document, commands, viewport } = editor;
   const object = importModel(document.assets.model(name), document.assets, name);
   object.name = name.replace(/\.\w+$/, '');
@@ -62,7 +62,7 @@ function unpackModel(editor: Editor, name: string): void {
 }
 
 /** Lines of the context menu of a card. */
-export function assetMenu(editor: Editor, entry: AssetEntry): MenuEntry[] {
+export function assetMenu(editor: EditorApi, entry: AssetEntry): MenuEntry[] {
   const { document } = editor;
   const attempt = (run: () => unknown) => (): void => editor.attempt(run);
   const entries: MenuEntry[] = [];

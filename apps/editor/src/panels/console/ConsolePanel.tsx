@@ -2,7 +2,7 @@ import { type ReactNode, useEffect, useRef, useState } from 'react';
 import type { ConsoleEntry, ConsoleKind } from '../../model/ConsoleLog';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
-import type { IconName } from '../../ui/iconPaths';
+import type { IconName } from '../../style/iconPaths';
 import './console.css';
 
 const icons: Readonly<Record<ConsoleKind, IconName>> = { error: 'warning', warning: 'warning', info: 'check' };

@@ -6,19 +6,19 @@ import { embedCode } from '../../files/share/embedCode';
 import { exportGltf } from '../../files/share/exportGltf';
 import { exportHtml } from '../../files/share/exportHtml';
 import { linkHash } from '../../files/share/shareLink';
-import type { Editor } from '../../Editor';
+import type { EditorApi } from '../../api/EditorApi';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { ExportButton } from './ExportButton';
 
-async function saveHtml({ document, notices }: Editor): Promise<readonly string[]> {
+async function saveHtml({ document, notices }: EditorApi): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.html`;
   await download(await exportHtml(document.scene), fileName, 'Web page');
   notices.show('info', `Exported ${fileName}`);
   return [];
 }
 
-async function saveGltf({ document, notices, viewport }: Editor): Promise<readonly string[]> {
+async function saveGltf({ document, notices, viewport }: EditorApi): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.glb`;
   const { blob, leftOut } = await exportGltf(document.scene, viewport.webgl);
   await download(blob, fileName, 'glTF binary');
@@ -27,7 +27,7 @@ async function saveGltf({ document, notices, viewport }: Editor): Promise<readon
 }
 
 /** The scene's link, or why it has none. */
-function useLink(editor: Editor): { hash: string | null; problem: string | null } {
+function useLink(editor: EditorApi): { hash: string | null; problem: string | null } {
   const [link, setLink] = useState<{ hash: string | null; problem: string | null }>({ hash: null, problem: null });
   useEffect(() => {
     let isWanted = true;

@@ -1,14 +1,12 @@
 import { Dialog } from '@base-ui/react/dialog';
 import { type ReactNode, useState } from 'react';
 import { describeSession } from '../../files/autosave/describeSession';
-import { recover } from '../../files/autosave/startAutosave';
 import type { RecoverDialog as RecoverRequest } from '../../model/Dialogs';
 import { useEditor } from '../../ui/EditorContext';
 
 /** What tabs that were closed without warning have left; each can be brought back, or thrown away. */
 export function RecoverDialog({ request, onClose }: { request: RecoverRequest; onClose(): void }): ReactNode {
   const editor = useEditor();
-  const { autosave } = request;
   const [sessions, setSessions] = useState(request.sessions);
   return (
     <>
@@ -27,7 +25,7 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
               aria-describedby={`session-${session.id}`}
               onClick={() =>
                 editor.attempt(async () => {
-                  await autosave.store.delete(session.id);
+                  await request.discard(session);
                   const left = sessions.filter((each) => each !== session);
                   setSessions(left);
                   if (left.length === 0) onClose();
@@ -42,7 +40,7 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
               aria-describedby={`session-${session.id}`}
               onClick={() => {
                 onClose();
-                editor.attempt(() => recover(editor, autosave, session));
+                editor.attempt(() => request.recover(session));
               }}
             >
               Recover

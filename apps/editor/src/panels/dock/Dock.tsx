@@ -1,9 +1,7 @@
 import { type ReactNode, useLayoutEffect, useRef, useState, useSyncExternalStore } from 'react';
-import { currentLayout, useLayout } from '../../layout/useLayout';
 import { groupWith } from '../../layout/LayoutNode';
 import { placeLayout, type Rectangle } from '../../layout/placeLayout';
-import { useSignal } from '../../ui/EditorContext';
-import { panels } from '../index';
+import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dock.css';
 import { DockEdge } from './DockEdge';
 import { DockGroup } from './DockGroup';
@@ -34,9 +32,10 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
     measure();
     return () => observer.disconnect();
   }, []);
+  const { panels, layout: panelLayout } = useEditor();
   useSignal(panels.changed);
-  const layout = useSyncExternalStore(useLayout.subscribe, currentLayout);
-  const maximised = useLayout((state) => state.maximised);
+  const layout = useSyncExternalStore(panelLayout.subscribe, panelLayout.current);
+  const maximised = useSyncExternalStore(panelLayout.subscribe, panelLayout.maximised);
   const [width, height] = size ?? [0, 0];
   const all = placeLayout(layout, width, height);
   const alone = maximised === null ? undefined : groupWith(layout, maximised);

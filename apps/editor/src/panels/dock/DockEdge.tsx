@@ -1,15 +1,15 @@
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from 'react';
 import type { LayoutNode } from '../../layout/LayoutNode';
 import { moveEdge, type PlacedEdge, SMALLEST } from '../../layout/placeLayout';
-import { layoutActions } from '../../layout/useLayout';
-import { panels } from '../index';
+import type { PanelRegistry } from '../../layout/PanelRegistry';
+import { useEditor } from '../../ui/EditorContext';
 
 /** CSS pixels that an arrow key moves an edge by. */
 const STEP = 16;
 
 /** A panel that is at one side of an edge, to name the edge by. */
-function firstTitle(node: LayoutNode): string {
-  if (node.kind === 'split') return firstTitle(node.children[0]);
+function firstTitle(node: LayoutNode, panels: PanelRegistry): string {
+  if (node.kind === 'split') return firstTitle(node.children[0], panels);
   return panels.get(node.active)?.title ?? node.active;
 }
 
@@ -19,10 +19,14 @@ function splitAt(layout: LayoutNode, path: readonly number[]): LayoutNode {
 
 /** The line between two places, which can be dragged, or moved by the arrow keys. */
 export function DockEdge({ edge, layout }: { edge: PlacedEdge; layout: LayoutNode }): ReactNode {
+  const { panels, layout: panelLayout } = useEditor();
   const { path, index, direction, rectangle, sizes } = edge;
   const isRow = direction === 'row';
   const split = splitAt(layout, path);
-  const names = split.kind === 'split' ? [split.children[index], split.children[index + 1]].map(firstTitle) : [];
+  const names =
+    split.kind === 'split'
+      ? [split.children[index], split.children[index + 1]].map((child) => firstTitle(child, panels))
+      : [];
   const start = useRef({ pointer: -1, at: 0, edge });
 
   const pointerDown = (event: PointerEvent<HTMLDivElement>): void => {
@@ -33,7 +37,7 @@ export function DockEdge({ edge, layout }: { edge: PlacedEdge; layout: LayoutNod
   const pointerMove = (event: PointerEvent): void => {
     const { pointer, at, edge: from } = start.current;
     if (event.pointerId !== pointer) return;
-    layoutActions.resize(path, moveEdge(from, (isRow ? event.clientX : event.clientY) - at));
+    panelLayout.resize(path, moveEdge(from, (isRow ? event.clientX : event.clientY) - at));
   };
   const pointerEnd = (): void => {
     start.current = { ...start.current, pointer: -1 };
@@ -45,7 +49,7 @@ export function DockEdge({ edge, layout }: { edge: PlacedEdge; layout: LayoutNod
     const by = steps[event.key];
     if (by === undefined) return;
     event.preventDefault();
-    layoutActions.resize(path, moveEdge(edge, by));
+    panelLayout.resize(path, moveEdge(edge, by));
   };
 
   return (

@@ -1,6 +1,6 @@
 import { Activity, createElement, memo, type ReactNode, Suspense, useState } from 'react';
 import type { Rectangle } from '../../layout/placeLayout';
-import { panels } from '../index';
+import { useEditor } from '../../ui/EditorContext';
 
 interface DockPanelProps {
   readonly id: string;
@@ -21,6 +21,7 @@ const isSame = (a: DockPanelProps, b: DockPanelProps): boolean =>
 export const DockPanel = memo(function DockPanel({ id, isInFront, rectangle }: DockPanelProps): ReactNode {
   const [wasInFront, setWasInFront] = useState(isInFront);
   if (isInFront && !wasInFront) setWasInFront(true);
+  const { panels } = useEditor();
   const component = panels.componentOf(id);
   if (!component || !(isInFront || wasInFront)) return null;
   return (

@@ -2,10 +2,9 @@ import { ContextMenu } from '@base-ui/react/context-menu';
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useSyncExternalStore } from 'react';
 import type { DropSide, PanelGroup } from '../../layout/LayoutNode';
 import type { PlacedGroup } from '../../layout/placeLayout';
-import { layoutActions, useLayout } from '../../layout/useLayout';
+import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { LateItems } from '../../ui/MenuButton';
-import { panels } from '../index';
 import { dropTowards } from './dropTowards';
 import { tabEntries } from './tabEntries';
 
@@ -35,22 +34,24 @@ function focusTab(panel: string): void {
  * the menu has the same.
  */
 export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
+  const editor = useEditor();
+  const { panels, layout } = editor;
   const { panels: ids, active } = group;
-  const maximised = useSyncExternalStore(useLayout.subscribe, () => useLayout.getState().maximised);
+  const maximised = useSyncExternalStore(layout.subscribe, layout.maximised);
   const keyDown = (event: KeyboardEvent, panel: string): void => {
     const side = towards[event.key];
     if (event.altKey && event.shiftKey && side) {
       const drop = dropTowards(groups, panel, side);
-      if (drop) layoutActions.move(panel, drop);
+      if (drop) layout.move(panel, drop);
       focusTab(panel);
     } else if (event.altKey || event.ctrlKey || event.metaKey || event.shiftKey) return;
-    else if (event.key === 'Delete') layoutActions.close(panel);
+    else if (event.key === 'Delete') layout.close(panel);
     else {
       const at = ids.indexOf(panel);
       const to = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: ids.length - 1 }[event.key];
       if (to === undefined) return;
       const next = ids[(to + ids.length) % ids.length];
-      layoutActions.open(next);
+      layout.open(next);
       focusTab(next);
     }
     event.preventDefault();
@@ -75,9 +76,9 @@ export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
                 data-panel={id}
                 title={`${panel.title}: drag it elsewhere; right button: menu`}
                 onPointerDown={(event) => onDrag(id, event)}
-                onClick={() => layoutActions.open(id)}
-                onDoubleClick={() => layoutActions.maximise(maximised === null ? id : null)}
-                onAuxClick={(event) => event.button === 1 && layoutActions.close(id)}
+                onClick={() => layout.open(id)}
+                onDoubleClick={() => layout.maximise(maximised === null ? id : null)}
+                onAuxClick={(event) => event.button === 1 && layout.close(id)}
                 onKeyDown={(event) => keyDown(event, id)}
               >
                 <Icon name={panel.icon} size={14} />
@@ -86,7 +87,7 @@ export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
               <ContextMenu.Portal>
                 <ContextMenu.Positioner className="positioner">
                   <ContextMenu.Popup className="popup">
-                    <LateItems entries={() => tabEntries(panel, groups, maximised !== null)} />
+                    <LateItems entries={() => tabEntries(editor, panel, groups, maximised !== null)} />
                   </ContextMenu.Popup>
                 </ContextMenu.Positioner>
               </ContextMenu.Portal>

@@ -1,9 +1,8 @@
 import type { DropSide } from '../../layout/LayoutNode';
 import type { PlacedGroup } from '../../layout/placeLayout';
 import type { Panel } from '../../layout/PanelRegistry';
-import { layoutActions } from '../../layout/useLayout';
-import type { MenuEntry } from '../../ui/MenuEntry';
-import { panels } from '../index';
+import type { EditorApi } from '../../api/EditorApi';
+import type { MenuEntry } from '../../api/MenuEntry';
 import { dropTowards } from './dropTowards';
 
 const sides: readonly (readonly [Exclude<DropSide, 'centre'>, string, string])[] = [
@@ -21,23 +20,28 @@ const halves: readonly (readonly [Exclude<DropSide, 'centre'>, string])[] = [
 ];
 
 /** The menu of a panel's tab. */
-export function tabEntries(panel: Panel, groups: readonly PlacedGroup[], isMaximised: boolean): MenuEntry[] {
+export function tabEntries(
+  { panels, layout }: EditorApi,
+  panel: Panel,
+  groups: readonly PlacedGroup[],
+  isMaximised: boolean,
+): MenuEntry[] {
   const { id } = panel;
   const from = groups.find(({ group }) => group.panels.includes(id));
   const moves = sides.map(([side, label, keys]): MenuEntry => {
     const drop = dropTowards(groups, id, side);
-    return { label, keys, disabled: !drop || isMaximised, run: () => drop && layoutActions.move(id, drop) };
+    return { label, keys, disabled: !drop || isMaximised, run: () => drop && layout.move(id, drop) };
   });
   const into = groups
     .filter(({ group }) => group !== from?.group)
     .map(({ group, rectangle: { width, height } }): MenuEntry => ({
       label: group.panels.map((each) => panels.get(each)?.title ?? each).join(', '),
       entries: [
-        { label: 'As a tab', run: () => layoutActions.move(id, { group: group.id, side: 'centre' }) },
+        { label: 'As a tab', run: () => layout.move(id, { group: group.id, side: 'centre' }) },
         ...halves.map(([side, label]): MenuEntry => ({
           label,
           run: () =>
-            layoutActions.move(id, {
+            layout.move(id, {
               group: group.id,
               side,
               extent: side === 'left' || side === 'right' ? width : height,
@@ -52,10 +56,10 @@ export function tabEntries(panel: Panel, groups: readonly PlacedGroup[], isMaxim
     {
       label: isMaximised ? 'Give the window back' : 'Maximise',
       icon: 'maximise',
-      run: () => layoutActions.maximise(isMaximised ? null : id),
+      run: () => layout.maximise(isMaximised ? null : id),
     },
-    { label: 'Close', icon: 'close', keys: 'Delete', run: () => layoutActions.close(id) },
+    { label: 'Close', icon: 'close', keys: 'Delete', run: () => layout.close(id) },
     'separator',
-    { label: 'Panels as at first', icon: 'panels', run: () => layoutActions.reset() },
+    { label: 'Panels as at first', icon: 'panels', run: () => layout.reset() },
   ];
 }

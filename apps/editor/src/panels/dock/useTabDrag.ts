@@ -1,7 +1,7 @@
 import { type PointerEvent, type RefObject, useEffect, useRef, useState } from 'react';
 import type { PanelDrop } from '../../layout/editLayout';
 import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
-import { layoutActions } from '../../layout/useLayout';
+import { useEditor } from '../../ui/EditorContext';
 import { dropAt } from './dropAt';
 
 /** A press that moves farther than this (CSS pixels) is a drag. */
@@ -19,6 +19,7 @@ export function useTabDrag(
   place: RefObject<HTMLElement | null>,
   groups: readonly PlacedGroup[],
 ): { current: TabDrag | null; begin(panel: string, event: PointerEvent): void } {
+  const { layout } = useEditor();
   const [current, setCurrent] = useState<TabDrag | null>(null);
   const end = useRef<() => void>(() => {});
   const latest = useRef(groups);
@@ -44,7 +45,7 @@ export function useTabDrag(
       if (event.pointerId !== down.pointerId) return;
       const done = drag;
       end.current();
-      if (done?.drop) layoutActions.move(panel, done.drop);
+      if (done?.drop) layout.move(panel, done.drop);
     };
     const key = (event: KeyboardEvent): void => {
       if (event.key !== 'Escape' || !drag) return;

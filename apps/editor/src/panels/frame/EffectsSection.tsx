@@ -1,7 +1,8 @@
 import type { ReactNode } from 'react';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
 import { Toggle } from '../../ui/Toggle';
-import { usePreferences } from '../../ui/preferences';
+import { useEditor } from '../../ui/EditorContext';
+import { usePreferences } from '../../ui/usePreferences';
 import type { Antialiasing, EffectChoice, SwitchedEffect } from '../../viewport/ViewportEffects';
 import { Section } from '../inspector/Section';
 
@@ -28,9 +29,10 @@ const switches: readonly { name: SwitchedEffect; label: string; help: string }[]
 
 /** What takes part in the picture beside the technique. */
 export function EffectsSection(): ReactNode {
+  const { preferences } = useEditor();
   const { antialiasing, on } = usePreferences(({ effects }) => effects);
   const choose = (change: Partial<EffectChoice>): void => {
-    usePreferences.setState({ effects: { antialiasing, on, ...change } });
+    preferences.setState({ effects: { antialiasing, on, ...change } });
   };
   return (
     <Section

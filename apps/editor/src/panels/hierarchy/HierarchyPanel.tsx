@@ -8,7 +8,7 @@ import { paste } from '../../actions/clipboard';
 import { objectEntries } from '../../actions/objectEntries';
 import { useEditor } from '../../ui/EditorContext';
 import { LateItems, MenuButton } from '../../ui/MenuButton';
-import { actionEntry, type MenuEntry } from '../../ui/MenuEntry';
+import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
 import './hierarchy.css';
 import { HierarchyRow, rowState } from './HierarchyRow';
 import { useObjectTree } from './useObjectTree';

@@ -1,6 +1,6 @@
 import { Camera, Decal, type GameObject, Light, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import { isInstanceRoot } from '@farol/engine/prefabs';
-import type { IconName } from '../../ui/iconPaths';
+import type { IconName } from '../../style/iconPaths';
 
 /** The icon that says what a GameObject is. */
 export function objectIcon(object: GameObject): IconName {

@@ -3,7 +3,7 @@ import { type ReactNode, useState } from 'react';
 import { setEnabled } from '../../model/edits';
 import { useEditor } from '../../ui/EditorContext';
 import { MenuButton } from '../../ui/MenuButton';
-import type { MenuEntry } from '../../ui/MenuEntry';
+import type { MenuEntry } from '../../api/MenuEntry';
 import { Toggle } from '../../ui/Toggle';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { componentEntries } from './componentEntries';

@@ -1,7 +1,8 @@
 import type { ReactNode } from 'react';
 import { Icon } from '../../ui/Icon';
-import type { IconName } from '../../ui/iconPaths';
-import { usePreferences } from '../../ui/preferences';
+import type { IconName } from '../../style/iconPaths';
+import { useEditor } from '../../ui/EditorContext';
+import { usePreferences } from '../../ui/usePreferences';
 
 interface SectionProps {
   /** Under this name it is remembered whether the section is folded. */
@@ -16,16 +17,17 @@ interface SectionProps {
 
 /** A part of the inspector that can be folded. */
 export function Section({ id, title, help, icon, controls, children }: SectionProps): ReactNode {
-  const folded = usePreferences((preferences) => preferences.folded[id] ?? false);
+  const { preferences } = useEditor();
+  const isFolded = usePreferences(({ folded }) => folded[id] ?? false);
   const fold = (): void => {
-    usePreferences.setState((before) => ({ folded: { ...before.folded, [id]: !folded } }));
+    preferences.setState((before) => ({ folded: { ...before.folded, [id]: !isFolded } }));
   };
   return (
     <section className="section" aria-label={title}>
       <header className="section-header">
         <h3>
-          <button type="button" className="section-title" aria-expanded={!folded} title={help} onClick={fold}>
-            <span className="fold" data-open={!folded}>
+          <button type="button" className="section-title" aria-expanded={!isFolded} title={help} onClick={fold}>
+            <span className="fold" data-open={!isFolded}>
               <Icon name="chevron" size={10} />
             </span>
             <Icon name={icon} size={14} />
@@ -34,7 +36,7 @@ export function Section({ id, title, help, icon, controls, children }: SectionPr
         </h3>
         {controls}
       </header>
-      {!folded && <div className="section-body">{children}</div>}
+      {!isFolded && <div className="section-body">{children}</div>}
     </section>
   );
 }

@@ -1,12 +1,12 @@
 import type { Component } from '@farol/engine';
-import type { Editor } from '../../Editor';
+import type { EditorApi } from '../../api/EditorApi';
 import { copyComponent, fittingValues, readComponentClip } from '../../model/componentClip';
 import { addComponent, moveComponents, removeComponents, resetFields, setValues } from '../../model/edits';
-import type { MenuEntry } from '../../ui/MenuEntry';
+import type { MenuEntry } from '../../api/MenuEntry';
 import { wordsOf } from './componentIcons';
 
 /** The menu of a component of the selected objects. @param components - one of each object */
-export function componentEntries(editor: Editor, components: readonly Component[]): MenuEntry[] {
+export function componentEntries(editor: EditorApi, components: readonly Component[]): MenuEntry[] {
   const { commands, document, clipboard } = editor;
   const [first] = components;
   const { typeName } = first;

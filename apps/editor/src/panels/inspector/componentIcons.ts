@@ -1,4 +1,4 @@
-import type { IconName } from '../../ui/iconPaths';
+import type { IconName } from '../../style/iconPaths';
 
 const icons: Readonly<Record<string, IconName>> = {
   Transform: 'transform',

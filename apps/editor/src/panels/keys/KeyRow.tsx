@@ -1,8 +1,8 @@
 import { type KeyboardEvent, type ReactNode, useState } from 'react';
-import { type Action, labelOf } from '../../actions/Action';
+import { type Action, labelOf } from '../../api/Action';
 import { combinationOf } from '../../actions/combinationOf';
-import { bindKeys, conflictsOf, isRebound, keysOf, takeKey } from '../../actions/keyBindings';
 import { useEditor } from '../../ui/EditorContext';
+import { useKeyBindings } from '../../ui/useKeyBindings';
 import { Icon } from '../../ui/Icon';
 import { keyText } from '../../ui/keyText';
 
@@ -12,9 +12,10 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
   const [isListening, setListening] = useState(false);
   /** Pressed, and another action's already. */
   const [asked, setAsked] = useState<string | null>(null);
-  const keys = keysOf(action);
-  const clashes = keys.flatMap((each) => conflictsOf(action, each).map((other) => [each, other] as const));
-  const others = asked === null ? [] : conflictsOf(action, asked).map((other) => labelOf(other, editor));
+  const bindings = useKeyBindings();
+  const keys = bindings.keysOf(action);
+  const clashes = keys.flatMap((each) => bindings.conflictsOf(action, each).map((other) => [each, other] as const));
+  const others = asked === null ? [] : bindings.conflictsOf(action, asked).map((other) => labelOf(other, editor));
 
   const keyDown = (event: KeyboardEvent): void => {
     if (!isListening || event.key === 'Tab') return;
@@ -24,8 +25,8 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
     const combination = combinationOf(event.nativeEvent);
     if (combination === null) return;
     setListening(false);
-    if (conflictsOf(action, combination).length > 0) setAsked(combination);
-    else takeKey(action, combination);
+    if (bindings.conflictsOf(action, combination).length > 0) setAsked(combination);
+    else bindings.take(action, combination);
   };
 
   return (
@@ -40,7 +41,7 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
               aria-label={`Take ${each} from ${label}`}
               title="Take this key away"
               onClick={() =>
-                bindKeys(
+                bindings.bind(
                   action,
                   keys.filter((other) => other !== each),
                 )
@@ -64,13 +65,13 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
         >
           {isListening ? 'Press keys…' : <Icon name="add" size={11} />}
         </button>
-        {isRebound(action) && (
+        {bindings.isRebound(action) && (
           <button
             type="button"
             className="key-add"
             aria-label={`Own keys of ${label}`}
             title="Back to its own keys"
-            onClick={() => bindKeys(action, null)}
+            onClick={() => bindings.bind(action, null)}
           >
             <Icon name="undo" size={11} />
           </button>
@@ -85,7 +86,7 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
             type="button"
             className="button small framed"
             onClick={() => {
-              takeKey(action, asked);
+              bindings.take(action, asked);
               setAsked(null);
             }}
           >

@@ -1,10 +1,9 @@
 import { type ReactNode, useState } from 'react';
-import { actions } from '../../actions';
-import { type Action, labelOf } from '../../actions/Action';
-import { resetKeys, useKeyBindings } from '../../actions/keyBindings';
+import { type Action, labelOf } from '../../api/Action';
 import { showPanels } from '../../actions/showPanels';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { useKeyBindings } from '../../ui/useKeyBindings';
 import { groupOf } from '../palette/paletteItems';
 import { matchItems } from '../palette/matchItems';
 import { KeyRow } from './KeyRow';
@@ -14,10 +13,11 @@ import { otherKeys } from './otherKeys';
 /** Every action with its keys, which can be changed here, and what mouse and other keys do. */
 export function KeysPage(): ReactNode {
   const editor = useEditor();
-  const { chosen } = useKeyBindings();
-  useSignal(actions.changed);
+  const bindings = useKeyBindings();
+  const { chosen } = bindings.store.getState();
+  useSignal(editor.actions.changed);
   const [query, setQuery] = useState('');
-  const lines = [...actions.list, ...showPanels()].map((action) => ({
+  const lines = [...editor.actions.list, ...showPanels(editor)].map((action) => ({
     action,
     label: labelOf(action, editor),
     group: groupOf(action.id),
@@ -46,7 +46,7 @@ export function KeysPage(): ReactNode {
           type="button"
           className="button framed"
           disabled={Object.keys(chosen).length === 0}
-          onClick={() => resetKeys()}
+          onClick={() => bindings.reset()}
         >
           Reset all
         </button>

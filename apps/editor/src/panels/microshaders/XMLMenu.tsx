@@ -20,7 +20,7 @@ export function XMLMenu(): ReactNode {
   const editor = useEditor();
   const { microShaders, notices } = editor;
   const take = async (text: string, name: string): Promise<void> => {
-    const { importMicroShaders } = await import('../../microshaders/importMicroShaders');
+    const { importMicroShaders } = await import('../../files/importMicroShaders');
     const names = await importMicroShaders(editor, text, name);
     if (names === null) return;
     notices.show('info', `Imported ${names.length} microshaders of ${name}`, 'file');

@@ -1,10 +1,10 @@
 import { microShaderSources } from '@farol/renderer/authoring';
 import { useEffect } from 'react';
-import type { Editor } from '../../Editor';
+import type { EditorApi } from '../../api/EditorApi';
 import { MicroShaderUses } from '../../microshaders/MicroShaderUses';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 
-const known = new WeakMap<Editor, MicroShaderUses>();
+const known = new WeakMap<EditorApi, MicroShaderUses>();
 
 /** Where microshaders are used in an editor; found once, when it is first asked for. Their texts as written come with it. */
 export function useMicroShaderUses(): MicroShaderUses {

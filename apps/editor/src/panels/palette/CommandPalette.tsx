@@ -1,7 +1,6 @@
 import { Dialog } from '@base-ui/react/dialog';
 import { type KeyboardEvent, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
 import { showPalette } from '../../actions/showPalette';
-import { keysOf } from '../../actions/keyBindings';
 import { matchKey } from '../../actions/matchKey';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -39,7 +38,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const keyDown = (event: KeyboardEvent): void => {
     const by = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 }[event.key];
     if (event.key === 'Enter') run(found[current]);
-    else if (keysOf(showPalette).some((keys) => matchKey(keys, event))) onClose();
+    else if (editor.keys.keysOf(showPalette).some((keys) => matchKey(keys, event))) onClose();
     else if (by !== undefined && found.length > 0) {
       const isStep = Math.abs(by) === 1;
       const next = current + by;

@@ -1,13 +1,11 @@
 import { views } from '@farol/renderer';
-import { actions } from '../../actions';
 import { addCreation } from '../../actions/addEntries';
-import { labelOf } from '../../actions/Action';
-import { keysOf } from '../../actions/keyBindings';
+import { labelOf } from '../../api/Action';
 import { showPalette } from '../../actions/showPalette';
 import { showPanels } from '../../actions/showPanels';
-import type { Editor } from '../../Editor';
+import type { EditorApi } from '../../api/EditorApi';
 import { creations } from '../../model/creations';
-import type { IconName } from '../../ui/iconPaths';
+import type { IconName } from '../../style/iconPaths';
 import { techniqueOptions } from '../../ui/techniqueOptions';
 import { viewLabel } from '../../ui/viewOptions';
 import type { Findable } from './matchItems';
@@ -45,16 +43,16 @@ export const groupOf = (id: string): string => {
 export const OBJECTS = 30;
 
 /** Everything that can be done now. */
-export function paletteItems(editor: Editor): PaletteItem[] {
+export function paletteItems(editor: EditorApi): PaletteItem[] {
   const { viewport, document } = editor;
-  const done = [...actions.list, ...showPanels()]
+  const done = [...editor.actions.list, ...showPanels(editor)]
     .filter((action) => action !== showPalette && (action.enabled?.(editor) ?? true))
     .map((action): PaletteItem => ({
       id: action.id,
       label: labelOf(action, editor),
       group: groupOf(action.id),
       icon: action.icon,
-      keys: keysOf(action).at(0),
+      keys: editor.keys.keysOf(action).at(0),
       isCurrent: action.checked?.(editor),
       run: () => action.run(editor),
     }));
@@ -85,7 +83,7 @@ export function paletteItems(editor: Editor): PaletteItem[] {
 }
 
 /** The objects of the scene, as lines that select them. */
-export function objectItems(editor: Editor): PaletteItem[] {
+export function objectItems(editor: EditorApi): PaletteItem[] {
   const { document, viewport } = editor;
   const items: PaletteItem[] = [];
   document.scene.traverse(({ id, name }) =>

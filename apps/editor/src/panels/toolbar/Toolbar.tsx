@@ -16,7 +16,7 @@ import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
-import { actionEntry } from '../../ui/MenuEntry';
+import { actionEntry } from '../../api/MenuEntry';
 import { SelectBox } from '../../ui/SelectBox';
 import { techniqueOptions } from '../../ui/techniqueOptions';
 import { viewOptions } from '../../ui/viewOptions';

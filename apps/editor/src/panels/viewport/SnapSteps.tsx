@@ -2,7 +2,9 @@ import { Popover } from '@base-ui/react/popover';
 import { type ReactNode, useRef } from 'react';
 import { Icon } from '../../ui/Icon';
 import { NumberInput } from '../../ui/NumberInput';
-import { type Preferences, usePreferences } from '../../ui/preferences';
+import type { Preferences } from '../../api/preferences';
+import { useEditor } from '../../ui/EditorContext';
+import { usePreferences } from '../../ui/usePreferences';
 
 const steps = [
   { name: 'translate', label: 'Distance', unit: 'm', min: 0.001, max: 1000, step: 0.1 },
@@ -12,9 +14,10 @@ const steps = [
 
 /** A button that opens the steps by which drags of the handles snap; they are remembered. */
 export function SnapSteps(): ReactNode {
+  const { preferences } = useEditor();
   const chosen = usePreferences(({ snapSteps }) => snapSteps);
   const set = (name: keyof Preferences['snapSteps'], value: number): void => {
-    usePreferences.setState(({ snapSteps }) => ({ snapSteps: { ...snapSteps, [name]: value } }));
+    preferences.setState(({ snapSteps }) => ({ snapSteps: { ...snapSteps, [name]: value } }));
   };
   const kept = useRef(chosen);
   return (
@@ -34,8 +37,8 @@ export function SnapSteps(): ReactNode {
                   label={`${label} of a snap step`}
                   handle={<span className="grip" />}
                   onPreview={(value) => set(name, value)}
-                  onCommit={() => void (kept.current = usePreferences.getState().snapSteps)}
-                  onDiscard={() => usePreferences.setState({ snapSteps: kept.current })}
+                  onCommit={() => void (kept.current = preferences.getState().snapSteps)}
+                  onDiscard={() => preferences.setState({ snapSteps: kept.current })}
                 />
               </div>
             ))}

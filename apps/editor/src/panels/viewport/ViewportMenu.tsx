@@ -5,7 +5,7 @@ import { paste } from '../../actions/clipboard';
 import { objectEntries } from '../../actions/objectEntries';
 import { useEditor } from '../../ui/EditorContext';
 import { LateItems } from '../../ui/MenuButton';
-import { actionEntry, type MenuEntry } from '../../ui/MenuEntry';
+import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
 import { MenuPress } from '../../viewport/MenuPress';
 
 /** The menu of what is seen at a point of the picture; over nothing, what can be added. */

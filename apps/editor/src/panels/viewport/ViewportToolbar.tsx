@@ -9,7 +9,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { SnapSteps } from './SnapSteps';
 import { ViewCube } from './ViewCube';
 import type { Viewport } from '../../viewport/Viewport';
-import { usePreferences } from '../../ui/preferences';
+import { usePreferences } from '../../ui/usePreferences';
 import { SelectBox } from '../../ui/SelectBox';
 
 const EDITOR_CAMERA = '/';

@@ -1,9 +1,10 @@
 import { Light } from '@farol/engine';
 import { component, custom, number } from '@farol/engine/fields';
+import { share } from './share';
 
 /** Lets the light of its object flicker like a flame: the same in every run, since it depends on time alone. */
 export class Flicker extends component({
-  depth: custom('share', 0.4, { help: 'Part of the light that comes and goes.' }),
+  depth: custom(share, 0.4, { help: 'Part of the light that comes and goes.' }),
   rate: number(6, { unit: 'Hz', min: 0, step: 0.5, help: 'How fast it flickers.' }),
 }) {
   static override readonly typeName: string = 'Flicker';

@@ -1,5 +1,5 @@
 import { Light } from '@farol/engine';
-import type { Action } from '../../actions/Action';
+import type { Action } from '../../api/Action';
 import { addComponent } from '../../model/edits';
 import { Flicker } from './Flicker';
 

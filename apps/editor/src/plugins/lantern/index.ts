@@ -1,4 +1,4 @@
-import type { EditorPlugin } from '../EditorPlugin';
+import type { EditorPlugin } from '../../api/EditorPlugin';
 import { Flicker } from './Flicker';
 import { flickerAll } from './flickerAll';
 import { share } from './share';

@@ -1,7 +1,7 @@
 import type { CustomField } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
-import type { FieldEditorProps } from '../../fields/FieldEditorProps';
-import type { PluginFieldType } from '../EditorPlugin';
+import type { FieldEditorProps } from '../../api/FieldEditorProps';
+import type { PluginFieldType } from '../../api/EditorPlugin';
 
 /** A part of a whole: a number from 0 to 1, by a slider. */
 export const share: PluginFieldType = {

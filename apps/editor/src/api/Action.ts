@@ -1,25 +1,25 @@
-import type { Editor } from '../Editor';
-import type { IconName } from '../ui/iconPaths';
+import type { EditorApi } from './EditorApi';
+import type { IconName } from '../style/iconPaths';
 
 /** Something that the user can do, from a menu, a button or a key. */
 export interface Action {
   /** Its name, such as 'edit.undo'. */
   readonly id: string;
   /** What menus and buttons say. */
-  readonly label: string | ((editor: Editor) => string);
+  readonly label: string | ((editor: EditorApi) => string);
   /** Keys, such as 'Ctrl+Shift+Z'; the first one is shown. Ctrl is Command on a Mac. */
   readonly keys?: readonly string[];
   /** Whether the keys count while a text field has the focus. What was typed is taken over first. */
   readonly inFields?: boolean;
   readonly icon?: IconName;
-  run(editor: Editor): unknown;
+  run(editor: EditorApi): unknown;
   /** Whether it can be done now; always when absent. */
-  enabled?(editor: Editor): boolean;
+  enabled?(editor: EditorApi): boolean;
   /** For what is on or off: whether it is on. */
-  checked?(editor: Editor): boolean;
+  checked?(editor: EditorApi): boolean;
 }
 
 /** What an action is called at present. */
-export function labelOf(action: Action, editor: Editor): string {
+export function labelOf(action: Action, editor: EditorApi): string {
   return typeof action.label === 'string' ? action.label : action.label(editor);
 }

@@ -1,6 +1,6 @@
 import { MicroShaderCompileError } from '@farol/renderer';
-import type { Editor } from '../Editor';
-import { checkMicroShaders } from './checkMicroShaders';
+import type { EditorApi } from '../api/EditorApi';
+import { checkMicroShaders } from '../microshaders/checkMicroShaders';
 
 /** What is wrong with a set, in a sentence: the first error of the compiler with its chunk and line. */
 function refusal(file: string, error: unknown): Error {
@@ -20,7 +20,7 @@ function refusal(file: string, error: unknown): Error {
  * @throws Error (as a rejection) naming the chunk and the line
  */
 export async function importMicroShaders(
-  editor: Editor,
+  editor: EditorApi,
   text: string,
   file: string,
 ): Promise<readonly string[] | null> {

@@ -1,5 +1,5 @@
-import { create } from 'zustand';
 import { persist } from 'zustand/middleware';
+import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { EffectChoice } from '../viewport/ViewportEffects';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
@@ -14,14 +14,18 @@ export interface Preferences {
   effects: EffectChoice;
 }
 
-export const usePreferences = create<Preferences>()(
-  persist(
-    (): Preferences => ({
-      folded: {},
-      theme: 'dark',
-      snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
-      effects: { antialiasing: 'auto', on: [] },
-    }),
-    { name: 'farol-editor' },
-  ),
-);
+export type PreferenceStore = StoreApi<Preferences>;
+
+/** The preferences of one editor. @param storage - key in the browser's storage */
+export const createPreferences = (storage: string): PreferenceStore =>
+  createStore<Preferences>()(
+    persist(
+      (): Preferences => ({
+        folded: {},
+        theme: 'dark',
+        snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
+        effects: { antialiasing: 'auto', on: [] },
+      }),
+      { name: storage },
+    ),
+  );

@@ -1,7 +1,6 @@
-import { type Action, labelOf } from '../actions/Action';
-import { keysOf } from '../actions/keyBindings';
-import type { Editor } from '../Editor';
-import type { IconName } from './iconPaths';
+import { type Action, labelOf } from './Action';
+import type { EditorApi } from './EditorApi';
+import type { IconName } from '../style/iconPaths';
 
 /** One line of a menu: something to do, a submenu, or a line between groups. */
 export type MenuEntry =
@@ -18,11 +17,11 @@ export type MenuEntry =
   | 'separator';
 
 /** The line of an action. */
-export function actionEntry(action: Action, editor: Editor): MenuEntry {
+export function actionEntry(action: Action, editor: EditorApi): MenuEntry {
   return {
     label: labelOf(action, editor),
     icon: action.icon,
-    keys: keysOf(action).at(0),
+    keys: editor.keys.keysOf(action).at(0),
     disabled: !(action.enabled?.(editor) ?? true),
     run: () => editor.attempt(() => action.run(editor)),
   };

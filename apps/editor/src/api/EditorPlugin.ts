@@ -2,9 +2,9 @@ import type { ComponentClass } from '@farol/engine';
 import type { CustomField, FieldType } from '@farol/engine/fields';
 import type { Technique } from '@farol/renderer';
 import type { ComponentType } from 'react';
-import type { Action } from '../actions/Action';
-import type { Editor } from '../Editor';
-import type { FieldEditorProps } from '../fields/FieldEditorProps';
+import type { Action } from './Action';
+import type { EditorApi } from './EditorApi';
+import type { FieldEditorProps } from './FieldEditorProps';
 import type { Panel } from '../layout/PanelRegistry';
 
 /** A kind of field: what it allows, and what it is edited with. Declare fields of it by the engine's `custom`. */
@@ -25,5 +25,5 @@ export interface EditorPlugin {
   /** Commands: in the palette, on the page of keys, and by their keys. */
   readonly actions?: readonly Action[];
   /** Called last. */
-  setUp?(editor: Editor): void;
+  setUp?(editor: EditorApi): void;
 }

@@ -1,6 +1,5 @@
 import { preloadFileCode } from '@farol/engine/files';
 import { preloadSceneCode } from '@farol/engine/scenes';
-import type { Editor } from '../Editor';
 
 /** Once the page has nothing else to do. */
 const idle = (): Promise<void> =>
@@ -11,22 +10,24 @@ const idle = (): Promise<void> =>
 
 /**
  * Fetches, once the page is idle, the code that opening, dropping and saving files need, and the samples; the first frame
- * needs none of it. From then on these work without a network. What cannot be fetched now is fetched when it is needed.
+ * needs none of it. What cannot be fetched now is fetched when it is needed.
+ * @returns whether all was fetched, so that opening, dropping and saving work without a network
  */
-export async function fetchAhead(editor: Editor): Promise<void> {
+export async function fetchAhead(): Promise<boolean> {
   await idle();
   try {
     await Promise.all([
       preloadFileCode(),
       preloadSceneCode(),
       import('browser-fs-access'),
-      import('./dropOn'),
-      import('./readScene'),
-      import('./saveFile'),
-      import('../panels/dialogs/TextDialog'),
+      import('./files/dropOn'),
+      import('./files/readScene'),
+      import('./files/saveFile'),
+      import('./panels/dialogs/TextDialog'),
     ]);
-    editor.worksOffline = true;
+    return true;
   } catch {
     // what needs the code says that it could not be fetched
+    return false;
   }
 }

@@ -1,0 +1,114 @@
+import { persist } from 'zustand/middleware';
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import { defaultLayout } from './defaultLayout';
+import { activatePanel, movePanel, type PanelDrop, removePanel, resizeSplit } from './editLayout';
+import { groupsOf, groupWith, type LayoutNode } from './LayoutNode';
+import { openPanel } from './openPanel';
+import type { PanelRegistry } from './PanelRegistry';
+import { repairLayout } from './repairLayout';
+
+interface LayoutState {
+  /** What was stored, by this or by another version; null for the layout at first. See `PanelLayout.current`. */
+  stored: LayoutNode | null;
+  /** Panels that have been there: what is new is opened. */
+  known: readonly string[];
+  /** The panel that has the whole window; null when all share it. Not stored. */
+  maximised: string | null;
+}
+
+/** How the panels of one editor share its window, and what can be done to that, by id of panel; kept in the browser. */
+export class PanelLayout {
+  private readonly store: StoreApi<LayoutState>;
+  private shown: LayoutNode | null = null;
+  private shownOf: { stored: LayoutNode | null; revision: number } | null = null;
+
+  /** @param storage - key in the browser's storage */
+  constructor(
+    private readonly panels: PanelRegistry,
+    storage: string,
+  ) {
+    this.store = createStore<LayoutState>()(
+      persist((): LayoutState => ({ stored: null, known: [], maximised: null }), {
+        name: storage,
+        partialize: ({ stored, known }) => ({ stored, known }),
+      }),
+    );
+  }
+
+  /** Calls a listener after each change. @returns a function that ends it */
+  readonly subscribe = (listener: () => void): (() => void) => this.store.subscribe(listener);
+
+  /** The layout that is shown: the stored one with the panels that there are now. The same until something changes. */
+  readonly current = (): LayoutNode => {
+    const { panels } = this;
+    const { stored, known } = this.store.getState();
+    const { revision } = panels.changed;
+    if (this.shown && this.shownOf?.stored === stored && this.shownOf.revision === revision) return this.shown;
+    let layout =
+      repairLayout(stored, (id) => panels.get(id) !== undefined) ?? defaultLayout(panels.list, innerHeight, innerWidth);
+    if (stored) {
+      for (const panel of panels.list) {
+        const isNew = panel.isOpen !== false && !known.includes(panel.id) && !groupWith(layout, panel.id);
+        if (!isNew) continue;
+        const front = groupsOf(layout).map(({ active }) => active);
+        layout = openPanel(layout, panel, panels.list);
+        // it comes behind what is in front
+        for (const id of front) layout = activatePanel(layout, id);
+      }
+    }
+    this.shown = layout;
+    this.shownOf = { stored, revision };
+    return layout;
+  };
+
+  /** The panel that has the whole window; null when all share it. */
+  readonly maximised = (): string | null => this.store.getState().maximised;
+
+  isOpen(panel: string): boolean {
+    return groupWith(this.current(), panel) !== undefined;
+  }
+
+  /** Brings a panel to the front, opened where it is not there. @throws Error naming the panels that there are */
+  open(id: string): void {
+    const { panels } = this;
+    const panel = panels.get(id);
+    if (!panel)
+      throw new Error(`There is no panel '${id}'. Those there are: ${panels.list.map((each) => each.id).join(', ')}.`);
+    const maximised = this.maximised();
+    if (maximised !== null && maximised !== id) this.maximise(null);
+    this.set(openPanel(this.current(), panel, panels.list));
+  }
+
+  /** Takes a panel out of the window; the last one stays. */
+  close(panel: string): void {
+    const layout = removePanel(this.current(), panel);
+    if (!layout) return;
+    if (this.maximised() === panel) this.maximise(null);
+    this.set(layout);
+  }
+
+  move(panel: string, drop: PanelDrop): void {
+    this.set(movePanel(this.current(), panel, drop));
+  }
+
+  /** @param path - indices of children from the root to the split @param sizes - one of each child (CSS pixels) */
+  resize(path: readonly number[], sizes: readonly number[]): void {
+    this.set(resizeSplit(this.current(), path, sizes));
+  }
+
+  /** Gives a panel the whole window; null gives it back. */
+  maximise(panel: string | null): void {
+    this.store.setState({ maximised: panel });
+  }
+
+  /** Panels are where they were at first. */
+  reset(): void {
+    this.store.setState({ stored: null, known: [], maximised: null });
+  }
+
+  private set(layout: LayoutNode): void {
+    const { known } = this.store.getState();
+    const ids = this.panels.list.map(({ id }) => id);
+    this.store.setState({ stored: layout, known: [...new Set([...known, ...ids])] });
+  }
+}

@@ -1,0 +1,11 @@
+import { useStore } from 'zustand';
+import type { Action } from '../api/Action';
+import type { KeyBindings } from '../api/KeyBindings';
+import { useEditor } from './EditorContext';
+
+/** The editor's keys; renders again when the user chooses others. */
+export function useKeyBindings(): KeyBindings<Action> {
+  const { keys } = useEditor();
+  useStore(keys.store);
+  return keys;
+}
