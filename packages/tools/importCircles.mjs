@@ -16,16 +16,31 @@ export const circleLimits = [
   { folder: 'e2e', static: 2, fetched: 2 },
 ];
 
+/** @typedef {ReadonlyMap<string, { static: string[], fetched: string[] }>} ImportGraph targets by path and kind of import */
+
 /**
- * Finds import circles: the largest sets of files each of which imports each other one, directly or through others of the
- * set. Static imports, re-exports and types count, `import type` and `import('./X').T` too.
+ * What each file imports of the others. `static`: by static imports, re-exports and types, `import type` and
+ * `import('./X').T` too; `fetched`: by `import('./X')` at run time.
  *
  * @param {ReadonlyMap<string, string>} files source by path from the repository's root, with `/`
- * @param {{ fetched?: boolean }} options fetched: whether `import('./X')` at run time counts
+ * @returns {ImportGraph}
+ */
+export function importGraph(files) {
+  return new Map([...files].map(([path, source]) => [path, targetsOf(path, source, files)]));
+}
+
+/**
+ * Finds import circles: the largest sets of files each of which imports each other one, directly or through others of the
+ * set.
+ *
+ * @param {ImportGraph} imports
+ * @param {'static' | 'fetched'} kind 'fetched' counts static imports too
  * @returns {string[][]} paths in alphabetical order, the largest circle first; a file that imports itself is a circle of one
  */
-export function importCircles(files, { fetched = false } = {}) {
-  const graph = new Map([...files].map(([path, source]) => [path, targetsOf(path, source, files, fetched)]));
+export function importCircles(imports, kind) {
+  const graph = new Map(
+    [...imports].map(([path, each]) => [path, kind === 'static' ? each.static : [...each.static, ...each.fetched]]),
+  );
   return stronglyConnected(graph)
     .filter(([first, ...others]) => others.length > 0 || graph.get(first)?.includes(first))
     .map((circle) => circle.toSorted())
@@ -55,32 +70,29 @@ const ENDINGS = ['', '.ts', '.tsx', '.mjs', '/index.ts', '/index.tsx'];
 /**
  * Files of the set that a file imports.
  *
- * @param {string} path @param {string} source @param {ReadonlyMap<string, string>} files @param {boolean} fetched
- * @returns {string[]}
+ * @param {string} path @param {string} source @param {ReadonlyMap<string, string>} files
+ * @returns {{ static: string[], fetched: string[] }}
  */
-function targetsOf(path, source, files, fetched) {
-  return specifiersOf(path, source, fetched).flatMap((specifier) => {
+function targetsOf(path, source, files) {
+  const { module, program } = parseSync(path, source);
+  const resolved = (/** @type {string} */ specifier) => {
     if (!specifier.startsWith('.')) return [];
     const target = normalize(join(dirname(path), specifier)).replace(/\/$/, '');
     const ending = ENDINGS.find((each) => files.has(target + each));
     return ending === undefined ? [] : [target + ending];
-  });
-}
-
-/** @param {string} path @param {string} source @param {boolean} fetched @returns {string[]} */
-function specifiersOf(path, source, fetched) {
-  const { module, program } = parseSync(path, source);
-  return [
+  };
+  const specifiers = [
     ...module.staticImports.map((entry) => entry.moduleRequest.value),
     ...module.staticExports.flatMap(({ entries }) =>
       entries.flatMap(({ moduleRequest }) => (moduleRequest ? [moduleRequest.value] : [])),
     ),
-    ...module.dynamicImports.flatMap(({ moduleRequest: { start, end } }) =>
-      fetched ? (/^['"](.*)['"]$/.exec(source.slice(start, end))?.[1] ?? []) : [],
-    ),
     // walking the tree is slow: only where there may be such a type
     ...(/\bimport\(\s*['"]\./.test(source) ? importTypesOf(program) : []),
   ];
+  const fetched = module.dynamicImports.flatMap(
+    ({ moduleRequest: { start, end } }) => /^['"](.*)['"]$/.exec(source.slice(start, end))?.[1] ?? [],
+  );
+  return { static: specifiers.flatMap(resolved), fetched: fetched.flatMap(resolved) };
 }
 
 /** Specifiers of `import('./X').T` used as a type. @param {unknown} node @returns {string[]} */

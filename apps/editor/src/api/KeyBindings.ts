@@ -1,5 +1,5 @@
 import { persist } from 'zustand/middleware';
-import { createStore, type StoreApi } from 'zustand/vanilla';
+import { createStore, type StoreApi } from 'zustand';
 
 /** Something with keys of its own: an action. */
 interface Keyed {

@@ -1,5 +1,5 @@
 import { persist } from 'zustand/middleware';
-import { createStore, type StoreApi } from 'zustand/vanilla';
+import { createStore, type StoreApi } from 'zustand';
 import type { EffectChoice } from '../viewport/ViewportEffects';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */

@@ -1,5 +1,5 @@
 import { persist } from 'zustand/middleware';
-import { createStore, type StoreApi } from 'zustand/vanilla';
+import { createStore, type StoreApi } from 'zustand';
 import { defaultLayout } from './defaultLayout';
 import { activatePanel, movePanel, type PanelDrop, removePanel, resizeSplit } from './editLayout';
 import { groupsOf, groupWith, type LayoutNode } from './LayoutNode';

@@ -1,5 +1,5 @@
 import { persist } from 'zustand/middleware';
-import { createStore } from 'zustand/vanilla';
+import { createStore } from 'zustand';
 import type { EditorApi } from '../api/EditorApi';
 import { knownPlugins } from '.';
 
