@@ -1,4 +1,10 @@
-import { AssetLibrary, type AssetLibraryOptions, builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
+import {
+  AssetLibrary,
+  type AssetLibraryOptions,
+  builtinComponents,
+  ComponentRegistry,
+  type Scene,
+} from '@farol/engine';
 import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
 import { registerSceneAssets, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
