@@ -20,7 +20,7 @@ export type { SceneMicroShaders } from './core/SceneMicroShaders';
 export type { SceneSettings } from './core/SceneSettings';
 export type { Vector3Input } from './core/toVector3';
 
-export { ComponentRegistry } from './components/ComponentRegistry';
+export { ComponentRegistry, type ComponentRegistryOptions } from './components/ComponentRegistry';
 export { builtinComponents } from './components/builtinComponents';
 export { Camera } from './components/Camera';
 export { Decal } from './components/Decal';

@@ -1,13 +1,26 @@
 import { shortText } from '@farol/renderer';
 import type { Component, ComponentClass } from '../core/Component';
-import type { FieldValue } from '../fields/Field';
+import type { FieldTable, FieldValue } from '../fields/Field';
+import { type ComponentData, makeUnknownComponent } from './UnknownComponent';
+
+export interface ComponentRegistryOptions {
+  /**
+   * Whether files may hold components of types that nobody registered: each is kept as data, an `UnknownComponent`. They
+   * are refused when absent.
+   */
+  keepUnknown?: boolean;
+}
 
 /** The types of components that files and menus may name. */
 export class ComponentRegistry {
+  /** Whether files may hold components of types that nobody registered. */
+  readonly keepsUnknown: boolean;
+
   private readonly classes = new Map<string, ComponentClass>();
 
   /** @param classes - types to begin with, such as those of another registry */
-  constructor(classes: Iterable<ComponentClass> = []) {
+  constructor(classes: Iterable<ComponentClass> = [], { keepUnknown = false }: ComponentRegistryOptions = {}) {
+    this.keepsUnknown = keepUnknown;
     for (const each of classes) this.register(each);
   }
 
@@ -26,6 +39,16 @@ export class ComponentRegistry {
     return this;
   }
 
+  /** Takes a type out: no more of it can be added by name. Components of it that there are stay what they are. */
+  unregister(componentClass: ComponentClass): void {
+    if (this.classes.get(componentClass.typeName) === componentClass) this.classes.delete(componentClass.typeName);
+  }
+
+  /** The fields of a type; none of one that is not known, where those are kept. @throws Error for one that is refused */
+  fieldsOf(typeName: string): FieldTable {
+    return this.keepsUnknown && !this.classes.has(typeName) ? {} : this.get(typeName).fields;
+  }
+
   /** @throws Error naming the types that there are */
   get(typeName: string): ComponentClass {
     const found = this.classes.get(typeName);
@@ -34,6 +57,12 @@ export class ComponentRegistry {
       throw new Error(`Unknown component '${shortText(typeName)}'; known: ${known}. Register its class first.`);
     }
     return found;
+  }
+
+  /** A component on no object from the data of a checked file, of a type that is not known too where those are kept. */
+  createFrom(data: ComponentData): Component {
+    if (this.keepsUnknown && !this.classes.has(data.type)) return makeUnknownComponent(data);
+    return this.create(data.type, data.values);
   }
 
   /** A new component on no object. @throws Error for an unknown type, FieldError for a wrong value */

@@ -63,7 +63,7 @@ const isTriple = (value: unknown, test: (coordinate: unknown) => boolean): boole
   Array.isArray(value) && value.length === 3 && [0, 1, 2].every((i) => test(value[i]));
 
 /** Whether a file can hold a value. */
-const isFieldValue = (value: unknown): value is FieldValue =>
+export const isFieldValue = (value: unknown): value is FieldValue =>
   value === null ||
   typeof value === 'string' ||
   typeof value === 'boolean' ||

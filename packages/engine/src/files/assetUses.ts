@@ -30,7 +30,7 @@ export function assetUses(file: FarolFile, registry: ComponentRegistry): AssetUs
   const visit = (objects: readonly FileObject[], path: string): void =>
     objects.forEach((object, i) => {
       object.components.forEach(({ type, values }, j) => {
-        usesIn(values, registry.get(type).fields, () => `${path}[${i}].components[${j}].values`, list);
+        usesIn(values, registry.fieldsOf(type), () => `${path}[${i}].components[${j}].values`, list);
       });
     });
   visit(file.objects, 'objects');

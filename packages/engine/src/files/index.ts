@@ -13,6 +13,7 @@ export { readSceneFile, type SceneFile } from './readSceneFile';
 export { serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
 export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 
+export { type ComponentData, makeUnknownComponent, UnknownComponent } from '../components/UnknownComponent';
 export { cancellable } from '../core/cancellable';
 export { createId } from '../core/createId';
 export { checkModel } from '../assets/checkModel';

@@ -8,13 +8,14 @@ function makeObject(data: FileObject, registry: ComponentRegistry): GameObject {
   const gameObject = new GameObject(data.name, { id: data.id });
   gameObject.tags = data.tags ?? [];
   gameObject.prefabLink = data.prefab ?? null;
-  for (const { type, id, enabled, values } of data.components) {
+  for (const component of data.components) {
+    const { type, id, enabled, values } = component;
     if (type === 'Transform') {
       for (const name of Object.keys(values)) gameObject.transform.set(name, values[name]);
       gameObject.transform.enabled = enabled ?? true;
       continue;
     }
-    gameObject.addComponent(registry.create(type, values), {}, { id, enabled });
+    gameObject.addComponent(registry.createFrom(component), {}, { id, enabled });
   }
   gameObject.active = data.active ?? true;
   gameObject.locked = data.locked ?? false;

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/renderer';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
 import type { ComponentClass } from '../core/Component';
-import { checkFieldValue, describeValue } from '../fields/checkFieldValue';
+import { checkFieldValue, describeValue, isFieldValue } from '../fields/checkFieldValue';
 import type { FieldTable, FieldValue } from '../fields/Field';
 import type { FileComponent } from './FarolFile';
 import { isRecord, join, type JsonRecord, type ProblemList } from './ProblemList';
@@ -27,12 +27,10 @@ export function readValues(
 
 /** Values written by an older version of the component, brought up to date; null, and a problem, when that fails. */
 function migrate(type: ComponentClass, record: JsonRecord, path: string, problems: ProblemList): unknown {
-  const { version, values } = record;
+  const { values } = record;
   const at = join(path, 'version');
-  if (typeof version !== 'number' || !Number.isInteger(version) || version < 1) {
-    problems.add(at, `must be a whole number of at least 1, not ${describeValue(version)}.`);
-    return null;
-  }
+  const version = readVersion(record.version, at, problems);
+  if (version === null) return null;
   if (version === type.version) return values;
   if (version > type.version) {
     problems.add(
@@ -56,6 +54,28 @@ function migrate(type: ComponentClass, record: JsonRecord, path: string, problem
   }
 }
 
+/** Reads the values of a type that is not known: whatever a field may hold. */
+function readUnknownValues(value: unknown, path: string, problems: ProblemList): Record<string, FieldValue> {
+  const values: Record<string, FieldValue> = {};
+  for (const [name, each] of Object.entries(problems.record(value, path))) {
+    if (name in Object.prototype) problems.add(join(path, name), 'is no name of a field. Remove it.');
+    else if (isFieldValue(each)) values[name] = each;
+    else
+      problems.add(
+        join(path, name),
+        `must be a number, text, true, false, null or [x, y, z], not ${describeValue(each)}.`,
+      );
+  }
+  return values;
+}
+
+/** The version of a component's class that wrote its values; null, and a problem, when it is none. */
+function readVersion(version: unknown, path: string, problems: ProblemList): number | null {
+  if (typeof version === 'number' && Number.isInteger(version) && version >= 1) return version;
+  problems.add(path, `must be a whole number of at least 1, not ${describeValue(version)}.`);
+  return null;
+}
+
 /** Reads a component; null, and the problems, when it cannot be read. */
 export function readComponent(
   value: unknown,
@@ -70,6 +90,13 @@ export function readComponent(
   problems.onlyKeys(value, path, ['type', 'version', 'id', 'enabled', 'values']);
   const typeName = problems.text(value.type, join(path, 'type'));
   const type = registry.types.get(typeName);
+  if (!type && typeName && registry.keepsUnknown) {
+    const id = problems.text(value.id, join(path, 'id'));
+    const enabled = problems.flag(value.enabled, join(path, 'enabled'), true);
+    const version = readVersion(value.version, join(path, 'version'), problems);
+    const values = readUnknownValues(value.values, join(path, 'values'), problems);
+    return version === null ? null : { type: typeName, version, id, ...(enabled ? {} : { enabled }), values };
+  }
   if (!type) {
     const known = [...registry.types.keys()].join(', ');
     if (typeName)

@@ -138,7 +138,7 @@ function checkReferences(
     for (const { type, values } of object.components) {
       const fields = registry.types.get(type)?.fields ?? {};
       for (const [name, value] of Object.entries(values)) {
-        if (fields[name].kind !== 'object' || typeof value !== 'string' || byId.has(value)) continue;
+        if (fields[name]?.kind !== 'object' || typeof value !== 'string' || byId.has(value)) continue;
         problems.add(
           `${object.path} ${type}.${name}`,
           `names the object '${shortText(value)}', which is not in the file.`,

@@ -81,6 +81,14 @@ export function serializeHead(scene: Scene, options: SerializeOptions = {}): Far
   };
 }
 
+/** Texts in components of types that are not known: each may name an asset. */
+function unknownTexts(file: FarolFile, { registry }: Scene): string[] {
+  return [file, ...(file.prefabs ?? [])]
+    .flatMap(({ objects }) => objects.flatMap(({ components }) => components))
+    .filter(({ type }) => !registry.types.has(type))
+    .flatMap(({ values }) => Object.values(values).filter((value) => typeof value === 'string'));
+}
+
 /**
  * The scene as plain JSON data: what was authored, not where simulation has taken it. Assets are named; those that were
  * registered with an address that lasts are listed with it where they are used, those that were added as files with their
@@ -90,7 +98,7 @@ export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFi
   const file = serializeHead(scene, options);
   scene.traverse((gameObject) => file.objects.push(serializeObject(gameObject)));
   const used = new Set<string>();
-  for (const { name } of assetUses(file, scene.registry)) {
+  for (const name of [...assetUses(file, scene.registry).map((use) => use.name), ...unknownTexts(file, scene)]) {
     used.add(name);
     // a part of a model needs the model
     used.add(scene.assets.modelOf(name) ?? name);

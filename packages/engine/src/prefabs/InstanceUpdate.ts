@@ -136,9 +136,9 @@ export class InstanceUpdate {
   }
 
   private addComponent(object: GameObject, key: string, data: FileComponent): void {
-    const type = this.registry.get(data.type);
-    if (type.unique && object.getComponent(data.type)) return;
-    const component = this.registry.create(data.type, mapReferences(data.values, data.type, this.registry, this.ids));
+    if (this.registry.types.get(data.type)?.unique && object.getComponent(data.type)) return;
+    const values = mapReferences(data.values, data.type, this.registry, this.ids);
+    const component = this.registry.createFrom({ ...data, values });
     component.enabled = data.enabled ?? true;
     this.edits.push({ kind: 'add-component', object, component, id: `${object.id}:${key}` });
   }

@@ -11,7 +11,7 @@ export function mapReferences(
   ids: ReadonlyMap<string, string>,
 ): Record<string, FieldValue> {
   const mapped: Record<string, FieldValue> = { ...values };
-  for (const [name, field] of Object.entries(registry.get(type).fields)) {
+  for (const [name, field] of Object.entries(registry.fieldsOf(type))) {
     const value = mapped[name];
     if (field.kind === 'object' && typeof value === 'string') mapped[name] = ids.get(value) ?? null;
   }

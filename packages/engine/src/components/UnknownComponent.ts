@@ -1,0 +1,42 @@
+import { Component } from '../core/Component';
+import type { CustomField, FieldTable, FieldType, FieldValue } from '../fields/Field';
+
+/** A value of a field whose declaration is not known. */
+const data: FieldType = { name: 'data', allows: 'a number, text, true, false, null or [x, y, z]', check: () => true };
+
+/**
+ * A component whose class is not known: its data are kept and saved as a file, or a class that was taken out of the
+ * registry, left them. It does nothing. Each has a class of its own, whose fields are those that its data name.
+ */
+export abstract class UnknownComponent extends Component {
+  static override readonly help: string = 'What brings this component is not here: its data are kept as they are.';
+}
+
+/** What is left of a component without its class. */
+export interface ComponentData {
+  readonly type: string;
+  /** Version of the class that wrote the values. */
+  readonly version: number;
+  readonly values: Readonly<Record<string, FieldValue>>;
+}
+
+/** A component on no object, which holds the data of a class that is not known. */
+export function makeUnknownComponent({ type, version, values }: ComponentData): UnknownComponent {
+  // no default: whatever the value is, it is saved
+  const fieldOf = (): CustomField => ({
+    kind: 'custom',
+    type: data,
+    default: undefined as unknown as FieldValue,
+    help: 'Kept as it is.',
+    readOnly: true,
+  });
+  const table: FieldTable = Object.fromEntries(Object.keys(values).map((name) => [name, fieldOf()]));
+  class Unknown extends UnknownComponent {
+    static override readonly typeName = type;
+    static override readonly version = version;
+    static override readonly fields = table;
+  }
+  const component = new Unknown();
+  for (const name of Object.keys(values)) component.set(name, values[name]);
+  return component;
+}
