@@ -14,7 +14,7 @@ const editorRules = editorFolders.map((folder, i) => ({
 
 /**
  * Who may import whom, as one table. A source file goes by the first row whose `from` is a folder above it; `may` lists
- * folders of the repository and packages, `not` folders in those that are left out. Packages must also be declared by the
+ * folders of the repository and packages, `not` folders in those that are left out, `ofThree` the only names of three's. Packages must also be declared by the
  * file's workspace, and their exports name what may be imported of them.
  *
  * microshaders <- the rest of renderer; renderer and engine speak plain three; engine -> renderer; attach -> both; apps -> all;
@@ -25,6 +25,12 @@ const editorRules = editorFolders.map((folder, i) => ({
  */
 export const importRules = [
   { from: 'packages/renderer/src/microshaders', may: ['packages/renderer/src/microshaders', 'three'] },
+  {
+    // maths only: no WebGL, no textures, no renderers
+    from: 'packages/renderer/src/lights',
+    may: ['packages/renderer/src/lights', 'three'],
+    ofThree: /^((Ambient|Directional|Hemisphere|Point|Spot)?Light|\w*Camera|Vector\d|Matrix\d)$/,
+  },
   { from: 'packages/renderer/src/effects', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/three-pass', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
@@ -68,6 +74,12 @@ export function importViolations(files, manifests) {
       const why = violation(path, specifier, rule, manifests);
       if (why) violations.push(`${path} imports ${specifier}: ${why}`);
     }
+    const { ofThree } = /** @type {{ ofThree?: RegExp }} */ (rule);
+    if (ofThree === undefined || isTest(path)) continue;
+    for (const name of namesOfThree(path, source)) {
+      if (!ofThree.test(name))
+        violations.push(`${path} imports ${name} of three: ${rule.from} may import ${ofThree} only`);
+    }
   }
   return violations;
 }
@@ -79,7 +91,7 @@ export function importViolations(files, manifests) {
  * @param {ReadonlyMap<string, { name?: string, exports?: object, dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
 function violation(path, specifier, { from, may, not = [] }, manifests) {
-  const forTests = /\.(test|bench)\.tsx?$|(^|\/)\w+\.config\.ts$/.test(path);
+  const forTests = isTest(path);
   if (specifier.startsWith('.')) {
     const target = normalize(join(dirname(path), specifier));
     const within = (/** @type {string} */ folder) => target === folder || target.startsWith(`${folder}/`);
@@ -105,6 +117,22 @@ function violation(path, specifier, { from, may, not = [] }, manifests) {
   if (forTests && ofRoot) return null;
   if (!may.includes('*') && !may.includes(name)) return `${from} may import ${may.join(', ')} only`;
   return declared(name, path, manifests) ? null : `its workspace does not declare ${name}`;
+}
+
+/** @param {string} path */
+function isTest(path) {
+  return /\.(test|bench)\.tsx?$|(^|\/)(\w+\.config|test\w+)\.ts$/.test(path);
+}
+
+/**
+ * What a file imports of three by name, '*' for all of it.
+ *
+ * @param {string} path @param {string} source @returns {string[]}
+ */
+function namesOfThree(path, source) {
+  return parseSync(path, source)
+    .module.staticImports.filter(({ moduleRequest }) => moduleRequest.value === 'three')
+    .flatMap(({ entries }) => entries.map(({ importName }) => importName.name ?? '*'));
 }
 
 /**

@@ -31,6 +31,18 @@ describe('the direction of imports', () => {
     ['packages/renderer/src/microshaders/X.ts', "import { P } from '../forward/P';", /may import/],
     ['packages/renderer/src/X.ts', "import type { Scene } from '@farol/engine';", /may import/],
     ['packages/renderer/src/X.ts', "export * from '../../engine/src/Scene';", /may import/],
+    ['packages/renderer/src/lights/X.ts', "import type { DataTable } from '../gpu/DataTable';", /may import/],
+    [
+      'packages/renderer/src/lights/X.ts',
+      "import { type Light, type Texture } from 'three';",
+      /imports Texture of three/,
+    ],
+    [
+      'packages/renderer/src/lights/X.ts',
+      "import type { WebGLRenderer } from 'three';",
+      /imports WebGLRenderer of three/,
+    ],
+    ['packages/renderer/src/lights/X.ts', "import * as THREE from 'three';", /imports \* of three/],
     ['packages/engine/src/X.ts', "const lazy = () => import('react');", /may import/],
     ['packages/renderer/src/index.ts', "export * from './adapters/r3f/Farol';", /does not know what plugs it in/],
     ['packages/renderer/src/index.ts', "import 'react';", /may import/],
@@ -63,6 +75,8 @@ describe('the direction of imports', () => {
 
   it.each([
     ['packages/renderer/src/output/X.ts', "import text from './x.glsl?raw'; import 'three';"],
+    ['packages/renderer/src/lights/X.ts', "import { type SpotLight, Vector3 } from 'three'; import './Y';"],
+    ['packages/renderer/src/lights/X.test.ts', "import { Texture } from 'three';"],
     ['packages/engine/src/X.test.ts', "import { it } from 'vitest'; import { Scene } from './Scene';"],
     [
       'packages/renderer/src/adapters/r3f/X.ts',

@@ -9,12 +9,12 @@ import type { FarolEffect } from './frame/FarolEffect';
 import type { FarolInfo } from './frame/FarolInfo';
 import type { FarolOptions } from './FarolOptions';
 import { Frame } from './frame/Frame';
-import { FrameUniforms } from './frame/FrameUniforms';
 import { InfoRecorder } from './frame/InfoRecorder';
 import { lightBufferCode, rehearsalCode, shadowCode, timerCode, viewCode } from './frame/lazyCode';
 import { LateViews } from './frame/LateViews';
 import { LightFinder } from './frame/LightFinder';
-import { LightTable } from './lighting/LightTable';
+import { FrameLights } from './lighting/FrameLights';
+import type { LightOrder } from './lighting/LightTable';
 import { forwardTwins } from './forward/forwardTwin';
 import { resetLayers } from './materials/layersAttribute';
 import { plainBack } from './forward/plainTwins';
@@ -83,10 +83,9 @@ export class FarolRenderer {
    */
   lightLayers: boolean;
   private readonly frame: Frame;
-  private readonly lights = new LightTable();
+  private readonly lights = new FrameLights();
   private readonly twins: TwinCache;
   private readonly recorder: InfoRecorder;
-  private readonly uniforms = new FrameUniforms(this.lights);
   private readonly sceneViews = new WeakMap<Object3D, SceneView>();
   /** What is seen through transmissive things is drawn at another size than the lists are for. */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
@@ -104,6 +103,7 @@ export class FarolRenderer {
   private readonly effectList: EffectList;
   private activeEffects = NO_EFFECTS;
   private readonly draw = (backs: boolean) => (backs ? this.drawTransmittedBacks() : this.drawFrame());
+  private readonly pick = () => this.pickTechnique();
   private readonly begun = () => this.frame.takeOutputBuffer();
   private readonly shadowDraws = {
     stands: [] as readonly Object3D[],
@@ -123,7 +123,7 @@ export class FarolRenderer {
     this.microshaders = createRegistry(webgl);
     this.views = new LateViews(this.microshaders);
     this.finder = new LightFinder(webgl, (code) => this.makeShadows(code));
-    const uniforms = this.uniforms.values;
+    const uniforms = this.lights.uniforms.values;
     this.set = new TechniqueSet({
       microshaders: this.microshaders,
       lightIndex: uniforms.farol_lightIndex,
@@ -139,7 +139,7 @@ export class FarolRenderer {
       textKey: (chunks) => this.microshaders.textKey(chunks),
       refuse: (source) => this.frame.queue.refused.refuse(source),
     });
-    this.frame = new Frame(webgl, this.lights, this.twins, uniforms, this.microshaders);
+    this.frame = new Frame(webgl, this.lights.table, this.twins, uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
     this.shadowAtlasSize = options.shadowAtlasSize === undefined ? null : Math.max(512, options.shadowAtlasSize);
     this.timing = options.timing ?? false;
@@ -258,21 +258,9 @@ export class FarolRenderer {
     this.activeEffects = frame.view === 'final' ? this.effectList.of(this.effects, target) : NO_EFFECTS;
     try {
       for (const effect of this.activeEffects) effect.begin?.(frame);
-      this.lights.shadows = webgl.shadowMap.enabled;
-      this.lights.layers?.begin(scene, this.lightLayers);
-      this.lights.collect(finder.found.all, frame.camera);
-      this.lights.layers?.end();
       this.sceneView = this.viewOf(scene);
-      picker.pick(this.sceneView.chooser, frame, this.lights, this.activeEffects);
-      const technique = this.set.known[picker.active];
-      for (const effect of this.activeEffects) effect.picked?.(frame, technique);
-      if (shadows !== null) shadows.cascades = Math.min(4, Math.max(1, Math.round(this.shadowCascades)));
-      shadows?.update(scene, frame.camera, this.lights.masked, frame);
-      frame.shadowMapsDrawn = shadows?.drawn ?? 0;
-      frame.queue.layers = this.lights.layers?.reference ?? 0;
-      const { fills = 'behind', lightOrder } = technique;
-      this.lights.write(frame.camera, lightOrder, frame, shadows);
-      this.uniforms.set(webgl, frame, shadows, this.heatMapMaximum);
+      this.lights.update(scene, frame, finder, this, this.pick);
+      const { fills = 'behind' } = this.set.known[picker.active];
       this.sceneView.render(
         frame.camera,
         finder.found.nested,
@@ -292,8 +280,8 @@ export class FarolRenderer {
       this.recorder.endPass();
     }
     // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth
-    if (this.info.drawCalls > FEW || this.lights.total > FEW) frame.gl.flush();
-    this.recorder.end(picker.active, picker.reason, this.lights, shadows, frame.uploadedBytes, this.targetBytes());
+    if (this.info.drawCalls > FEW || frame.lights.total > FEW) frame.gl.flush();
+    this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
     // a shader that has no place for the loop was met: once more, by three's lights
     if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false);
   }
@@ -373,13 +361,20 @@ export class FarolRenderer {
     this.twins.dispose();
     this.lights.dispose();
     this.finder.dispose();
-    this.lights.layers = this.frame.findTileShadows = this.frame.queue.shadowMasks = null;
-    this.uniforms.freeMasks();
+    this.frame.findTileShadows = this.frame.queue.shadowMasks = null;
   };
+
+  /** Called when the lights that the camera sees are known. @returns the order in which the technique wants them */
+  private pickTechnique(): LightOrder {
+    const { frame, picker } = this;
+    picker.pick(this.sceneView.chooser, frame, frame.lights, this.activeEffects);
+    const technique = this.set.known[picker.active];
+    for (const effect of this.activeEffects) effect.picked?.(frame, technique);
+    return technique.lightOrder;
+  }
 
   private makeShadows(code: NonNullable<(typeof shadowCode)['code']>): ShadowMaps {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
-    this.lights.layers = shadows.layers;
     this.shadowDraws.stands = shadows.stands;
     this.shadowDraws.calls = new code.ShadowMapCalls(this.webgl, () => {
       if (shadows.hasWork) this.run('shadow maps', () => shadows.render());
@@ -433,7 +428,7 @@ export class FarolRenderer {
   /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */
   private setBackground(): void {
     const { frame } = this;
-    const background = this.uniforms.values.farol_background.value;
+    const background = this.lights.uniforms.values.farol_background.value;
     frame.fills = this.sceneView.uncleared;
     if (frame.fills !== null) clearValue(this.webgl, frame.scene, frame.premultiplied, background);
     else background.w = -1;
@@ -459,7 +454,7 @@ export class FarolRenderer {
   }
 
   private targetBytes(): number {
-    let bytes = this.lights.bytes + (this.finder.shadows?.bytes ?? 0) + this.views.bytes + this.set.bytes;
+    let bytes = this.lights.table.bytes + (this.finder.shadows?.bytes ?? 0) + this.views.bytes + this.set.bytes;
     for (const effect of this.effects) bytes += effect.bytes;
     return bytes;
   }

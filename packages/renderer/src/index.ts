@@ -8,7 +8,7 @@ export { views, type View } from './frame/views';
 export type { FarolEffect } from './frame/FarolEffect';
 export type { FarolInfo, PassInfo } from './frame/FarolInfo';
 export type { FarolAttenuation, FarolLightData, LinearRGB } from './lights/FarolLightData';
-export { setLightCookie } from './lights/lightCookie';
+export { setLightCookie } from './lighting/lightCookie';
 export { GBuffer } from './gbuffer/GBuffer';
 export { gbufferLayout, type GBufferAttachment } from './gbuffer/gbufferLayout';
 export { WebGLMultipleRenderTargets } from './three/WebGLMultipleRenderTargets';

@@ -1,6 +1,5 @@
 import { type Camera, type Light, Matrix4, Object3D, type Scene } from 'three';
-import { isManagedLight, type LeftToThree } from '../lights/isManagedLight';
-import { cookieOf } from '../lights/lightCookie';
+import { hasCookie, isManagedLight, type LeftToThree } from '../lights/classifyLight';
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
 export interface FoundLights {
@@ -116,7 +115,7 @@ function visitBelow({ children }: Object3D, camera: Camera, left: LeftToThree, f
 /** @returns whether the light is a managed one that the camera's layers see */
 function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
   if (!light.layers.test(camera.layers)) return false;
-  if (found.seeksMasks && (light.castShadow || cookieOf(light) !== null)) found.masks++;
+  if (found.seeksMasks && (light.castShadow || hasCookie(light))) found.masks++;
   if (!isManagedLight(light, left)) {
     found.left++;
     return false;

@@ -9,6 +9,7 @@ import {
   Vector3,
 } from 'three';
 import type { DataTable } from '../gpu/DataTable';
+import { mayBeMasked, type MaskSettings } from '../lights/classifyLight';
 import type { FarolAttenuation, FarolLightData } from '../lights/FarolLightData';
 import { lightAxis } from '../lights/lightAxis';
 import { lightRange } from '../lights/lightRange';
@@ -27,13 +28,13 @@ const NO_DATA: FarolLightData = {};
 const axis = new Vector3();
 const colour = new Color();
 
-/** What masks lights (shadow maps, cookies), and where it puts its records. */
+/** Masks of lights (shadow maps, cookies, layers) and their records. */
 export interface LightMasks {
   /** Records of the frame. */
   readonly records: number;
   /**
-   * Record of a light's mask, counted from the first mask; -1 when it has none; half a record more when it is a point light that
-   * is elsewhere than its mask, which then takes the long way of shaders, see `lightRecord`.
+   * Record of a light's mask, counted from the first mask; -1 when it has none; ELSEWHERE more for a point light that is
+   * elsewhere than its map: shaders then do not take it for a masked point light (`isMaskedPoint`).
    */
   recordOf(light: Light): number;
   /** Writes the records from `first` on. */
@@ -47,16 +48,18 @@ export class LightRecords {
   private firstMask = 0;
   private firstExtension = 0;
   private masks: LightMasks | null = null;
+  private settings: MaskSettings | null = null;
 
-  /** @param mayBeMasked tells which lights to look up in the masks */
-  constructor(
-    private readonly table: DataTable,
-    private readonly mayBeMasked: (light: Light) => boolean,
-  ) {}
+  constructor(private readonly table: DataTable) {}
 
-  /** Begins a frame. @param firstMask record of the first mask; extensions follow the masks */
-  begin(masks: LightMasks | null, firstMask: number): void {
+  /**
+   * Begins a frame.
+   * @param firstMask record of the first mask; extensions follow the masks
+   * @param settings tell which lights to look up in the masks
+   */
+  begin(masks: LightMasks | null, firstMask: number, settings: MaskSettings | null): void {
     this.masks = masks;
+    this.settings = settings;
     this.firstMask = firstMask;
     this.firstExtension = firstMask + (masks?.records ?? 0);
     this.extensions = 0;
@@ -77,8 +80,11 @@ export class LightRecords {
     table.set4(at + LIGHT.details, 0, 0, mask, extension);
   }
 
-  /** Writes the record of a point or spot light whose centre (view space, m) is given. */
-  writeLocal(record: number, light: Light, x: number, y: number, z: number, view: Matrix4): void {
+  /**
+   * Writes the record of a point or spot light whose centre (view space, m) is given.
+   * @returns whether it is that of a plain point light
+   */
+  writeLocal(record: number, light: Light, x: number, y: number, z: number, view: Matrix4): boolean {
     const { table } = this;
     const at = record * FLOATS_PER_RECORD;
     const point = light as PointLight;
@@ -100,6 +106,7 @@ export class LightRecords {
       table.set4(at + LIGHT.cone, 0, 0, 1, POINT_CUTOFF);
       table.set4(at + LIGHT.details, POINT_PENUMBRA, NO_EXPONENT, mask, extension || mask % 1);
     }
+    return plain;
   }
 
   /** Writes the extension record, if the light needs one, and leaves in `colour` what to put in place of its colour. */
@@ -138,7 +145,7 @@ export class LightRecords {
   }
 
   private maskOf(light: Light): number {
-    if (this.masks === null || !this.mayBeMasked(light)) return 0;
+    if (this.masks === null || this.settings === null || !mayBeMasked(light, this.settings)) return 0;
     const record = this.masks.recordOf(light);
     return record < 0 ? 0 : this.firstMask + record;
   }

@@ -9,8 +9,9 @@ import {
 } from 'three';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { DataTable } from '../../gpu/DataTable';
-import { cookieOf } from '../../lights/lightCookie';
+import { cookieOf } from '../../lighting/lightCookie';
 import { LightLayers } from './LightLayers';
+import { ELSEWHERE } from '../../lights/lightRecord';
 import type { LightMasks } from '../../lighting/LightRecords';
 import type { LightTable, PictureSize } from '../../lighting/LightTable';
 import type { MicroShaderRegistry } from '../../microshaders';
@@ -186,7 +187,7 @@ export class ShadowMaps implements LightMasks {
   recordOf(light: Light): number {
     const slot = this.slots.get(light);
     if (slot === undefined || slot.used !== this.frame) return this.layered.get(light) ?? -1;
-    return slot.record >= 0 && slot.isLeft ? slot.record + 0.5 : slot.record;
+    return slot.record >= 0 && slot.isLeft ? slot.record + ELSEWHERE : slot.record;
   }
 
   write(table: DataTable, first: number, camera: Camera): void {

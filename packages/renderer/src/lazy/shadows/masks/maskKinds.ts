@@ -1,5 +1,5 @@
-import { BasicShadowMap, type Light, type PointLight, VSMShadowMap } from 'three';
-import { lightRange } from '../../../lights/lightRange';
+import { BasicShadowMap, type Light, VSMShadowMap } from 'three';
+import { classifyLight } from '../../../lights/classifyLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 
 /** Bits of what shaders can know of masks, and the definition of each in maskKinds.glsl. */
@@ -33,9 +33,9 @@ const defines: Record<keyof typeof maskKinds, string> = {
 
 /** Which loop over lights must know of the mask of one; as in shading.glsl. */
 export function maskLoopOf(light: Light): number {
-  const point = light as PointLight & { isDirectionalLight?: boolean };
-  if (point.isDirectionalLight === true || !(lightRange(point) > 0)) return maskKinds.unbounded;
-  return point.isPointLight && point.userData.farol === undefined ? maskKinds.point : maskKinds.bounded;
+  const kind = classifyLight(light);
+  if (kind === 'directional' || kind === 'unbounded') return maskKinds.unbounded;
+  return kind === 'point' ? maskKinds.point : maskKinds.bounded;
 }
 
 /** What shaders must know for a light. @param type of shadow maps, as `WebGLRenderer.shadowMap.type` has it */

@@ -1,0 +1,76 @@
+import type { DirectionalLight, HemisphereLight, Light, PointLight, SpotLight } from 'three';
+import { lightRange } from './lightRange';
+
+type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
+  Partial<Pick<SpotLight, 'isSpotLight'>> &
+  Partial<Pick<DirectionalLight, 'isDirectionalLight'>> &
+  Partial<Pick<HemisphereLight, 'isHemisphereLight'>> & { readonly isAmbientLight?: boolean };
+
+/**
+ * What a light is to Farol; which record, volume and loop it gets follows.
+ *
+ * | class | is |
+ * |---|---|
+ * | ambient, hemisphere | summed up into four colours, no record |
+ * | directional | over every pixel |
+ * | unbounded | a point or spot light without a range: over every pixel |
+ * | point | a point light with a range, as three has it; plain if it has no mask either |
+ * | extended-point | a point light with a range and `userData.farol` |
+ * | spot | a spot light with a range |
+ * | other | three's own to light with: rectangle lights, probes |
+ */
+export type LightClass =
+  'ambient' | 'hemisphere' | 'directional' | 'unbounded' | 'point' | 'extended-point' | 'spot' | 'other';
+
+export function classifyLight(light: Light): LightClass {
+  const { isPointLight, isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight } = light as AnyLight;
+  if (isPointLight === true || isSpotLight === true) {
+    if (lightRange(light as PointLight) === 0) return 'unbounded';
+    if (isSpotLight === true) return 'spot';
+    return light.userData.farol === undefined ? 'point' : 'extended-point';
+  }
+  if (isDirectionalLight === true) return 'directional';
+  if (isHemisphereLight === true) return 'hemisphere';
+  return isAmbientLight === true ? 'ambient' : 'other';
+}
+
+/** True for a light with an image to throw: a spot light's `map`, a point light's as `setLightCookie` gave it. */
+export function hasCookie(light: Light): boolean {
+  const spot = light as SpotLight;
+  return spot.isSpotLight === true ? spot.map !== null : (light.userData.farolMap ?? null) !== null;
+}
+
+/** What of the lights with a shadow map or an image is left to three. */
+export interface LeftToThree {
+  /** Lights that cast shadows. */
+  shadows: boolean;
+  /** Spot lights with a map. */
+  cookies: boolean;
+  /** All lights: something in the scene has a shader that Farol's loop is not in. */
+  all: boolean;
+}
+
+/**
+ * True for the lights that Farol keeps in its own table: they never change a program.
+ * The others (rectangle lights, probes) stay with three, and until their code is there those of `left`.
+ */
+export function isManagedLight(light: Light, left: LeftToThree): boolean {
+  if (left.all) return false;
+  const { isPointLight, isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight } = light as AnyLight;
+  if (isAmbientLight === true || isHemisphereLight === true) return true;
+  if (isDirectionalLight !== true && isPointLight !== true && isSpotLight !== true) return false;
+  return !(left.shadows && light.castShadow) && !(left.cookies && isSpotLight === true && hasCookie(light));
+}
+
+/** What lights of a frame may be masked by. */
+export interface MaskSettings {
+  /** Whether lights that cast shadows have shadow maps. */
+  readonly shadows: boolean;
+  /** Which lights do not reach all objects; null for none. */
+  readonly layers: { separates(light: Light): boolean } | null;
+}
+
+/** True for a directional, point or spot light of which a shadow map, an image or layers may take something. */
+export function mayBeMasked(light: Light, masks: MaskSettings): boolean {
+  return (light.castShadow && masks.shadows) || hasCookie(light) || masks.layers?.separates(light) === true;
+}
