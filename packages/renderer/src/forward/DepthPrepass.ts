@@ -1,9 +1,9 @@
-import { DepthTexture, FloatType, NearestFilter, Vector2, WebGLRenderTarget, type IUniform, type Texture } from 'three';
+import { Vector2, type Texture, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../frame/Frame';
 import { depthBehindTwin, depthTwin, hasDepthTwin } from './depthTwin';
-import { FullscreenMesh } from '../gpu/FullscreenMesh';
+import { FullscreenPass } from '../gpu/FullscreenPass';
+import { PassTarget } from '../gpu/PassTarget';
 import type { Pass } from '../frame/Pass';
-import { OutputMaterial } from '../gpu/PassMaterial';
 import { setDepthMode } from '../gpu/unprojectUniforms';
 
 /**
@@ -16,53 +16,62 @@ export class DepthPrepass implements Pass {
   readonly name = 'depth';
   readonly reads = [] as const;
   readonly writes = ['scene-depth', 'target'] as const;
-  target: WebGLRenderTarget | null = null;
+  private readonly own = new PassTarget({ depthTexture: true });
   /** In its place where the viewport does not begin at the corner: elsewhere, vertices might be rounded to other places. */
-  private shifted: WebGLRenderTarget | null = null;
-  private readonly depth: IUniform<Texture | null> = { value: null };
-  private readonly depthMode = { value: new Vector2() };
-  private readonly offset = { value: new Vector2() };
-  private readonly triangle = new FullscreenMesh();
-  private material: OutputMaterial | null = null;
+  private readonly shifted = new PassTarget({ depthTexture: true });
+  private readonly toTarget = new FullscreenPass({
+    program: 'depth',
+    fragment: 'depthOnly',
+    uniforms: {
+      farol_sceneDepth: { value: null as Texture | null },
+      farol_offset: { value: new Vector2() },
+      farol_depthMode: { value: new Vector2() },
+    },
+    asThree: true,
+    colorWrite: false,
+    depthTest: true,
+    depthWrite: true,
+  });
+
+  /** Depth of the opaque items, as a texture of the picture's size. */
+  get target(): WebGLRenderTarget | null {
+    return this.own.current;
+  }
 
   get bytes(): number {
-    return bytesOf(this.target) + bytesOf(this.shifted);
+    return this.own.bytes + this.shifted.bytes;
   }
 
   render(frame: Frame): void {
     const { width, height, viewport } = frame;
-    this.target ??= makeTarget();
-    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
-    frame.bind(this.target);
+    const target = this.own.of(width, height);
+    frame.bind(target);
     const isShifted = viewport.x !== 0 || viewport.y !== 0;
-    if (isShifted) this.bindShifted(frame);
+    const drawn = isShifted ? this.bindShifted(frame) : target;
     frame.clear(1, true);
     for (const item of frame.queue.opaque) {
       if (item.splits && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
     }
-    if (isShifted) frame.copyDepth(this.shifted!, this.target, viewport.x, viewport.y);
-    if (frame.samples === 0) this.show(frame);
+    if (isShifted) frame.copyDepth(drawn, target, viewport.x, viewport.y);
+    if (frame.samples === 0) this.show(frame, target);
     else this.drawSamples(frame);
   }
 
   dispose(): void {
-    for (const target of [this.target, this.shifted]) {
-      target?.depthTexture?.dispose();
-      target?.dispose();
-    }
-    this.material?.dispose();
-    this.target = this.shifted = this.material = null;
+    for (const held of [this.own, this.shifted, this.toTarget]) held.dispose();
   }
 
   /** Draws where the host's target is drawn to. */
-  private bindShifted(frame: Frame): void {
+  private bindShifted(frame: Frame): WebGLRenderTarget {
     const { viewport } = frame;
-    const target = (this.shifted ??= makeTarget());
-    const width = Math.max(target.width, viewport.x + frame.width);
-    const height = Math.max(target.height, viewport.y + frame.height);
-    if (target.width < width || target.height < height) target.setSize(width, height);
+    const { width = 1, height = 1 } = this.shifted.current ?? {};
+    const target = this.shifted.of(
+      Math.max(width, viewport.x + frame.width),
+      Math.max(height, viewport.y + frame.height),
+    );
     frame.bind(target);
     frame.webgl.state.viewport(viewport);
+    return target;
   }
 
   private drawSamples(frame: Frame): void {
@@ -76,34 +85,12 @@ export class DepthPrepass implements Pass {
     }
   }
 
-  private show(frame: Frame): void {
-    this.depth.value = this.target!.depthTexture;
-    this.offset.value.set(frame.viewport.x, frame.viewport.y);
-    setDepthMode(this.depthMode, frame.camera, frame.webgl);
-    if (this.material === null) {
-      this.material = new OutputMaterial(frame.microshaders, {
-        name: 'Farol depth',
-        vertex: ['fullscreen'],
-        fragment: ['depthOnly'],
-        uniforms: { farol_sceneDepth: this.depth, farol_offset: this.offset, farol_depthMode: this.depthMode },
-        depthTest: true,
-        depthWrite: true,
-      });
-      this.material.colorWrite = false;
-    }
+  private show(frame: Frame, { depthTexture }: WebGLRenderTarget): void {
+    const { uniforms } = this.toTarget;
+    uniforms.farol_sceneDepth.value = depthTexture;
+    uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
+    setDepthMode(uniforms.farol_depthMode, frame.camera, frame.webgl);
     frame.bindTarget();
-    frame.drawMesh(this.triangle, this.material);
+    this.toTarget.draw(frame);
   }
-}
-
-function makeTarget(): WebGLRenderTarget {
-  return new WebGLRenderTarget(1, 1, {
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    depthTexture: new DepthTexture(1, 1, FloatType),
-  });
-}
-
-function bytesOf(target: WebGLRenderTarget | null): number {
-  return target === null ? 0 : target.width * target.height * 8;
 }

@@ -1,0 +1,153 @@
+import type { IUniform, Mesh, RawShaderMaterial, ShaderMaterial, WebGLRenderTarget } from 'three';
+import type { MicroShaderRegistry } from '../microshaders';
+import { addMicroShaders } from '../microshaders/addMicroShaders';
+import { FullscreenMesh } from './FullscreenMesh';
+import { OutputMaterial, PassMaterial, type PassMaterialOptions } from './PassMaterial';
+import { PassTarget, type PassTargetOptions } from './PassTarget';
+
+/** What a full-screen pass is drawn with: a `Frame`, or what draws outside of frames. */
+export interface MeshDrawer {
+  readonly microshaders: MicroShaderRegistry;
+  /** Uniforms that all passes of a renderer share. */
+  readonly uniforms: Readonly<Record<string, IUniform>>;
+  /** Draws to a target from here on. */
+  bind(target: WebGLRenderTarget): void;
+  /** Draws a mesh to what is bound. */
+  drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void;
+  /** Compiles a material for what is bound, drawing nothing. */
+  compileMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void;
+}
+
+/** Uniforms by name, as the pass's microshaders declare them. */
+export type Uniforms = Record<string, IUniform>;
+
+export interface FullscreenPassOptions<U extends Uniforms> extends Omit<
+  PassMaterialOptions,
+  'name' | 'vertex' | 'fragment' | 'uniforms'
+> {
+  /** Name of the program, in messages of the device and of tools. */
+  readonly program: string;
+  /** Microshaders whose mains make the fragment shader, in this order. */
+  readonly fragment: string | readonly string[];
+  /** Microshader whose main places the triangle. Default 'fullscreen': over the whole viewport. */
+  readonly vertex?: string;
+  /** Sources of microshaders that are the pass's own, by name; those of the renderer need not be given. Default none. */
+  readonly microShaders?: Readonly<Record<string, string>>;
+  /** The pass's own uniforms; set their values before a draw. Default none. */
+  readonly uniforms?: U;
+  /** Names of the shared uniforms that the shader reads as well, or 'all'. Default none. */
+  readonly shared?: 'all' | readonly string[];
+  /** Written as three writes its materials: tone mapped, encoded for the target, with fog. Default false: values as they are. */
+  readonly asThree?: boolean;
+  /** Drawn several times in a frame with other uniforms, which three else sends once. Default false. */
+  readonly repeats?: boolean;
+  /** The target of its own that `drawToOwn` draws to. Default none. */
+  readonly target?: PassTargetOptions;
+}
+
+/**
+ * A triangle over the whole viewport with a fragment shader made of microshaders. Owns triangle, program and, if asked
+ * for, a target of its own; makes them when first drawn, and anew after `dispose`.
+ *
+ * @example
+ * const brightness = new FullscreenPass({
+ *   program: 'brightness',
+ *   fragment: 'brightness',
+ *   microShaders: { brightness },
+ *   uniforms: { picture: { value: null as Texture | null } },
+ *   target: { format: RedFormat },
+ * });
+ * brightness.uniforms.picture.value = texture;
+ * const { texture } = brightness.drawToOwn(frame, frame.width, frame.height);
+ */
+export class FullscreenPass<U extends Uniforms = Uniforms> {
+  /** The pass's own uniforms. */
+  readonly uniforms: U;
+  private readonly triangle = new FullscreenMesh();
+  private readonly own: PassTarget | null;
+  private made: PassMaterial | OutputMaterial | null = null;
+
+  constructor(private readonly options: FullscreenPassOptions<U>) {
+    this.uniforms = options.uniforms ?? ({} as U);
+    this.own = options.target === undefined ? null : new PassTarget(options.target);
+  }
+
+  /** Bytes of its own target. */
+  get bytes(): number {
+    return this.own?.bytes ?? 0;
+  }
+
+  /** The material, to set blending or depth state of a draw. */
+  material(drawer: MeshDrawer): PassMaterial | OutputMaterial {
+    return (this.made ??= this.make(drawer));
+  }
+
+  /** Draws over the viewport of what is bound. */
+  draw(drawer: MeshDrawer): void {
+    const material = this.material(drawer);
+    if (this.options.repeats === true) material.uniformsNeedUpdate = true;
+    drawer.drawMesh(this.triangle, material);
+  }
+
+  /** Binds a target and draws to it. */
+  drawTo(drawer: MeshDrawer, target: WebGLRenderTarget): void {
+    drawer.bind(target);
+    this.draw(drawer);
+  }
+
+  /**
+   * Binds its own target, with this size (texels), and draws to it.
+   * @returns the target
+   * @throws Error when the options name no target
+   */
+  drawToOwn(drawer: MeshDrawer, width: number, height: number): WebGLRenderTarget {
+    if (this.own === null) throw new Error(`Farol: the pass "${this.options.program}" has no target; give one.`);
+    const target = this.own.of(width, height);
+    this.drawTo(drawer, target);
+    return target;
+  }
+
+  /** Compiles the program for what is bound, drawing nothing: so that no later frame waits for it. */
+  compile(drawer: MeshDrawer): void {
+    drawer.compileMesh(this.triangle, this.material(drawer));
+  }
+
+  /** Frees target and program. */
+  dispose(): void {
+    this.own?.dispose();
+    this.made?.dispose();
+    this.made = null;
+    this.triangle.geometry.dispose();
+  }
+
+  private make(drawer: MeshDrawer): PassMaterial | OutputMaterial {
+    const {
+      program,
+      fragment,
+      vertex,
+      microShaders,
+      shared,
+      asThree,
+      repeats: _r,
+      target: _t,
+      ...state
+    } = this.options;
+    if (microShaders !== undefined) addMicroShaders(drawer.microshaders, microShaders);
+    const options: PassMaterialOptions = {
+      ...state,
+      name: `Farol ${program}`,
+      vertex: [vertex ?? 'fullscreen'],
+      fragment: typeof fragment === 'string' ? [fragment] : fragment,
+      uniforms: { ...sharedOf(drawer, shared), ...this.uniforms },
+    };
+    return asThree === true
+      ? new OutputMaterial(drawer.microshaders, options)
+      : new PassMaterial(drawer.microshaders, options);
+  }
+}
+
+/** Of what is not named no texture is bound: a pass may write the textures that others read. */
+function sharedOf({ uniforms }: MeshDrawer, shared: 'all' | readonly string[] = []): Uniforms {
+  if (shared === 'all') return { ...uniforms };
+  return Object.fromEntries(shared.map((name) => [name, uniforms[name]]));
+}

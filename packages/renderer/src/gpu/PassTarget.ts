@@ -1,0 +1,49 @@
+import { DepthTexture, FloatType, NearestFilter, WebGLRenderTarget, type RenderTargetOptions } from 'three';
+import { targetBytes } from './targetBytes';
+
+export interface PassTargetOptions extends Omit<RenderTargetOptions, 'depthTexture'> {
+  /** Whether depth is a texture of 32-bit floats, to be read by later passes. Default false: no depth at all. */
+  readonly depthTexture?: boolean;
+}
+
+/** A render target of a pass: made when first asked for, of the size asked for, nearest texels unless the options differ. */
+export class PassTarget {
+  private made: WebGLRenderTarget | null = null;
+
+  constructor(private readonly options: PassTargetOptions = {}) {}
+
+  /** Bytes on the GPU, by the formats. */
+  get bytes(): number {
+    return this.made === null ? 0 : targetBytes(this.made);
+  }
+
+  /** The target as last asked for, null before. */
+  get current(): WebGLRenderTarget | null {
+    return this.made;
+  }
+
+  /** The target, with this size (texels). */
+  of(width: number, height: number): WebGLRenderTarget {
+    const target = (this.made ??= this.make());
+    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    return target;
+  }
+
+  /** Frees the target; the next `of` makes a new one. */
+  dispose(): void {
+    this.made?.depthTexture?.dispose();
+    this.made?.dispose();
+    this.made = null;
+  }
+
+  private make(): WebGLRenderTarget {
+    const { depthTexture = false, ...options } = this.options;
+    return new WebGLRenderTarget(1, 1, {
+      depthBuffer: depthTexture,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      ...options,
+      ...(depthTexture && { depthTexture: new DepthTexture(1, 1, FloatType) }),
+    });
+  }
+}
