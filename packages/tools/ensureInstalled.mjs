@@ -1,7 +1,7 @@
-import { spawnSync } from 'node:child_process';
 import { statSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from './root.mjs';
+import { runNpm } from './runNpm.mjs';
 
 /** Runs `npm ci` when node_modules is missing or older than the lock file. Exits when it fails. */
 export function ensureInstalled() {
@@ -12,10 +12,7 @@ export function ensureInstalled() {
   }
   if (!needsInstall(modified('node_modules/.package-lock.json'), modified('package-lock.json'))) return;
   console.log('Installing dependencies (npm ci).');
-  const npm = process.env.npm_execpath; // set by npm; a script, so that no shell is needed
-  const done = npm
-    ? spawnSync(process.execPath, [npm, 'ci'], { cwd: root, stdio: 'inherit' })
-    : spawnSync('npm', ['ci'], { cwd: root, stdio: 'inherit', shell: process.platform === 'win32' });
+  const done = runNpm(['ci']);
   if (done.status !== 0) {
     console.error('npm ci failed: see its message above; the network and the version of Node are the usual causes.');
     process.exit(1);

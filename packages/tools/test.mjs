@@ -31,14 +31,8 @@ const stages = {
     ),
   build: () =>
     spawnSync(process.execPath, [join(root, 'packages/tools/build.mjs'), '--tests'], { stdio: 'inherit' }).status === 0,
-  browser: () =>
-    counted('browser.json', playwrightTally, (report) =>
-      runTool('@playwright/test', 'playwright', ['test', '--config', 'e2e/playwright.config.ts'], {
-        FAROL_E2E: 'built',
-        PLAYWRIGHT_JSON_OUTPUT_NAME: report,
-        CHROMIUM_PATH: ensureBrowser(),
-      }),
-    ),
+  packages: () => playwright('packages', 'e2e/packages/playwright.config.ts'),
+  browser: () => playwright('browser', 'e2e/playwright.config.ts', { FAROL_E2E: 'built' }),
 };
 
 const asked = process.argv.slice(2);
@@ -71,6 +65,24 @@ async function isFormatted(...parts) {
   const check = ['--check', '--log-level', 'warn'];
   const codes = await Promise.all(parts.map((part) => startTool('prettier', 'prettier', [...check, ...part])));
   return codes.every((code) => code === 0);
+}
+
+/**
+ * Runs tests of Playwright's.
+ *
+ * @param {string} name of the stage
+ * @param {string} config
+ * @param {Record<string, string>} [env]
+ */
+function playwright(name, config, env = {}) {
+  const chromium = ensureBrowser();
+  return counted(`${name}.json`, playwrightTally, (report) =>
+    runTool('@playwright/test', 'playwright', ['test', '--config', config], {
+      ...env,
+      PLAYWRIGHT_JSON_OUTPUT_NAME: report,
+      CHROMIUM_PATH: chromium,
+    }),
+  );
 }
 
 /** @param {() => boolean | Promise<boolean>} stage */

@@ -1,0 +1,1 @@
+export { FarolRenderer } from '@farol/renderer';

@@ -1,0 +1,57 @@
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { publishedPackages } from '@farol/tools/publishedPackages';
+import { runNpm } from '@farol/tools/runNpm';
+import { installed } from './installed';
+
+/**
+ * Packs the published packages and has npm install them, without a network, into a folder outside of the repository that
+ * holds three and its types alone. Their place is in the environment, see `installed.ts`.
+ */
+export default function installPackages(): () => void {
+  const folder = realpathSync(mkdtempSync(join(tmpdir(), 'farol-packages-')));
+  process.env.FAROL_INSTALLED = folder;
+  const { host, tarballs } = installed();
+  mkdirSync(host, { recursive: true });
+  mkdirSync(tarballs, { recursive: true });
+
+  const folders = publishedPackages().map((each) => `./${each.folder}`);
+  npm(['pack', ...folders, '--json', '--pack-destination', tarballs]);
+  const files = publishedPackages().map(({ manifest }) => join(tarballs, tarballName(manifest)));
+
+  copyInstalled(['three', '@types/three'], host);
+  const version = (name: string): string => readManifest(join(host, 'node_modules', name)).version;
+  const manifest = {
+    ...{ name: 'host', private: true, type: 'module' },
+    dependencies: { three: version('three') },
+    devDependencies: { '@types/three': version('@types/three') },
+  };
+  writeFileSync(join(host, 'package.json'), JSON.stringify(manifest));
+  npm(['install', '--offline', '--ignore-scripts', '--no-audit', '--no-fund', ...files], host);
+  cpSync(new URL('host', import.meta.url), host, { recursive: true });
+  return () => rmSync(folder, { recursive: true, force: true });
+}
+
+/** File that `npm pack` makes of a package. */
+const tarballName = ({ name, version }: { name: string; version: string }): string =>
+  `${name.replace(/^@/, '').replace('/', '-')}-${version}.tgz`;
+
+/** Copies packages of the repository's node_modules, and what they depend on. */
+function copyInstalled(names: readonly string[], to: string): void {
+  const all = new Set(names);
+  for (const name of all) {
+    const from = join(installed().repositoryModules, name);
+    cpSync(from, join(to, 'node_modules', name), { recursive: true });
+    for (const dependency of Object.keys(readManifest(from).dependencies ?? {})) all.add(dependency);
+  }
+}
+
+function readManifest(folder: string): { version: string; dependencies?: Record<string, string> } {
+  return JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+}
+
+function npm(args: string[], cwd?: string): void {
+  const { status, stdout, stderr } = runNpm(args, { ...(cwd ? { cwd } : {}), isQuiet: true });
+  if (status !== 0) throw new Error(`npm ${args[0]} failed:\n${stdout}${stderr}`);
+}

@@ -1,0 +1,71 @@
+import { dirname, join, normalize } from 'node:path/posix';
+import { type Problem, checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
+import { type Manifest, publishedPackages } from '@farol/tools/publishedPackages';
+import { expect, test } from '@playwright/test';
+import { publint } from 'publint';
+import { formatMessage } from 'publint/utils';
+import { type Tarball, readTarballs } from './installed';
+import { reachedFrom } from './reachedFrom';
+
+/** What a package is made of, beside dist. */
+const papers = ['CHANGELOG.md', 'LICENSE', 'README.md', 'package.json'];
+
+const tarball = (name: string): Tarball => {
+  const found = readTarballs().find(({ files }) => JSON.parse(files.get('package.json') ?? '{}').name === name);
+  if (!found) throw new Error(`npm pack made nothing of ${name}.`);
+  return found;
+};
+
+for (const { manifest } of publishedPackages()) {
+  test.describe(manifest.name, () => {
+    test('holds its papers and what its entries reach, nothing else', () => {
+      const { files } = tarball(manifest.name);
+      const scripts = reachedFrom(files, entries(manifest, 'default')).paths;
+      const types = reachedFrom(files, entries(manifest, 'types')).paths;
+      const maps = [...scripts].map((path) => `${path}.map`).filter((path) => files.has(path));
+      expect([...files.keys()].sort()).toEqual([...papers, ...scripts, ...types, ...maps].sort());
+    });
+
+    test('has source maps with the sources in them, all of them its own', () => {
+      const { files } = tarball(manifest.name);
+      const maps = [...files.keys()].filter((path) => path.endsWith('.map'));
+      expect(maps.length).toBeGreaterThan(0);
+      for (const path of maps) {
+        const { sources, sourcesContent } = JSON.parse(files.get(path)!) as Record<string, string[] | undefined>;
+        expect(sources!.length, path).toBeGreaterThan(0);
+        expect(sourcesContent?.filter(Boolean).length, path).toBe(sources!.length);
+        // a source of another package would be a second copy of that package
+        for (const source of sources!) expect(normalize(join(dirname(path), source)), path).toMatch(/^src\//);
+      }
+      // a script without a map makes nothing of its own: it passes on what others export
+      for (const [path, source] of files) {
+        if (!path.endsWith('.js') || files.has(`${path}.map`)) continue;
+        expect(source, path).not.toContain('sourceMappingURL');
+        if (!path.endsWith('runtime.js')) expect(source, path).toMatch(/^(import|export)[^;()=]+;/);
+      }
+    });
+
+    test('publint finds nothing', async () => {
+      const bytes = new Uint8Array(tarball(manifest.name).bytes);
+      const { messages, pkg } = await publint({ pack: { tarball: bytes.buffer }, level: 'suggestion', strict: true });
+      expect(messages.map((message) => formatMessage(message, pkg, { color: false }))).toEqual([]);
+    });
+
+    test('Are the types wrong? finds nothing', async () => {
+      const found = await checkPackage(createPackageFromTarballData(new Uint8Array(tarball(manifest.name).bytes)));
+      expect(found.types && Object.keys(found.entrypoints).length).toBe(Object.keys(manifest.exports).length);
+      expect('problems' in found ? found.problems.filter(isOfModules).map(said) : found).toEqual([]);
+    });
+  });
+}
+
+function entries({ exports }: Manifest, kind: 'types' | 'default'): string[] {
+  return Object.values(exports).map((paths) => paths[kind].replace(/^\.\//, ''));
+}
+
+/** ES modules alone, as of its profile "esm-only": what `require` and Node 10 make of them is not asked. */
+function isOfModules(problem: Problem): boolean {
+  return !('resolutionKind' in problem && /^node10$|^node16-cjs$/.test(problem.resolutionKind));
+}
+
+const said = (problem: Problem): string => JSON.stringify(problem);

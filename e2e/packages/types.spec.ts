@@ -1,0 +1,93 @@
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { type Manifest, publishedPackages } from '@farol/tools/publishedPackages';
+import { expect, test } from '@playwright/test';
+import { installed, readTarballs } from './installed';
+import { reachedFrom } from './reachedFrom';
+
+const { host, peers, repositoryModules } = installed();
+const modes = [
+  { resolution: 'bundler', module: 'esnext' },
+  { resolution: 'nodenext', module: 'nodenext' },
+];
+
+/** Import specifiers of all entries, apart by whether they import a peer that the host need not have. */
+function specifiers(): { alone: string[]; withPeers: string[] } {
+  const found = { alone: [] as string[], withPeers: [] as string[] };
+  for (const { files } of readTarballs()) {
+    const manifest = JSON.parse(files.get('package.json')!) as Manifest;
+    const optional = Object.keys(manifest.peerDependenciesMeta ?? {});
+    for (const [entry, paths] of Object.entries(manifest.exports)) {
+      const { packages } = reachedFrom(files, [paths.default.replace(/^\.\//, '')]);
+      const list = optional.some((peer) => packages.has(peer)) ? found.withPeers : found.alone;
+      list.push(manifest.name + entry.slice(1));
+    }
+  }
+  return found;
+}
+
+/** Fails to compile when an export of a module is `any`, as an import that TypeScript does not find would make it. */
+const noneIsAny = (specifier: string): string => `import * as entry from '${specifier}';
+type IsAny<T> = 0 extends 1 & T ? true : false;
+type Names<M> = { [K in keyof M]: IsAny<M[K]> extends true ? K : never }[keyof M];
+type None<T extends never> = T;
+export type AnyOfThem = None<Names<typeof entry>>;
+export const some: boolean = Object.keys(entry).length > 0;
+`;
+
+/** Blocks of code of the READMEs, as modules. @param language `ts` or `tsx` */
+function examples(language: string): string[] {
+  const blocks = new RegExp('```' + language + '\\n(.*?)```', 'gs');
+  return readTarballs().flatMap(({ files }) =>
+    [...files.get('README.md')!.matchAll(blocks)].map(([, code]) => `${code}\nexport {};\n`),
+  );
+}
+
+/** What `tsc` says of sources in a folder, with every declaration file checked. */
+function compile(folder: string, sources: readonly string[], { resolution, module }: (typeof modes)[number]): string {
+  const to = join(folder, `types-${resolution}`);
+  mkdirSync(to, { recursive: true });
+  sources.forEach((source, i) => writeFileSync(join(to, `${i}.tsx`), source));
+  const compilerOptions = {
+    ...{ strict: true, noEmit: true, skipLibCheck: false, preserveSymlinks: true, jsx: 'react-jsx', types: [] },
+    ...{ target: 'es2023', lib: ['es2023', 'dom', 'dom.iterable'], module, moduleResolution: resolution },
+  };
+  writeFileSync(join(to, 'tsconfig.json'), JSON.stringify({ compilerOptions, include: ['*.tsx'] }));
+  const tsc = join(repositoryModules, 'typescript/bin/tsc');
+  const { stdout, stderr, status } = spawnSync(process.execPath, [tsc, '-p', to], { encoding: 'utf8' });
+  return status === 0 ? '' : stdout + stderr;
+}
+
+/** Links packages of the repository's node_modules and what they depend on into a folder, with those of the host first. */
+function link(names: readonly string[], to: string): void {
+  const all = new Set(names);
+  for (const name of all) {
+    const ofHost = join(host, 'node_modules', name);
+    const from = existsSync(ofHost) ? ofHost : join(repositoryModules, name);
+    const at = join(to, 'node_modules', name);
+    mkdirSync(dirname(at), { recursive: true });
+    if (!existsSync(at)) symlinkSync(from, at, 'junction');
+    const { dependencies } = JSON.parse(readFileSync(join(from, 'package.json'), 'utf8')) as Manifest;
+    for (const dependency of Object.keys(dependencies ?? {})) all.add(dependency);
+  }
+}
+
+for (const mode of modes) {
+  test(`entries and READMEs compile beside three alone, moduleResolution ${mode.resolution}`, () => {
+    const { alone } = specifiers();
+    expect(alone).toContain('@farol/renderer');
+    const code = examples('ts');
+    expect(code.length).toBeGreaterThanOrEqual(publishedPackages().length);
+    expect(compile(host, [...alone.map(noneIsAny), ...code], mode)).toBe('');
+  });
+
+  test(`entries for other libraries compile beside them, moduleResolution ${mode.resolution}`, () => {
+    const { withPeers } = specifiers();
+    expect(withPeers).toContain('@farol/renderer/r3f');
+    const own = publishedPackages().map(({ manifest }) => manifest);
+    const libraries = own.flatMap(({ name, peerDependencies }) => [name, ...Object.keys(peerDependencies ?? {})]);
+    link([...libraries, '@types/react'], peers);
+    expect(compile(peers, [...withPeers.map(noneIsAny), ...examples('tsx')], mode)).toBe('');
+  });
+}
