@@ -132,7 +132,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
       target: _t,
       ...state
     } = this.options;
-    if (microShaders !== undefined) addMicroShaders(drawer.microshaders, microShaders);
+    if (microShaders !== undefined) addMicroShaders(drawer.microshaders, program, microShaders);
     const options: PassMaterialOptions = {
       ...state,
       name: `Farol ${program}`,
