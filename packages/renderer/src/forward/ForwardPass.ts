@@ -5,14 +5,14 @@ import type { Frame } from '../frame/Frame';
 import type { RenderItem } from '../frame/RenderItem';
 import { BackgroundDraw } from '../output/BackgroundDraw';
 import type { Pass, Resource } from '../frame/Pass';
+import type { LightLoop } from '../lighting/loops/LightLoop';
 
 export interface ForwardPassOptions {
   readonly name: string;
   readonly list: 'opaque' | 'transmissive' | 'transparent';
-  /** Microshader that loops over the lights. */
-  readonly loop: string;
+  readonly loop: LightLoop;
   /** The same for opaque items that no pass before has drawn the depth of; default `loop`. */
-  readonly loopOutside?: string;
+  readonly loopOutside?: LightLoop;
   readonly reads?: readonly Resource[];
 }
 

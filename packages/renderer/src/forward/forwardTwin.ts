@@ -2,6 +2,7 @@ import { BackSide, FrontSide } from 'three';
 import type { View } from '../frame/views';
 import { litTwin } from '../materials/litTwin';
 import type { TwinKind } from '../materials/TwinKind';
+import type { LightLoop } from '../lighting/loops/LightLoop';
 
 const OPAQUE = '#include <opaque_fragment>';
 const DIRECT_LIGHT = 'reflectedLight.directDiffuse + reflectedLight.directSpecular;';
@@ -24,7 +25,10 @@ export interface ForwardTwins {
  * Lit materials shaded in one draw by all lights that the loop visits.
  * @param adapt makes of each kind what is used in its place
  */
-export function forwardTwins(loop: string, adapt = (kind: TwinKind): TwinKind => kind): (view: View) => ForwardTwins {
+export function forwardTwins(
+  loop: LightLoop,
+  adapt = (kind: TwinKind): TwinKind => kind,
+): (view: View) => ForwardTwins {
   const made = new Map<string, ForwardTwins>();
   return (view) => {
     const mode = view === 'lighting' || view === 'light-count' ? view : 'final';

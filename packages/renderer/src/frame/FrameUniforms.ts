@@ -1,8 +1,9 @@
 import { Vector4, type WebGLRenderer } from 'three';
 import type { Frame } from './Frame';
 import type { LightTable } from '../lighting/LightTable';
-import { gridUniforms } from '../lighting/lists/LightGridPass';
-import { tileUniforms } from '../lighting/lists/LightTilesPass';
+import { lightUniforms } from '../lighting/lightUniforms';
+import { gridUniforms } from '../lighting/lists/gridUniforms';
+import { tileUniforms } from '../lighting/lists/tileUniforms';
 import { maskUniforms } from '../lighting/maskUniforms';
 import type { ShadowMaps } from '../lazy/shadows/ShadowMaps';
 
@@ -12,12 +13,9 @@ export class FrameUniforms {
 
   constructor(private readonly lights: LightTable) {
     this.values = {
-      farol_lightTable: { value: null as unknown },
-      farol_lightCounts: { value: [0, 0, 0, 0] },
-      farol_ambient: { value: lights.ambient },
-      farol_lightIndex: { value: 0 },
       farol_heatScale: { value: 1 / 32 },
       farol_background: { value: new Vector4(0, 0, 0, -1) },
+      ...lightUniforms(lights.ambient),
       ...maskUniforms(),
       ...tileUniforms(),
       ...gridUniforms(),

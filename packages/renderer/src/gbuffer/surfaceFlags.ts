@@ -5,7 +5,9 @@ export type ShadingModel = keyof typeof shadingModels;
 /** Flag bits above the shading model. Whether an object receives shadows its shader says; the others are the material's. */
 export const surfaceFlags = { hasFog: 4, isToneMapped: 8, receivesShadows: 16 } as const;
 
-const models = Object.entries(shadingModels).map(([name, value]) => `#define FAROL_${name.toUpperCase()} ${value}\n`);
+const models = Object.entries(shadingModels).map(
+  ([name, value]) => `const int FAROL_${name.toUpperCase()} = ${value};\n`,
+);
 const flags = Object.entries(surfaceFlags).map(
   ([name, bit]) => `bool farol_${name}(const in int flags) { return (flags & ${bit}) != 0; }\n`,
 );
@@ -13,7 +15,7 @@ const flags = Object.entries(surfaceFlags).map(
 /** The microshader `surfaceFlags`: the shading models by name, and what the flags of a surface say. */
 export const surfaceFlagsChunk = `// The flags of a surface: its shading model, and what else is done with it.
 // Farol; made from the tables in gbuffer/surfaceFlags.ts
-${models.join('')}#define FAROL_RECEIVES_SHADOWS ${surfaceFlags.receivesShadows}
+${models.join('')}const int FAROL_RECEIVES_SHADOWS = ${surfaceFlags.receivesShadows};
 int farol_shadingModel(const in int flags) { return flags & 3; }
 float farol_packFlags(const in int flags) { return float(flags) / 255.0; }
 int farol_unpackFlags(const in float stored) { return int(stored * 255.0 + 0.5); }

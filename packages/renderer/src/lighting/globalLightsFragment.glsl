@@ -4,12 +4,12 @@
 #include "depthMode"
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);
-float depth = FAROL_SURFACE_DEPTH(pixel);
-if (FAROL_IS_EMPTY(pixel, depth)) discard;
+float depth = farol_pixelDepth(pixel);
+if (farol_isPixelEmpty(pixel, depth)) discard;
 #ifdef FAROL_COUNT
-FAROL_COUNT_PIXEL(float(farol_lightCounts.x + farol_lightCounts.y))
+farol_countPixel(float(farol_lightCounts.x + farol_lightCounts.y));
 #else
-FAROL_BEGIN_PIXEL
-FAROL_UNBOUNDED_PIXEL
-FAROL_END_PIXEL
+FarolPixel lit = farol_beginPixel(pixel, depth);
+farol_addUnboundedToPixel(lit);
+farol_endPixel(lit, pixel);
 #endif

@@ -74,3 +74,9 @@ FarolLight farol_localLight(const in int record, const in vec3 positionVS) {
   light.color = farol_lightColor(emission) * light.attenuation;
   return light;
 }
+
+// record: of a directional light, or of a local one
+FarolLight farol_lightAt(const in int record, const in vec3 positionVS) {
+  if (record < farol_lightCounts.x) return farol_directionalLight(record);
+  return farol_localLight(record, positionVS);
+}

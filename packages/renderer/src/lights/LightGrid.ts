@@ -7,10 +7,23 @@ import { TileMasks } from './TileMasks';
 export const MOST_LIGHTS = 65_504;
 
 /**
- * Which lights may reach which pixels: bit masks by tile, and ranges by depth. The lights of a pixel are the bits that are
- * set in its tile's mask, at the ranks below `deepWords * 32` and between the first and last rank of its depth's bin.
+ * Which lights may reach which pixels: bit masks by tile of the picture, and ranges by depth.
+ *
+ *     picture, tiles of 32 pixels       depth, 1,024 bins that widen      lights in order of depth: ranks
+ *     +----+----+----+----+             |0|1|2| 3  |  4   |    5    |     0 1 2 | 3 4 5 6 7 8 9 ...
+ *     |    | A  | AB |  B |             eye                        far    deep  | by the middle of their depths
+ *     +----+----+----+----+             light A: ====
+ *     |    | A  | AB |  B |             light B:       ==========
+ *     +----+----+----+----+
+ *     mask of a tile: a bit a rank      bin: ranks of its first and its last light
+ *
+ *     lights of a pixel = bits of its tile's mask, at ranks from first to last of its depth's bin, and at deep ranks
+ *
+ * A tile knows nothing of depth and a bin nothing of the picture: memory grows with their sum, not with their product as that
+ * of clusters does. Lights that reach over far more depths than most are deep: in no bin, they count for every depth.
  * No light that reaches a point is ever missing there; no list can overflow; nothing is allocated but to grow.
  *
+ * Steps of an update: `GridLights` (where each light is on screen), `DepthBins` (ranks and bins), `TileMasks` (bits).
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
  */
 export class LightGrid {

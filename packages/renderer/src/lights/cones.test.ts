@@ -4,7 +4,6 @@ import { coneIntersectsSphere } from './coneIntersectsSphere';
 import { coneSupport } from './coneSupport';
 import { projectedConeBounds } from './projectedConeBounds';
 import { projectedSphereBounds } from './projectedSphereBounds';
-import { sphereIntersectsSphere } from './sphereIntersectsSphere';
 import { createRandom, project, randomDirection, testCameras } from './testScenes';
 
 type Vector = [number, number, number];
@@ -170,13 +169,5 @@ describe('coneIntersectsSphere', () => {
       }
     }
     expect(found.apart).toBeGreaterThan(50);
-  });
-});
-
-describe('sphereIntersectsSphere', () => {
-  it('is true up to the distance of both radii', () => {
-    expect(sphereIntersectsSphere(0, 0, 0, 1, 3, 4, 0, 4)).toBe(true);
-    expect(sphereIntersectsSphere(0, 0, 0, 1, 3, 4, 0, 3.999)).toBe(false);
-    expect(sphereIntersectsSphere(1, 2, 3, 0, 1, 2, 3, 0)).toBe(true);
   });
 });

@@ -1,4 +1,5 @@
 import { Material } from 'three';
+import { lightLoops, type LightLoop } from '../lighting/loops/LightLoop';
 import { beforeLastBrace } from '../three/beforeLastBrace';
 import { withLayers } from './layersAttribute';
 import { lightsFragmentBegin } from '../three/lightsFragmentBegin';
@@ -9,8 +10,7 @@ import { TwinRefusal } from '../three/TwinRefusal';
 
 export interface LitTwinOptions {
   readonly key: string;
-  /** Microshader that defines FAROL_FOR_EACH_LIGHT. */
-  readonly loop: string;
+  readonly loop: LightLoop;
   readonly chunks?: readonly string[];
   /** Shades light by light even where sums would do. Default false. */
   readonly oneByOne?: boolean;
@@ -29,19 +29,18 @@ const COUNT = 'float farol_lightsEvaluated;\n';
 /** In lightMaskLayers.glsl. */
 const LAYERS = '#define FAROL_LAYERS';
 
-/** Loops that differ from pixel to pixel. In them three's toon shading, which takes derivatives, means nothing. */
-const LISTS: ReadonlySet<string> = new Set(['lightLoopTiled', 'lightListClustered']);
-
 /** A kind of twin of lit materials: three's shader with Farol's light loop in it. */
 export function litTwin(options: LitTwinOptions): TwinKind {
-  const chunksOf = (loop: string, oneByOne: boolean) => [
+  const chunksOf = (loop: LightLoop, oneByOne: boolean) => [
     ...(oneByOne ? ['lightOneByOne'] : []),
     ...['ambientLight', loop, 'shadeThree', ...(options.chunks ?? [])],
   ];
   const chunks = chunksOf(options.loop, options.oneByOne ?? false);
   const ownChunks = chunksOf(options.loop, true);
-  const toonChunks = LISTS.has(options.loop) ? ['shadeToon', ...chunks] : chunks;
-  const ownToonChunks = chunksOf(LISTS.has(options.loop) ? 'lightLoopAll' : options.loop, false);
+  // three's own toon shading takes derivatives
+  const { perPixel } = lightLoops[options.loop];
+  const toonChunks = perPixel ? ['shadeToon', ...chunks] : chunks;
+  const ownToonChunks = chunksOf(perPixel ? 'lightLoopAll' : options.loop, false);
   const begin = () => lightsFragmentBegin(options.withThreeLights ?? true);
   return {
     key: options.key,

@@ -7,6 +7,7 @@ import { gbufferUniforms, setGBufferUniforms } from '../gbuffer/gbufferUniforms'
 import { fogUniforms, OUTPUT_COUNTS, OUTPUT_FINAL, OUTPUT_LIGHTING } from './outputUniforms';
 import type { Pass } from '../frame/Pass';
 import { OutputMaterial } from '../gpu/PassMaterial';
+import type { LightLoop } from '../lighting/loops/LightLoop';
 
 /** Lights the G-buffer by the light lists, every pixel once, straight into the host's target, with depth. */
 export class TiledOutputPass implements Pass {
@@ -28,7 +29,7 @@ export class TiledOutputPass implements Pass {
   constructor(
     private readonly gbuffer: GBufferPass,
     private readonly lists: Record<string, IUniform>,
-    private readonly loop: string,
+    private readonly loop: LightLoop,
     private readonly defines: Record<string, string> = {},
   ) {}
 

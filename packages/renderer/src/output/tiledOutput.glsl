@@ -27,8 +27,7 @@ if (farol_view == 2) {
 #ifdef FAROL_HAS_MASKS
   farol_turn = farol_diskTurn();
 #endif
-  farol_addUnbounded(shading);
-  FAROL_SHADE_LISTED(shading)
+  farol_addAll(shading);
   vec3 radiance = farol_endShading(shading, pixel);
   if (farol_view == 0) radiance += farol_gAccumulationAt(pixel).rgb;
   int flags = shading.flags;

@@ -1,8 +1,8 @@
 import type { LateCode } from '../frame/lazyCode';
 import type { LightOrder } from '../lighting/LightTable';
 import type { MicroShaderRegistry } from '../microshaders';
-import type { GridUniforms } from '../lighting/lists/LightGridPass';
-import type { TileUniforms } from '../lighting/lists/LightTilesPass';
+import type { GridUniforms } from '../lighting/lists/gridUniforms';
+import type { TileUniforms } from '../lighting/lists/tileUniforms';
 import type { Pass } from '../frame/Pass';
 
 /** What a technique's passes are made with. */

@@ -19,8 +19,8 @@ export const clusteredDeferred: Technique = {
     return [
       gbuffer,
       new LightGridPass(grid, gbuffer),
-      new TiledOutputPass(gbuffer, { ...tiles, ...grid }, 'lightListClustered', { FAROL_TILE_SHADOWS: '' }),
-      ...forwardTail('lightListClustered', ['light-lists']),
+      new TiledOutputPass(gbuffer, { ...tiles, ...grid }, 'lightLoopClustered', { FAROL_TILE_SHADOWS: '' }),
+      ...forwardTail('lightLoopClustered', ['light-lists']),
     ];
   },
 };

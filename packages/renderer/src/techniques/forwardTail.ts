@@ -1,5 +1,6 @@
 import { ForwardPass } from '../forward/ForwardPass';
 import type { Pass, Resource } from '../frame/Pass';
+import type { LightLoop } from '../lighting/loops/LightLoop';
 
 /**
  * What ends every technique: the opaque items it has not drawn, then what transmits, then what is transparent, back to
@@ -7,7 +8,7 @@ import type { Pass, Resource } from '../frame/Pass';
  * @param loop microshader that loops over the lights
  * @param behind the loop of what transmits or is transparent, where lists hold opaque depths alone; default `loop`
  */
-export function forwardTail(loop: string, reads: readonly Resource[] = [], behind = loop): Pass[] {
+export function forwardTail(loop: LightLoop, reads: readonly Resource[] = [], behind = loop): Pass[] {
   return [
     new ForwardPass({ name: 'opaque', list: 'opaque', loop, loopOutside: behind, reads }),
     new ForwardPass({ name: 'transmissive', list: 'transmissive', loop: behind, reads }),

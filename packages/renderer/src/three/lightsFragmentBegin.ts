@@ -9,7 +9,7 @@ const INDIRECT = '#if defined( RE_IndirectDiffuse )';
 const AMBIENT = 'vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );';
 const LOOP = `farol_lightsEvaluated = 0.0;
 #ifdef RE_Direct
-#if defined( FAROL_PLAIN_STANDARD ) && defined( FAROL_SHADE_ALL ) && ! defined( FAROL_ONE_BY_ONE )
+#if defined( FAROL_PLAIN_STANDARD ) && ! defined( FAROL_ONE_BY_ONE )
 FAROL_SHADE_PLAIN
 #else
 #ifdef FAROL_TOON

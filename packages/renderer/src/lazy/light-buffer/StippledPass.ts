@@ -5,6 +5,7 @@ import { drawLayers } from './drawLayers';
 import type { LitMaterialsPass } from './LitMaterialsPass';
 import type { Pass } from '../../frame/Pass';
 import type { ThinGBufferPass } from './ThinGBufferPass';
+import type { LightLoop } from '../../lighting/loops/LightLoop';
 
 /**
  * Draws what is transparent, back to front: layers that are in the thin G-buffer by the light buffer, the others forward.
@@ -21,7 +22,7 @@ export class StippledPass implements Pass {
   constructor(
     private readonly surfaces: ThinGBufferPass,
     private readonly materials: LitMaterialsPass,
-    loop: string,
+    loop: LightLoop,
   ) {
     this.forward = forwardTwins(loop);
   }

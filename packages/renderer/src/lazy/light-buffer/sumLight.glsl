@@ -52,7 +52,7 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
   }
   float dotNLRaw = dot(lobe.normalVS, light.direction);
   if (!(dotNLRaw > 0.0)) return;
-  vec3 color = FAROL_MASKED(light.color, light.mask, light.direction * light.distance, positionVS, lobe.normalVS,
+  vec3 color = farol_masked(light.color, light.mask, light.direction * light.distance, positionVS, lobe.normalVS,
     lobe.receivesShadows);
   diffuseColor *= color;
   specularColor *= color;

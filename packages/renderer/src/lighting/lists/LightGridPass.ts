@@ -1,29 +1,12 @@
-import type { IUniform, Texture } from 'three';
+import { BINS } from '../../lights/DepthBins';
 import type { Frame } from '../../frame/Frame';
 import { WordTable } from '../../gpu/WordTable';
 import type { GBufferPass } from '../../gbuffer/GBufferPass';
 import type { Pass, Resource } from '../../frame/Pass';
+import type { GridUniforms } from './gridUniforms';
 
-const BINS = 1024;
 /** What is sent when there are no lights to list: a texture must be bound all the same. */
 const NO_WORDS = new Uint32Array(4);
-
-/** Uniforms by which lightListClustered.glsl finds the clusters; one set a FarolRenderer. */
-export interface GridUniforms extends Record<string, IUniform> {
-  readonly farol_grid: { value: number[] };
-  readonly farol_gridDepth: { value: number[] };
-  readonly farol_gridMasks: IUniform<Texture | null>;
-  readonly farol_gridBins: IUniform<Texture | null>;
-}
-
-export function gridUniforms(): GridUniforms {
-  return {
-    farol_grid: { value: [5, 1, 0, 0] },
-    farol_gridDepth: { value: [0, 0, 0] },
-    farol_gridMasks: { value: null },
-    farol_gridBins: { value: null },
-  };
-}
 
 const float = new Float32Array(1);
 const bits = new Int32Array(float.buffer);

@@ -1,10 +1,11 @@
-import { NoBlending, Vector2, type IUniform, type Texture, type WebGLRenderTarget } from 'three';
+import { NoBlending, Vector2, type Texture, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { FullscreenMesh } from '../../gpu/FullscreenMesh';
 import type { Pass, Resource } from '../../frame/Pass';
 import { PassMaterial } from '../../gpu/PassMaterial';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { wordTarget } from '../../gpu/wordTarget';
+import { TILE_SHIFT, type TileUniforms } from './tileUniforms';
 
 /** What a tile's list may know of the depths in it: nothing, nearest and farthest, or also which of 32 slices hold any. */
 export type TileDepthUse = 'none' | 'bounds' | 'slices';
@@ -12,28 +13,6 @@ export type TileDepthUse = 'none' | 'bounds' | 'slices';
 /** Texels a row of a list texture; WebGL 2's least MAX_TEXTURE_SIZE. */
 const ROW = 2048;
 const LIGHTS_PER_QUAD = 128;
-/** Pixels a side, as a power of two. */
-const TILE_SHIFT = 4;
-
-/** Uniforms by which lightTiles.glsl and lightLoopTiled.glsl find the lists; one set a FarolRenderer. */
-export interface TileUniforms extends Record<string, IUniform> {
-  readonly farol_tiles: { value: number[] };
-  readonly farol_tileRun: { value: number[] };
-  readonly farol_tileMask: IUniform<Texture | null>;
-  readonly farol_tileSummary: IUniform<Texture | null>;
-  readonly farol_offset: { value: Vector2 };
-}
-
-export function tileUniforms(): TileUniforms {
-  return {
-    farol_tiles: { value: [TILE_SHIFT, 1, 1, 1] },
-    farol_tileRun: { value: [0, 0, 1, 0] },
-    farol_tileMask: { value: null },
-    farol_tileSummary: { value: null },
-    farol_offset: { value: new Vector2() },
-  };
-}
-
 interface Materials {
   readonly coarse: PassMaterial;
   readonly fine: PassMaterial;

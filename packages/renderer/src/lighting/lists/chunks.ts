@@ -1,6 +1,4 @@
 // The microshaders of this folder, by name.
-export { default as lightList } from './lightList.glsl?raw';
-export { default as lightListClustered } from './lightListClustered.glsl?raw';
 export { default as lightTiles } from './lightTiles.glsl?raw';
 export { default as tileDepth } from './tileDepth.glsl?raw';
 export { default as tileDepthBlocks } from './tileDepthBlocks.glsl?raw';

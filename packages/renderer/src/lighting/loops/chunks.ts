@@ -1,5 +1,6 @@
 // The microshaders of this folder, by name.
 export { default as lightLoopAll } from './lightLoopAll.glsl?raw';
+export { default as lightLoopClustered } from './lightLoopClustered.glsl?raw';
 export { default as lightLoopNone } from './lightLoopNone.glsl?raw';
 export { default as lightLoopOne } from './lightLoopOne.glsl?raw';
 export { default as lightLoopTiled } from './lightLoopTiled.glsl?raw';

@@ -21,7 +21,7 @@
   farol_shading.dotNV = dot(geometryNormal, geometryViewDir); \
   farol_setPhysical(farol_shading, max(material.roughness, 0.045), material.specularColor.r, material.specularF90); \
   farol_shading.diffuse = farol_shading.specular = farol_shading.grazing = vec3(0.0); \
-  FAROL_SHADE_ALL(farol_shading) \
+  farol_addAll(farol_shading); \
   reflectedLight.directDiffuse += farol_shading.diffuse * BRDF_Lambert(material.diffuseContribution); \
   reflectedLight.directSpecular += (material.specularColorBlended * (farol_shading.specular - farol_shading.grazing) \
     + material.specularF90 * farol_shading.grazing) * material.multiScatteringCompensation;

@@ -44,7 +44,7 @@
   farol_lightsEvaluated += 1.0; \
   if (FAROL_IS_LIT(light)) { \
   directLight.direction = light.direction; \
-    directLight.color = FAROL_MASKED(light.color, light.mask, light.direction * light.distance, geometryPosition, \
+    directLight.color = farol_masked(light.color, light.mask, light.direction * light.distance, geometryPosition, \
     FAROL_SHADOW_NORMAL, receiveShadow); directLight.visible = true; \
   ReflectedLight farol_before = reflectedLight; FAROL_SAVE_CLEARCOAT FAROL_SAVE_SHEEN \
   FAROL_DIRECT(light) \

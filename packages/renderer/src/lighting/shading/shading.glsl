@@ -198,9 +198,6 @@ void farol_addPoint(inout FarolShading s, const in int record) {
 void farol_addUnbounded(inout FarolShading s) {
   int last = farol_lightCounts.x + farol_lightCounts.y;
   for (int i = 0; i < last; i++) {
-    FarolLight light;
-    if (i < farol_lightCounts.x) light = farol_directionalLight(i);
-    else light = farol_localLight(i, s.positionVS);
-    farol_addExtended(s, light);
+    farol_addExtended(s, farol_lightAt(i, s.positionVS));
   }
 }

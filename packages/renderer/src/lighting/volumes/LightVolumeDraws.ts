@@ -50,8 +50,8 @@ export class LightVolumeDraws {
 
   /**
    * @param label begins the names of the programs
-   * @param target microshader that reads the surface of a pixel, lights it and writes it: FAROL_SURFACE_DEPTH,
-   *   FAROL_BEGIN_PIXEL, FAROL_LIGHT_PIXEL, FAROL_END_PIXEL and FAROL_COUNT_PIXEL, as volumeLighting.glsl has them
+   * @param target microshader that reads the surface of a pixel, lights it and writes it, by a FarolPixel and the functions
+   *   that volumeLighting.glsl has
    * @param uniforms of that microshader
    */
   constructor(

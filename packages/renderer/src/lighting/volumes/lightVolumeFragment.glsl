@@ -5,16 +5,16 @@
 flat in highp int farol_record;
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);
-float depth = FAROL_SURFACE_DEPTH(pixel);
-if (FAROL_IS_EMPTY(pixel, depth)) discard;
+float depth = farol_pixelDepth(pixel);
+if (farol_isPixelEmpty(pixel, depth)) discard;
 #ifdef FAROL_COUNT
-FAROL_COUNT_PIXEL(1.0)
+farol_countPixel(1.0);
 #else
 vec4 sphere = farol_lightSphere(farol_record);
-vec3 toLight = farol_lightPosition(sphere) - FAROL_SURFACE_POSITION(pixel, depth);
+vec3 toLight = farol_lightPosition(sphere) - farol_pixelPosition(pixel, depth);
 float range = farol_lightRange(sphere);
 if (dot(toLight, toLight) >= range * range) discard;
-FAROL_BEGIN_PIXEL
-FAROL_BOUNDED_PIXEL(farol_record)
-FAROL_END_PIXEL
+FarolPixel lit = farol_beginPixel(pixel, depth);
+farol_addToPixel(lit, farol_record);
+farol_endPixel(lit, pixel);
 #endif

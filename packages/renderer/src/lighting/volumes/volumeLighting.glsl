@@ -3,11 +3,38 @@
 #include "shadeSurface"
 uniform vec2 farol_size;
 layout(location = 0) out highp vec4 farol_lighting;
-#define FAROL_SURFACE_DEPTH(pixel) farol_gDepthAt(pixel)
-#define FAROL_IS_EMPTY(pixel, depth) farol_isEmptyPixel(pixel, depth)
-#define FAROL_SURFACE_POSITION(pixel, depth) farol_surfacePosition(pixel, depth, farol_size)
-#define FAROL_BEGIN_PIXEL FarolShading shading = farol_beginShading(pixel, depth, farol_size);
-#define FAROL_UNBOUNDED_PIXEL farol_addUnbounded(shading);
-#define FAROL_BOUNDED_PIXEL(record) farol_addBounded(shading, record);
-#define FAROL_END_PIXEL farol_lighting = vec4(farol_endShading(shading, pixel), 0.0);
-#define FAROL_COUNT_PIXEL(count) farol_lighting = vec4(count, 0.0, 0.0, 0.0);
+#define FarolPixel FarolShading
+
+float farol_pixelDepth(const in ivec2 pixel) {
+  return farol_gDepthAt(pixel);
+}
+
+bool farol_isPixelEmpty(const in ivec2 pixel, const in float depth) {
+  return farol_isEmptyPixel(pixel, depth);
+}
+
+// view space, m
+vec3 farol_pixelPosition(const in ivec2 pixel, const in float depth) {
+  return farol_surfacePosition(pixel, depth, farol_size);
+}
+
+FarolPixel farol_beginPixel(const in ivec2 pixel, const in float depth) {
+  return farol_beginShading(pixel, depth, farol_size);
+}
+
+void farol_addUnboundedToPixel(inout FarolPixel lit) {
+  farol_addUnbounded(lit);
+}
+
+// record: of a light with a range
+void farol_addToPixel(inout FarolPixel lit, const in int record) {
+  farol_addBounded(lit, record);
+}
+
+void farol_endPixel(const in FarolPixel lit, const in ivec2 pixel) {
+  farol_lighting = vec4(farol_endShading(lit, pixel), 0.0);
+}
+
+void farol_countPixel(const in float count) {
+  farol_lighting = vec4(count, 0.0, 0.0, 0.0);
+}

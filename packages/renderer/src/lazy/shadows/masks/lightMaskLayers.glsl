@@ -20,5 +20,7 @@ vec3 farol_layeredMask(const in int mask, const in bool isPoint, const in vec3 t
     : vec3(0.0);
 }
 #define FAROL_MASK farol_layeredMask
-#define FAROL_MASKED(color, mask, toLight, positionVS, shadowNormalVS, receives) \
-  ((mask) > 0 ? (color) * FAROL_MASK(mask, false, toLight, positionVS, shadowNormalVS, receives) : (color))
+vec3 farol_masked(const in vec3 color, const in int mask, const in vec3 toLight, const in vec3 positionVS,
+  const in vec3 shadowNormalVS, const in bool receives) {
+  return mask > 0 ? color * FAROL_MASK(mask, false, toLight, positionVS, shadowNormalVS, receives) : color;
+}

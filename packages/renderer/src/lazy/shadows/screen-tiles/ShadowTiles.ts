@@ -7,7 +7,7 @@ import { PassMaterial } from '../../../gpu/PassMaterial';
 import { wordTarget } from '../../../gpu/wordTarget';
 import type { MaskUniforms } from '../../../lighting/maskUniforms';
 
-/** Pixels a side of a tile; lightListClustered.glsl has it too. A tile of the light grid holds a whole number of them. */
+/** Pixels a side of a tile; lightLoopClustered.glsl has it too. A tile of the light grid holds a whole number of them. */
 const TILE = 8;
 /** Pixels a side of the blocks in which depths are looked at first. */
 const BLOCK = 4;

@@ -11,7 +11,7 @@ uniform highp ivec4 farol_grid;
 uniform highp vec2 farol_size;
 uniform highp int farol_tileShadowWords;
 // of two words of lights: those that light all of the tile, those that light none of it; both: see
-// lightListClustered.glsl
+// lightLoopClustered.glsl
 layout(location = 0) out highp uvec4 farol_marks;
 
 const int FAROL_MOST_BLOCKS = 6; // across a tile's part of a map

@@ -1,4 +1,4 @@
-// Walks the lights of the pixel's cluster: the bits of its tile's mask that lie in the range of its depth's bin.
+// Light loop over the pixel's cluster: the bits of its tile's mask that lie in the range of its depth's bin.
 // Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty; lights/LightGrid.ts
 #include "shadePlain"
 #include "lightTiles"
@@ -15,11 +15,6 @@ uvec2 farol_depthBin(const in float depth) {
     * farol_gridDepth.z);
   uint ranks = texelFetch(farol_gridBins, ivec2(clamp(bin, 0, 1023), 0), 0).x;
   return uvec2(ranks & 65535u, ranks >> 16);
-}
-
-FarolLight farol_unboundedLight(const in int record, const in vec3 positionVS) {
-  if (record < farol_lightCounts.x) return farol_directionalLight(record);
-  return farol_localLight(record, positionVS);
 }
 
 // one word of the tile's mask: the lights whose ranks are in the range, or which count for every depth
@@ -43,12 +38,13 @@ uvec2 farol_tileMarks(const in int word) {
   return (word & 1) == 0 ? marks.xy : marks.zw;
 }
 #else
-  #define farol_tileMarks(word) uvec2(0u)
+uvec2 farol_tileMarks(const in int word) {
+  return uvec2(0u);
+}
 #endif
 
-// opens two loops; farol_record is the light's record
-#define FAROL_FOR_EACH_LISTED(positionVS) FAROL_FOR_EACH_UNMARKED(positionVS, false)
-// without the lights that are known to light none of the tile, if so; farol_marks: see there
+// Opens two loops over the lights of a pixel's cluster; farol_record is a light's record.
+// without: leaves lights out that are known to light none of the tile (farol_marks)
 #define FAROL_FOR_EACH_UNMARKED(positionVS, without) \
   ivec2 farol_tile = ivec2(gl_FragCoord.xy - farol_offset) >> farol_grid.x; \
   ivec2 farol_ranks = ivec2(farol_depthBin(-(positionVS).z)); \
@@ -56,28 +52,42 @@ uvec2 farol_tileMarks(const in int word) {
   for (int farol_word = farol_grid.z > 0 ? 0 : farol_ranks.x >> 5; farol_word <= farol_lastWord; \
        farol_word = farol_word + 1 < farol_grid.z ? farol_word + 1 : max(farol_word + 1, farol_ranks.x >> 5)) { \
     uvec2 farol_marks = (without) ? farol_tileMarks(farol_word) : uvec2(0u); \
-    for (uint farol_bits = farol_listedBits(farol_tile, farol_word, farol_ranks) & (farol_marks.x | ~farol_marks.y); \
-      farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
+    uint farol_listed = farol_listedBits(farol_tile, farol_word, farol_ranks) & (farol_marks.x | ~farol_marks.y); \
+    for (uint farol_bits = farol_listed; farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
       int farol_record = farol_grid.w + farol_word * 32 + farol_lowestBit(farol_bits);
+#define FAROL_FOR_EACH_LISTED(positionVS) FAROL_FOR_EACH_UNMARKED(positionVS, false)
 #define FAROL_END_LISTED }}
-// where lights have masks there may be no plain one; elsewhere the question costs more than it saves
+
+// where lights have masks there may be no plain one; elsewhere the question costs more than it saves (0.3 ms in
+// PERFORMANCE.md: "no loop over plain lights where there are none")
+bool farol_mayHavePlain() {
 #ifdef FAROL_HAS_MASKS
-  #define FAROL_HAS_PLAIN (farol_lightCounts.z > farol_lightCounts.w)
+  return farol_lightCounts.z > farol_lightCounts.w;
 #else
-  #define FAROL_HAS_PLAIN true
+  return true;
 #endif
+}
+
 // plain point lights by one loop, the others by another, so that the first stays short
-#define FAROL_SHADE_LISTED(shading) \
-  if (FAROL_HAS_PLAIN) { FAROL_FOR_EACH_LISTED(shading.positionVS) farol_addPoint(shading, farol_record); \
-    FAROL_END_LISTED } \
-  if (farol_lightCounts.w > 0) { FAROL_FOR_EACH_UNMARKED(shading.positionVS, farol_receivesShadows(shading.flags)) { \
-    uvec2 farol_mark = farol_marks & (farol_bits & (~farol_bits + 1u)); \
-    farol_addOther(shading, farol_record, farol_mark.x != 0u, (farol_mark.x & farol_mark.y) != 0u); } \
-    FAROL_END_LISTED }
-#define FAROL_SHADE_ALL(shading) farol_addUnbounded(shading); FAROL_SHADE_LISTED(shading)
+void farol_addAll(inout FarolShading s) {
+  farol_addUnbounded(s);
+  if (farol_mayHavePlain()) {
+    FAROL_FOR_EACH_LISTED(s.positionVS) farol_addPoint(s, farol_record); FAROL_END_LISTED
+  }
+  if (farol_lightCounts.w > 0) {
+    FAROL_FOR_EACH_UNMARKED(s.positionVS, farol_receivesShadows(s.flags))
+      uvec2 mark = farol_marks & (farol_bits & (~farol_bits + 1u));
+      farol_addOther(s, farol_record, mark.x != 0u, (mark.x & mark.y) != 0u);
+    FAROL_END_LISTED
+  }
+}
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \
   for (int farol_i = 0; farol_i < farol_grid.w; farol_i++) { \
-    FarolLight farol_light = farol_unboundedLight(farol_i, positionVS); FAROL_SHADE(farol_light) } \
-  FAROL_FOR_EACH_LISTED(positionVS) FarolLight farol_light = farol_localLight(farol_record, positionVS); \
-    FAROL_SHADE(farol_light) FAROL_END_LISTED
+    FarolLight farol_light = farol_lightAt(farol_i, positionVS); \
+    FAROL_SHADE(farol_light) \
+  } \
+  FAROL_FOR_EACH_LISTED(positionVS) \
+    FarolLight farol_light = farol_localLight(farol_record, positionVS); \
+    FAROL_SHADE(farol_light) \
+  FAROL_END_LISTED

@@ -1,0 +1,21 @@
+import type { IUniform, Texture } from 'three';
+
+/** Uniforms of lightTable.glsl and its records, ambientLight.glsl and lightLoopOne.glsl; one set a FarolRenderer. */
+export interface LightUniforms extends Record<string, IUniform> {
+  readonly farol_lightTable: IUniform<Texture | null>;
+  /** Directional lights, local ones without a range, local ones with one, and of those all but plain point lights. */
+  readonly farol_lightCounts: { value: number[] };
+  /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
+  readonly farol_ambient: { value: Float32Array };
+  /** Record of the one light. */
+  readonly farol_lightIndex: { value: number };
+}
+
+export function lightUniforms(ambient: Float32Array): LightUniforms {
+  return {
+    farol_lightTable: { value: null },
+    farol_lightCounts: { value: [0, 0, 0, 0] },
+    farol_ambient: { value: ambient },
+    farol_lightIndex: { value: 0 },
+  };
+}

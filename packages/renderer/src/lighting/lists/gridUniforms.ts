@@ -1,0 +1,20 @@
+import type { IUniform, Texture } from 'three';
+
+/** Uniforms of lightLoopClustered.glsl without those of tile shadows (maskUniforms.ts); one set a FarolRenderer. */
+export interface GridUniforms extends Record<string, IUniform> {
+  /** Side of a tile (pixels, as a power of two), tiles in y, words of deep lights, first record of the listed lights. */
+  readonly farol_grid: { value: number[] };
+  /** Of the depth bins: shift (m), the float whose bits are the start, scale. */
+  readonly farol_gridDepth: { value: number[] };
+  readonly farol_gridMasks: IUniform<Texture | null>;
+  readonly farol_gridBins: IUniform<Texture | null>;
+}
+
+export function gridUniforms(): GridUniforms {
+  return {
+    farol_grid: { value: [5, 1, 0, 0] },
+    farol_gridDepth: { value: [0, 0, 0] },
+    farol_gridMasks: { value: null },
+    farol_gridBins: { value: null },
+  };
+}

@@ -1,0 +1,26 @@
+import { Vector2, type IUniform, type Texture } from 'three';
+
+/** Pixels of a tile's side, as a power of two. */
+export const TILE_SHIFT = 4;
+
+/** Uniforms of lightTiles.glsl, lightLoopTiled.glsl and viewport.glsl; one set a FarolRenderer. */
+export interface TileUniforms extends Record<string, IUniform> {
+  /** Side of a tile (pixels, as a power of two), tiles in x, tiles in y, quads of 128 lights a tile. */
+  readonly farol_tiles: { value: number[] };
+  /** First record of the listed lights, their number, summary texels a tile, quads of plain point lights. */
+  readonly farol_tileRun: { value: number[] };
+  readonly farol_tileMask: IUniform<Texture | null>;
+  readonly farol_tileSummary: IUniform<Texture | null>;
+  /** Corner of the picture (pixels). */
+  readonly farol_offset: { value: Vector2 };
+}
+
+export function tileUniforms(): TileUniforms {
+  return {
+    farol_tiles: { value: [TILE_SHIFT, 1, 1, 1] },
+    farol_tileRun: { value: [0, 0, 1, 0] },
+    farol_tileMask: { value: null },
+    farol_tileSummary: { value: null },
+    farol_offset: { value: new Vector2() },
+  };
+}

@@ -1,0 +1,16 @@
+interface LightLoopTraits {
+  /** Neighbouring pixels go through other lights: derivatives in the loop mean nothing. */
+  readonly perPixel: boolean;
+}
+
+/** The microshaders that define FAROL_FOR_EACH_LIGHT; README.md beside this file says which technique may use which. */
+export const lightLoops = {
+  lightLoopNone: { perPixel: false },
+  lightLoopOne: { perPixel: false },
+  lightLoopAll: { perPixel: false },
+  lightLoopTiled: { perPixel: true },
+  lightLoopClustered: { perPixel: true },
+  lightLoopBuffer: { perPixel: false },
+} as const satisfies Record<string, LightLoopTraits>;
+
+export type LightLoop = keyof typeof lightLoops;

@@ -1,0 +1,44 @@
+import { describe, expect, it } from 'vitest';
+import { builtinMicroShaders } from '../builtinMicroShaders';
+import { gbufferUniforms } from '../gbuffer/gbufferUniforms';
+import { unprojectUniforms } from '../gpu/unprojectUniforms';
+import { microShaders as shadows } from '../lazy/shadows';
+import { lightUniforms } from './lightUniforms';
+import { gridUniforms } from './lists/gridUniforms';
+import { tileUniforms } from './lists/tileUniforms';
+import { maskUniforms } from './maskUniforms';
+
+const texts = new Map([
+  ...builtinMicroShaders.map(({ name, header }) => [name, header] as const),
+  ...Object.entries(shadows),
+]);
+
+/** Names of the uniforms that microshaders declare themselves. */
+function declared(names: readonly string[]): Set<string> {
+  const found = names.flatMap((name) => [...texts.get(name)!.matchAll(/^uniform (?:\w+ )?\w+ (\w+)(?:\[\d+\])?;/gm)]);
+  return new Set(found.map(([, name]) => name));
+}
+
+describe('the uniforms of a microshader', () => {
+  it.each([
+    ['unprojectUniforms', unprojectUniforms(), ['unproject', 'depthMode']],
+    [
+      'lightUniforms',
+      lightUniforms(new Float32Array(12)),
+      ['lightRecord', 'lightTable', 'ambientLight', 'lightLoopOne'],
+    ],
+    ['tileUniforms', tileUniforms(), ['lightTiles', 'lightLoopTiled', 'viewport']],
+    [
+      'gridUniforms and maskUniforms',
+      { ...gridUniforms(), ...maskUniforms() },
+      ['lightLoopClustered', 'lightShadow', 'shadowMask', 'lightMaskLayers'],
+    ],
+    [
+      'gbufferUniforms',
+      gbufferUniforms(),
+      ['gbufferTextures', 'gbufferRead', 'unproject', 'depthMode', 'viewport', 'volumeLighting'],
+    ],
+  ])('are those of %s', (_, uniforms, names) => {
+    expect(new Set(Object.keys(uniforms))).toEqual(declared(names));
+  });
+});
