@@ -1,4 +1,5 @@
 import type { IUniform, Texture } from 'three';
+import { capital } from '../capital';
 import { type GBufferAttachment, gbufferLayout } from './gbufferLayout';
 
 type AttachmentName = (typeof gbufferLayout)[number]['name'];
@@ -19,8 +20,8 @@ export const textureUniforms = gbufferLayout.map(
 );
 
 export function gbufferTextureUniforms(): GBufferTextureUniforms {
-  const names = [...textureUniforms, 'farol_gDepth'];
-  return Object.fromEntries(names.map((name) => [name, { value: null }])) as unknown as GBufferTextureUniforms;
+  const uniforms = [...textureUniforms, 'farol_gDepth'].map((name) => [name, { value: null }]);
+  return Object.fromEntries(uniforms) as GBufferTextureUniforms;
 }
 
 /**
@@ -38,7 +39,7 @@ const samplers = gbufferLayout.map(({ name, ...row }: GBufferAttachment) => {
   const texture = `farol_g${capital(name)}`;
   return (
     `uniform ${row.precision ?? 'highp'} sampler2D ${texture};\n` +
-    `vec4 ${texture}At(const in ivec2 pixel) { return texelFetch(${texture}, pixel, 0); }\n`
+    `vec4 ${texture}At(ivec2 pixel) { return texelFetch(${texture}, pixel, 0); }\n`
   );
 });
 
@@ -46,9 +47,5 @@ const samplers = gbufferLayout.map(({ name, ...row }: GBufferAttachment) => {
 export const gbufferTexturesChunk = `// Reads the attachments of the G-buffer, and its depth.
 // Farol; made from the rows of gbuffer/gbufferLayout.ts
 ${samplers.join('')}uniform highp sampler2D farol_gDepth;
-float farol_gDepthAt(const in ivec2 pixel) { return texelFetch(farol_gDepth, pixel, 0).r; }
+float farol_gDepthAt(ivec2 pixel) { return texelFetch(farol_gDepth, pixel, 0).r; }
 `;
-
-function capital<Name extends string>(name: Name): Capitalize<Name> {
-  return (name[0].toUpperCase() + name.slice(1)) as Capitalize<Name>;
-}

@@ -7,16 +7,16 @@ describe('the getters of a record', () => {
   it('read a value of a record by one fetch, or of a texel that was fetched', () => {
     const layout = { first: { a: 'xyz', b: 'w' }, second: { isC: ['bool', 't.w >= 0.0'], d: ['float', 't.x + t.y'] } };
     expect(recordGetters('light', layout as never).split('\n')).toEqual([
-      'vec4 farol_lightFirst(const in int record) { return farol_lightTexel(record, 0); }',
-      'vec3 farol_lightA(const in vec4 t) { return t.xyz; }',
-      'vec3 farol_lightA(const in int record) { return farol_lightTexel(record, 0).xyz; }',
-      'float farol_lightB(const in vec4 t) { return t.w; }',
-      'float farol_lightB(const in int record) { return farol_lightTexel(record, 0).w; }',
-      'vec4 farol_lightSecond(const in int record) { return farol_lightTexel(record, 1); }',
-      'bool farol_lightIsC(const in vec4 t) { return t.w >= 0.0; }',
-      'bool farol_lightIsC(const in int record) { return farol_lightTexel(record, 1).w >= 0.0; }',
+      'vec4 farol_lightFirst(int record) { return farol_lightTexel(record, 0); }',
+      'vec3 farol_lightA(vec4 t) { return t.xyz; }',
+      'vec3 farol_lightA(int record) { return farol_lightTexel(record, 0).xyz; }',
+      'float farol_lightB(vec4 t) { return t.w; }',
+      'float farol_lightB(int record) { return farol_lightTexel(record, 0).w; }',
+      'vec4 farol_lightSecond(int record) { return farol_lightTexel(record, 1); }',
+      'bool farol_lightIsC(vec4 t) { return t.w >= 0.0; }',
+      'bool farol_lightIsC(int record) { return farol_lightTexel(record, 1).w >= 0.0; }',
       // of two numbers, so that nothing is fetched twice
-      'float farol_lightD(const in vec4 t) { return t.x + t.y; }',
+      'float farol_lightD(vec4 t) { return t.x + t.y; }',
     ]);
   });
 

@@ -1,3 +1,4 @@
+import { capital } from '../capital';
 import type { RecordLayout } from '../lights/recordLayout';
 
 const TYPES = ['', 'float', 'vec2', 'vec3', 'vec4'];
@@ -10,7 +11,7 @@ const TYPES = ['', 'float', 'vec2', 'vec3', 'vec4'];
 export function recordGetters(prefix: string, layout: RecordLayout): string {
   const lines: string[] = [];
   const add = (type: string, name: string, of: string, value: string) =>
-    lines.push(`${type} farol_${prefix}${capital(name)}(const in ${of}) { return ${value}; }`);
+    lines.push(`${type} farol_${prefix}${capital(name)}(${of}) { return ${value}; }`);
   Object.entries(layout).forEach(([texel, values], i) => {
     const fetched = `farol_lightTexel(record, ${i})`;
     if (!(texel in values)) add('vec4', texel, 'int record', fetched);
@@ -22,8 +23,4 @@ export function recordGetters(prefix: string, layout: RecordLayout): string {
     }
   });
   return lines.join('\n');
-}
-
-function capital(name: string): string {
-  return name[0].toUpperCase() + name.slice(1);
 }
