@@ -32,6 +32,7 @@ import { Signal } from './model/Signal';
 import { panels } from './panels';
 import { Viewport } from './viewport/Viewport';
 import { addPlugin } from './plugins/addPlugin';
+import { withProgress } from './files/withProgress';
 import { watchErrors } from './watchErrors';
 
 /** Scene of the engine's that is there at first, and its parameters. */
@@ -168,13 +169,20 @@ export class Editor implements EditorApi {
         const { askForHosts } = await import('./files/askForHosts');
         return askForHosts(this.dialogs, file.name ?? 'The scene', addresses);
       };
-      this.show(
-        await deserialize(content.text, { assets, registry: this.components, fileOf: content.fileOf, mayFetch }),
-        file,
+      const scene = await withProgress(this.dialogs, `Opening ${file.name ?? 'the scene'}`, (signal) =>
+        deserialize(content.text, {
+          assets,
+          registry: this.components,
+          fileOf: content.fileOf,
+          mayFetch,
+          signal,
+        }),
       );
+      this.show(scene, file);
       return true;
     } catch (error) {
       if (assets !== this.document.assets) assets.dispose();
+      if (error instanceof DOMException && error.name === 'AbortError') return false;
       if (!(error instanceof FileError)) throw error;
       const title = `${file.name ?? 'The file'} cannot be opened`;
       const { problems } = error;

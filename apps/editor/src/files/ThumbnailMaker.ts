@@ -89,6 +89,7 @@ export class ThumbnailMaker {
         return await this.render(stage.three);
       }
       if (entry.kind === 'prefab' || !assets.isReady(entry.kind, entry.name)) return null;
+      if (entry.kind === 'mesh') await assets.prepareMesh(entry.name);
       const { subject, dispose } = this.subjectOf(entry);
       release = dispose;
       const stage = new Scene();

@@ -102,6 +102,10 @@ export async function placeAsset(editor: EditorApi, asset: DraggedAsset, place: 
     return;
   }
   if (!document.assets.isBuiltin(asset.name) || asset.kind === 'model') await document.assets.load(asset.name);
+  // of a large mesh the normals take seconds
+  if (asset.kind === 'mesh' && document.assets.isReady('mesh', asset.name)) {
+    await document.assets.prepareMesh(asset.name);
+  }
   if (scene !== document.scene) return;
   if (asset.kind === 'texture' && isEnvironment(asset.name)) return useAsEnvironment(editor, asset.name);
   const paints = asset.kind === 'material' || asset.kind === 'shader' || asset.kind === 'texture';

@@ -16,13 +16,18 @@ export async function withProgress<T>(
   const control = new AbortController();
   const request = { kind: 'progress', title } as const;
   let isDone = false;
-  const timer = setTimeout(() => {
+  let timer: ReturnType<typeof setTimeout>;
+  const tell = (): void => {
     // a question that is open comes first
-    if (dialogs.current) return;
+    if (dialogs.current) {
+      timer = setTimeout(tell, LONG);
+      return;
+    }
     void dialogs.show(request).then(() => {
       if (!isDone) control.abort();
     });
-  }, LONG);
+  };
+  timer = setTimeout(tell, LONG);
   try {
     return await run(control.signal);
   } finally {

@@ -1,8 +1,7 @@
 import { shortText } from '@farol/renderer';
-import { type BufferGeometry, type Material, RepeatWrapping, type Texture, type WebGLRenderer } from 'three';
+import { BufferGeometry, type Material, RepeatWrapping, type Texture, type WebGLRenderer } from 'three';
 import type { AssetType } from '../fields/Field';
 import { cancellable } from '../core/cancellable';
-import { computeCreaseNormals } from '../geometry/computeCreaseNormals';
 import { type Asset, type AssetChange, type AssetFile, type AssetSource, assetTypeOf, type TakenAsset } from './Asset';
 import { AssetError } from './AssetError';
 import { builtinAssets } from './builtinAssets';
@@ -16,9 +15,13 @@ import {
 } from './loadAsset';
 import { AddressRefusedError, foreignOrigin } from './foreignOrigin';
 import { MaterialCache } from './MaterialCache';
+import { MeshNormals } from './MeshNormals';
 import { Model } from './Model';
 import { modelParts } from './modelParts';
 import { UseCounter } from './UseCounter';
+
+/** Crease angle of meshes where none is given (radians). */
+const DEFAULT_CREASE = Math.PI / 6;
 
 export interface AssetLibraryOptions {
   /**
@@ -67,8 +70,9 @@ export class AssetLibrary {
   private readonly sources = new Map<string, AssetSource>();
   private readonly values = new Map<string, Asset>();
   private readonly loading = new Map<string, Promise<Asset>>();
-  /** For each name what is derived from the asset: normals by crease angle, textures by repeat. */
-  private readonly variants = new Map<string, Map<number, Asset>>();
+  private readonly normals = new MeshNormals();
+  /** Textures by repeat, for each name. */
+  private readonly repeated = new Map<string, Map<number, Texture>>();
   /** Names of parts by that of their model; some may be gone. */
   private readonly parts = new Map<string, Set<string>>();
   private readonly listeners = new Set<(change: AssetChange) => void>();
@@ -206,8 +210,10 @@ export class AssetLibrary {
     if (!source) return;
     for (const part of this.partsOf(name)) this.unregister(part);
     this.sources.delete(name);
+    const value = this.values.get(name);
+    if (value instanceof BufferGeometry) this.normals.forget(value);
     this.values.delete(name);
-    this.variants.delete(name);
+    this.repeated.delete(name);
     this.refused.delete(name);
     this.tell({ kind: 'removed', name, type: source.type });
   }
@@ -304,25 +310,47 @@ export class AssetLibrary {
 
   /**
    * A mesh's geometry. When the asset has no normals they are computed, faces that meet at less than `creaseAngle`
-   * (radians) being smooth; each angle is computed once.
+   * (radians) being smooth; each angle is computed once. Of a large mesh that takes seconds: see `prepareMesh`.
    */
-  mesh(name: string, creaseAngle = Math.PI / 6): BufferGeometry {
-    const geometry = this.getAs<BufferGeometry>('mesh', name);
-    if (geometry.getAttribute('normal')) return geometry;
-    const angle = Math.round(creaseAngle * 1e4) / 1e4;
-    return this.variant(name, angle, () => computeCreaseNormals(geometry, angle));
+  mesh(name: string, creaseAngle = DEFAULT_CREASE): BufferGeometry {
+    return this.normals.get(this.getAs<BufferGeometry>('mesh', name), creaseAngle);
+  }
+
+  /** Whether `mesh` gives this geometry without holding the page for long. */
+  isMeshReady(name: string, creaseAngle = DEFAULT_CREASE): boolean {
+    return this.isReady('mesh', name) && this.normals.isReady(this.getAs<BufferGeometry>('mesh', name), creaseAngle);
+  }
+
+  /**
+   * What `mesh` gives, loaded if need be, its normals computed in slices: the page answers meanwhile.
+   * @param signal - cancels the wait, and the work when nobody else waits for it
+   * @throws AssetError (as a rejection) when it is no mesh or cannot be loaded; what the signal was aborted with
+   */
+  prepareMesh(name: string, creaseAngle = DEFAULT_CREASE, signal?: AbortSignal): Promise<BufferGeometry> {
+    const prepare = (): Promise<BufferGeometry> =>
+      this.normals.prepare(this.getAs<BufferGeometry>('mesh', name), creaseAngle, signal);
+    return this.isReady('mesh', name) ? prepare() : this.load(name, signal).then(prepare);
+  }
+
+  /** Fulfilled when all normals are there that `prepareMesh` computes now. */
+  meshesPrepared(): Promise<void> {
+    return this.normals.settled();
   }
 
   /** A texture, repeated `repeat` times over each unit of the texture coordinates. */
   texture(name: string, repeat = 1): Texture {
     const texture = this.getAs<Texture>('texture', name);
     if (repeat === 1) return texture;
-    return this.variant(name, repeat, () => {
-      const copy = texture.clone();
+    let copies = this.repeated.get(name);
+    if (!copies) this.repeated.set(name, (copies = new Map()));
+    let copy = copies.get(repeat);
+    if (!copy) {
+      copy = texture.clone();
       copy.wrapS = copy.wrapT = RepeatWrapping;
       copy.repeat.copy(texture.repeat).multiplyScalar(repeat);
-      return copy;
-    });
+      copies.set(repeat, copy);
+    }
+    return copy;
   }
 
   material(name: string): Material {
@@ -346,9 +374,10 @@ export class AssetLibrary {
   /** Gives back the GPU memory of every asset, and forgets them. */
   dispose(): void {
     this.materials.dispose();
-    for (const variants of this.variants.values()) for (const each of variants.values()) each.dispose();
+    this.normals.dispose();
+    for (const copies of this.repeated.values()) for (const each of copies.values()) each.dispose();
     for (const value of this.values.values()) value.dispose();
-    this.variants.clear();
+    this.repeated.clear();
     this.values.clear();
     this.sources.clear();
     this.listeners.clear();
@@ -389,14 +418,6 @@ export class AssetLibrary {
     const problem = this.has(name) && !this.has(name, type) ? `is a ${this.typeOf(name)}: a ${type} is needed.` : null;
     if (problem) throw new AssetError(name, problem);
     return this.get(name) as T;
-  }
-
-  private variant<T extends Asset>(name: string, parameter: number, make: () => T): T {
-    let variants = this.variants.get(name);
-    if (!variants) this.variants.set(name, (variants = new Map()));
-    let made = variants.get(parameter) as T | undefined;
-    if (!made) variants.set(parameter, (made = make()));
-    return made;
   }
 
   private registerParts(name: string, model: Model): void {

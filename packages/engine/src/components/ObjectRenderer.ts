@@ -36,6 +36,10 @@ export class ObjectRenderer extends component({
   private geometryInUse: BufferGeometry | null = null;
   private ownMaterial: Material | null = null;
   private inGroup = false;
+  /** The mesh that the geometry is of. */
+  private shown: string | null = null;
+  /** Ends the wait for normals that are being computed. */
+  private waiting: AbortController | null = null;
 
   /** The three mesh below the GameObject's object3D; null outside a scene, before its asset is loaded, or when instanced. */
   get three(): Mesh | null {
@@ -72,10 +76,12 @@ export class ObjectRenderer extends component({
     return this.scene.assets.problemWith(field.assetType, value);
   }
 
-  /** Takes the geometry of the present fields, at once or when its asset is loaded. */
+  /** Takes the geometry of the present fields, at once or when its asset is loaded and has normals. */
   private refreshGeometry(): void {
     const { scene, mesh } = this;
     if (!scene) return;
+    this.waiting?.abort();
+    this.waiting = null;
     if (mesh !== null && !scene.assets.isReady('mesh', mesh)) {
       this.clear(scene);
       scene.assets.whenReady('mesh', mesh, () => {
@@ -83,11 +89,22 @@ export class ObjectRenderer extends component({
       });
       return;
     }
+    if (mesh !== null && !scene.assets.isMeshReady(mesh, this.creaseAngle)) {
+      // with another crease angle the object keeps its shape meanwhile
+      if (mesh !== this.shown) this.clear(scene);
+      const waiting = (this.waiting = new AbortController());
+      const again = (): void => {
+        if (this.waiting === waiting) this.refreshGeometry();
+      };
+      scene.assets.prepareMesh(mesh, this.creaseAngle, waiting.signal).then(again, () => {});
+      return;
+    }
     const geometry = mesh === null ? null : scene.assets.mesh(mesh, this.creaseAngle);
     if (geometry === this.geometryInUse && geometry) return;
     if (geometry) scene.assets.uses.acquire(geometry);
     this.clear(scene);
     this.geometryInUse = geometry;
+    this.shown = mesh;
     this.refreshMaterial();
   }
 
@@ -158,6 +175,9 @@ export class ObjectRenderer extends component({
   }
 
   private clear(scene: Scene): void {
+    this.waiting?.abort();
+    this.waiting = null;
+    this.shown = null;
     if (this.inGroup) scene.instances.remove(this);
     this.inGroup = false;
     this.mesh3D?.removeFromParent();

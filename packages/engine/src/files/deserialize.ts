@@ -5,6 +5,7 @@ import { AddressRefusedError } from '../assets/foreignOrigin';
 import { typeOfUrl } from '../assets/loadAsset';
 import { builtinComponents } from '../components/builtinComponents';
 import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { cancellable } from '../core/cancellable';
 import { Scene } from '../core/Scene';
 import { assetUses } from './assetUses';
 import { OwnAssets } from './OwnAssets';
@@ -27,6 +28,8 @@ export interface DeserializeOptions {
    * rest of the scene opens. From then on the library fetches from those origins only. All are fetched when absent.
    */
   mayFetch?: (addresses: readonly ForeignAddress[]) => MayFetch | Promise<MayFetch>;
+  /** Cancels the opening: nothing of the scene is left, and assets that only it asked for are loaded no further. */
+  signal?: AbortSignal;
 }
 
 /** Which foreign origins may be fetched from: all of those asked about, none, or these. */
@@ -90,14 +93,21 @@ async function readInline(file: FarolFile): Promise<Map<string, Blob>> {
   return blobs;
 }
 
-async function loadAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary): Promise<void> {
+async function loadAssets(
+  file: FarolFile,
+  registry: ComponentRegistry,
+  assets: AssetLibrary,
+  signal?: AbortSignal,
+): Promise<void> {
   const uses = assetUses(file, registry);
   const own = new OwnAssets(file.assets);
   /** What has to be loaded before a name is known: the model of a part, else the asset itself. */
   const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
   const needed = new Map(uses.map((use) => [loadedFor(use.name), use.path]));
   const names = [...needed.keys()];
-  const results = await Promise.allSettled(names.map((name) => assets.load(name)));
+  const loads = Promise.allSettled(names.map((name) => assets.load(name, signal)));
+  const results = await cancellable(loads, signal, () => {});
+  signal?.throwIfAborted();
   const problems = new ProblemList();
   const refused = new Set<string>();
   results.forEach((result, i) => {
@@ -127,11 +137,13 @@ async function allowedOrigins(file: FarolFile, { mayFetch }: DeserializeOptions)
 }
 
 /**
- * Makes a scene of a file: all of it or nothing. Waits for the assets that it names.
+ * Makes a scene of a file: all of it or nothing. Waits for the assets that it names, and for the normals of their meshes.
  * @param file - a FarolFile, JSON text, or what JSON.parse made of it; it is checked in any case
- * @throws FileError (as a rejection) listing everything that is wrong; see `parseFile`
+ * @throws FileError (as a rejection) listing everything that is wrong, see `parseFile`; what `options.signal` was aborted
+ * with
  */
 export async function deserialize(file: unknown, options: DeserializeOptions = {}): Promise<Scene> {
+  const { signal } = options;
   const registry = options.registry ?? builtinComponents;
   const scene = new Scene({ assets: options.assets, registry });
   const registered: string[] = [];
@@ -145,7 +157,8 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     const origins = await allowedOrigins(checked, options);
     if (options.mayFetch) scene.assets.allowedOrigins = origins;
     await registerAssets(checked, scene.assets, options.fileOf ?? (() => null), registered);
-    await loadAssets(checked, registry, scene.assets);
+    signal?.throwIfAborted();
+    await loadAssets(checked, registry, scene.assets, signal);
     scene.name = checked.name;
     for (const prefab of checked.prefabs ?? []) scene.prefabs.set(prefab);
     for (const root of makeObjects(checked.objects, registry)) scene.add(root);
@@ -153,6 +166,7 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     for (const name of Object.keys(checked.settings)) scene.settings.set(name, checked.settings[name]);
     const camera = checked.activeCamera === null ? null : scene.findById(checked.activeCamera);
     scene.activeCamera = camera ? (camera.getComponent('Camera') as Scene['activeCamera']) : null;
+    await cancellable(scene.assets.meshesPrepared(), signal, () => {});
     return scene;
   } catch (error) {
     for (const name of registered) scene.assets.unregister(name);

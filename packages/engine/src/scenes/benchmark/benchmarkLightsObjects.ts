@@ -26,7 +26,7 @@ export async function benchmarkLightsObjects(
   build.scene.settings.backgroundColour = [0.004, 0.005, 0.008];
   const { assets } = build.scene;
   registerSceneAssets(assets);
-  await assets.load(mesh);
+  await assets.prepareMesh(mesh, Math.PI);
   const geometry = assets.mesh(mesh, Math.PI);
   geometry.computeBoundingBox();
   const box = geometry.boundingBox!;

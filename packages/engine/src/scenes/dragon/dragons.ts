@@ -16,7 +16,7 @@ export async function dragons(options: DragonsOptions = {}): Promise<Scene> {
   const { lights = 24 } = options;
   const build = new SceneBuilder('Dragons', options);
   build.scene.settings.backgroundColour = [0.004, 0.005, 0.008];
-  await build.scene.assets.load('dragon');
+  await build.scene.assets.prepareMesh('dragon', Math.PI);
   build.camera([0.6, 3.9, 8.6], [0, 0.9, 0.2], { fov: 0.8, near: 0.1, far: 80 });
   build.light(
     'Sky',

@@ -16,7 +16,7 @@ export interface NiceSceneOptions extends SceneBuildOptions {
 export async function niceScene(options: NiceSceneOptions = {}): Promise<Scene> {
   const { lights = 0 } = options;
   const build = new SceneBuilder('Nice scene', options);
-  await build.scene.assets.load('dragon');
+  await build.scene.assets.prepareMesh('dragon', Math.PI);
   build.camera([0.7, 2.9, 7.6], [-0.1, 1.55, 0], { fov: 0.8, near: 0.1, far: 60 }, 3);
 
   const half = Math.PI / 2;
