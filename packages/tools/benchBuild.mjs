@@ -1,6 +1,7 @@
 import { execFileSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readdirSync, rmSync, statSync, symlinkSync } from 'node:fs';
 import { join } from 'node:path';
+import { publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 
 /**
@@ -13,7 +14,7 @@ export async function buildViewer(checkout) {
   // the figures are of the dragon that others measure with
   process.env.FAROL_STANFORD_DRAGON ??= '1';
   const { build } = await import('vite');
-  for (const part of ['packages/renderer', 'packages/engine', 'apps/viewer']) {
+  for (const part of [...publishedPackages(checkout).map(({ folder }) => folder), 'apps/viewer']) {
     const folder = join(checkout, part);
     await build({ root: folder, configFile: join(folder, 'vite.config.ts'), logLevel: 'error' });
   }

@@ -6,13 +6,15 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { bundleSize, editorLimit, rendererLimit } from './bundleSize.mjs';
+import { bundleTypes } from './bundleTypes.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 import { runTool } from './runTool.mjs';
 
 ensureInstalled();
-const folders = [...publishedPackages().map(({ folder }) => folder), 'apps/viewer', 'apps/editor'];
+const packages = publishedPackages();
+const folders = [...packages.map(({ folder }) => folder), 'apps/viewer', 'apps/editor'];
 if (process.argv.includes('--tests')) {
   folders.push('e2e/pages');
   process.env.FAROL_STANFORD_DRAGON ??= '1';
@@ -24,6 +26,7 @@ for (const folder of folders) {
   await build({ root: join(root, folder), configFile: join(root, folder, 'vite.config.ts'), logLevel: 'warn' });
   console.log(`built ${folder}/dist`);
 }
+for (const each of packages) await bundleTypes(each);
 
 const bytes = bundleSize(join(root, 'packages/renderer/dist'));
 console.log(`@farol/renderer: ${(bytes / 1000).toFixed(1)} kB of ${rendererLimit / 1000} kB, minified and gzipped`);

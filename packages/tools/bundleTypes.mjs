@@ -1,42 +1,34 @@
 import { basename, join } from 'node:path';
 import { rollup } from 'rollup';
 import { dts } from 'rollup-plugin-dts';
+import { entrySources, leftToHost } from './publishedPackages.mjs';
 import { root } from './root.mjs';
-import { entrySources, leftToHost, readManifest } from './publishedPackages.mjs';
 
 /**
- * Vite plugin: writes the declarations of a package beside its bundle, one file for each of its exports and chunks for
- * what they share. Relative imports in them have extensions, so that they resolve under `nodenext` too, and what no
- * export reaches is not in them.
+ * Writes the declarations of a package into its dist: a file for each of its exports, and chunks for what they share.
+ * Their relative imports have extensions, so that they resolve under `nodenext` too. What no export reaches is left out.
  *
- * @param {string} folder of the package; `tsc -b packages` must have written its declarations
- * @returns {import('vite').Plugin}
+ * @param {import('./publishedPackages.mjs').PublishedPackage} published `tsc -b packages` must have written its
+ *   declarations, and its bundle must be in dist: a build of that empties dist
  */
-export function bundleTypes(folder) {
-  return {
-    name: 'farol:bundle-types',
-    apply: 'build',
-    async closeBundle() {
-      const manifest = readManifest(folder);
-      const from = join(root, '.cache/types', basename(folder));
-      const input = Object.keys(entrySources(manifest)).map((name) => [name, join(from, `${name}.d.ts`)]);
-      const bundle = await rollup({
-        input: Object.fromEntries(input),
-        external: leftToHost(manifest),
-        plugins: [textModules, dts()],
-        onLog(_level, log) {
-          // a type that no entry exports may still be used by what they export
-          if (!log.message.includes('private shared type exports')) throw new Error(log.message);
-        },
-      });
-      await bundle.write({
-        dir: join(folder, 'dist'),
-        entryFileNames: '[name].d.ts',
-        chunkFileNames: ({ name }) => `chunks/${name.replace(/\.d$/, '')}.d.ts`,
-      });
-      await bundle.close();
+export async function bundleTypes({ path, manifest }) {
+  const from = join(root, '.cache/types', basename(path));
+  const input = Object.keys(entrySources(manifest)).map((name) => [name, join(from, `${name}.d.ts`)]);
+  const bundle = await rollup({
+    input: Object.fromEntries(input),
+    external: leftToHost(manifest),
+    plugins: [textModules, dts()],
+    onLog(_level, { message }) {
+      // what an entry exports may use a type that no entry exports
+      if (!message.includes('private shared type exports')) throw new Error(message);
     },
-  };
+  });
+  await bundle.write({
+    dir: join(path, 'dist'),
+    entryFileNames: '[name].d.ts',
+    chunkFileNames: ({ name }) => `chunks/${name.replace(/\.d$/, '')}.d.ts`,
+  });
+  await bundle.close();
 }
 
 const TEXT = 'text.d.ts';

@@ -13,17 +13,18 @@ import { root } from './root.mjs';
  * @property {Record<string, { optional?: boolean }>} [peerDependenciesMeta]
  */
 
-/** @typedef {{ folder: string, path: string, manifest: Manifest }} PublishedPackage folder: from the root; path: whole */
+/** @typedef {{ folder: string, path: string, manifest: Manifest }} PublishedPackage folder: from the checkout; path: whole */
 
 /**
  * Packages for the registry: each folder of packages/ whose package.json is not private.
  *
+ * @param {string} [checkout] folder of a repository; default this one
  * @returns {PublishedPackage[]} by name of the folder
  */
-export function publishedPackages() {
-  return readdirSync(join(root, 'packages'), { withFileTypes: true })
+export function publishedPackages(checkout = root) {
+  return readdirSync(join(checkout, 'packages'), { withFileTypes: true })
     .filter((entry) => entry.isDirectory())
-    .map(({ name }) => ({ folder: `packages/${name}`, path: join(root, 'packages', name) }))
+    .map(({ name }) => ({ folder: `packages/${name}`, path: join(checkout, 'packages', name) }))
     .map((each) => ({ ...each, manifest: readManifest(each.path) }))
     .filter(({ manifest }) => !manifest.private);
 }
