@@ -1,11 +1,10 @@
+import { type FieldEdit, type Gesture, SetFields } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 import { type Camera, Euler, MathUtils, Matrix4, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import type { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
 import { topmost } from '../model/commands/Placement';
-import { type FieldEdit, SetFields } from '../model/commands/SetFields';
 import type { EditorDocument } from '../model/EditorDocument';
-import type { Gesture } from '../model/Gesture';
 import { boundsOf } from './boundsOf';
 
 export type GizmoMode = 'select' | 'translate' | 'rotate' | 'scale';

@@ -1,4 +1,7 @@
-/** Something that changes, and whoever wants to hear of it. `revision` and `subscribe` are what `useSyncExternalStore` takes. */
+/**
+ * Tells its listeners of changes, and counts them. `subscribe` and `revision` are the two arguments of React's
+ * `useSyncExternalStore`.
+ */
 export class Signal {
   private readonly listeners = new Set<() => void>();
   private changes = 0;
@@ -6,11 +9,6 @@ export class Signal {
   /** Grows by one with each change. */
   get revision(): number {
     return this.changes;
-  }
-
-  /** How many listen. */
-  get listenerCount(): number {
-    return this.listeners.size;
   }
 
   /** Counts a change and tells the listeners. */

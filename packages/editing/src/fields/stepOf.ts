@@ -1,4 +1,4 @@
-/** What a number without a declared step goes by: a hundredth of its range, or a tenth. */
+/** The step of an arrow key: the declared one, 1 for whole numbers, else a hundredth of the range, or a tenth. */
 export function stepOf(field: { step?: number; min?: number; max?: number; integer?: boolean }): number {
   if (field.step !== undefined) return field.step;
   if (field.integer) return 1;

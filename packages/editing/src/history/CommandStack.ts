@@ -1,32 +1,32 @@
 import type { Command } from './Command';
 import { Gesture } from './Gesture';
-import { Signal } from './Signal';
+import { Signal } from '../Signal';
 
 /** The history of a document: what was done, and what was undone and may be redone. */
-export class CommandStack {
+export class CommandStack<Item = string> {
   /** Emits when the history changes. */
   readonly changed = new Signal();
 
-  private readonly done: Command[] = [];
-  private readonly undone: Command[] = [];
-  private gesture: Gesture | null = null;
+  private readonly done: Command<Item>[] = [];
+  private readonly undone: Command<Item>[] = [];
+  private gesture: Gesture<Item> | null = null;
   /** Undefined when no step leads to what is saved. */
-  private savedAt: Command | null | undefined = null;
+  private savedAt: Command<Item> | null | undefined = null;
   /** Steps below this number stay: see `hold`. */
   private held = 0;
   private isHeld = false;
 
   /**
-   * @param onApplied - called after a command was done or undone
-   * @param limit - steps that are kept; the oldest go first
+   * @param onApplied called after a command was done or undone
+   * @param limit steps that are kept; the oldest go first
    */
   constructor(
-    private readonly onApplied: (command: Command, isDone: boolean) => void = () => {},
+    private readonly onApplied: (command: Command<Item>, isDone: boolean) => void = () => {},
     private readonly limit = 1000,
   ) {}
 
   /** The command that `undo` takes back; null when there is none. */
-  get last(): Command | null {
+  get last(): Command<Item> | null {
     return this.done.at(-1) ?? null;
   }
 
@@ -61,7 +61,7 @@ export class CommandStack {
   }
 
   /** Does a command as a step of its own. An open gesture is committed first. @throws what the command throws */
-  run(command: Command): void {
+  run(command: Command<Item>): void {
     this.gesture?.commit();
     if (command.isEmpty) return;
     command.do();
@@ -71,9 +71,9 @@ export class CommandStack {
   }
 
   /** Begins an edit of many previews and one step of history. An open gesture is committed first. */
-  begin(): Gesture {
+  begin(): Gesture<Item> {
     this.gesture?.commit();
-    const gesture = new Gesture((command) => {
+    const gesture = new Gesture<Item>((command) => {
       this.gesture = null;
       if (command) {
         this.keep(command);
@@ -87,10 +87,10 @@ export class CommandStack {
 
   /**
    * Does `next` in place of the last step, as one step with it: for a value that comes after its gesture was committed.
-   * @param step - what `next` belongs to
+   * @param step the command that `next` belongs to
    * @returns false, and nothing is changed, when `step` is not the last step any more or cannot be joined
    */
-  amend(step: Command, next: Command): boolean {
+  amend(step: Command<Item>, next: Command<Item>): boolean {
     if (this.gesture || step !== this.last || this.done.length <= this.held) return false;
     const joined = step.replaceWith?.(next);
     if (!joined) return false;
@@ -137,9 +137,9 @@ export class CommandStack {
 
   /**
    * Takes all steps since `hold` back and out of the history.
-   * @returns them, oldest first, undone: whoever calls this must do them again or `forget` them
+   * @returns the steps, oldest first, undone: whoever calls this must do them again or `forget` them
    */
-  release(): Command[] {
+  release(): Command<Item>[] {
     if (!this.isHeld) return [];
     this.gesture?.commit();
     const taken = this.done.splice(this.held).toReversed();
@@ -156,7 +156,7 @@ export class CommandStack {
   }
 
   /** The document is saved as it was after a step: the last one, unless another is named. */
-  markSaved(step?: Command | null): void {
+  markSaved(step?: Command<Item> | null): void {
     this.gesture?.commit();
     this.savedAt = step === undefined ? this.last : step;
     this.changed.emit();
@@ -179,7 +179,7 @@ export class CommandStack {
     this.changed.emit();
   }
 
-  private keep(command: Command): void {
+  private keep(command: Command<Item>): void {
     for (const each of this.undone.splice(0)) each.forget?.(false);
     this.done.push(command);
     if (this.done.length > this.limit && !this.isHeld) this.done.shift()?.forget?.(true);

@@ -4,12 +4,12 @@ import type { Command } from './Command';
  * An edit under way, such as a drag: any number of previews, each in place of the one before, then one commit or one
  * discard. See `CommandStack.begin`.
  */
-export class Gesture {
-  private current: Command | null = null;
+export class Gesture<Item = string> {
+  private current: Command<Item> | null = null;
   private open = true;
 
-  /** @param finish - takes the command of a committed gesture; null when nothing is to be kept */
-  constructor(private readonly finish: (command: Command | null) => void) {}
+  /** @param finish takes the command of a committed gesture; null when nothing is to be kept */
+  constructor(private readonly finish: (command: Command<Item> | null) => void) {}
 
   /** False once it was committed or discarded; calls do nothing then. */
   get isOpen(): boolean {
@@ -17,7 +17,7 @@ export class Gesture {
   }
 
   /** Does `command` in place of the last preview. @throws what the command throws; the document is then as at the start */
-  preview(command: Command): void {
+  preview(command: Command<Item>): void {
     if (!this.open) return;
     const before = this.current;
     const joined = before?.replaceWith?.(command) ?? null;
