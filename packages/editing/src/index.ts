@@ -24,3 +24,5 @@ export {
   withScreenColour,
 } from './fields/screenColour';
 export { stepOf } from './fields/stepOf';
+
+export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';

@@ -54,6 +54,10 @@ describe('edits of a colour', () => {
     ]);
   });
 
+  it.each([0.9, Number.NaN, Infinity])('refuses the intensity %s', (intensity) => {
+    expect(() => withIntensity(intensity)).toThrow(/at least 1/);
+  });
+
   it('says what several share', () => {
     expect(sharedColour([[4, 2, 0]])).toEqual({ hex: '#ffbc00', intensity: 4 });
     expect(

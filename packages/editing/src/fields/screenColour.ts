@@ -43,13 +43,18 @@ export function withScreenColour(hex: string): ((before: Triple) => Triple) | nu
   return (before) => joinColour(hex, splitColour(before).intensity)!;
 }
 
-/** An update of the intensity of a colour, for `FieldGesture`: each owner keeps its hue exactly. @param intensity 1 or more */
-export const withIntensity =
-  (intensity: number) =>
-  ([r, g, b]: Triple): Triple => {
+/**
+ * An update of the intensity of a colour, for `FieldGesture`: each owner keeps its hue exactly.
+ * @param intensity 1 or more
+ * @throws RangeError for another one
+ */
+export function withIntensity(intensity: number): (before: Triple) => Triple {
+  if (!(intensity >= 1 && intensity < Infinity)) throw new RangeError('The intensity must be a number of at least 1.');
+  return ([r, g, b]) => {
     const factor = intensity / splitColour([r, g, b]).intensity;
     return [r * factor, g * factor, b * factor];
   };
+}
 
 /** What several colours have in common: a part that differs is null. @param colours at least one */
 export function sharedColour(colours: readonly Triple[]): { hex: string | null; intensity: number | null } {
