@@ -15,7 +15,7 @@ const picture = (page: Page) => page.screenshot({ clip: { x: 0, y: 60, width: 32
 const row = (page: Page, name: string) => page.getByRole('treeitem', { name }).first();
 const clockOfR3F = /THREE\.Clock: This module has been deprecated/;
 
-test('on a page that knows nothing of Farol: select, edit, undo, draw by Farol', async ({ page }) => {
+test('on a page that knows nothing of Farol: select, edit, undo', async ({ page }) => {
   await open(page, 'attach');
   const x = () => page.evaluate(() => window.example.scene!.getObjectByName('chest')!.position.x);
   const before = await picture(page);
@@ -96,8 +96,14 @@ test('on a page that knows nothing of Farol: select, edit, undo, draw by Farol',
   expect(await intensity()).toBe(9);
   await page.getByRole('button', { name: 'Undo' }).click();
   expect(await intensity()).toBe(5);
+});
 
-  // several at once: what differs is shown as such, and stays as it is where nothing is typed
+test('several objects at once: shared and mixed values, copies, deletion; drawn by Farol', async ({ page }) => {
+  await open(page, 'attach');
+  await page.getByRole('searchbox', { name: 'Search objects' }).fill('lantern');
+  await row(page, 'lantern 1').click();
+  // what differs is shown as such, and stays as it is where nothing is typed
+  const input = page.getByRole('spinbutton', { name: 'Position x' });
   const positions = () =>
     page.evaluate(() =>
       ['lantern 1', 'lantern 2'].map((name) => window.example.scene!.getObjectByName(name)!.position.toArray()),

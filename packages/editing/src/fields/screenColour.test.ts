@@ -54,6 +54,16 @@ describe('edits of a colour', () => {
     ]);
   });
 
+  it('shows the intensity that was given, of dark colours too', () => {
+    const bright = withIntensity(3)([0.2, 0.1, 0]);
+    expect(splitColour(bright)).toEqual({ hex: '#ffbc00', intensity: 3 });
+    expect(withIntensity(1)(bright)[1]).toBeCloseTo(0.5);
+    expect([withIntensity(1)([0.2, 0.1, 0]), withIntensity(5)([0, 0, 0])]).toEqual([
+      [0.2, 0.1, 0],
+      [0, 0, 0],
+    ]);
+  });
+
   it.each([0.9, Number.NaN, Infinity])('refuses the intensity %s', (intensity) => {
     expect(() => withIntensity(intensity)).toThrow(/at least 1/);
   });

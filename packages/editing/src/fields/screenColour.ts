@@ -44,14 +44,17 @@ export function withScreenColour(hex: string): ((before: Triple) => Triple) | nu
 }
 
 /**
- * An update of the intensity of a colour, for `FieldGesture`: each owner keeps its hue exactly.
+ * An update of the intensity of a colour, for `FieldGesture`: each owner keeps its hue exactly. Above 1 the brightest
+ * channel becomes the intensity; 1 takes away what a screen cannot show, and leaves colours that a screen shows.
  * @param intensity 1 or more
  * @throws RangeError for another one
  */
 export function withIntensity(intensity: number): (before: Triple) => Triple {
   if (!(intensity >= 1 && intensity < Infinity)) throw new RangeError('The intensity must be a number of at least 1.');
   return ([r, g, b]) => {
-    const factor = intensity / splitColour([r, g, b]).intensity;
+    const brightest = Math.max(r, g, b);
+    if (brightest <= 0 || (intensity === 1 && brightest <= 1)) return [r, g, b];
+    const factor = intensity / brightest;
     return [r * factor, g * factor, b * factor];
   };
 }

@@ -149,3 +149,20 @@ describe('CommandStack', () => {
     expect(stack.isDirty).toBe(true);
   });
 });
+
+describe('CommandStack.amend', () => {
+  it('joins a late command with the last step, and with no other', () => {
+    const target = { value: 0 };
+    const stack = new CommandStack();
+    const step = new SetNumber(target, 1, true);
+    stack.run(step);
+    const late = new SetNumber(target, 2, true);
+    expect(stack.amend(step, late)).toBe(true);
+    expect([target.value, stack.history]).toEqual([2, ['Set 2']]);
+    expect(stack.amend(step, new SetNumber(target, 3, true))).toBe(false);
+    stack.undo();
+    expect(target.value).toBe(0);
+    expect(stack.amend(late, new SetNumber(target, 4, true))).toBe(false);
+    expect([target.value, stack.redoLabel]).toEqual([0, 'Set 2']);
+  });
+});
