@@ -17,11 +17,11 @@ const editorRules = editorFolders.map((folder, i) => ({
  * folders of the repository and packages, `not` folders in those that are left out, `ofThree` the only names of three's. Packages must also be declared by the
  * file's workspace, and their exports name what may be imported of them.
  *
- * microshaders <- the rest of renderer; renderer and engine speak plain three; engine -> renderer; attach -> both; apps -> all;
- * nothing imports apps; the browser tests use published entry points only. In the editor each folder knows those before it:
- * style, model <- microshaders <- viewport; model <- layout; all of these <- api <- files <- actions <- ui <- fields <-
- * panels <- plugins <- Editor.ts. The renderer's other entries plug it into one
- * library each, are optional effects, or serve editors: its core knows none of them.
+ * microshaders <- the rest of renderer; renderer, engine and editing speak plain three; engine -> renderer; attach -> all
+ * three; apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder
+ * knows those before it: style, model <- microshaders <- viewport; model <- layout; all of these <- api <- files <- actions
+ * <- ui <- fields <- panels <- plugins <- Editor.ts. The renderer's other entries plug it into one library each, are
+ * optional effects, or serve editors: its core knows none of them.
  */
 export const importRules = [
   { from: 'packages/renderer/src/microshaders', may: ['packages/renderer/src/microshaders', 'three'] },
@@ -47,7 +47,8 @@ export const importRules = [
     not: ['packages/renderer/src/adapters', 'packages/renderer/src/effects', 'packages/renderer/src/authoring'],
   },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
-  { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine'] },
+  { from: 'packages/editing', may: ['packages/editing', 'three'] },
+  { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine', '@farol/editing'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
   ...editorRules,
   { from: 'apps/editor', may: ['apps/editor', '*'] },

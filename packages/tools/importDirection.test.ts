@@ -8,6 +8,7 @@ import { sourceFiles } from './sourceFiles.mjs';
 const workspaces = [
   'packages/renderer',
   'packages/engine',
+  'packages/editing',
   'packages/attach',
   'packages/tools',
   'apps/viewer',
@@ -47,6 +48,9 @@ describe('the direction of imports', () => {
     ['packages/renderer/src/index.ts', "export * from './adapters/r3f/Farol';", /does not know what plugs it in/],
     ['packages/renderer/src/index.ts', "import 'react';", /may import/],
     ['packages/engine/src/X.ts', "import { attachEditor } from '@farol/attach';", /may import/],
+    ['packages/editing/src/X.ts', "import type { Field } from '@farol/engine';", /may import/],
+    ['packages/editing/src/X.ts', "import { useEffect } from 'react';", /may import/],
+    ['packages/engine/src/X.ts', "import { Signal } from '@farol/editing';", /may import/],
     ['packages/renderer/src/adapters/three-pass/X.ts', "import 'postprocessing';", /may import/],
     ['packages/engine/src/X.ts', "import { readFileSync } from 'node:fs';", /no Node modules/],
     [

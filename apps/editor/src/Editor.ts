@@ -1,3 +1,4 @@
+import { type Command, type CommandStack, Signal } from '@farol/editing';
 import {
   AssetLibrary,
   type AssetLibraryOptions,
@@ -16,8 +17,6 @@ import { KeyBindings } from './api/KeyBindings';
 import { createPreferences, type Preferences, type PreferenceStore } from './api/preferences';
 import { PanelLayout } from './layout/PanelLayout';
 import { PanelRegistry } from './layout/PanelRegistry';
-import type { Command } from './model/Command';
-import type { CommandStack } from './model/CommandStack';
 import { Clipboard } from './model/Clipboard';
 import { ConsoleLog } from './model/ConsoleLog';
 import { Drafts } from './model/Drafts';
@@ -28,7 +27,6 @@ import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
 import { Registry } from './model/Registry';
-import { Signal } from './model/Signal';
 import { panels } from './panels';
 import { Viewport } from './viewport/Viewport';
 import { addPlugin } from './plugins/addPlugin';

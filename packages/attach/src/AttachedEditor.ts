@@ -1,9 +1,9 @@
+import type { CommandStack } from '@farol/editing';
 import type { FarolRenderer } from '@farol/renderer';
 import type { Camera, Object3D, WebGLRenderer } from 'three';
-import type { AttachOptions } from './attachEditor';
+import type { AttachOptions } from './AttachOptions';
 import { type Drawer, Drawing } from './model/Drawing';
 import { duplicateSelected } from './model/duplicateSelected';
-import type { History } from './model/History';
 import { removeSelected } from './model/removeSelected';
 import { Session } from './model/Session';
 import { Bar } from './panels/Bar';
@@ -52,7 +52,7 @@ export class AttachedEditor {
     const gizmo = new Gizmo(session);
     const box = new SelectionBox(session, gizmo.scene);
     const hook = new RenderHook(webgl, scene, (render) => {
-      if (!gizmo.update() && session.selected === null) return;
+      if (!gizmo.update() && session.selection.primary === null) return;
       box.update();
       drawOver(webgl, render, gizmo.scene, session.camera);
     });
@@ -68,8 +68,8 @@ export class AttachedEditor {
     this.hook = hook;
     this.drawing = drawing;
     this.parts = [pointer, bar, frame, inspector, tree, drawing, box, gizmo, hook];
-    session.selectionChanged.listen(() => this.redraw());
-    session.edited.listen(() => {
+    session.selection.changed.subscribe(() => this.redraw());
+    session.edited.subscribe(() => {
       inspector.refresh();
       this.redraw();
     });
@@ -86,20 +86,20 @@ export class AttachedEditor {
 
   /** The object that was selected last, or null; setting it selects it alone. */
   get selected(): Object3D | null {
-    return this.session.selected;
+    return this.session.selection.primary;
   }
 
   set selected(object: Object3D | null) {
-    this.session.selected = object;
+    this.session.select(object);
   }
 
   /** The selected objects, in the order of their choice. */
   get selection(): readonly Object3D[] {
-    return this.session.selection;
+    return this.session.selection.items;
   }
 
   set selection(objects: readonly Object3D[]) {
-    this.session.selection = objects;
+    this.session.selection.set(objects);
   }
 
   /** What the page looks through. */
@@ -111,8 +111,9 @@ export class AttachedEditor {
     this.session.camera = camera;
   }
 
-  get history(): History {
-    return this.session.history;
+  /** The history of edits: `undo()`, `redo()`, their labels, and `changed`, a signal. */
+  get commands(): CommandStack<Object3D> {
+    return this.session.commands;
   }
 
   /** The FarolRenderer that draws the page; null while three's own renderer does. */
@@ -162,7 +163,7 @@ export class AttachedEditor {
   }
 
   private actOf(event: KeyboardEvent): (() => unknown) | null {
-    const { session, history } = this;
+    const { session, commands } = this;
     if (event.altKey) return null;
     const key = event.key.toLowerCase();
     if (!event.ctrlKey && !event.metaKey) {
@@ -170,8 +171,8 @@ export class AttachedEditor {
       return key === 'delete' && !isTyped ? () => removeSelected(session) : null;
     }
     if (key === 'd') return () => duplicateSelected(session);
-    if (key === 'y' || (key === 'z' && event.shiftKey)) return () => history.redo();
-    return key === 'z' ? () => history.undo() : null;
+    if (key === 'y' || (key === 'z' && event.shiftKey)) return () => commands.redo();
+    return key === 'z' ? () => commands.undo() : null;
   }
 
   /** Asks the page for a frame. */

@@ -1,20 +1,6 @@
-import type { FarolRenderer } from '@farol/renderer';
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 import { AttachedEditor } from './AttachedEditor';
-
-export interface AttachOptions {
-  /** The FarolRenderer that the page draws with, if it does; its technique, view and figures are shown then. */
-  farol?: FarolRenderer;
-  /** What the panels are put into. Default the page's body; they lie over it, at the right edge of the window. */
-  container?: HTMLElement;
-  /** The element that the page's own controls listen on. Default the canvas. */
-  domElement?: HTMLElement;
-  /**
-   * Called when the scene was edited, for a page that draws on demand. Default: the scene is drawn once more if the page
-   * itself draws no frame soon.
-   */
-  onChange?: () => void;
-}
+import type { AttachOptions } from './AttachOptions';
 
 /**
  * Opens an editor over a running three.js page: the tree of its objects, an inspector of transform, flags, light, camera

@@ -1,4 +1,5 @@
-export { attachEditor, type AttachOptions } from './attachEditor';
+export { attachEditor } from './attachEditor';
+export type { AttachOptions } from './AttachOptions';
 export type { AttachedEditor } from './AttachedEditor';
 export type { Drawer } from './model/Drawing';
-export type { Edit, History } from './model/History';
+export type { Command, CommandStack } from '@farol/editing';

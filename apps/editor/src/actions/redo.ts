@@ -1,9 +1,9 @@
 import type { Action } from '../api/Action';
-import { lower } from './undo';
+import { lowerFirst } from '@farol/editing';
 
 export const redo: Action = {
   id: 'edit.redo',
-  label: ({ commands }) => (commands.redoLabel ? `Redo ${lower(commands.redoLabel)}` : 'Redo'),
+  label: ({ commands }) => (commands.redoLabel ? `Redo ${lowerFirst(commands.redoLabel)}` : 'Redo'),
   keys: ['Ctrl+Y', 'Ctrl+Shift+Z'],
   inFields: true,
   icon: 'redo',

@@ -19,7 +19,7 @@ export interface FieldEditorProps<F extends Field> {
   /** Keeps what was shown last, or this, as one step of history. */
   onCommit(update?: ValueOf<F> | ((before: ValueOf<F>) => ValueOf<F>)): void;
   /** A value of the edit that was committed last, which comes late: part of the same step of history. */
-  onAmend(update: ValueOf<F>): void;
+  onAmend(update: ValueOf<F> | ((before: ValueOf<F>) => ValueOf<F>)): void;
   /** Goes back to what it was. */
   onDiscard(): void;
 }

@@ -1,8 +1,8 @@
 import { Popover } from '@base-ui/react/popover';
+import { splitColour, withIntensity, withScreenColour } from '@farol/editing';
 import type { ColourField } from '@farol/engine/fields';
 import { type ReactNode, useRef } from 'react';
 import { HexColorPicker } from 'react-colorful';
-import { joinColour, splitColour } from '../ui/colour';
 import { NumberInput } from '../ui/NumberInput';
 import { TextInput } from '../ui/TextInput';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
@@ -11,22 +11,18 @@ import type { FieldEditorProps } from '../api/FieldEditorProps';
 export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {
   const { value, mixed, label, description, disabled, onPreview, onCommit, onAmend, onDiscard } = props;
   const { hex, intensity } = splitColour(value ?? [0, 0, 0]);
-  /** The intensity while the picker is dragged: it must not follow the rounding of the screen's colour. */
-  const held = useRef(1);
   /** Whether the button, the finger or a key is down that changes the picker. */
   const pressed = useRef(false);
 
   const pick = (next: string): void => {
-    const colour = joinColour(next, held.current);
-    if (!colour || next === hex) return;
+    const update = withScreenColour(next);
+    if (!update || next === hex) return;
     // the picker tells of its last change after the next frame, on a busy page long after the button is up
-    if (pressed.current) onPreview(colour);
-    else onAmend(colour);
+    if (pressed.current) onPreview(update);
+    else onAmend(update);
   };
   const press = (): void => {
-    if (pressed.current) return;
     pressed.current = true;
-    held.current = intensity;
   };
   const release = (): void => {
     if (!pressed.current) return;
@@ -50,7 +46,7 @@ export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {
         <span className={mixed ? 'swatch mixed' : 'swatch'} style={mixed ? undefined : { background: hex }} />
         <span className="colour-text">
           {mixed ? '—' : hex}
-          {intensity > 1 && <span className="dim"> × {Number(intensity.toFixed(2))}</span>}
+          {!mixed && intensity > 1 && <span className="dim"> × {Number(intensity.toFixed(2))}</span>}
         </span>
       </Popover.Trigger>
       <Popover.Portal>
@@ -61,25 +57,22 @@ export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {
             </div>
             <div className="colour-fields">
               <TextInput
-                value={hex}
+                value={mixed ? null : hex}
                 label={`${label} as sRGB`}
                 onCommit={(text) => {
-                  const colour = joinColour(text, intensity);
-                  if (colour) onCommit(colour);
+                  const update = withScreenColour(text);
+                  if (update) onCommit(update);
                 }}
               />
               <NumberInput
-                value={intensity}
+                value={mixed ? null : intensity}
                 min={1}
                 step={0.1}
                 unit="×"
                 label={`${label} intensity`}
                 description="Factor above what a screen can show"
                 handle={<span className="grip" />}
-                onPreview={(next) => {
-                  const colour = joinColour(hex, next);
-                  if (colour) onPreview(colour);
-                }}
+                onPreview={(next) => onPreview(withIntensity(next))}
                 onCommit={() => onCommit()}
                 onDiscard={onDiscard}
               />

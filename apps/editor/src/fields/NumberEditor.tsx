@@ -1,20 +1,20 @@
-import type { NumberField } from '@farol/engine/fields';
-import type { ReactNode } from 'react';
+import { numberDisplay } from '@farol/editing';
+import type { AngleField, NumberField } from '@farol/engine/fields';
+import { type ReactNode, useMemo } from 'react';
 import { NumberInput } from '../ui/NumberInput';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
-import { stepOf } from './stepOf';
 
-export function NumberEditor({ field, value, onPreview, onCommit, ...rest }: FieldEditorProps<NumberField>): ReactNode {
+/** A number, or an angle in degrees. */
+export function NumberEditor(props: FieldEditorProps<NumberField | AngleField>): ReactNode {
+  const { field, value, onPreview, onCommit, ...rest } = props;
+  const { toShown, fromShown, ...shown } = useMemo(() => numberDisplay(field), [field]);
   return (
     <NumberInput
       {...rest}
-      value={value}
-      min={field.min}
-      max={field.max}
-      step={stepOf(field)}
-      unit={field.unit}
+      {...shown}
+      value={value === null ? null : toShown(value)}
       handle={<span className="grip" />}
-      onPreview={(next) => onPreview(field.integer ? Math.round(next) : next)}
+      onPreview={(next) => onPreview(fromShown(next))}
       onCommit={() => onCommit()}
     />
   );

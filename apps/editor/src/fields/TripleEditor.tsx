@@ -1,60 +1,33 @@
-import type { Vector3Tuple } from '@farol/engine/fields';
-import type { ReactNode } from 'react';
+import { numberDisplay, withCoordinate } from '@farol/editing';
+import type { EulerField, Vector3Field } from '@farol/engine/fields';
+import { type ReactNode, useMemo } from 'react';
 import { NumberInput } from '../ui/NumberInput';
-
-interface TripleEditorProps {
-  /** Null where the values differ. */
-  readonly value: Vector3Tuple | null;
-  /** What all have in common where the values differ. */
-  readonly parts?: readonly (number | null)[];
-  readonly label: string;
-  readonly description: string;
-  readonly disabled: boolean;
-  readonly min?: number;
-  readonly max?: number;
-  readonly step: number;
-  readonly unit?: string;
-  /** From the field's unit to the one shown, and back. */
-  toShown(value: number): number;
-  fromShown(value: number): number;
-  onPreview(update: (before: Vector3Tuple) => Vector3Tuple): void;
-  onCommit(): void;
-  onDiscard(): void;
-}
+import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 const axes = ['x', 'y', 'z'] as const;
 
-/** Three numbers side by side, one for each axis. */
-export function TripleEditor({
-  value,
-  parts,
-  label,
-  toShown,
-  fromShown,
-  onPreview,
-  ...rest
-}: TripleEditorProps): ReactNode {
-  const shown = (i: number): number | null => {
-    const coordinate = value?.[i] ?? parts?.[i] ?? null;
-    return coordinate === null ? null : toShown(coordinate);
-  };
+/** Three numbers side by side, one for each axis: a vector, or Euler angles in degrees. */
+export function TripleEditor(props: FieldEditorProps<Vector3Field | EulerField>): ReactNode {
+  const { field, value, parts, label, onPreview, onCommit, ...rest } = props;
+  const { min, max, step, toShown, fromShown } = useMemo(() => numberDisplay(field), [field]);
   return (
     <div className="triple" role="group" aria-label={label}>
-      {axes.map((axis, i) => (
-        <NumberInput
-          {...rest}
-          key={axis}
-          digits="short"
-          value={shown(i)}
-          label={`${label} ${axis}`}
-          handle={<span className={`axis axis-${axis}`}>{axis}</span>}
-          onPreview={(next) =>
-            onPreview(
-              (before) => before.map((each, j) => (i === j ? fromShown(next) : each)) as unknown as Vector3Tuple,
-            )
-          }
-        />
-      ))}
+      {axes.map((axis, i) => {
+        const coordinate = value?.[i] ?? parts?.[i] ?? null;
+        return (
+          <NumberInput
+            {...rest}
+            {...{ min, max, step }}
+            key={axis}
+            digits="short"
+            value={coordinate === null ? null : toShown(coordinate)}
+            label={`${label} ${axis}`}
+            handle={<span className={`axis axis-${axis}`}>{axis}</span>}
+            onPreview={(next) => onPreview(withCoordinate(i, fromShown(next)))}
+            onCommit={() => onCommit()}
+          />
+        );
+      })}
     </div>
   );
 }

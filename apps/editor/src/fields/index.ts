@@ -1,17 +1,15 @@
 import type { Field, FieldKind } from '@farol/engine/fields';
 import type { ComponentType } from 'react';
-import { AngleEditor } from './AngleEditor';
 import { AssetEditor } from './AssetEditor';
 import { BooleanEditor } from './BooleanEditor';
 import { ChoiceEditor } from './ChoiceEditor';
 import { CustomEditor } from './CustomEditor';
 import { ColourEditor } from './ColourEditor';
-import { EulerEditor } from './EulerEditor';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
 import { NumberEditor } from './NumberEditor';
 import { ObjectEditor } from './ObjectEditor';
 import { StringEditor } from './StringEditor';
-import { Vector3Editor } from './Vector3Editor';
+import { TripleEditor } from './TripleEditor';
 
 type FieldOf<K extends FieldKind> = Extract<Field, { kind: K }>;
 
@@ -21,9 +19,9 @@ export const fieldEditors: { readonly [K in FieldKind]: ComponentType<FieldEdito
   boolean: BooleanEditor,
   string: StringEditor,
   choice: ChoiceEditor,
-  vector3: Vector3Editor,
-  angle: AngleEditor,
-  euler: EulerEditor,
+  vector3: TripleEditor,
+  angle: NumberEditor,
+  euler: TripleEditor,
   colour: ColourEditor,
   asset: AssetEditor,
   object: ObjectEditor,

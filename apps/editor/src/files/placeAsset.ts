@@ -1,10 +1,10 @@
+import { SetFields } from '@farol/editing';
 import { GameObject, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import { instanceRootOf } from '@farol/engine/prefabs';
 import { Box3, Vector3 } from 'three';
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
-import { SetFields } from '../model/commands/SetFields';
 import { addObject } from '../model/edits';
 import { canPlacePrefab, placePrefab } from '../model/prefabEdits';
 import { isEnvironment } from './assetKinds';

@@ -1,3 +1,4 @@
+import { type Gesture, Signal } from '@farol/editing';
 import { MicroShaderOverrides } from '@farol/engine';
 import {
   type MicroShader,
@@ -9,8 +10,6 @@ import { formatMicroShader, parseMicroShaderXML } from '@farol/renderer/authorin
 import { type MicroShaderEdit, SetMicroShaders } from '../model/commands/SetMicroShaders';
 import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';
-import type { Gesture } from '../model/Gesture';
-import { Signal } from '../model/Signal';
 
 /** How long after the last key a text is compiled (ms). */
 const DELAY = 180;

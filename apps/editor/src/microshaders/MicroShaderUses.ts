@@ -1,6 +1,6 @@
+import { Signal } from '@farol/editing';
 import type { FarolRenderer, TechniqueName, View } from '@farol/renderer';
 import { formatMicroShader } from '@farol/renderer/authoring';
-import { Signal } from '../model/Signal';
 import { chunksOf, dryRun } from './dryRun';
 import { probeMicroShader } from './probeMicroShader';
 

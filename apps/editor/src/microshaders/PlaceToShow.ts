@@ -1,4 +1,4 @@
-import { Signal } from '../model/Signal';
+import { Signal } from '@farol/editing';
 
 /** A microshader, and a line of its text (from 1; 0 for none) to go to. */
 export interface MicroShaderPlace {

@@ -1,4 +1,4 @@
-import { Signal } from './Signal';
+import { Signal } from '@farol/editing';
 
 /** Where other tabs of the editor find what was copied. */
 const KEY = 'farol-clipboard';

@@ -1,4 +1,4 @@
-import { Signal } from './Signal';
+import { Signal } from '@farol/editing';
 
 export type ConsoleKind = 'error' | 'warning' | 'info';
 

@@ -1,6 +1,6 @@
+import { Signal } from '@farol/editing';
 import type { FileProblem } from '@farol/engine/files';
 import type { SessionInfo } from './SessionInfo';
-import { Signal } from './Signal';
 
 /** A question with two answers. */
 export interface ConfirmDialog {

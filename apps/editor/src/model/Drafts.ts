@@ -1,4 +1,4 @@
-import { Signal } from './Signal';
+import { Signal } from '@farol/editing';
 
 const clock = new Intl.DateTimeFormat(undefined, { timeStyle: 'medium' });
 

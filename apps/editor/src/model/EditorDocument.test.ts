@@ -1,8 +1,8 @@
+import { SetFields } from '@farol/editing';
 import { GameObject, Light } from '@farol/engine';
 import { scenes } from '@farol/engine/scenes';
 import { describe, expect, it } from 'vitest';
 import { copyObjects, pasteObjects } from './clip';
-import { SetFields } from './commands/SetFields';
 import { deleteObjects, duplicateObjects, moveObjects } from './edits';
 import { EditorDocument } from './EditorDocument';
 import { groupObjects, ungroupObjects } from './groupObjects';

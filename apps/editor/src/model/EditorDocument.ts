@@ -1,3 +1,4 @@
+import { type Command, CommandStack, Signal } from '@farol/editing';
 import {
   AssetLibrary,
   type Component,
@@ -8,11 +9,8 @@ import {
 } from '@farol/engine';
 import type { FieldOwner } from '@farol/engine/fields';
 import { serialize } from '@farol/engine/files';
-import type { Command } from './Command';
-import { CommandStack } from './CommandStack';
 import { PlayEdits } from './PlayEdits';
 import { Selection } from './Selection';
-import { Signal } from './Signal';
 import { Simulation } from './Simulation';
 
 /**

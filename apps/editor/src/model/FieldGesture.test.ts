@@ -1,8 +1,8 @@
+import { FieldGesture } from '@farol/editing';
 import { GameObject, Light } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import { expect, it } from 'vitest';
 import { EditorDocument } from './EditorDocument';
-import { FieldGesture } from './FieldGesture';
 
 function twoLights(): { document: EditorDocument; lights: Light[] } {
   const document = new EditorDocument();

@@ -1,5 +1,5 @@
+import { Signal } from '@farol/editing';
 import type { ConsoleLog, ConsoleSource } from './ConsoleLog';
-import { Signal } from './Signal';
 
 export interface Notice {
   readonly id: number;

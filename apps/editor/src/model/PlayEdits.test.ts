@@ -1,8 +1,8 @@
+import { SetFields } from '@farol/editing';
 import { builtinComponents, Component, ComponentRegistry, createRandom, GameObject, Light, Scene } from '@farol/engine';
 import { component, number } from '@farol/engine/fields';
 import { serialize } from '@farol/engine/files';
 import { beforeEach, describe, expect, it } from 'vitest';
-import { SetFields } from './commands/SetFields';
 import { addObject, deleteObjects, moveObjects } from './edits';
 import { EditorDocument } from './EditorDocument';
 

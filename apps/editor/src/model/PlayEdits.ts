@@ -1,10 +1,8 @@
+import { type Command, SetFields, Signal } from '@farol/editing';
 import type { SceneChange, SceneSettings, Component } from '@farol/engine';
 import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
-import type { Command } from './Command';
 import { CommandList } from './commands/CommandList';
-import { SetFields } from './commands/SetFields';
 import type { EditorDocument } from './EditorDocument';
-import { Signal } from './Signal';
 
 /** A value that was edited while the scene played. */
 export interface PlayChange {

@@ -1,4 +1,4 @@
-import { Signal } from './Signal';
+import { Signal } from '@farol/editing';
 
 /** Things of one editor that are known by id, such as its actions or panels: those built in, and those of plugins. */
 export class Registry<T extends { readonly id: string }> {

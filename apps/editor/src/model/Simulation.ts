@@ -1,5 +1,5 @@
+import { Signal } from '@farol/editing';
 import type { Scene } from '@farol/engine';
-import { Signal } from './Signal';
 
 export type SimulationState = 'stopped' | 'playing' | 'paused';
 

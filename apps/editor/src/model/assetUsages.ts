@@ -1,10 +1,9 @@
+import { type Command, type FieldEdit, SetFields } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import type { AssetType, FieldOwner, FieldTable, FieldValue } from '@farol/engine/fields';
 import type { Prefab } from '@farol/engine/prefabs';
-import type { Command } from './Command';
 import { RemoveAsset } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';
-import { type FieldEdit, SetFields } from './commands/SetFields';
 import { SetPrefab } from './commands/SetPrefab';
 
 /** A place that names an asset. */

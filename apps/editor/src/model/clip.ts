@@ -1,3 +1,4 @@
+import { type Command, countLabel } from '@farol/editing';
 import { GameObject, type Scene } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 import {
@@ -10,7 +11,6 @@ import {
   serializeObject,
 } from '@farol/engine/files';
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import type { Command } from './Command';
 import { childrenOf, type Container, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';
 
@@ -134,6 +134,8 @@ export function pasteObjects(scene: Scene, text: string, parent: Container, sele
   for (const root of made) root.dispose();
   const end = childrenOf(parent).length;
   const placements = copies.map((object, i) => ({ object, parent, index: end + i }));
-  const label = copies.length === 1 ? `Paste ${copies[0].name}` : `Paste ${copies.length} objects`;
-  return new PlaceObjects(label, scene, 'add', placements, { done: copies.map(({ id }) => id), undone: selected });
+  return new PlaceObjects(countLabel('Paste', copies), scene, 'add', placements, {
+    done: copies.map(({ id }) => id),
+    undone: selected,
+  });
 }

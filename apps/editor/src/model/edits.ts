@@ -1,20 +1,16 @@
+import { type Command, countLabel, SetFields } from '@farol/editing';
 import { type Component, type ComponentClass, GameObject, type Scene } from '@farol/engine';
 import type { FieldOwner, FieldValue } from '@farol/engine/fields';
-import type { Command } from './Command';
 import { MoveComponents } from './commands/MoveComponents';
 import { MoveObjects } from './commands/MoveObjects';
 import { childrenOf, type Container, containerOf, placementOf, topmost } from './commands/Placement';
 import { PlaceComponents } from './commands/PlaceComponents';
 import { PlaceObjects } from './commands/PlaceObjects';
-import { SetFields } from './commands/SetFields';
 import { SetProperty } from './commands/SetProperty';
 
 /** Commands for what a user does. Each captures what the scene is like when it is made, and is to be done then. */
 
 const ids = (objects: readonly GameObject[]): string[] => objects.map(({ id }) => id);
-
-const count = (verb: string, objects: readonly GameObject[]): string =>
-  objects.length === 1 ? `${verb} ${objects[0].name}` : `${verb} ${objects.length} objects`;
 
 /** Adds a new object at the end of a parent, and selects it. @param selected - what is selected now */
 export function addObject(scene: Scene, object: GameObject, parent: Container, selected: readonly string[]): Command {
@@ -26,7 +22,7 @@ export function addObject(scene: Scene, object: GameObject, parent: Container, s
 export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const placements = tops.map((object) => placementOf(object, scene));
-  return new PlaceObjects(count('Delete', tops), scene, 'remove', placements, { done: [], undone: ids(objects) });
+  return new PlaceObjects(countLabel('Delete', tops), scene, 'remove', placements, { done: [], undone: ids(objects) });
 }
 
 /** Puts a copy of each object, with all below it, after it, and selects the copies. */
@@ -40,7 +36,7 @@ export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): 
     return { object: source.clone(), parent, index: index + 1 + earlier };
   });
   const copies = placements.map(({ object }) => object);
-  return new PlaceObjects(count('Duplicate', tops), scene, 'add', placements, {
+  return new PlaceObjects(countLabel('Duplicate', tops), scene, 'add', placements, {
     done: ids(copies),
     undone: ids(objects),
   });
@@ -65,7 +61,7 @@ export function moveObjects(scene: Scene, objects: readonly GameObject[], parent
   const staying = childrenOf(parent).filter((child) => !moving.has(child));
   const before = index === undefined ? null : (staying[index] ?? null);
   const verb = tops.every((object) => containerOf(object, scene) === parent) ? 'Reorder' : 'Move';
-  return new MoveObjects(count(verb, tops), scene, tops, parent, before);
+  return new MoveObjects(countLabel(verb, tops), scene, tops, parent, before);
 }
 
 export function renameObject(object: GameObject, name: string): Command {
@@ -74,12 +70,12 @@ export function renameObject(object: GameObject, name: string): Command {
 
 /** Shows or hides objects, with all below them. */
 export function setActive(objects: readonly GameObject[], active: boolean): Command {
-  return new SetProperty(count(active ? 'Show' : 'Hide', objects), objects, 'active', active);
+  return new SetProperty(countLabel(active ? 'Show' : 'Hide', objects), objects, 'active', active);
 }
 
 /** Locks objects, with all below them, against being picked in the picture; or unlocks them. */
 export function setLocked(objects: readonly GameObject[], locked: boolean): Command {
-  return new SetProperty(count(locked ? 'Lock' : 'Unlock', objects), objects, 'locked', locked);
+  return new SetProperty(countLabel(locked ? 'Lock' : 'Unlock', objects), objects, 'locked', locked);
 }
 
 export function setEnabled(components: readonly Component[], enabled: boolean): Command {

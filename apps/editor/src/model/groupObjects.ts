@@ -1,6 +1,6 @@
+import { type Command, countLabel } from '@farol/editing';
 import { GameObject, type Scene } from '@farol/engine';
 import { Vector3 } from 'three';
-import type { Command } from './Command';
 import { MoveObjects } from './commands/MoveObjects';
 import { type Placement, placementOf, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';
@@ -29,7 +29,7 @@ export function groupObjects(scene: Scene, objects: readonly GameObject[]): Comm
   const group = new GameObject('Group');
   group.transform.position = middleOf(tops, place).toArray();
   return new Sequence(
-    tops.length === 1 ? `Group ${tops[0].name}` : `Group ${tops.length} objects`,
+    countLabel('Group', tops),
     [
       () => new PlaceObjects('Add group', scene, 'add', [{ ...place, object: group }], none),
       () => new MoveObjects('Move into group', scene, tops, group, null),

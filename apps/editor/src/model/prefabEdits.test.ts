@@ -1,10 +1,9 @@
+import { type Command, SetFields } from '@farol/editing';
 import { createRandom, GameObject, Light, type Scene } from '@farol/engine';
 import { instanceRootOf } from '@farol/engine/prefabs';
 import { expect, it } from 'vitest';
-import { SetFields } from './commands/SetFields';
 import { addObject, deleteObjects, duplicateObjects } from './edits';
 import { EditorDocument } from './EditorDocument';
-import type { Command } from './Command';
 import {
   applyField,
   applyInstance,

@@ -1,3 +1,4 @@
+import { type Command, SetFields } from '@farol/editing';
 import type { Component, GameObject, Scene } from '@farol/engine';
 import {
   type FieldOverride,
@@ -14,13 +15,11 @@ import {
   type PrefabPlan,
   withoutPin,
 } from '@farol/engine/prefabs';
-import type { Command } from './Command';
 import { MoveLocal } from './commands/MoveLocal';
 import type { Container } from './commands/Placement';
 import { PlaceComponents } from './commands/PlaceComponents';
 import { PlaceObjects } from './commands/PlaceObjects';
 import { Sequence } from './commands/Sequence';
-import { SetFields } from './commands/SetFields';
 import { SetPrefab } from './commands/SetPrefab';
 import { SetProperty } from './commands/SetProperty';
 import { addObject, deleteObjects } from './edits';

@@ -1,6 +1,6 @@
+import type { Signal } from '@farol/editing';
 import { createContext, useContext, useSyncExternalStore } from 'react';
 import type { EditorApi } from '../api/EditorApi';
-import type { Signal } from '../model/Signal';
 
 const Context = createContext<EditorApi | null>(null);
 

@@ -1,4 +1,5 @@
 import { NumberField } from '@base-ui/react/number-field';
+import { shownDecimals } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useRef } from 'react';
 
 export interface NumberInputProps {
@@ -25,7 +26,7 @@ export interface NumberInputProps {
 
 /** The number itself keeps all its digits. */
 const formatOf = (digits: number): Intl.NumberFormatOptions => ({ maximumFractionDigits: digits, useGrouping: false });
-const formats = { long: formatOf(5), short: formatOf(3) };
+const formats = { long: formatOf(shownDecimals.long), short: formatOf(shownDecimals.short) };
 
 /**
  * A number that can be typed, stepped by arrow keys, and scrubbed by dragging its handle: many previews, one commit.

@@ -1,11 +1,19 @@
+import {
+  countLabel,
+  type DragStart,
+  type FieldEdit,
+  type Gesture,
+  placePivot,
+  type Pose,
+  SetFields,
+  TransformDrag,
+} from '@farol/editing';
 import type { GameObject } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
-import { type Camera, Euler, MathUtils, Matrix4, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { type Camera, Euler, MathUtils, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import type { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
 import { topmost } from '../model/commands/Placement';
-import { type FieldEdit, SetFields } from '../model/commands/SetFields';
 import type { EditorDocument } from '../model/EditorDocument';
-import type { Gesture } from '../model/Gesture';
 import { boundsOf } from './boundsOf';
 
 export type GizmoMode = 'select' | 'translate' | 'rotate' | 'scale';
@@ -21,41 +29,20 @@ export interface SnapSteps {
   readonly scale: number;
 }
 
-/** An object when a drag began: what was authored, and its parent's place in the world. */
-interface Start {
-  readonly object: GameObject;
-  readonly world: Matrix4;
-  readonly parentInverse: Matrix4;
-  readonly worldRotation: Quaternion;
-  readonly parentRotation: Quaternion;
-  readonly scale: Vector3;
-}
-
 const labels = { select: 'Select', translate: 'Move', rotate: 'Rotate', scale: 'Scale' };
-const ONE = new Vector3(1, 1, 1);
-const delta = new Matrix4();
-const turn = new Quaternion();
-const rotation = new Quaternion();
 const euler = new Euler();
-const place = new Vector3();
+const middle = new Vector3();
 
 /** Where an object is by what was authored, whatever simulation has done to it since. */
-function startOf(object: GameObject): Start {
-  const { transform, object3D } = object;
+function startOf({ transform, object3D }: GameObject): DragStart {
   const parent = object3D.parent ?? object3D;
   parent.updateWorldMatrix(true, false);
-  const position = new Vector3(...(transform.getAuthored('position') as [number, number, number]));
-  const scale = new Vector3(...(transform.getAuthored('scale') as [number, number, number]));
   const [x, y, z] = transform.getAuthored('rotation') as [number, number, number];
-  const local = new Quaternion().setFromEuler(new Euler(x, y, z, 'XYZ'));
-  const parentRotation = new Quaternion().setFromRotationMatrix(new Matrix4().extractRotation(parent.matrixWorld));
   return {
-    object,
-    world: new Matrix4().compose(position, local, scale).premultiply(parent.matrixWorld),
-    parentInverse: parent.matrixWorld.clone().invert(),
-    worldRotation: parentRotation.clone().multiply(local),
-    parentRotation,
-    scale,
+    position: new Vector3(...(transform.getAuthored('position') as [number, number, number])),
+    quaternion: new Quaternion().setFromEuler(euler.set(x, y, z, 'XYZ')),
+    scale: new Vector3(...(transform.getAuthored('scale') as [number, number, number])),
+    parentWorld: parent.matrixWorld,
   };
 }
 
@@ -72,9 +59,8 @@ export class Gizmo {
   private loading: Promise<void> | null = null;
   private ownSpace: GizmoSpace = 'world';
   private readonly proxy = new Object3D();
-  private readonly startInverse = new Matrix4();
-  private readonly startRotation = new Quaternion();
-  private starts: Start[] = [];
+  private transform: TransformDrag | null = null;
+  private dragged: readonly GameObject[] = [];
   private targetList: GameObject[] = [];
   private targetsRevision = -1;
   private gesture: Gesture | null = null;
@@ -231,55 +217,31 @@ export class Gizmo {
 
   /** In the middle of the selection, turned as the one chosen last. */
   private placeProxy(objects: readonly GameObject[]): void {
-    const { proxy } = this;
     const last = objects.at(-1)!.object3D;
-    if (objects.length === 1) proxy.position.setFromMatrixPosition(last.matrixWorld);
-    else boundsOf(objects).getCenter(proxy.position);
-    proxy.quaternion.setFromRotationMatrix(delta.extractRotation(last.matrixWorld));
-    proxy.scale.copy(ONE);
-    proxy.updateMatrixWorld();
+    if (objects.length === 1) middle.setFromMatrixPosition(last.matrixWorld);
+    else boundsOf(objects).getCenter(middle);
+    placePivot(this.proxy, middle, last.matrixWorld);
   }
 
   private begin(): void {
     const objects = this.targets();
     if (objects.length === 0) return; // locked since the last picture
     this.placeProxy(objects);
-    this.starts = objects.map(startOf);
-    this.startInverse.copy(this.proxy.matrixWorld).invert();
-    this.startRotation.copy(this.proxy.quaternion).invert();
+    this.dragged = objects;
+    this.transform = new TransformDrag(this.proxy, objects.map(startOf));
     this.gesture = this.document.commands.begin();
   }
 
   private drag(): void {
-    if (!this.gesture?.isOpen) return;
-    this.proxy.updateMatrixWorld();
-    delta.copy(this.proxy.matrixWorld).multiply(this.startInverse);
-    turn.copy(this.proxy.quaternion).multiply(this.startRotation);
-    const edits = this.starts.flatMap((start) => this.editsOf(start));
-    const names = this.starts.length === 1 ? this.starts[0].object.name : `${this.starts.length} objects`;
-    this.gesture.preview(new SetFields(`${labels[this.currentMode]} ${names}`, edits));
+    const { gesture, transform, dragged, currentMode: mode } = this;
+    if (!gesture?.isOpen || !transform || mode === 'select') return;
+    const edits = transform.poses(mode).flatMap((pose, i) => editsOf(dragged[i], pose));
+    gesture.preview(new SetFields(countLabel(labels[mode], dragged), edits));
   }
 
   private end(): void {
     this.gesture?.commit();
     this.gesture = null;
-  }
-
-  private editsOf({ object, world, parentInverse, worldRotation, parentRotation, scale }: Start): FieldEdit[] {
-    const owner = object.transform;
-    const edits: FieldEdit[] = [];
-    const set = (name: string, value: FieldValue): void => void edits.push({ owner, name, value });
-    if (this.currentMode === 'translate' || this.starts.length > 1) {
-      place.setFromMatrixPosition(world).applyMatrix4(delta).applyMatrix4(parentInverse);
-      set('position', place.toArray());
-    }
-    if (this.currentMode === 'rotate') {
-      rotation.copy(parentRotation).invert().multiply(turn).multiply(worldRotation);
-      euler.setFromQuaternion(rotation, 'XYZ');
-      set('rotation', [euler.x, euler.y, euler.z]);
-    }
-    if (this.currentMode === 'scale') set('scale', place.copy(scale).multiply(this.proxy.scale).toArray());
-    return edits;
   }
 
   private applySnapping(): void {
@@ -296,4 +258,16 @@ export class Gizmo {
     this.ctrl = event.ctrlKey;
     this.applySnapping();
   };
+}
+
+function editsOf({ transform: owner }: GameObject, { position, quaternion, scale }: Partial<Pose>): FieldEdit[] {
+  const edits: FieldEdit[] = [];
+  const set = (name: string, value: FieldValue): void => void edits.push({ owner, name, value });
+  if (position) set('position', position.toArray());
+  if (quaternion) {
+    const { x, y, z } = euler.setFromQuaternion(quaternion, 'XYZ');
+    set('rotation', [x, y, z]);
+  }
+  if (scale) set('scale', scale.toArray());
+  return edits;
 }

@@ -1,3 +1,4 @@
+import { Signal } from '@farol/editing';
 import {
   Camera as CameraComponent,
   createWebGLRenderer,
@@ -8,7 +9,6 @@ import {
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName, type View } from '@farol/renderer';
 import { type Box2, type Camera, type Material, Vector2, type WebGLRenderer } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
-import { Signal } from '../model/Signal';
 import { boundsOf } from './boundsOf';
 import { BoxSelect } from './BoxSelect';
 import { CameraPreview } from './CameraPreview';

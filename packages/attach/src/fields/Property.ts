@@ -1,30 +1,43 @@
-import type { Field, FieldValue } from '@farol/engine/fields';
+import type { FieldTarget } from '@farol/editing';
+import { checkFieldValue, type Field, FieldError, type FieldValue } from '@farol/engine/fields';
 
 /** A value of something of three's, declared as a field of the editor is: kind, unit, range and a line of help. */
 export interface Property<Target = unknown> {
   readonly name: string;
-  readonly label: string;
   readonly field: Field;
   get(target: Target): FieldValue;
   set(target: Target, value: FieldValue): void;
 }
 
-/** A property with what it belongs to: one thing, or several that are edited together. */
-export interface BoundProperty {
-  readonly name: string;
-  readonly label: string;
-  readonly field: Field;
-  /** The value of each of them; at least one. */
-  get(): FieldValue[];
-  /** @param values one for each of them */
-  set(values: readonly FieldValue[]): void;
-}
+/**
+ * An object or a material of the page with some of its properties, as the editing kernel edits it. The page may hold values
+ * that a user could not enter, such as a camera without a far end; undo puts these back as well.
+ */
+export class PropertyOwner implements FieldTarget {
+  readonly fields: Readonly<Record<string, Field>>;
+  private readonly properties: ReadonlyMap<string, Property>;
 
-/** Binds properties to their targets, of which there is one at least. */
-export function bind<Target>(targets: readonly Target[], properties: readonly Property<Target>[]): BoundProperty[] {
-  return properties.map(({ name, label, field, get, set }) => ({
-    ...{ name, label, field },
-    get: () => targets.map((target) => get(target)),
-    set: (values) => targets.forEach((target, i) => set(target, values[i])),
-  }));
+  /** @param ownerName name or type of the target */
+  constructor(
+    readonly ownerName: string,
+    private readonly target: object,
+    properties: readonly Property<never>[],
+  ) {
+    this.properties = new Map(properties.map((property) => [property.name, property as Property]));
+    this.fields = Object.fromEntries(properties.map(({ name, field }) => [name, field]));
+  }
+
+  getAuthored(name: string): FieldValue {
+    return this.properties.get(name)!.get(this.target);
+  }
+
+  set(name: string, value: FieldValue): void {
+    this.properties.get(name)!.set(this.target, value);
+  }
+
+  /** @throws FieldError for a value that the field does not allow */
+  check(name: string, value: FieldValue): void {
+    const problem = checkFieldValue(this.fields[name], value);
+    if (problem !== null) throw new FieldError(this.ownerName, name, problem);
+  }
 }

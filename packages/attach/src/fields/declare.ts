@@ -4,12 +4,6 @@ import type { Property } from './Property';
 
 type Target = Record<string, unknown>;
 
-/** 'castShadow' as 'Cast shadow'. */
-function labelOf(name: string): string {
-  const words = name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
-  return words[0].toUpperCase() + words.slice(1);
-}
-
 /**
  * Declares a property that stands under its own name on an object of three's: plain for numbers, texts and flags, copied
  * in and out for vectors, Euler angles and colours.
@@ -20,7 +14,6 @@ export function declare(name: string, field: Field, after?: (target: Target) => 
   const { get, set } = accessOf(field, name);
   return {
     ...{ name, field, get },
-    label: field.label ?? labelOf(name),
     set(target, value) {
       set(target, value);
       after?.(target);
@@ -72,7 +65,6 @@ export function declareConstant(
   const options = Object.keys(values);
   return {
     name,
-    label: labelOf(name),
     field: { kind: 'choice', default: options[0], options, help },
     get: (target) => options.find((option) => values[option] === target[name]) ?? options[0],
     set(target, value) {

@@ -54,16 +54,17 @@ describe('the properties of three objects', () => {
   it.each(objects.map((object) => [sectionsOf([object]).at(-1)!.title, object] as const))(
     '%s: each is read, set and put back as it was',
     (_title, object) => {
-      for (const { title, properties } of sectionsOf([object])) {
-        for (const { name, field, get, set } of properties) {
-          const [before] = get();
+      for (const { title, owners } of sectionsOf([object])) {
+        const [owner] = owners;
+        for (const [name, field] of Object.entries(owner.fields)) {
+          const before = owner.getAuthored(name);
           expect(checkFieldValue(field, before), `${title}, ${name}`).toBeNull();
           const after = other(field, before);
           expect(checkFieldValue(field, after), `${title}, ${name}`).toBeNull();
-          set([after]);
-          expect(sameValue(get()[0], after), `${title}, ${name}: ${String(get())}`).toBe(true);
-          set([before]);
-          expect(sameValue(get()[0], before), `${title}, ${name}`).toBe(true);
+          owner.set(name, after);
+          expect(sameValue(owner.getAuthored(name), after), `${title}, ${name}`).toBe(true);
+          owner.set(name, before);
+          expect(sameValue(owner.getAuthored(name), before), `${title}, ${name}`).toBe(true);
         }
       }
     },
@@ -71,7 +72,7 @@ describe('the properties of three objects', () => {
 
   it('shows what a kind has, and no more', () => {
     const names = (object: THREE.Object3D) =>
-      sectionsOf([object]).flatMap(({ properties }) => properties.map((p) => p.name));
+      sectionsOf([object]).flatMap(({ owners }) => Object.keys(owners[0].fields));
     expect(names(new THREE.SpotLight())).toEqual(expect.arrayContaining(['color', 'angle', 'penumbra', 'distance']));
     expect(names(new THREE.PointLight())).not.toContain('angle');
     expect(names(new THREE.Mesh(undefined, new THREE.MeshBasicMaterial()))).not.toContain('roughness');
@@ -84,23 +85,23 @@ describe('the properties of three objects', () => {
 
   it('has another program compiled where an edit needs it', () => {
     const material = new THREE.MeshStandardMaterial();
-    const section = sectionsOf([new THREE.Mesh(undefined, material)]).at(-1)!;
-    section.properties.find(({ name }) => name === 'flatShading')!.set([true]);
+    const [owner] = sectionsOf([new THREE.Mesh(undefined, material)]).at(-1)!.owners;
+    owner.set('flatShading', true);
     expect(material.version).toBe(1);
-    section.properties.find(({ name }) => name === 'roughness')!.set([0.2]);
+    owner.set('roughness', 0.2);
     expect(material.version).toBe(1);
   });
 
   it('moves objects whose matrix is set by hand', () => {
     const object = new THREE.Object3D();
     object.matrixAutoUpdate = false;
-    sectionsOf([object])[0].properties[0].set([[1, 2, 3]]);
+    sectionsOf([object])[0].owners[0].set('position', [1, 2, 3]);
     expect(object.matrix.elements.slice(12, 15)).toEqual([1, 2, 3]);
   });
 
   it('shows what several objects share, their materials as one', () => {
     const names = (...list: THREE.Object3D[]) =>
-      sectionsOf(list).map(({ title, properties }) => `${title} ${properties.length}`);
+      sectionsOf(list).map(({ title, owners }) => `${title} ${Object.keys(owners[0].fields).length}`);
     const lamps = [new THREE.PointLight(), new THREE.SpotLight()];
     expect(names(...lamps)).toEqual(['Transform 3', 'Object 6', 'Light 4']);
     expect(names(new THREE.PointLight(), new THREE.PointLight())[2]).toBe('PointLight 4');
@@ -109,8 +110,8 @@ describe('the properties of three objects', () => {
     const meshes = [a, b].map((material) => new THREE.Mesh(undefined, material));
     const section = sectionsOf(meshes)[2];
     expect(section.title).toBe('2 materials');
-    expect(section.properties.map(({ name }) => name)).not.toContain('roughness');
-    section.properties.find(({ name }) => name === 'opacity')!.set([0.25, 0.5]);
+    expect(section.owners[0].fields).not.toHaveProperty('roughness');
+    [0.25, 0.5].forEach((opacity, i) => section.owners[i].set('opacity', opacity));
     expect([a.opacity, b.opacity]).toEqual([0.25, 0.5]);
   });
 });

@@ -3,12 +3,13 @@ import { cameraProperties } from './cameraProperties';
 import { lightProperties } from './lightProperties';
 import { materialProperties } from './materialProperties';
 import { objectProperties, transformProperties } from './objectProperties';
-import { bind, type BoundProperty, type Property } from './Property';
+import { type Property, PropertyOwner } from './Property';
 
 /** Properties under one heading of the inspector. */
 export interface Section {
   readonly title: string;
-  readonly properties: readonly BoundProperty[];
+  /** What the properties belong to: at least one, all with the same fields. */
+  readonly owners: readonly PropertyOwner[];
 }
 
 const materialsOf = (object: Object3D): Material[] => {
@@ -40,15 +41,17 @@ export function sectionsOf(objects: readonly Object3D[]): Section[] {
     const label = all.length === 1 ? all[0].type : `${all.length} materials`;
     sections.push(section(label, all, materialProperties));
   }
-  return sections.filter(({ properties }) => properties.length > 0);
+  return sections.filter(({ owners }) => Object.keys(owners[0].fields).length > 0);
 }
 
 function section(
   title: string,
-  targets: readonly object[],
+  targets: readonly (Object3D | Material)[],
   properties: readonly Property<Record<string, unknown>>[],
 ): Section {
-  const own = targets as readonly Record<string, unknown>[];
-  const present = properties.filter(({ name }) => own.every((each) => each[name] !== undefined && each[name] !== null));
-  return { title, properties: bind(own, present) };
+  const values = targets as readonly unknown[] as readonly Record<string, unknown>[];
+  const present = properties.filter(({ name }) =>
+    values.every((each) => each[name] !== undefined && each[name] !== null),
+  );
+  return { title, owners: targets.map((each) => new PropertyOwner(each.name || each.type, each, present)) };
 }

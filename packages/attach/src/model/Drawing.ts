@@ -1,7 +1,7 @@
+import { Signal } from '@farol/editing';
 import type { FarolRenderer, TechniqueName } from '@farol/renderer';
 import type { RenderHook } from '../viewport/RenderHook';
 import type { Session } from './Session';
-import { Signal } from './Signal';
 
 /** Who draws the page's scene: a technique of Farol's, or three's own renderer. */
 export type Drawer = TechniqueName | 'three';

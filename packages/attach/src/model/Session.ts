@@ -1,17 +1,17 @@
+import { CommandStack, Selection, Signal } from '@farol/editing';
 import type { Camera, Object3D, WebGLRenderer } from 'three';
-import { History } from './History';
-import { Signal } from './Signal';
 
 /** What the parts of an attached editor share: the page's scene, camera and renderer, the selection and the history. */
 export class Session {
-  readonly history = new History();
-  /** Emits when something else, or nothing, is selected. */
-  readonly selectionChanged = new Signal();
+  /** In the order of their choice. */
+  readonly selection = new Selection<Object3D>();
+  readonly commands = new CommandStack<Object3D>(({ selection }, isDone) => {
+    if (selection) this.selection.set(isDone ? selection.done : selection.undone);
+  });
   /** Emits when the scene was edited, also by undo and redo, and while an edit is under way. */
   readonly edited = new Signal();
   /** Emits when `problem` changes. */
   readonly problemChanged = new Signal();
-  private objects: readonly Object3D[] = [];
   private message = '';
 
   constructor(
@@ -20,40 +20,19 @@ export class Session {
     public camera: Camera,
     readonly webgl: WebGLRenderer,
   ) {
-    this.history.changed.listen(() => this.edited.emit());
+    this.commands.changed.subscribe(this.edited.emit);
   }
 
-  /** The selected objects, in the order of their choice. */
-  get selection(): readonly Object3D[] {
-    return this.objects;
-  }
-
-  set selection(objects: readonly Object3D[]) {
-    const next = [...new Set(objects)];
-    if (next.length === this.objects.length && next.every((object, i) => object === this.objects[i])) return;
-    this.objects = next;
-    this.selectionChanged.emit();
-  }
-
-  /** The object that was selected last, or null; setting it selects it alone. */
-  get selected(): Object3D | null {
-    return this.objects.at(-1) ?? null;
-  }
-
-  set selected(object: Object3D | null) {
-    this.selection = object ? [object] : [];
-  }
-
-  /** Selects an object besides the others, or no longer. */
-  toggle(object: Object3D): void {
-    const others = this.objects.filter((each) => each !== object);
-    this.selection = others.length < this.objects.length ? others : [...others, object];
+  /** Selects an object alone, or nothing. */
+  select(object: Object3D | null): void {
+    this.selection.set(object ? [object] : []);
   }
 
   /** The selected objects that have a place in the scene and are not below another one of them. */
   get topmost(): Object3D[] {
-    const chosen = new Set(this.objects);
-    return this.objects.filter((object) => {
+    const { items } = this.selection;
+    const chosen = new Set(items);
+    return items.filter((object) => {
       if (object === this.scene || !object.parent) return false;
       for (let above: Object3D | null = object.parent; above; above = above.parent) if (chosen.has(above)) return false;
       return true;
@@ -68,8 +47,9 @@ export class Session {
 
   /** Deselects what the page has taken away. */
   dropLost(): void {
-    if (!this.objects.every((object) => this.holds(object)))
-      this.selection = this.objects.filter((object) => this.holds(object));
+    const { selection } = this;
+    if (!selection.items.every((object) => this.holds(object)))
+      selection.set(selection.items.filter((object) => this.holds(object)));
   }
 
   /** Why the last thing that was asked for was not done; '' when it was. */

@@ -1,6 +1,7 @@
+import { countLabel } from '@farol/editing';
 import type { DirectionalLight, Object3D } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
-import { Place } from './Place';
+import { placementOf, PlaceObjects } from './PlaceObjects';
 import type { Session } from './Session';
 
 /** A copy with all below it; geometries and materials are shared. @throws Error for a class that cannot be copied */
@@ -30,28 +31,19 @@ function copyOf(object: Object3D): Object3D {
 }
 
 /** Puts a copy of each selected object after it, and selects the copies: one step of history. @throws Error as `copyOf` does */
-export function duplicateSelected(session: Session): void {
-  const objects = session.topmost;
+export function duplicateSelected({ commands, selection, topmost: objects }: Session): void {
   if (objects.length === 0) return;
-  const before = session.selection;
-  const made = objects.map((object) => ({ object, copy: copyOf(object) }));
-  // each as it is placed: those before it count
-  const places = made.map(({ object, copy }) => {
-    const place = new Place(copy, object.parent!, object.parent!.children.indexOf(object) + 1);
-    place.fill();
-    return place;
-  });
-  const copies = made.map(({ copy }) => copy);
-  session.selection = copies;
-  session.history.keep({
-    label: `duplicate of ${objects.length === 1 ? objects[0].name || objects[0].type : `${objects.length} objects`}`,
-    undo() {
-      for (const place of places.toReversed()) place.clear();
-      session.selection = before;
-    },
-    redo() {
-      for (const place of places) place.fill();
-      session.selection = copies;
-    },
-  });
+  const placements = objects.map((object) => ({ ...placementOf(object), object: copyOf(object) }));
+  commands.run(
+    new PlaceObjects(
+      countLabel('Duplicate', objects),
+      'add',
+      // after the original, and after the copies that come before it under the same parent
+      placements.map((each) => {
+        const before = placements.filter(({ parent, index }) => parent === each.parent && index <= each.index);
+        return { ...each, index: each.index + before.length };
+      }),
+      { done: placements.map(({ object }) => object), undone: selection.items },
+    ),
+  );
 }

@@ -40,25 +40,25 @@ describe('removeSelected', () => {
   it('takes several out, of those below one another the upper ones, and puts each back in its place', () => {
     const session = makeSession(group('a'), group('b', group('c'), group('d')), group('e'), group('f'));
     const before = treeOf(session.scene);
-    session.selection = find(session, 'ecba');
+    session.selection.set(find(session, 'ecba'));
     removeSelected(session);
     expect(treeOf(session.scene)).toBe('f');
-    expect(session.selection).toEqual([]);
-    expect(session.history.undoLabel).toBe('delete of 3 objects');
-    session.history.undo();
+    expect(session.selection.items).toEqual([]);
+    expect(session.commands.undoLabel).toBe('Delete 3 objects');
+    session.commands.undo();
     expect(treeOf(session.scene)).toBe(before);
-    expect(session.selection.map(({ name }) => name).join('')).toBe('eba');
-    session.history.redo();
+    expect(session.selection.items.map(({ name }) => name).join('')).toBe('eba');
+    session.commands.redo();
     expect(treeOf(session.scene)).toBe('f');
   });
 
   it('leaves the scene itself, and the camera that the page looks through', () => {
     const session = makeSession(group('a', group('b')));
-    session.selected = session.scene;
+    session.select(session.scene);
     removeSelected(session);
-    expect(session.history.undoLabel).toBe(null);
+    expect(session.commands.undoLabel).toBe(null);
     find(session, 'b')[0].add(session.camera);
-    session.selection = find(session, 'a');
+    session.selection.set(find(session, 'a'));
     session.attempt(() => removeSelected(session));
     expect(session.problem).toContain('looks through');
     expect(treeOf(session.scene)).toBe('a(b())');
@@ -68,14 +68,14 @@ describe('removeSelected', () => {
 describe('duplicateSelected', () => {
   it('puts copies after their originals, selects them, and takes them away again', () => {
     const session = makeSession(group('a'), group('b', group('c')));
-    session.selection = find(session, 'ab');
+    session.selection.set(find(session, 'ab'));
     duplicateSelected(session);
     expect(treeOf(session.scene)).toBe('a,a,b(c),b(c)');
-    expect(session.selection).toEqual([session.scene.children[1], session.scene.children[3]]);
-    session.history.undo();
+    expect(session.selection.items).toEqual([session.scene.children[1], session.scene.children[3]]);
+    session.commands.undo();
     expect(treeOf(session.scene)).toBe('a,b(c)');
-    expect(session.selection).toEqual(find(session, 'ab'));
-    session.history.redo();
+    expect(session.selection.items).toEqual(find(session, 'ab'));
+    session.commands.redo();
     expect(treeOf(session.scene)).toBe('a,a,b(c),b(c)');
   });
 
@@ -88,9 +88,9 @@ describe('duplicateSelected', () => {
     skin.add(bone);
     skin.bind(new Skeleton([bone]));
     const session = makeSession(target, light, skin);
-    session.selection = [light, skin];
+    session.selection.set([light, skin]);
     duplicateSelected(session);
-    const [copy, skinCopy] = session.selection as [DirectionalLight, SkinnedMesh];
+    const [copy, skinCopy] = session.selection.items as [DirectionalLight, SkinnedMesh];
     expect(copy.target).toBe(target);
     expect(skinCopy.skeleton.bones[0]).toBe(skinCopy.children[0]);
     expect(skinCopy.geometry).toBe(skin.geometry);
@@ -104,10 +104,10 @@ describe('duplicateSelected', () => {
       }
     }
     const session = makeSession(group('a'), new Picky({ size: 1 }));
-    session.selection = session.scene.children;
+    session.selection.set(session.scene.children);
     session.attempt(() => duplicateSelected(session));
     expect(session.problem).toContain('picky 1 cannot be duplicated');
     expect(session.scene.children).toHaveLength(2);
-    expect(session.history.undoLabel).toBe(null);
+    expect(session.commands.undoLabel).toBe(null);
   });
 });

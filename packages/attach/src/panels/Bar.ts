@@ -1,10 +1,11 @@
+import { lowerFirst, type TransformMode } from '@farol/editing';
 import type { Session } from '../model/Session';
 import { duplicateSelected } from '../model/duplicateSelected';
 import { removeSelected } from '../model/removeSelected';
 import { element } from '../ui/element';
-import type { Gizmo, GizmoMode } from '../viewport/Gizmo';
+import type { Gizmo } from '../viewport/Gizmo';
 
-const modes: Record<GizmoMode, string> = { translate: 'Move', rotate: 'Turn', scale: 'Scale' };
+const modes: Record<TransformMode, string> = { translate: 'Move', rotate: 'Rotate', scale: 'Scale' };
 
 /** Buttons: undo and redo, what the gizmo does, copies and deletion, and closing. */
 export class Bar {
@@ -27,12 +28,12 @@ export class Bar {
       made.addEventListener('click', run);
       return made;
     };
-    this.undo = button('Undo', () => session.history.undo());
-    this.redo = button('Redo', () => session.history.redo());
+    this.undo = button('Undo', () => session.commands.undo());
+    this.redo = button('Redo', () => session.commands.redo());
     const press = (made: HTMLButtonElement, isPressed: boolean) => made.setAttribute('aria-pressed', String(isPressed));
     const gizmos = Object.entries(modes).map(([mode, label]) => {
       const made = button(label, () => {
-        gizmo.mode = mode as GizmoMode;
+        gizmo.mode = mode as TransformMode;
         for (const each of gizmos) press(each, each === made);
       });
       press(made, gizmo.mode === mode);
@@ -54,8 +55,8 @@ export class Bar {
     });
     fold.setAttribute('aria-expanded', 'true');
     this.element.append(this.undo, this.redo, this.duplicate, this.remove, ...gizmos, space, fold, this.problem);
-    const shows = [session.history.changed, session.selectionChanged, session.problemChanged];
-    this.ends = shows.map((signal) => signal.listen(() => this.show()));
+    const shows = [session.commands.changed, session.selection.changed, session.problemChanged];
+    this.ends = shows.map((signal) => signal.subscribe(() => this.show()));
     this.show();
   }
 
@@ -64,13 +65,13 @@ export class Bar {
   }
 
   private show(): void {
-    const { history, topmost, problem } = this.session;
-    const { undoLabel, redoLabel } = history;
+    const { commands, topmost, problem } = this.session;
+    const { undoLabel, redoLabel } = commands;
     // not `disabled`, which would take the focus, and with it the keys, from a button that was just pressed
     this.undo.ariaDisabled = String(undoLabel === null);
-    this.undo.title = undoLabel === null ? '' : `Undo ${undoLabel}`;
+    this.undo.title = undoLabel === null ? '' : `Undo ${lowerFirst(undoLabel)}`;
     this.redo.ariaDisabled = String(redoLabel === null);
-    this.redo.title = redoLabel === null ? '' : `Redo ${redoLabel}`;
+    this.redo.title = redoLabel === null ? '' : `Redo ${lowerFirst(redoLabel)}`;
     for (const each of [this.duplicate, this.remove]) each.ariaDisabled = String(topmost.length === 0);
     this.problem.hidden = problem === '';
     this.problem.textContent = problem;

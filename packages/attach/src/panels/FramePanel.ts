@@ -51,7 +51,7 @@ export class FramePanel {
     this.timing.addEventListener('change', () => {
       if (drawing.farol) drawing.farol.timing = this.timing.checked;
     });
-    this.end = drawing.changed.listen(() => this.show());
+    this.end = drawing.changed.subscribe(() => this.show());
     this.show();
   }
 

@@ -10,7 +10,7 @@ export class Inspector {
   private readonly end: () => void;
 
   constructor(private readonly session: Session) {
-    this.end = session.selectionChanged.listen(() => this.build());
+    this.end = session.selection.changed.subscribe(() => this.build());
     this.build();
   }
 
@@ -30,7 +30,7 @@ export class Inspector {
 
   private build(): void {
     this.close();
-    const { selection } = this.session;
+    const { items: selection } = this.session.selection;
     this.inputs = [];
     if (selection.length === 0) {
       const hint = 'Nothing is selected: choose an object in the tree, or click one in the picture.';
@@ -39,8 +39,8 @@ export class Inspector {
     }
     this.element.replaceChildren(
       ...(selection.length > 1 ? [element('p', { className: 'hint' }, `${selection.length} objects`)] : []),
-      ...sectionsOf(selection).map(({ title, properties }) => {
-        const inputs = properties.map((property) => new FieldInput(this.session, property));
+      ...sectionsOf(selection).map(({ title, owners }) => {
+        const inputs = Object.keys(owners[0].fields).map((name) => new FieldInput(this.session, owners, name));
         this.inputs.push(...inputs);
         return element(
           'details',

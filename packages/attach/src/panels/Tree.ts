@@ -50,7 +50,7 @@ export class Tree {
     this.element.addEventListener('keydown', (event) => {
       if (this.key(event)) event.preventDefault();
     });
-    this.end = session.selectionChanged.listen(() => this.reveal());
+    this.end = session.selection.changed.subscribe(() => this.reveal());
     this.sizes = new ResizeObserver(() => this.draw());
     this.sizes.observe(this.element);
     this.refresh();
@@ -92,7 +92,7 @@ export class Tree {
 
   /** Reads the scene again, with what is above the selected object open, and scrolls to it. */
   private reveal(): void {
-    const { selected } = this.session;
+    const { primary: selected } = this.session.selection;
     for (let each = selected?.parent ?? null; each; each = each.parent) this.open.add(each);
     this.refresh();
     const index = this.rows.findIndex(({ object }) => object === selected);
@@ -107,7 +107,7 @@ export class Tree {
     const { scrollTop, clientHeight } = this.element;
     const first = Math.max(0, Math.floor(scrollTop / ROW) - MARGIN);
     const rows = this.rows.slice(first, Math.ceil((scrollTop + clientHeight) / ROW) + MARGIN);
-    const { selected, selection } = this.session;
+    const { primary: selected, items: selection } = this.session.selection;
     const chosen = selection.map(({ id }) => id).join();
     const drawn = rows
       .map(({ object, depth }) =>
@@ -125,7 +125,7 @@ export class Tree {
   /** An element stays for as long as its object is seen: one that goes while it is pressed takes the click with it. */
   private drawRows(rows: readonly Row[], first: number): void {
     const seen = new Set(rows.map(({ object }) => object.id));
-    const selection = new Set(this.session.selection);
+    const selection = new Set(this.session.selection.items);
     for (const [id, each] of this.elements) {
       if (seen.has(id)) continue;
       each.remove();
@@ -187,12 +187,12 @@ export class Tree {
     if (shiftKey && from >= 0) {
       const to = rows.findIndex((row) => row.object === object);
       const range = rows.slice(Math.min(from, to), Math.max(from, to) + 1).map((row) => row.object);
-      session.selection = from < to ? range : range.toReversed();
+      session.selection.set(from < to ? range : range.toReversed());
       return;
     }
     this.anchor = object;
-    if (ctrlKey || metaKey) session.toggle(object);
-    else session.selected = object;
+    if (ctrlKey || metaKey) session.selection.toggle(object);
+    else session.select(object);
   }
 
   private toggle(object: Object3D): void {
@@ -204,7 +204,7 @@ export class Tree {
   private key(event: KeyboardEvent): boolean {
     const { rows, session } = this;
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
-    const at = rows.findIndex(({ object }) => object === session.selected);
+    const at = rows.findIndex(({ object }) => object === session.selection.primary);
     const select = (index: number) => {
       const row = rows[Math.min(rows.length - 1, Math.max(0, index))];
       this.choose(row.object, event);
@@ -229,10 +229,10 @@ export class Tree {
         return true;
       case 'ArrowLeft':
         if (object && this.open.has(object) && object.children.length > 0) this.toggle(object);
-        else if (object?.parent && object !== session.scene) session.selected = object.parent;
+        else if (object?.parent && object !== session.scene) session.select(object.parent);
         return true;
       case 'Escape':
-        session.selected = null;
+        session.select(null);
         return true;
       default:
         return false;

@@ -1,37 +1,43 @@
-import { type PerspectiveCamera, Scene, type Vector2 } from 'three';
+import { countLabel, type Gesture, placePivot, TransformDrag, type TransformMode } from '@farol/editing';
+import { Matrix4, Object3D, type PerspectiveCamera, Scene, type Vector2, Vector3 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { Session } from '../model/Session';
-import { Drag } from './Drag';
+import { poseOf, SetPoses } from './SetPoses';
 
-export type GizmoMode = 'translate' | 'rotate' | 'scale';
+const labels: Record<TransformMode, string> = { translate: 'Move', rotate: 'Rotate', scale: 'Scale' };
+const middle = new Vector3();
+const place = new Vector3();
 
-const labels: Record<GizmoMode, string> = { translate: 'move', rotate: 'turn', scale: 'scale' };
+/** A drag under way. */
+interface Drag {
+  readonly objects: readonly Object3D[];
+  readonly transform: TransformDrag;
+  readonly gesture: Gesture<Object3D>;
+}
 
 /**
- * three's TransformControls on the object that was selected last, in a scene of their own; the others that are selected
- * follow it. One drag is one step of history.
+ * three's TransformControls on a pivot in the middle of the selected objects, in a scene of their own. One drag is one step
+ * of history.
  */
 export class Gizmo {
   readonly scene = new Scene();
   private readonly controls: TransformControls;
+  private readonly pivot = new Object3D();
   private current: Drag | null = null;
   private readonly end: () => void;
 
   constructor(private readonly session: Session) {
     this.controls = new TransformControls(session.camera);
-    this.scene.add(this.controls.getHelper());
-    this.controls.addEventListener('objectChange', () => {
-      this.current?.follow(this.mode === 'scale');
-      session.edited.emit();
-    });
-    this.end = session.selectionChanged.listen(() => this.follow());
+    this.scene.add(this.pivot, this.controls.getHelper());
+    this.controls.addEventListener('objectChange', () => this.preview());
+    this.end = session.selection.changed.subscribe(() => this.update());
   }
 
-  get mode(): GizmoMode {
-    return this.controls.mode as GizmoMode;
+  get mode(): TransformMode {
+    return this.controls.mode as TransformMode;
   }
 
-  set mode(mode: GizmoMode) {
+  set mode(mode: TransformMode) {
     this.controls.setMode(mode);
     this.session.edited.emit();
   }
@@ -49,30 +55,44 @@ export class Gizmo {
     return this.current !== null;
   }
 
-  /** Brings the gizmo to where its object and the camera are. @returns whether there is something to draw */
+  /** Brings the gizmo to where the selected objects and the camera are. @returns whether there is something to draw */
   update(): boolean {
-    const { session, controls } = this;
+    const { session, controls, pivot } = this;
     controls.camera = session.camera as PerspectiveCamera;
     session.dropLost();
-    return controls.object !== undefined;
+    if (this.isDragging) return true;
+    const objects = session.topmost;
+    if (objects.length === 0) {
+      controls.detach();
+      return false;
+    }
+    middle.set(0, 0, 0);
+    for (const object of objects) {
+      object.updateWorldMatrix(true, false);
+      middle.add(place.setFromMatrixPosition(object.matrixWorld));
+    }
+    placePivot(pivot, middle.divideScalar(objects.length), objects.at(-1)!.matrixWorld);
+    if (!controls.object) controls.attach(pivot);
+    return true;
   }
 
   /** Lights up the handle at a point of the picture. @returns whether there is one */
   hover(at: Vector2): boolean {
     if (!this.update()) return false;
-    // the handles are where the object is now, not where they were drawn last
+    // the handles are where the objects are now, not where they were drawn last
     this.controls.getHelper().updateMatrixWorld(true);
     this.controls.pointerHover(pointer(at, -1));
     return this.controls.axis !== null;
   }
 
   begin(at: Vector2): void {
-    const { topmost } = this.session;
-    const leader = this.controls.object!;
-    this.current = new Drag(
-      leader,
-      topmost.filter((object) => object !== leader),
-    );
+    const { session, pivot } = this;
+    const objects = session.topmost;
+    const starts = objects.map((object) => ({
+      ...poseOf(object),
+      parentWorld: object.parent?.matrixWorld ?? new Matrix4(),
+    }));
+    this.current = { objects, transform: new TransformDrag(pivot, starts), gesture: session.commands.begin() };
     this.controls.pointerDown(pointer(at, 0));
   }
 
@@ -80,23 +100,13 @@ export class Gizmo {
     this.controls.pointerMove(pointer(at, -1));
   }
 
-  /** Ends a drag, as a step of history, or by putting the object back. */
+  /** Ends a drag, as a step of history, or by putting the objects back. */
   finish(at: Vector2, keep: boolean): void {
-    const { current, controls, session } = this;
-    const { object } = controls;
+    const { current, controls } = this;
     this.current = null;
     controls.pointerUp(pointer(at, 0));
-    if (!current || !object) return;
-    const redo = current.finish();
-    if (!redo) return;
-    if (keep) {
-      const count = session.topmost.length;
-      const name = count > 1 ? `${count} objects` : object.name || object.type;
-      session.history.keep({ label: `${labels[this.mode]} of ${name}`, undo: () => current.undo(), redo });
-    } else {
-      current.undo();
-      session.edited.emit();
-    }
+    if (keep) current?.gesture.commit();
+    else current?.gesture.discard();
   }
 
   dispose(): void {
@@ -105,12 +115,11 @@ export class Gizmo {
     this.controls.getHelper().dispose();
   }
 
-  private follow(): void {
-    const { controls, session } = this;
-    // of what is selected together with something above it, that one moves
-    const object = session.topmost.at(-1);
-    if (object) controls.attach(object);
-    else controls.detach();
+  private preview(): void {
+    if (!this.current) return;
+    const { objects, transform, gesture } = this.current;
+    gesture.preview(new SetPoses(countLabel(labels[this.mode], objects), objects, transform.poses(this.mode)));
+    this.session.edited.emit();
   }
 }
 

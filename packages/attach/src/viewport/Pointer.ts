@@ -68,8 +68,8 @@ export class Pointer {
     if (!pressed || pressed.id !== event.pointerId || !keep) return;
     if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > CLICK) return;
     const picked = pickObject(session.scene, session.camera, this.at);
-    if (!event.ctrlKey && !event.metaKey && !event.shiftKey) session.selected = picked;
-    else if (picked) session.toggle(picked);
+    if (!event.ctrlKey && !event.metaKey && !event.shiftKey) session.select(picked);
+    else if (picked) session.selection.toggle(picked);
   }
 
   private escape(event: KeyboardEvent): void {

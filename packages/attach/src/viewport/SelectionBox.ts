@@ -13,7 +13,7 @@ export class SelectionBox {
     private readonly session: Session,
     private readonly scene: Scene,
   ) {
-    this.end = session.selectionChanged.listen(() => this.follow());
+    this.end = session.selection.changed.subscribe(() => this.follow());
     this.follow();
   }
 
@@ -36,7 +36,10 @@ export class SelectionBox {
 
   private follow(): void {
     this.clear();
-    const { selection, scene } = this.session;
+    const {
+      selection: { items: selection },
+      scene,
+    } = this.session;
     let count = 0;
     this.boxes = selection.flatMap((selected) => {
       let isShown = false;

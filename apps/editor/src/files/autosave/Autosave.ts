@@ -1,6 +1,6 @@
+import { Signal } from '@farol/editing';
 import { createId } from '@farol/engine/files';
 import type { DraftKeeper, EditorApi } from '../../api/EditorApi';
-import { Signal } from '../../model/Signal';
 import { AutosaveStore, lockOf } from './AutosaveStore';
 import { noteClean } from './cleanSessions';
 import { draftReason } from './draftReason';

@@ -1,5 +1,5 @@
+import type { Command } from '@farol/editing';
 import type { AssetLibrary, TakenAsset } from '@farol/engine';
-import type { Command } from '../Command';
 
 const labelOf = (verb: string, assets: readonly TakenAsset[]): string =>
   `${verb} ${assets.length === 1 ? assets[0].name : `${assets.length} assets`}`;

@@ -1,4 +1,4 @@
-import type { Command } from '../Command';
+import type { Command } from '@farol/editing';
 
 /** Several commands as one step. They are done in their order, and undone in the other. */
 export class CommandList implements Command {

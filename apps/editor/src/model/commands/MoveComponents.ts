@@ -1,5 +1,5 @@
+import type { Command } from '@farol/editing';
 import type { Component } from '@farol/engine';
-import type { Command } from '../Command';
 
 interface Move {
   readonly component: Component;

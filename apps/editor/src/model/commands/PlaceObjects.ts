@@ -1,5 +1,5 @@
+import type { CommandSelection } from '@farol/editing';
 import type { Scene } from '@farol/engine';
-import type { CommandSelection } from '../Command';
 import type { Placement } from './Placement';
 import { StructuralCommand } from './StructuralCommand';
 

@@ -1,4 +1,4 @@
-import type { Command, CommandSelection } from '../Command';
+import type { Command, CommandSelection } from '@farol/editing';
 
 /** Several commands as one step: done in order, undone backwards. Each may build on what those before it have done. */
 export class Sequence implements Command {

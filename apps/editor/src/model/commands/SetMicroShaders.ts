@@ -1,5 +1,5 @@
+import type { Command } from '@farol/editing';
 import type { Scene } from '@farol/engine';
-import type { Command } from '../Command';
 
 /** A microshader of a scene, and the text that it shall have; null for the renderer's own, or none. */
 export interface MicroShaderEdit {

@@ -1,6 +1,6 @@
+import type { Command } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import type { Prefab } from '@farol/engine/prefabs';
-import type { Command } from '../Command';
 
 /** Puts a prefab into a scene, in the place of one of its id, or takes it out. Objects of the scene stay as they are. */
 export class SetPrefab implements Command {

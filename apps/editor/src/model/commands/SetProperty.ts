@@ -1,4 +1,4 @@
-import type { Command } from '../Command';
+import type { Command } from '@farol/editing';
 
 /** Sets a plain property, such as `name` or `active` of GameObjects and `enabled` of components, of all targets. */
 export class SetProperty<K extends string, V> implements Command {

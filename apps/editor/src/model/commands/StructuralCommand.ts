@@ -1,5 +1,5 @@
+import type { Command, CommandSelection } from '@farol/editing';
 import type { Camera, Scene } from '@farol/engine';
-import type { Command, CommandSelection } from '../Command';
 
 /**
  * A command that adds, takes out or moves. A scene that loses its camera chooses another one: this brings the active

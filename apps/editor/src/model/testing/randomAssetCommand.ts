@@ -1,5 +1,5 @@
+import type { Command } from '@farol/editing';
 import { DataTexture } from 'three';
-import type { Command } from '../Command';
 import { deleteAsset } from '../assetUsages';
 import { AddAssets } from '../commands/AddAssets';
 import type { EditorDocument } from '../EditorDocument';

@@ -1,6 +1,6 @@
+import type { Command } from '@farol/editing';
 import { builtinComponents, GameObject } from '@farol/engine';
 import { copyObjects, pasteObjects } from '../clip';
-import type { Command } from '../Command';
 import type { Container } from '../commands/Placement';
 import { SetMicroShaders } from '../commands/SetMicroShaders';
 import { SetProperty } from '../commands/SetProperty';

@@ -1,5 +1,5 @@
+import { SetFields } from '@farol/editing';
 import type { FieldOwner } from '@farol/engine/fields';
-import { SetFields } from '../commands/SetFields';
 import type { EditorDocument } from '../EditorDocument';
 import { pick, type Random } from './random';
 import { randomValue } from './randomValue';

@@ -1,6 +1,6 @@
+import type { Command } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
 import { instanceRootOf, overridesOf, PrefabError } from '@farol/engine/prefabs';
-import type { Command } from '../Command';
 import type { Container } from '../commands/Placement';
 import type { EditorDocument } from '../EditorDocument';
 import {

@@ -1,3 +1,4 @@
+import { sharedValue } from '@farol/editing';
 import { type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
@@ -12,26 +13,19 @@ export function FieldList({ owners }: { owners: readonly FieldOwner[] }): ReactN
   return Object.entries(owner.fields)
     .filter(([name]) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
     .map(([name, field]) => {
-      const value = owner.getAuthored(name);
-      const mixed = owners.some((other) => !sameValue(other.getAuthored(name), value));
+      const { value, mixed, parts } = sharedValue(owners.map((each) => each.getAuthored(name)));
       return (
         <FieldRow
           key={name}
           owners={owners}
           name={name}
           field={field}
-          value={mixed ? null : value}
+          value={value}
           mixed={mixed}
-          parts={mixed && Array.isArray(value) ? commonParts(owners, name) : ''}
+          parts={parts ? JSON.stringify(parts) : ''}
           isDefault={!mixed && sameValue(value, field.default)}
           places={places}
         />
       );
     });
-}
-
-/** The coordinates of a vector that all owners have in common, null for the others; as JSON. */
-function commonParts(owners: readonly FieldOwner[], name: string): string {
-  const [first, ...others] = owners.map((owner) => owner.getAuthored(name) as readonly number[]);
-  return JSON.stringify(first.map((value, i) => (others.every((other) => other[i] === value) ? value : null)));
 }

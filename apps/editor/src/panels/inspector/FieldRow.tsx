@@ -1,10 +1,8 @@
+import { FieldGesture, type FieldUpdate, describeField, labelOfField } from '@farol/editing';
 import type { Field, FieldOwner, FieldValue } from '@farol/engine/fields';
 import { type ComponentType, memo, type ReactNode, useCallback, useMemo } from 'react';
 import { fieldEditors } from '../../fields';
-import { describeField } from '../../fields/describeField';
 import type { FieldEditorProps } from '../../api/FieldEditorProps';
-import { labelOfField } from '../../fields/labelOfField';
-import { FieldGesture, type FieldUpdate } from '../../model/FieldGesture';
 import { resetFields } from '../../model/edits';
 import { OverrideMark } from '../prefab/OverrideMark';
 import { useEditor } from '../../ui/EditorContext';

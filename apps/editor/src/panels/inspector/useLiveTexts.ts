@@ -1,6 +1,6 @@
+import { toDegrees } from '@farol/editing';
 import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { useEffect, useState } from 'react';
-import { MathUtils } from 'three';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 
 /** Milliseconds between two readings of values that move. */
@@ -8,7 +8,7 @@ const INTERVAL = 100;
 
 function liveText(value: FieldValue, isAngle: boolean): string {
   if (!Array.isArray(value)) return String(value);
-  return value.map((each: number) => (isAngle ? each * MathUtils.RAD2DEG : each).toFixed(2)).join('  ');
+  return value.map((each: number) => (isAngle ? toDegrees(each) : each).toFixed(2)).join('  ');
 }
 
 /**

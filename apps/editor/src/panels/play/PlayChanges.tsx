@@ -1,6 +1,6 @@
+import { toDegrees } from '@farol/editing';
 import { type FieldValue, sameValue } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
-import { MathUtils } from 'three';
 import { nameOf, type PlayChange } from '../../model/PlayEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -10,7 +10,7 @@ import './play.css';
 function valueText(value: FieldValue, kind: string): string {
   if (value === null) return 'none';
   const isAngle = kind === 'angle' || kind === 'euler';
-  const text = (each: number): string => String(Number((isAngle ? each * MathUtils.RAD2DEG : each).toPrecision(4)));
+  const text = (each: number): string => String(Number((isAngle ? toDegrees(each) : each).toPrecision(4)));
   if (typeof value === 'number') return text(value) + (isAngle ? '°' : '');
   if (Array.isArray(value)) return value.map((each: number) => text(each)).join('  ');
   return typeof value === 'boolean' ? (value ? 'on' : 'off') : String(value);

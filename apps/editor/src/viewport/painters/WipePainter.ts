@@ -1,8 +1,8 @@
+import { Signal } from '@farol/editing';
 import { followDecals } from '@farol/engine';
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { type Camera, HalfFloatType, type Scene, Vector2, WebGLRenderTarget } from 'three';
 import type { MicroShaderEditing } from '../../microshaders/MicroShaderEditing';
-import { Signal } from '../../model/Signal';
 import { drawsFloats } from '../drawsFloats';
 import type { Painter } from '../Painter';
 import type { Viewport } from '../Viewport';

@@ -1,0 +1,40 @@
+import { Signal } from './Signal';
+
+/** The selected items, each once, in the order in which they were chosen. */
+export class Selection<Item> {
+  /** Emits when other items are selected. */
+  readonly changed = new Signal();
+
+  private list: readonly Item[] = [];
+
+  /** Another array after each change. */
+  get items(): readonly Item[] {
+    return this.list;
+  }
+
+  /** The item chosen last; null when none is. */
+  get primary(): Item | null {
+    return this.list.at(-1) ?? null;
+  }
+
+  has(item: Item): boolean {
+    return this.list.includes(item);
+  }
+
+  /** Selects these and no others. */
+  set(items: readonly Item[]): void {
+    const next = [...new Set(items)];
+    if (next.length === this.list.length && next.every((item, i) => item === this.list[i])) return;
+    this.list = Object.freeze(next);
+    this.changed.emit();
+  }
+
+  /** Selects one more, or one less. */
+  toggle(item: Item): void {
+    this.set(this.has(item) ? this.list.filter((each) => each !== item) : [...this.list, item]);
+  }
+
+  clear(): void {
+    this.set([]);
+  }
+}

@@ -1,0 +1,83 @@
+import type { Command } from '../history/Command';
+import type { CommandStack } from '../history/CommandStack';
+import type { Gesture } from '../history/Gesture';
+import { labelOfField } from './labelOfField';
+import type { FieldTarget, FieldValue } from './FieldTarget';
+import { SetFields } from './SetFields';
+
+/** A new value, or each owner's value made from its own, such as another x and the same y and z. */
+export type FieldUpdate<Value extends FieldValue = FieldValue> = Value | ((before: Value) => Value);
+
+/** Edits one field of one or of several owners by hand: many previews, one step of history. */
+export class FieldGesture<Item = string> {
+  private gesture: Gesture<Item> | null = null;
+  private before: readonly FieldValue[] = [];
+  /** The step that the last commit made; null when it made none. */
+  private step: Command<Item> | null = null;
+
+  /** @param owners all of one type; at least one */
+  constructor(
+    private readonly commands: CommandStack<Item>,
+    private readonly owners: readonly FieldTarget[],
+    private readonly name: string,
+  ) {}
+
+  /** Whether an edit is under way: previewed, and neither kept nor discarded, by an undo for example. */
+  get isOpen(): boolean {
+    return this.gesture?.isOpen ?? false;
+  }
+
+  /** Shows what the field would be. @throws Error when the value is not allowed; the preview before stays */
+  preview<Value extends FieldValue>(update: FieldUpdate<Value>): void {
+    if (!this.gesture) {
+      this.before = this.owners.map((owner) => owner.getAuthored(this.name));
+      this.gesture = this.commands.begin();
+    }
+    // a gesture that an undo has ended takes nothing more
+    this.gesture.preview(this.setTo(update));
+  }
+
+  /** Keeps the last preview, or the value given, as one step. @throws Error when that value is not allowed */
+  commit<Value extends FieldValue>(update?: FieldUpdate<Value>): void {
+    if (update !== undefined) this.preview(update);
+    const { last } = this.commands;
+    this.gesture?.commit();
+    this.gesture = null;
+    this.step = this.commands.last === last ? null : this.commands.last;
+  }
+
+  /**
+   * A value of the edit that was committed last, which comes late: part of the same step. An undo of the step, and a step
+   * after it, let such a value pass.
+   * @throws Error when the value is not allowed
+   */
+  amend<Value extends FieldValue>(update: FieldUpdate<Value>): void {
+    if (!this.step) this.commit(update);
+    else if (this.commands.amend(this.step, this.setTo(update))) this.step = this.commands.last;
+  }
+
+  /** Goes back to the values from before the first preview. */
+  discard(): void {
+    this.gesture?.discard();
+    this.gesture = null;
+  }
+
+  /** @throws Error when an owner does not allow its value */
+  private setTo<Value extends FieldValue>(update: FieldUpdate<Value>): SetFields {
+    const { name } = this;
+    const edits = this.owners.map((owner, i) => {
+      const value = typeof update === 'function' ? update(this.before[i] as Value) : update;
+      owner.check?.(name, value);
+      return { owner, name, value };
+    });
+    return new SetFields(this.label, edits);
+  }
+
+  /** 'Set cast shadow of PointLight', 'Set position of 3 objects'. */
+  private get label(): string {
+    const { owners, name } = this;
+    const [{ fields, ownerName }] = owners;
+    const whose = owners.every((owner) => owner.ownerName === ownerName) ? ownerName : `${owners.length} objects`;
+    return `Set ${labelOfField(name, fields[name]).toLowerCase()} of ${whose}`;
+  }
+}

@@ -1,0 +1,43 @@
+import { toDegrees, toRadians } from './angles';
+import type { FieldDescription } from './FieldTarget';
+import { stepOf } from './stepOf';
+
+/** How the numbers of a field are shown and typed: unit, limits and step as shown, and the way there and back. */
+export interface NumberDisplay {
+  /** Undefined for a pure number. */
+  readonly unit?: string;
+  readonly min?: number;
+  readonly max?: number;
+  /** Above 0. */
+  readonly step: number;
+  /** From the field's unit to the one shown. */
+  toShown(value: number): number;
+  /** From the unit shown to the field's. */
+  fromShown(shown: number): number;
+}
+
+/** Half of the last digit that `toDegrees` keeps, and some (rad). */
+const ROUNDING = 1e-10;
+
+const same = (value: number): number => value;
+
+/** The display of a number, of the coordinates of a vector, and of angles, which are shown in degrees. */
+export function numberDisplay(field: FieldDescription): NumberDisplay {
+  const { min, max, unit } = field;
+  if (field.kind !== 'angle' && field.kind !== 'euler') {
+    return { unit, min, max, step: stepOf(field), toShown: same, fromShown: field.integer ? Math.round : same };
+  }
+  const limits = [min, max].filter((limit) => limit !== undefined);
+  return {
+    unit: '°',
+    min: min === undefined ? undefined : toDegrees(min),
+    max: max === undefined ? undefined : toDegrees(max),
+    step: field.step === undefined ? 1 : toDegrees(field.step),
+    toShown: toDegrees,
+    // a limit that was rounded to be shown is the limit again, and not a little beyond it
+    fromShown(shown) {
+      const radians = toRadians(shown);
+      return limits.find((limit) => Math.abs(limit - radians) < ROUNDING) ?? radians;
+    },
+  };
+}

@@ -1,0 +1,65 @@
+import type { Command } from '../history/Command';
+import { type FieldTarget, type FieldValue, sameValue } from './FieldTarget';
+
+/** A field of a component, of a scene's settings or of an object, and what it shall be. */
+export interface FieldEdit<Owner extends FieldTarget = FieldTarget> {
+  readonly owner: Owner;
+  readonly name: string;
+  readonly value: FieldValue;
+}
+
+const authored = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): FieldEdit<Owner> => ({
+  owner,
+  name,
+  value: owner.getAuthored(name),
+});
+
+/** Sets all, or none when one is refused. @param before values before the call, in the same order */
+function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void {
+  let count = 0;
+  try {
+    for (; count < edits.length; count++) edits[count].owner.set(edits[count].name, edits[count].value);
+  } catch (error) {
+    while (count-- > 0) before[count].owner.set(before[count].name, before[count].value);
+    throw error;
+  }
+}
+
+/** Sets fields of one or of many owners: authored values, which simulation does not touch. */
+export class SetFields<Owner extends FieldTarget = FieldTarget> implements Command<never> {
+  /** Values before the first `do`; null until then. */
+  private before: readonly FieldEdit<Owner>[] | null = null;
+
+  /** @param edits each field of each owner at most once */
+  constructor(
+    readonly label: string,
+    readonly edits: readonly FieldEdit<Owner>[],
+  ) {}
+
+  get isEmpty(): boolean {
+    const before = this.before ?? this.edits.map(authored);
+    return this.edits.every(({ value }, i) => sameValue(value, before[i].value));
+  }
+
+  /** @throws Error of the owner that refuses its value; nothing has changed then */
+  do(): void {
+    const before = this.before ?? this.edits.map(authored);
+    setAll(this.edits, before);
+    this.before = before;
+  }
+
+  undo(): void {
+    setAll(this.before!, this.edits);
+  }
+
+  replaceWith(next: Command<unknown>): SetFields<Owner> | null {
+    if (!(next instanceof SetFields) || next.edits.length !== this.edits.length) return null;
+    const sameFields = this.edits.every(
+      ({ owner, name }, i) => owner === next.edits[i].owner && name === next.edits[i].name,
+    );
+    if (!sameFields) return null;
+    setAll(next.edits, this.edits);
+    next.before = this.before;
+    return next;
+  }
+}

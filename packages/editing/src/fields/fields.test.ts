@@ -1,0 +1,64 @@
+import { describe, expect, it } from 'vitest';
+import { toDegrees } from './angles';
+import { describeField } from './describeField';
+import type { FieldDescription } from './FieldTarget';
+import { formatNumber } from './formatNumber';
+import { labelOfField } from './labelOfField';
+import { numberDisplay } from './NumberDisplay';
+import { stepOf } from './stepOf';
+
+const field = (kind: string, rest: Omit<FieldDescription, 'kind'>): FieldDescription => ({ kind, ...rest });
+
+describe('what is said of a field', () => {
+  it('says help, range and unit, angles in degrees', () => {
+    expect(describeField(field('number', { unit: 'm', min: 0, max: 5, help: 'A.' }))).toBe('A. From 0 to 5 m.');
+    expect(describeField(field('angle', { min: 0, max: Math.PI / 2, help: 'B.' }))).toBe('B. From 0 to 90°.');
+    expect(describeField(field('vector3', { unit: 'm', help: 'C.' }))).toBe('C. In m.');
+    expect(describeField(field('number', { min: 1, help: 'D.' }))).toBe('D. At least 1.');
+    expect(describeField(field('number', { max: 0.123456, help: 'D.' }))).toBe('D. At most 0.1235.');
+    expect(describeField(field('boolean', { help: 'E.' }))).toBe('E.');
+  });
+
+  it('makes words of a name without a label', () => {
+    expect(labelOfField('shadowMapSize', {})).toBe('Shadow map size');
+    expect(labelOfField('map', { label: 'Colour map' })).toBe('Colour map');
+  });
+
+  it('goes by the declared step, else by one that suits the range', () => {
+    expect(stepOf({ step: 0.25 })).toBe(0.25);
+    expect(stepOf({ integer: true })).toBe(1);
+    expect(stepOf({ min: 0, max: 1 })).toBeCloseTo(0.01);
+    expect(stepOf({ min: 0, max: 1000 })).toBeCloseTo(10);
+    expect(stepOf({ min: 0 })).toBe(0.1);
+  });
+});
+
+describe('numbers as they are shown', () => {
+  it('shows whole degrees as whole', () => {
+    expect(toDegrees(Math.PI / 3)).toBe(60);
+    expect(toDegrees((50 * Math.PI) / 180)).toBe(50);
+  });
+
+  it.each(['angle', 'euler'])('shows radians of kind %s in degrees, and stays within the limits', (kind) => {
+    const limits = { min: -Math.PI / 3, max: 1.2345678912345 };
+    const { unit, min, max, step, toShown, fromShown } = numberDisplay(field(kind, { ...limits, help: '' }));
+    expect([unit, min, step]).toEqual(['°', -60, 1]);
+    expect(fromShown(max!)).toBe(limits.max);
+    expect(fromShown(min!)).toBe(limits.min);
+    expect(fromShown(61)).toBeCloseTo(1.0646508, 6);
+    expect(fromShown(90)).toBeGreaterThan(limits.max); // whoever asks refuses or clamps it
+    for (const degrees of [0, 1, -17.5, 45, 0.123456789]) expect(toShown(fromShown(degrees))).toBe(degrees);
+  });
+
+  it('shows numbers as they are, whole ones whole', () => {
+    const { unit, step, toShown, fromShown } = numberDisplay(field('vector3', { unit: 'm', help: '' }));
+    expect([unit, step, toShown(1.23456789), fromShown(1.23456789)]).toEqual(['m', 0.1, 1.23456789, 1.23456789]);
+    expect(numberDisplay(field('number', { integer: true, help: '' })).fromShown(2.7)).toBe(3);
+  });
+
+  it('writes as many decimals as there is room for, and no zeros at the end', () => {
+    expect([formatNumber(2, 'long'), formatNumber(0.1234567, 'long')]).toEqual(['2', '0.12346']);
+    expect([formatNumber(-1.5, 'short'), formatNumber(0.1234567, 'short')]).toEqual(['-1.5', '0.123']);
+    expect(formatNumber(-1e-9, 'short')).toBe('0');
+  });
+});

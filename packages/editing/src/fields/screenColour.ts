@@ -1,0 +1,69 @@
+import type { Triple } from './FieldTarget';
+
+/** The sRGB transfer function. @param linear 0 to 1 @see IEC 61966-2-1 */
+const encode = (linear: number): number => (linear <= 0.0031308 ? linear * 12.92 : 1.055 * linear ** (1 / 2.4) - 0.055);
+
+const decode = (encoded: number): number => (encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4);
+
+const HEX = /^#?([0-9a-f]{6}|[0-9a-f]{3})$/i;
+
+/** A linear colour as a screen shows it, and by how much it is brighter. */
+export interface ScreenColour {
+  /** sRGB, '#rrggbb'. */
+  readonly hex: string;
+  /** Factor of the linear channels, 1 or more: above 1 one channel of `hex` is 'ff'. */
+  readonly intensity: number;
+}
+
+/** A linear colour as a screen colour and the factor by which it is brighter than that. */
+export function splitColour([r, g, b]: Triple): ScreenColour {
+  const intensity = Math.max(1, r, g, b);
+  const byte = (channel: number): string =>
+    Math.round(255 * encode(Math.max(0, channel) / intensity))
+      .toString(16)
+      .padStart(2, '0');
+  return { hex: `#${byte(r)}${byte(g)}${byte(b)}`, intensity };
+}
+
+/** A linear colour of a screen colour '#rrggbb' or '#rgb', times a factor; null when the text is no such colour. */
+export function joinColour(hex: string, intensity: number): Triple | null {
+  const digits = HEX.exec(hex.trim())?.[1];
+  if (!digits) return null;
+  const long = digits.length === 3 ? [...digits].map((digit) => digit + digit).join('') : digits;
+  const channel = (i: number): number => decode(Number.parseInt(long.slice(i, i + 2), 16) / 255) * intensity;
+  return [channel(0), channel(2), channel(4)];
+}
+
+/**
+ * An update of what the screen shows of a colour, for `FieldGesture`: each owner keeps the intensity that it had when the
+ * gesture began. Null when the text is no colour.
+ */
+export function withScreenColour(hex: string): ((before: Triple) => Triple) | null {
+  if (!joinColour(hex, 1)) return null;
+  return (before) => joinColour(hex, splitColour(before).intensity)!;
+}
+
+/**
+ * An update of the intensity of a colour, for `FieldGesture`: each owner keeps its hue exactly. Above 1 the brightest
+ * channel becomes the intensity; 1 takes away what a screen cannot show, and leaves colours that a screen shows.
+ * @param intensity 1 or more
+ * @throws RangeError for another one
+ */
+export function withIntensity(intensity: number): (before: Triple) => Triple {
+  if (!(intensity >= 1 && intensity < Infinity)) throw new RangeError('The intensity must be a number of at least 1.');
+  return ([r, g, b]) => {
+    const brightest = Math.max(r, g, b);
+    if (brightest <= 0 || (intensity === 1 && brightest <= 1)) return [r, g, b];
+    const factor = intensity / brightest;
+    return [r * factor, g * factor, b * factor];
+  };
+}
+
+/** What several colours have in common: a part that differs is null. @param colours at least one */
+export function sharedColour(colours: readonly Triple[]): { hex: string | null; intensity: number | null } {
+  const [first, ...others] = colours.map(splitColour);
+  return {
+    hex: others.every(({ hex }) => hex === first.hex) ? first.hex : null,
+    intensity: others.every(({ intensity }) => intensity === first.intensity) ? first.intensity : null,
+  };
+}

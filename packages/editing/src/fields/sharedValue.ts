@@ -1,0 +1,27 @@
+import { type FieldValue, sameValue, type Triple } from './FieldTarget';
+
+/** What several owners have in common in one field. */
+export interface SharedValue {
+  /** Null where the values differ. */
+  readonly value: FieldValue;
+  /** Whether the values differ. */
+  readonly mixed: boolean;
+  /** The coordinates of differing triples: those that all share, null for the others; absent for all other values. */
+  readonly parts?: readonly (number | null)[];
+}
+
+/** @param values of each owner; at least one */
+export function sharedValue(values: readonly FieldValue[]): SharedValue {
+  const [first] = values;
+  if (values.every((value) => sameValue(value, first))) return { value: first, mixed: false };
+  const triples = values.filter((value) => typeof value === 'object' && value !== null);
+  if (triples.length < values.length) return { value: null, mixed: true };
+  const parts = triples[0].map((part, i) => (triples.every((triple) => triple[i] === part) ? part : null));
+  return { value: null, mixed: true, parts };
+}
+
+/** An update of one coordinate of a triple, for `FieldGesture`: each owner keeps its other two. @param axis 0 to 2 */
+export const withCoordinate =
+  (axis: number, value: number) =>
+  (before: Triple): Triple =>
+    before.map((each, i) => (i === axis ? value : each)) as unknown as Triple;

@@ -1,0 +1,7 @@
+/** The step of an arrow key: the declared one, 1 for whole numbers, else a hundredth of the range, or a tenth. */
+export function stepOf(field: { step?: number; min?: number; max?: number; integer?: boolean }): number {
+  if (field.step !== undefined) return field.step;
+  if (field.integer) return 1;
+  if (field.min === undefined || field.max === undefined) return 0.1;
+  return 10 ** Math.round(Math.log10((field.max - field.min) / 100));
+}

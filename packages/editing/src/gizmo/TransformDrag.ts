@@ -1,0 +1,80 @@
+import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
+
+export type TransformMode = 'translate' | 'rotate' | 'scale';
+
+/** Place, rotation and size of an object in its parent. */
+export interface Pose {
+  readonly position: Vector3;
+  readonly quaternion: Quaternion;
+  readonly scale: Vector3;
+}
+
+/** An object when a drag begins, with its parent's matrix in the world. */
+export interface DragStart extends Pose {
+  readonly parentWorld: Matrix4;
+}
+
+interface Start extends Pose {
+  readonly world: Matrix4;
+  readonly worldToParent: Matrix4;
+  readonly worldRotation: Quaternion;
+  readonly parentRotation: Quaternion;
+}
+
+const delta = new Matrix4();
+const turn = new Quaternion();
+
+/**
+ * Where objects go while a gizmo drags a pivot: they move, turn and grow with the pivot. A single object turns and grows in
+ * its place; several go round the pivot.
+ */
+export class TransformDrag {
+  private readonly starts: readonly Start[];
+  private readonly pivotInverse: Matrix4;
+  private readonly pivotRotationInverse: Quaternion;
+
+  /** @param pivot below nothing but objects at the origin, of scale 1; its matrix in the world is up to date */
+  constructor(
+    private readonly pivot: Object3D,
+    starts: readonly DragStart[],
+  ) {
+    this.pivotInverse = pivot.matrixWorld.clone().invert();
+    this.pivotRotationInverse = pivot.quaternion.clone().invert();
+    this.starts = starts.map(({ position, quaternion, scale, parentWorld }) => {
+      const parentRotation = new Quaternion().setFromRotationMatrix(new Matrix4().extractRotation(parentWorld));
+      return {
+        ...{ position, quaternion, scale, parentRotation },
+        world: new Matrix4().compose(position, quaternion, scale).premultiply(parentWorld),
+        worldToParent: parentWorld.clone().invert(),
+        worldRotation: parentRotation.clone().multiply(quaternion),
+      };
+    });
+  }
+
+  /** Where the objects are with the pivot as it is now, in the order of the starts; what does not change is left out. */
+  poses(mode: TransformMode): Partial<Pose>[] {
+    const { pivot, starts } = this;
+    pivot.updateMatrixWorld();
+    delta.copy(pivot.matrixWorld).multiply(this.pivotInverse);
+    turn.copy(pivot.quaternion).multiply(this.pivotRotationInverse);
+    return starts.map(({ world, worldToParent, worldRotation, parentRotation, scale }) => ({
+      ...((mode === 'translate' || starts.length > 1) && {
+        position: new Vector3().setFromMatrixPosition(world).applyMatrix4(delta).applyMatrix4(worldToParent),
+      }),
+      ...(mode === 'rotate' && {
+        quaternion: parentRotation.clone().invert().multiply(turn).multiply(worldRotation),
+      }),
+      ...(mode === 'scale' && { scale: scale.clone().multiply(pivot.scale) }),
+    }));
+  }
+}
+
+const matrix = new Matrix4();
+
+/** Puts the pivot of a gizmo to a place in the world, turned as an object is. @param like that object's matrix in the world */
+export function placePivot(pivot: Object3D, place: Vector3, like: Matrix4): void {
+  pivot.position.copy(place);
+  pivot.quaternion.setFromRotationMatrix(matrix.extractRotation(like));
+  pivot.scale.set(1, 1, 1);
+  pivot.updateMatrixWorld();
+}

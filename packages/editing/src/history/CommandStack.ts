@@ -1,0 +1,187 @@
+import type { Command } from './Command';
+import { Gesture } from './Gesture';
+import { Signal } from '../Signal';
+
+/** The history of a document: what was done, and what was undone and may be redone. */
+export class CommandStack<Item = string> {
+  /** Emits when the history changes. */
+  readonly changed = new Signal();
+
+  private readonly done: Command<Item>[] = [];
+  private readonly undone: Command<Item>[] = [];
+  private gesture: Gesture<Item> | null = null;
+  /** Undefined when no step leads to what is saved. */
+  private savedAt: Command<Item> | null | undefined = null;
+  /** Steps below this number stay: see `hold`. */
+  private held = 0;
+  private isHeld = false;
+
+  /**
+   * @param onApplied called after a command was done or undone
+   * @param limit steps that are kept; the oldest go first
+   */
+  constructor(
+    private readonly onApplied: (command: Command<Item>, isDone: boolean) => void = () => {},
+    private readonly limit = 1000,
+  ) {}
+
+  /** The command that `undo` takes back; null when there is none. */
+  get last(): Command<Item> | null {
+    return this.done.at(-1) ?? null;
+  }
+
+  /** Label of the step that `undo` takes back; null when there is none. */
+  get undoLabel(): string | null {
+    return this.done.length > this.held ? this.done.at(-1)!.label : null;
+  }
+
+  /** Label of the step that `redo` does again; null when there is none. */
+  get redoLabel(): string | null {
+    return this.undone.at(-1)?.label ?? null;
+  }
+
+  /** Labels of all steps that can be undone, oldest first. */
+  get history(): readonly string[] {
+    return this.done.map(({ label }) => label);
+  }
+
+  /** Labels of all steps that can be done again, the next one first. */
+  get future(): readonly string[] {
+    return this.undone.map(({ label }) => label).toReversed();
+  }
+
+  /** Whether the document differs from what was last saved. */
+  get isDirty(): boolean {
+    return (this.done.at(-1) ?? null) !== this.savedAt;
+  }
+
+  /** Whether a gesture is under way. */
+  get isGestureOpen(): boolean {
+    return this.gesture !== null;
+  }
+
+  /** Does a command as a step of its own. An open gesture is committed first. @throws what the command throws */
+  run(command: Command<Item>): void {
+    this.gesture?.commit();
+    if (command.isEmpty) return;
+    command.do();
+    this.keep(command);
+    this.onApplied(command, true);
+    this.changed.emit();
+  }
+
+  /** Begins an edit of many previews and one step of history. An open gesture is committed first. */
+  begin(): Gesture<Item> {
+    this.gesture?.commit();
+    const gesture = new Gesture<Item>((command) => {
+      this.gesture = null;
+      if (command) {
+        this.keep(command);
+        this.onApplied(command, true);
+      }
+      this.changed.emit();
+    });
+    this.gesture = gesture;
+    return gesture;
+  }
+
+  /**
+   * Does `next` in place of the last step, as one step with it: for a value that comes after its gesture was committed.
+   * @param step the command that `next` belongs to
+   * @returns false, and nothing is changed, when `step` is not the last step any more or cannot be joined
+   */
+  amend(step: Command<Item>, next: Command<Item>): boolean {
+    if (this.gesture || step !== this.last || this.done.length <= this.held) return false;
+    const joined = step.replaceWith?.(next);
+    if (!joined) return false;
+    this.done.pop();
+    if (!joined.isEmpty) this.keep(joined);
+    this.onApplied(joined, true);
+    this.changed.emit();
+    return true;
+  }
+
+  /** Takes the last step back; of an open gesture, what it has done so far. @returns whether there was one */
+  undo(): boolean {
+    this.gesture?.commit();
+    const command = this.done.length > this.held ? this.done.at(-1) : undefined;
+    if (!command) return false;
+    command.undo();
+    this.done.pop();
+    this.undone.push(command);
+    this.onApplied(command, false);
+    this.changed.emit();
+    return true;
+  }
+
+  /** Does the last undone step again. @returns whether there was one */
+  redo(): boolean {
+    this.gesture?.commit();
+    const command = this.undone.at(-1);
+    if (!command) return false;
+    command.do();
+    this.undone.pop();
+    this.done.push(command);
+    this.onApplied(command, true);
+    this.changed.emit();
+    return true;
+  }
+
+  /** From here on steps can be taken back at once, by `release`; those before cannot be undone until then. */
+  hold(): void {
+    this.gesture?.commit();
+    this.held = this.done.length;
+    this.isHeld = true;
+    this.changed.emit();
+  }
+
+  /**
+   * Takes all steps since `hold` back and out of the history.
+   * @returns the steps, oldest first, undone: whoever calls this must do them again or `forget` them
+   */
+  release(): Command<Item>[] {
+    if (!this.isHeld) return [];
+    this.gesture?.commit();
+    const taken = this.done.splice(this.held).toReversed();
+    for (const command of taken) {
+      command.undo();
+      this.onApplied(command, false);
+    }
+    // what was undone meanwhile came after them
+    if (taken.length > 0) for (const command of this.undone.splice(0)) command.forget?.(false);
+    this.held = 0;
+    this.isHeld = false;
+    this.changed.emit();
+    return taken.toReversed();
+  }
+
+  /** The document is saved as it was after a step: the last one, unless another is named. */
+  markSaved(step?: Command<Item> | null): void {
+    this.gesture?.commit();
+    this.savedAt = step === undefined ? this.last : step;
+    this.changed.emit();
+  }
+
+  /** The document is in no file as it is now, whatever is undone. */
+  markUnsaved(): void {
+    this.savedAt = undefined;
+    this.changed.emit();
+  }
+
+  /** Forgets all steps, for another document; an open gesture is discarded. */
+  clear(): void {
+    this.gesture?.discard();
+    for (const command of this.done.splice(0)) command.forget?.(true);
+    for (const command of this.undone.splice(0)) command.forget?.(false);
+    this.savedAt = null;
+    this.held = 0;
+    this.isHeld = false;
+    this.changed.emit();
+  }
+
+  private keep(command: Command<Item>): void {
+    for (const each of this.undone.splice(0)) each.forget?.(false);
+    this.done.push(command);
+    if (this.done.length > this.limit && !this.isHeld) this.done.shift()?.forget?.(true);
+  }
+}

@@ -1,0 +1,59 @@
+import type { Command } from './Command';
+
+/**
+ * An edit under way, such as a drag: any number of previews, each in place of the one before, then one commit or one
+ * discard. See `CommandStack.begin`.
+ */
+export class Gesture<Item = string> {
+  private current: Command<Item> | null = null;
+  private open = true;
+
+  /** @param finish takes the command of a committed gesture; null when nothing is to be kept */
+  constructor(private readonly finish: (command: Command<Item> | null) => void) {}
+
+  /** False once it was committed or discarded; calls do nothing then. */
+  get isOpen(): boolean {
+    return this.open;
+  }
+
+  /** Does `command` in place of the last preview. @throws what the command throws; the document is then as at the start */
+  preview(command: Command<Item>): void {
+    if (!this.open) return;
+    const before = this.current;
+    const joined = before?.replaceWith?.(command) ?? null;
+    if (joined) {
+      this.current = joined;
+      return;
+    }
+    this.reset();
+    command.do();
+    this.current = command;
+  }
+
+  /**
+   * Takes the last preview back; the gesture goes on. To be called before a command is made that looks at more of the
+   * scene than the fields it sets, such as one that deletes or moves objects.
+   */
+  reset(): void {
+    if (!this.open || !this.current) return;
+    const before = this.current;
+    this.current = null;
+    before.undo();
+    before.forget?.(false);
+  }
+
+  /** Keeps the last preview as one step of history. */
+  commit(): void {
+    if (!this.open) return;
+    this.open = false;
+    this.finish(this.current && !this.current.isEmpty ? this.current : null);
+  }
+
+  /** Puts the document back to what it was at the start. */
+  discard(): void {
+    if (!this.open) return;
+    this.reset();
+    this.open = false;
+    this.finish(null);
+  }
+}

@@ -1,0 +1,28 @@
+export { Signal } from './Signal';
+export { Selection } from './Selection';
+export { countLabel, lowerFirst } from './labels';
+
+export type { Command, CommandSelection } from './history/Command';
+export { CommandStack } from './history/CommandStack';
+export { Gesture } from './history/Gesture';
+
+export { type FieldDescription, type FieldTarget, type FieldValue, sameValue, type Triple } from './fields/FieldTarget';
+export { FieldGesture, type FieldUpdate } from './fields/FieldGesture';
+export { type FieldEdit, SetFields } from './fields/SetFields';
+export { sharedValue, type SharedValue, withCoordinate } from './fields/sharedValue';
+export { toDegrees, toRadians } from './fields/angles';
+export { describeField } from './fields/describeField';
+export { formatNumber, shownDecimals } from './fields/formatNumber';
+export { labelOfField } from './fields/labelOfField';
+export { type NumberDisplay, numberDisplay } from './fields/NumberDisplay';
+export {
+  joinColour,
+  type ScreenColour,
+  sharedColour,
+  splitColour,
+  withIntensity,
+  withScreenColour,
+} from './fields/screenColour';
+export { stepOf } from './fields/stepOf';
+
+export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
