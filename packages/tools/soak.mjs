@@ -64,7 +64,9 @@ async function soak() {
 }
 
 /** @param {import('./soakReport.mjs').Sample} sample */
-const sampleText = ({ minutes, heap, objects }) => `${minutes.toFixed(1)} ${heap.toFixed(0)} ${objects}`;
+function sampleText({ minutes, heap, objects }) {
+  return `${minutes.toFixed(1)} ${heap.toFixed(0)} ${objects}`;
+}
 
 /** @param {import('playwright-core').BrowserContext} context @param {string} url @param {number} seed */
 async function soakRenderer(context, url, seed) {
