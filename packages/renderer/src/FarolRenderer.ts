@@ -106,7 +106,7 @@ export class FarolRenderer {
   private readonly pick = () => this.pickTechnique();
   private readonly begun = () => this.frame.takeOutputBuffer();
   private readonly shadowDraws = {
-    stands: [] as readonly Object3D[],
+    proxies: [] as readonly Object3D[],
     calls: null! as ShadowMapCalls,
   };
 
@@ -375,7 +375,7 @@ export class FarolRenderer {
 
   private makeShadows(code: NonNullable<(typeof shadowCode)['code']>): ShadowMaps {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
-    this.shadowDraws.stands = shadows.stands;
+    this.shadowDraws.proxies = shadows.proxies;
     this.shadowDraws.calls = new code.ShadowMapCalls(this.webgl, () => {
       if (shadows.hasWork) this.run('shadow maps', () => shadows.render());
     });

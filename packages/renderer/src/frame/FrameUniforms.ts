@@ -33,7 +33,7 @@ export class FrameUniforms {
     counts[1] = lights.unbounded;
     counts[2] = lights.bounded;
     counts[3] = lights.others;
-    shadows?.setUniforms(values, lights, frame.camera);
+    shadows?.setUniforms(values, lights.firstMask, frame.camera);
     values.farol_heatScale.value = 1 / heatMaximum;
   }
 

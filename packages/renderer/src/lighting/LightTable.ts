@@ -5,6 +5,7 @@ import { NO_LIGHT } from '../lights/DepthBins';
 import { DepthOrder } from '../lights/DepthOrder';
 import { LightGrid } from '../lights/LightGrid';
 import { emissionDecay, FLOATS_PER_RECORD, LIGHT, RECORDS_PER_ROW, TEXELS_PER_RECORD } from '../lights/lightRecord';
+import type { PictureSize } from '../lights/PictureSize';
 import { VisibleLights } from '../lights/VisibleLights';
 import { type LightMasks, LightRecords } from './LightRecords';
 
@@ -18,12 +19,6 @@ const position = new Vector3();
  * light grid, which is then made.
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
-
-/** What is drawn to (pixels): the grid's tiles are cut from it. */
-export interface PictureSize {
-  readonly width: number;
-  readonly height: number;
-}
 
 /**
  * The visible lights of a frame as one float texture, in view space, a record each, in runs: directional, local without a

@@ -16,9 +16,9 @@ import type { Fills } from '../techniques/Technique';
 import type { ShadowMapCalls } from '../lazy/shadows/draw/ShadowMapCalls';
 import { TechniqueChooser } from '../techniques/TechniqueChooser';
 
-/** Maps to be drawn inside three's `render`, and what stands in for casters that the camera may not see. */
+/** Maps to be drawn inside three's `render`, and proxies of casters that the camera may not see. */
 export interface ShadowDraws {
-  readonly stands: readonly Object3D[];
+  readonly proxies: readonly Object3D[];
   readonly calls: ShadowMapCalls;
 }
 
@@ -116,7 +116,7 @@ export class SceneView {
     queue.clear();
     this.children.length = 0;
     for (const child of rest) this.children.push(child);
-    if (shadows !== null) for (const stand of shadows.stands) this.children.push(stand);
+    if (shadows !== null) for (const proxy of shadows.proxies) this.children.push(proxy);
     this.lights = lights;
     this.failed = false;
     shadows?.calls.begin(this.view, this.fail);
@@ -226,7 +226,7 @@ export class SceneView {
     const { init, push, finish } = list;
     const { driver } = this;
     list.push = (object, geometry, material, groupOrder, z, group, camera) => {
-      if ((object as Object3D & { isFarolStand?: boolean }).isFarolStand === true) return;
+      if ((object as Object3D & { isFarolProxy?: boolean }).isFarolProxy === true) return;
       const override = this.view.overrideMaterial ?? null;
       if (camera.reversedDepth === true) z = -z;
       this.queue?.push(object, geometry, material, groupOrder, z, group, override);

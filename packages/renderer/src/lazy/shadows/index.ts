@@ -1,32 +1,32 @@
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import type { ShadowMaskMaterials } from '../../frame/RenderQueue';
 import type { MicroShaderRegistry } from '../../microshaders';
-import cookieTile from './draw/cookieTile.glsl?raw';
+import cookieRegion from './draw/cookieRegion.glsl?raw';
 import lightMaskLayers from './masks/lightMaskLayers.glsl?raw';
 import lightMaskOn from './masks/lightMaskOn.glsl?raw';
 import lightShadow from './masks/lightShadow.glsl?raw';
-import maskKinds from './masks/maskKinds.glsl?raw';
+import maskFeatures from './masks/maskFeatures.glsl?raw';
 import { mergedCaster, mergedCasterDepth } from './casters/merged';
 import { ShadowMaps } from './ShadowMaps';
 import shadowMask from './masks/shadowMask.glsl?raw';
 import { shadowMaskTwin, showsShadowMask } from './masks/shadowMaskTwin';
-import shownMap from './draw/shownMap.glsl?raw';
+import hostShadowMap from './draw/hostShadowMap.glsl?raw';
 import shadowMoments from './draw/shadowMoments.glsl?raw';
 import { tileMicroShaders } from './screen-tiles';
 import type { WebGLRenderer } from 'three';
 
 /** Its chunks, by name. */
 export const microShaders = {
-  cookieTile,
+  cookieRegion,
   lightMaskLayers,
   lightMaskOn,
   lightShadow,
-  maskKinds,
+  maskFeatures,
   mergedCaster,
   mergedCasterDepth,
   shadowMask,
   shadowMoments,
-  shownMap,
+  hostShadowMap,
   ...tileMicroShaders,
 };
 

@@ -16,7 +16,7 @@ import {
 
 const SHADOW_SIDES: Record<Side, Side> = { [FrontSide]: BackSide, [BackSide]: FrontSide, [DoubleSide]: DoubleSide };
 
-/** The sides of a material that cast its shadow; `bothSides` as for `CasterMaterials.get`. */
+/** The side (three's `Side`) of a caster that is drawn into maps; `bothSides` as for `CasterMaterials.get`. */
 export function shadowSideOf({ side, shadowSide }: Material, bothSides: boolean): Side {
   return shadowSide ?? (bothSides ? side : SHADOW_SIDES[side]);
 }
@@ -24,9 +24,11 @@ export function shadowSideOf({ side, shadowSide }: Material, bothSides: boolean)
 type AnyMaterial = MeshStandardMaterial & { isMeshDistanceMaterial?: boolean };
 type CasterMaterial = MeshDepthMaterial | MeshDistanceMaterial;
 
-/** Materials of one kind, by kind of mesh, and of those that need one of their own. */
-interface Kinds {
+/** Materials that write depths, or those that write distances. */
+interface CasterMaterialSet {
+  /** By the program that the mesh needs, see `sharedFor`. */
   readonly shared: CasterMaterial[];
+  /** By the caster's material, where that discards or displaces. */
   readonly unique: Map<Material, CasterMaterial>;
 }
 
@@ -34,25 +36,25 @@ type AnyMesh = Mesh & Partial<InstancedMesh> & { isSkinnedMesh?: boolean; isBatc
 
 /**
  * The materials that casters are drawn with into a shadow map: the object's own depth material if it has one, else one
- * that takes from the caster's material what three's WebGLShadowMap takes. One program a kind of mesh, and one more for
- * each material that discards or displaces.
+ * that takes from the caster's material what three's WebGLShadowMap takes. One program for each sort of mesh (instanced, skinned…),
+ * and one more for each material that discards or displaces.
  */
 export class CasterMaterials {
-  private readonly depths: Kinds = { shared: [], unique: new Map() };
-  /** Where depth is logarithmic, for point lights alone: these keep it as it is. */
-  private readonly distances: Kinds = { shared: [], unique: new Map() };
+  private readonly depths: CasterMaterialSet = { shared: [], unique: new Map() };
+  /** For point lights where depth is logarithmic: these keep depth linear. */
+  private readonly distances: CasterMaterialSet = { shared: [], unique: new Map() };
 
   constructor(private readonly webgl: WebGLRenderer) {}
 
   /**
-   * @param light whose shadow it is
-   * @param bothSides as three has it for variance shadow maps: the sides that are seen cast the shadow
+   * @param light whose map is drawn
+   * @param bothSides draws the sides that pictures show, as three does for variance shadow maps
    */
   get(object: Object3D, source: Material, light: Light, bothSides: boolean): Material {
     const isPoint = (light as Light & { isPointLight?: boolean }).isPointLight === true;
     const own = isPoint ? object.customDistanceMaterial : object.customDepthMaterial;
-    const kinds = isPoint && this.webgl.capabilities.logarithmicDepthBuffer ? this.distances : this.depths;
-    const result = (own ?? this.materialOf(object, source, kinds)) as AnyMaterial;
+    const set = isPoint && this.webgl.capabilities.logarithmicDepthBuffer ? this.distances : this.depths;
+    const result = (own ?? this.materialOf(object, source, set)) as AnyMaterial;
     const m = source as AnyMaterial;
     result.visible = m.visible;
     result.wireframe = m.wireframe;
@@ -82,12 +84,12 @@ export class CasterMaterials {
     }
   }
 
-  private materialOf(object: Object3D, source: Material, kinds: Kinds): CasterMaterial {
+  private materialOf(object: Object3D, source: Material, set: CasterMaterialSet): CasterMaterial {
     const needsOwn = this.needsOwn(source as AnyMaterial);
-    return needsOwn ? this.uniqueFor(source, kinds) : this.sharedFor(object as AnyMesh, kinds);
+    return needsOwn ? this.uniqueFor(source, set) : this.sharedFor(object as AnyMesh, set);
   }
 
-  /** True for what discards or displaces. */
+  /** True for materials that discard or displace. */
   private needsOwn(m: AnyMaterial): boolean {
     return Boolean(
       (this.webgl.localClippingEnabled && m.clipShadows && m.clippingPlanes !== null && m.clippingPlanes.length > 0) ||
@@ -97,18 +99,18 @@ export class CasterMaterials {
     );
   }
 
-  /** Meshes whose programs differ have materials of their own, so that three need not look for the program each time. */
-  private sharedFor(mesh: AnyMesh, { shared }: Kinds): CasterMaterial {
-    const kind =
+  /** Meshes that need different programs have different materials, so that three need not look the program up at each draw. */
+  private sharedFor(mesh: AnyMesh, { shared }: CasterMaterialSet): CasterMaterial {
+    const program =
       (mesh.isInstancedMesh ? 1 : 0) +
       (mesh.isSkinnedMesh ? 2 : 0) +
       (mesh.isBatchedMesh ? 4 : 0) +
       (mesh.geometry.morphAttributes.position ? 8 : 0) +
       (mesh.isInstancedMesh && mesh.instanceColor ? 16 : 0);
-    return (shared[kind] ??= this.make(shared));
+    return (shared[program] ??= this.make(shared));
   }
 
-  private uniqueFor(source: Material, { shared, unique }: Kinds): CasterMaterial {
+  private uniqueFor(source: Material, { shared, unique }: CasterMaterialSet): CasterMaterial {
     let material = unique.get(source);
     if (material === undefined) {
       unique.set(source, (material = this.make(shared)));
@@ -125,7 +127,7 @@ export class CasterMaterials {
     }
   };
 
-  private make(shared: Kinds['shared']): CasterMaterial {
+  private make(shared: CasterMaterial[]): CasterMaterial {
     const material = shared === this.distances.shared ? new MeshDistanceMaterial() : new MeshDepthMaterial();
     material.colorWrite = false;
     return material;

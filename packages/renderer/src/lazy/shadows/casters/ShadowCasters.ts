@@ -1,74 +1,45 @@
 import { type Camera, type LOD, type Mesh, type Object3D, Sphere } from 'three';
-import { sphereOutsidePlanes } from '../../../lights/sphereOutsidePlanes';
-import { boxOutsidePlanes, casterBox } from './casterBox';
+import type { Caster } from './Caster';
+import { casterBox } from './casterBox';
 import { casterSignature, isAnimatedCaster } from './casterSignature';
-import type { MergedCaster } from './merged';
-import type { ShadowFace } from '../slots/ShadowFace';
-import type { ShadowSlot } from '../slots/ShadowSlot';
-
-/** One object that casts shadows, as it was when it was last seen. */
-export interface Caster {
-  readonly object: Object3D;
-  /** World-space bounding sphere: centre, radius (m); radius Infinity where the object is not to be culled. */
-  x: number;
-  y: number;
-  z: number;
-  radius: number;
-  /** Box along the world's axes, as `casterBox` gives it, where there is one. */
-  readonly box: Float64Array;
-  hasBox: boolean;
-  readonly matrix: Float64Array;
-  signature: number;
-  frame: number;
-  /** What three is given to bring its buffers up to date, see SceneView. */
-  stand: Object3D | null;
-  /** Counts the places that it was in, and the looks that it had; and the frame since which it has the last. */
-  place: number;
-  look: number;
-  looked: number;
-  /** Among the merged casters; and the look that it was last to be merged with, -1 for none. */
-  merged: MergedCaster | null;
-  waits: number;
-  /** The frame for which `stand` was handed out. */
-  prepared: number;
-}
 
 const sphere = new Sphere();
 
 /**
- * The objects of one scene that cast shadows, and where any of them changed since the last frame: spheres round the old
- * and the new places. One walk over the scene a frame, no allocation while nothing new comes.
+ * The objects of one scene that cast shadows, and where any of them has changed since the last frame: spheres round the old and
+ * the new places. One walk over the scene a frame; allocates only for new casters.
  */
 export class ShadowCasters {
   readonly list: Caster[] = [];
   count = 0;
-  /** What receives shadows but casts none. */
+  /** Objects that receive shadows but cast none. */
   readonly receivers: Object3D[] = [];
-  /** World-space spheres where something changed, 4 numbers each. */
+  /** World-space spheres (m) in which something has changed, 4 numbers each, `changeCount` of them. */
   changes = new Float64Array(64);
-  changed = 0;
+  changeCount = 0;
   private readonly known = new WeakMap<Object3D, Caster>();
   private previous: Caster[] = [];
-  /** Counts the updates. */
-  frame = 0;
+  /** Walks over the scene so far. */
+  walks = 0;
   private receiversCast = false;
 
   /**
-   * @param receiversCast true for variance shadow maps, into which three draws what receives shadows too
-   * @param camera which levels of detail are seen
+   * Walks over the scene.
+   * @param camera by which LODs choose their level
+   * @param receiversCast true for variance shadow maps, into which three draws objects that receive shadows too
    */
   update(root: Object3D, camera: Camera, receiversCast: boolean): void {
-    this.frame++;
+    this.walks++;
     const { list } = this;
     for (let i = 0; i < this.count; i++) this.previous[i] = list[i];
     const before = this.count;
-    this.count = this.changed = this.receivers.length = 0;
+    this.count = this.changeCount = this.receivers.length = 0;
     this.receiversCast = receiversCast;
     if (root.visible) this.visit(root, camera);
     list.length = this.count;
     for (let i = 0; i < before; i++) {
       const caster = this.previous[i];
-      if (caster.frame !== this.frame) this.addChange(caster);
+      if (caster.lastWalk !== this.walks) this.addChange(caster);
     }
     this.previous.length = before;
   }
@@ -76,7 +47,7 @@ export class ShadowCasters {
   private visit(object: Object3D, camera: Camera): void {
     const mesh = object as Mesh & { isLine?: boolean; isPoints?: boolean; isLOD?: boolean };
     if (mesh.isMesh || mesh.isLine || mesh.isPoints) {
-      if (object.castShadow || (this.receiversCast && object.receiveShadow)) this.see(object);
+      if (object.castShadow || (this.receiversCast && object.receiveShadow)) this.meet(object);
       else if (object.receiveShadow) this.receivers.push(object);
     } else if (mesh.isLOD && (object as LOD).autoUpdate && object.layers.test(camera.layers)) {
       (object as LOD).update(camera);
@@ -85,7 +56,7 @@ export class ShadowCasters {
     for (let i = 0; i < children.length; i++) if (children[i].visible) this.visit(children[i], camera);
   }
 
-  private see(object: Object3D): void {
+  private meet(object: Object3D): void {
     const { geometry, material } = object as Partial<Mesh>;
     if (!geometry || !material) return; // three says what is wrong, if it draws the object at all
     let caster = this.known.get(object);
@@ -94,35 +65,35 @@ export class ShadowCasters {
       this.known.set(object, caster);
     }
     const signature = casterSignature(object);
-    // what was not there in the last frame comes as new
-    let moved = caster.frame !== this.frame - 1 || signature !== caster.signature || isAnimatedCaster(object);
+    // an object that was not there in the last walk is new
+    let changes = caster.lastWalk !== this.walks - 1 || signature !== caster.signature || isAnimatedCaster(object);
     const was = caster.matrix;
     const { elements } = object.matrixWorld;
-    let placed = false;
+    let hasMoved = false;
     for (let i = 0; i < 16; i++) {
       if (was[i] === elements[i]) continue;
       was[i] = elements[i];
-      placed = true;
+      hasMoved = true;
     }
-    moved ||= placed;
-    if (moved) {
-      if (caster.frame === this.frame - 1) this.addChange(caster);
+    changes ||= hasMoved;
+    if (changes) {
+      if (caster.lastWalk === this.walks - 1) this.addChange(caster);
       findSphere(object, caster);
       caster.hasBox = caster.radius !== Infinity && casterBox(object, caster.box);
       if (signature !== caster.signature) {
-        caster.look++;
-        caster.looked = this.frame;
+        caster.signatureVersion++;
+        caster.signatureWalk = this.walks;
       }
       caster.signature = signature;
-      caster.place++;
+      caster.matrixVersion++;
       this.addChange(caster);
     }
-    caster.frame = this.frame;
+    caster.lastWalk = this.walks;
     this.list[this.count++] = caster;
   }
 
   private addChange(caster: Caster): void {
-    const at = this.changed * 4;
+    const at = this.changeCount * 4;
     if (at + 4 > this.changes.length) {
       const more = new Float64Array(this.changes.length * 2);
       more.set(this.changes);
@@ -132,7 +103,7 @@ export class ShadowCasters {
     this.changes[at + 1] = caster.y;
     this.changes[at + 2] = caster.z;
     this.changes[at + 3] = caster.radius;
-    this.changed++;
+    this.changeCount++;
   }
 }
 
@@ -147,18 +118,18 @@ function makeCaster(object: Object3D): Caster {
     hasBox: false,
     matrix: new Float64Array(16).fill(NaN),
     signature: 0,
-    frame: -1,
-    stand: null,
-    place: 0,
-    look: 0,
-    looked: 0,
+    lastWalk: -1,
+    proxy: null,
+    proxyFrame: -1,
+    matrixVersion: 0,
+    signatureVersion: 0,
+    signatureWalk: 0,
     merged: null,
-    waits: -1,
-    prepared: -1,
+    queuedVersion: -1,
   };
 }
 
-/** The sphere that three culls the object by, in world space; radius Infinity where it does not. */
+/** Finds the world-space sphere (m) that three culls an object by; radius Infinity where three does not cull. */
 export function findSphere(object: Object3D, caster: Pick<Caster, 'x' | 'y' | 'z' | 'radius'>): void {
   const mesh = object as Mesh & { boundingSphere?: Sphere | null; computeBoundingSphere?: () => void };
   if (!object.frustumCulled) {
@@ -177,19 +148,4 @@ export function findSphere(object: Object3D, caster: Pick<Caster, 'x' | 'y' | 'z
   caster.y = sphere.center.y;
   caster.z = sphere.center.z;
   caster.radius = sphere.radius;
-}
-
-/** True when a light's maps may show the caster at all. */
-export function isReached(caster: Caster, slot: ShadowSlot): boolean {
-  if ((caster.object.layers.mask & slot.layers) === 0) return false;
-  const { x, y, z, radius, hasBox, box } = caster;
-  return slot.reaches(x, y, z, radius) && (!hasBox || slot.reachesBox(box));
-}
-
-/** True when a face of the maps may see a caster that is reached, in the part of it that is drawn. */
-export function isSeen({ x, y, z, radius, hasBox, box }: Caster, face: ShadowFace): boolean {
-  if (face.texels === 0) return false;
-  if (radius === Infinity) return true;
-  const planes = face.drawnPlanes;
-  return !sphereOutsidePlanes(planes, x, y, z, radius) && !(hasBox && boxOutsidePlanes(planes, box));
 }

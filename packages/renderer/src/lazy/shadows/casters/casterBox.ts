@@ -9,9 +9,9 @@ import {
 import { isAnimatedCaster } from './casterSignature';
 import { moveBox } from './moveBox';
 
-type Kind = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPoints?: boolean };
+type AnyMesh = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPoints?: boolean };
 
-/** Boxes of geometries in their own space, with the version of the positions that they are of. */
+/** Boxes of geometries in their own space (m), and the positions that each box is of. */
 const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; version: number; position: BufferAttribute }>();
 
 const own = new Float64Array(6);
@@ -28,18 +28,19 @@ function boxOf(geometry: BufferGeometry): Box3 | null {
   return known.box;
 }
 
-function isDisplaced(object: Kind): boolean {
+function isDisplaced(object: AnyMesh): boolean {
   const { material } = object;
   const displaces = (one: unknown) => Boolean((one as MeshStandardMaterial).displacementMap);
   return Array.isArray(material) ? material.some(displaces) : displaces(material);
 }
 
 /**
- * The box along the world's axes round an object: centre and half sizes (m), 6 numbers. Nothing of the object is changed.
- * @returns false for objects that have none: several at once, points with a size, or bent by shaders
+ * Finds the box along the world's axes round an object; changes nothing of the object.
+ * @param out gets centre and half sizes (m), 6 numbers
+ * @returns false for objects without a box: instances, batches, points, and what shaders bend
  */
 export function casterBox(object: Object3D, out: Float64Array): boolean {
-  const mesh = object as Kind;
+  const mesh = object as AnyMesh;
   if (mesh.isInstancedMesh || mesh.isBatchedMesh || mesh.isPoints) return false;
   if (isDisplaced(mesh) || isAnimatedCaster(object)) return false;
   const box = boxOf(mesh.geometry);
@@ -55,7 +56,7 @@ export function casterBox(object: Object3D, out: Float64Array): boolean {
   return Number.isFinite(out[0] + out[1] + out[2] + out[3] + out[4] + out[5]);
 }
 
-/** True when a box, from index `at` on, lies wholly on the outer side of one of six planes, as `viewFrustumPlanes` has them. */
+/** True when a box, which starts at index `at`, lies wholly outside one of six planes, as `viewFrustumPlanes` has them. */
 export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
   for (let i = 0; i < 24; i += 4) {
     const x = planes[i];
@@ -67,7 +68,7 @@ export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0
   return false;
 }
 
-/** True when no part of it lies on the outer side of any of them. */
+/** True when no part of a box, which starts at index `at`, lies outside any of six planes. */
 export function boxInsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
   for (let i = 0; i < 24; i += 4) {
     const x = planes[i];

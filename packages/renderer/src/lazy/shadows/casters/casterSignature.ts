@@ -18,12 +18,12 @@ type Caster = Mesh & Partial<InstancedMesh> & Partial<BatchedMesh> & { isSkinned
 type CasterMaterial = Material & Partial<MeshStandardMaterial>;
 type Batch = BatchedMesh & { _matricesTexture: Texture; _indirectTexture: Texture; _visibilityChanged: boolean };
 
-/** Attributes by the channel of a texture. */
+/** Name of the attribute by a texture's channel. */
 const UVS = ['uv', 'uv1', 'uv2', 'uv3'];
 
 let hash = 0;
 
-/** FNV-1a, a number at a time. */
+/** Mixes a whole number into the hash (FNV-1a). */
 function mix(value: number): void {
   hash = Math.imul(hash ^ value, 16777619);
 }
@@ -32,7 +32,7 @@ function mixFraction(value: number): void {
   mix(value * 65536);
 }
 
-/** A texture as it lies on a geometry. */
+/** Mixes in a texture, and how it lies on a geometry. */
 function mixTexture(texture: Texture | null | undefined, geometry: BufferGeometry): void {
   if (!texture) return;
   const { id, version, offset, repeat, center, rotation, channel } = texture;
@@ -91,8 +91,8 @@ function mixMaterial(m: CasterMaterial, geometry: BufferGeometry): void {
 }
 
 /**
- * A number that changes, but for rare coincidences, when an object's shadow may do so though its world matrix did not:
- * its geometry, its instances, or what of its materials a shadow map sees.
+ * A hash of all but the world matrix that an object's shadow depends on: geometry, instances, and what shadow maps use of the
+ * materials. Two that differ have the same hash by rare coincidence only.
  */
 export function casterSignature(object: Object3D): number {
   const caster = object as Caster;
@@ -118,7 +118,7 @@ export function casterSignature(object: Object3D): number {
   return hash;
 }
 
-/** True for objects whose shadow may change in ways that nobody tells: skinned, morphed, with shaders of their own. */
+/** True for objects whose shadow may change though matrix and signature do not: skinned, morphed, with shaders of their own. */
 export function isAnimatedCaster(object: Object3D): boolean {
   const caster = object as Caster;
   if (caster.isSkinnedMesh || caster.morphTargetInfluences?.length) return true;

@@ -3,8 +3,8 @@ import type { MicroShaderRegistry } from '../../../microshaders';
 import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
 import { PassMaterial } from '../../../gpu/PassMaterial';
 import { COOKIE_BORDER, type CookieSlot } from '../slots/CookieSlot';
-import type { Draw } from './ShadowMapDraws';
-import type { TileAtlas } from '../atlas/TileAtlas';
+import type { DirectDraw } from '../DirectDraw';
+import type { TextureAtlas } from '../atlas/TextureAtlas';
 
 const rectangle = new Vector4();
 const camera = new Camera();
@@ -14,7 +14,7 @@ export class CookieDraws {
   private readonly triangle = new FullscreenMesh();
   private readonly uniforms = {
     farol_cookieImage: { value: null } as IUniform<Texture | null>,
-    farol_cookieTile: { value: new Vector4() },
+    farol_cookieRegion: { value: new Vector4() },
     farol_cookieFlip: { value: 1 },
   };
   private flat: PassMaterial | null = null;
@@ -25,26 +25,34 @@ export class CookieDraws {
     private readonly microshaders: MicroShaderRegistry,
   ) {}
 
-  /** Draws an image into its tile. */
-  render(cookie: CookieSlot, atlas: TileAtlas): void {
+  /** Copies an image into the image's region. */
+  render(cookie: CookieSlot, atlas: TextureAtlas): void {
     const { webgl, uniforms } = this;
-    const { tile, texture, isCube, faceWidth } = cookie;
-    const { x, y, width, height } = tile!;
+    const { texture, isCube } = cookie;
+    const { region, faceWidth } = cookie.placement;
+    const { x, y, width, height } = region!;
     const material = isCube ? (this.cube ??= this.make('cubes', true)) : (this.flat ??= this.make('images', false));
     uniforms.farol_cookieImage.value = texture;
-    uniforms.farol_cookieTile.value.set(
+    uniforms.farol_cookieRegion.value.set(
       x,
       y,
       isCube ? faceWidth : width,
       isCube ? faceWidth + 2 * COOKIE_BORDER : height,
     );
-    // three keeps cube textures mirrored, but those that were drawn
+    // three keeps cube textures mirrored, all but those of render targets
     uniforms.farol_cookieFlip.value = (texture as CubeTexture).isRenderTargetTexture ? 1 : -1;
     material.uniformsNeedUpdate = true;
     webgl.setRenderTarget(atlas.target);
     webgl.state.viewport(rectangle.set(x, y, width, height));
-    (webgl.renderBufferDirect as unknown as Draw)(camera, null, this.triangle.geometry, material, this.triangle, null);
-    cookie.drawn = true;
+    (webgl.renderBufferDirect as unknown as DirectDraw)(
+      camera,
+      null,
+      this.triangle.geometry,
+      material,
+      this.triangle,
+      null,
+    );
+    cookie.map.draw();
   }
 
   dispose(): void {
@@ -57,7 +65,7 @@ export class CookieDraws {
     return new PassMaterial(this.microshaders, {
       name: `Farol cookie ${name}`,
       vertex: ['fullscreen'],
-      fragment: ['cookieTile'],
+      fragment: ['cookieRegion'],
       uniforms: this.uniforms,
       defines: cube ? { FAROL_CUBE: '' } : {},
       blending: NoBlending,

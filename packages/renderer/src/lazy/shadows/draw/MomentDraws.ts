@@ -17,22 +17,23 @@ import {
 import type { MicroShaderRegistry } from '../../../microshaders';
 import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
 import { PassMaterial } from '../../../gpu/PassMaterial';
-import type { Draw, ShadowMapDraws } from './ShadowMapDraws';
+import type { ShadowMapDraws } from './ShadowMapDraws';
+import type { DirectDraw } from '../DirectDraw';
 import type { ShadowSlot } from '../slots/ShadowSlot';
-import type { TileAtlas } from '../atlas/TileAtlas';
+import type { TextureAtlas } from '../atlas/TextureAtlas';
 
 const rectangle = new Vector4();
 
 /**
- * Variance shadow maps: a light's depths into a target of their own, then mean and deviation of them, blurred down and
- * across as three does it, into the light's tile.
+ * Draws variance shadow maps: a map's depths into a target of their own, then their mean and deviation, blurred down and across
+ * as three does, into the map's region of the atlas.
  * @see Donnelly and Lauritzen 2006, Variance Shadow Maps
  */
 export class MomentDraws {
   private readonly triangle = new FullscreenMesh();
   private readonly uniforms = {
     farol_momentSource: { value: null } as IUniform<Texture | null>,
-    farol_momentTile: { value: new Vector4() },
+    farol_momentRegion: { value: new Vector4() },
     farol_momentBlur: { value: [0, 0, 0] },
   };
   private depths: WebGLRenderTarget | null = null;
@@ -50,8 +51,8 @@ export class MomentDraws {
     return this.depths === null ? 0 : this.depths.width * this.depths.height * 9;
   }
 
-  /** Draws the map of a light into its tile. */
-  render(slot: ShadowSlot, atlas: TileAtlas): void {
+  /** Draws the map of a light into the map's region. */
+  render(slot: ShadowSlot, atlas: TextureAtlas): void {
     const { webgl } = this;
     const [face] = slot.faces;
     const { radius, blurSamples } = slot.light.shadow;
@@ -85,11 +86,19 @@ export class MomentDraws {
   ): void {
     const { webgl, uniforms } = this;
     uniforms.farol_momentSource.value = source;
-    uniforms.farol_momentTile.value.set(x, y, slot.faceWidth, slot.faceHeight);
+    const { faceWidth, faceHeight } = slot.placement;
+    uniforms.farol_momentRegion.value.set(x, y, faceWidth, faceHeight);
     material.uniformsNeedUpdate = true;
     webgl.setRenderTarget(target);
-    webgl.state.viewport(rectangle.set(x, y, slot.faceWidth, slot.faceHeight));
-    (webgl.renderBufferDirect as unknown as Draw)(camera, null, this.triangle.geometry, material, this.triangle, null);
+    webgl.state.viewport(rectangle.set(x, y, faceWidth, faceHeight));
+    (webgl.renderBufferDirect as unknown as DirectDraw)(
+      camera,
+      null,
+      this.triangle.geometry,
+      material,
+      this.triangle,
+      null,
+    );
   }
 
   private materials(): { down: PassMaterial; across: PassMaterial } {
@@ -107,7 +116,7 @@ export class MomentDraws {
     return { down: this.down, across: this.across };
   }
 
-  /** Both grow to the largest map. */
+  /** Makes both targets as large as the largest map so far. */
   private prepareTargets(width: number, height: number): void {
     if (this.depths === null || this.halves === null) {
       const depthTexture = new DepthTexture(width, height, FloatType);

@@ -1,19 +1,20 @@
 import type { Camera, Light, Object3D, Scene, WebGLRenderer, WebGLShadowMap } from 'three';
 
 /**
- * Takes the place of three's `shadowMap.render` while a frame is drawn: Farol's maps are drawn after three's own. Renders by
- * stock three inside the frame (three's `Reflector`, `Water` and the like, which keep maps as the frame has left them) have
- * three draw its maps too, unless the host keeps them: the frame itself did not.
+ * Takes the place of three's `shadowMap.render` while a frame is drawn: Farol's maps are drawn after three's own. A render by
+ * stock three inside the frame (three's `Reflector`, `Water`) turns `autoUpdate` off, since it takes the frame to have drawn
+ * three's maps; Farol's frame has not, so such a render gets the host's own `autoUpdate` back.
  */
 export class ShadowMapCalls {
-  private view: Object3D | null = null;
-  /** Another one once a lost context is restored. */
+  /** The scene as the frame shows it to three. */
+  private scene: Object3D | null = null;
+  /** three makes another one when a lost context is restored. */
   private shadowMap: WebGLShadowMap;
   private own: WebGLShadowMap['render'];
   private autoUpdate = true;
   private fail!: (error: unknown) => void;
 
-  /** @param draw draws Farol's */
+  /** @param draw draws Farol's maps */
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly draw: () => void,
@@ -23,12 +24,12 @@ export class ShadowMapCalls {
   }
 
   /**
-   * @param view the scene as the frame shows it to three
-   * @param fail gets an exception in the frame's own maps
+   * @param scene as the frame shows it to three, see `SceneView`
+   * @param fail gets what is thrown while the frame's own maps are drawn
    */
-  begin(view: Object3D, fail: (error: unknown) => void): void {
+  begin(scene: Object3D, fail: (error: unknown) => void): void {
     const { shadowMap } = this.webgl;
-    this.view = view;
+    this.scene = scene;
     this.fail = fail;
     this.shadowMap = shadowMap;
     this.own = shadowMap.render;
@@ -42,7 +43,7 @@ export class ShadowMapCalls {
 
   private readonly render = (lights: Light[], scene: Scene, camera: Camera) => {
     const { shadowMap, webgl } = this;
-    if (scene === this.view) {
+    if (scene === this.scene) {
       const target = webgl.getRenderTarget();
       const face = webgl.getActiveCubeFace();
       const level = webgl.getActiveMipmapLevel();

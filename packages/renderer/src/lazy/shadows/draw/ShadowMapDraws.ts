@@ -12,22 +12,16 @@ import {
 import type { MicroShaderRegistry } from '../../../microshaders';
 import type { GeometryGroup } from '../../../frame/RenderItem';
 import { CasterMaterials } from '../casters/CasterMaterials';
-import { casterStand } from '../casters/casterStand';
+import { casterProxy } from '../casters/casterProxy';
 import { MergedCasters } from '../casters/merged';
-import { SeenReceivers } from '../receivers';
-import { type Caster, isReached, isSeen, type ShadowCasters } from '../casters/ShadowCasters';
+import { VisibleReceivers } from '../receivers';
+import type { Caster } from '../casters/Caster';
+import { isInFace, isInMap } from '../casters/isInMap';
+import type { ShadowCasters } from '../casters/ShadowCasters';
+import type { DirectDraw } from '../DirectDraw';
 import type { ShadowFace } from '../slots/ShadowFace';
 import type { ShadowSlot } from '../slots/ShadowSlot';
-import type { TileAtlas } from '../atlas/TileAtlas';
-
-export type Draw = (
-  camera: Camera,
-  scene: null,
-  geometry: BufferGeometry,
-  material: Material,
-  object: Object3D,
-  group: GeometryGroup | null,
-) => void;
+import type { TextureAtlas } from '../atlas/TextureAtlas';
 
 type ShadowCallback = (
   renderer: WebGLRenderer,
@@ -39,7 +33,7 @@ type ShadowCallback = (
   group: GeometryGroup | null,
 ) => void;
 
-/** Frames after which a map that holds only what could be seen is drawn whole, if nothing changes in it. */
+/** Frames without a change after which a partial map is drawn whole. */
 const REST = 60;
 
 const rectangle = new Vector4();
@@ -47,20 +41,20 @@ const depth = new Float32Array(1);
 
 const isCovered = (face: ShadowFace) => face.isCovered;
 
-/** Draws casters into the tiles of shadow maps as three's WebGLShadowMap would. Call inside three's `render`. */
+/** Draws casters into shadow maps as three's WebGLShadowMap would. Call inside three's `render`. */
 export class ShadowMapDraws {
-  /** Stand-ins of the casters that are drawn this frame, for three to bring their buffers up to date. */
-  readonly stands: Object3D[] = [];
+  /** Proxies of the casters that the frame draws, for three to bring their buffers up to date. */
+  readonly proxies: Object3D[] = [];
   private readonly materials: CasterMaterials;
-  private readonly draw: Draw;
+  private readonly draw: DirectDraw;
   private readonly gl: WebGL2RenderingContext;
   private readonly merged = new Map<ShadowCasters, MergedCasters>();
   private mergedCasters: MergedCasters | null = null;
   private hasMerged = false;
-  private readonly seen = new SeenReceivers();
-  private hasSeen = false;
+  private readonly receivers = new VisibleReceivers();
+  private hasReceivers = false;
   private casters: ShadowCasters | null = null;
-  /** Those of the frame that are drawn one by one. */
+  /** Casters of the frame that are drawn one by one. */
   private readonly loose: Caster[] = [];
   private camera: Camera | null = null;
   private bothSides = false;
@@ -71,22 +65,22 @@ export class ShadowMapDraws {
     private readonly microshaders: MicroShaderRegistry,
   ) {
     this.materials = new CasterMaterials(webgl);
-    this.draw = webgl.renderBufferDirect as unknown as Draw;
+    this.draw = webgl.renderBufferDirect as unknown as DirectDraw;
     this.gl = webgl.getContext() as WebGL2RenderingContext;
   }
 
   /**
    * Begins a frame.
-   * @param bothSides the sides that are seen cast shadows, as for variance shadow maps
+   * @param bothSides draws the sides of casters that pictures show, as three does for variance shadow maps
    */
   begin(casters: ShadowCasters, camera: Camera, bothSides: boolean): void {
     this.casters = casters;
     this.camera = camera;
     this.bothSides = bothSides;
     this.frame++;
-    this.stands.length = 0;
+    this.proxies.length = 0;
     this.mergedCasters = this.mergedOf(casters);
-    this.hasMerged = this.hasSeen = false;
+    this.hasMerged = this.hasReceivers = false;
   }
 
   /** Finds what each face of a light's map will draw, and has three bring its buffers up to date. */
@@ -95,58 +89,59 @@ export class ShadowMapDraws {
     for (const face of slot.faces) face.clear();
     merged?.addTo(slot, this.bothSides);
     for (const caster of this.loose) {
-      if (!isReached(caster, slot)) continue;
+      if (!isInMap(caster, slot)) continue;
       for (const face of slot.faces) {
-        if (!isSeen(caster, face)) continue;
+        if (!isInFace(caster, face)) continue;
         face.casters.push(caster);
-        if (caster.prepared === this.frame) continue;
-        caster.prepared = this.frame;
-        caster.stand ??= casterStand(caster.object);
-        this.stands.push(caster.stand);
+        if (caster.proxyFrame === this.frame) continue;
+        caster.proxyFrame = this.frame;
+        caster.proxy ??= casterProxy(caster.object);
+        this.proxies.push(caster.proxy);
       }
     }
   }
 
   /**
-   * Whether a map that changes in frame after frame need hold no more than what can be seen of it, or one that has stopped to
-   * do so holds all of that. Finds the parts of its faces.
-   * @param may be drawn in this frame
+   * Whether only the visible parts of a map need be drawn: it changes in frame after frame, or it is partial, rests, and its drawn
+   * parts still hold all that is visible. Finds the visible parts where that matters.
+   * @param mayDraw the map may be drawn in this frame
    */
-  isPart(slot: ShadowSlot, may: boolean, frame: number): boolean {
-    const { dirty, drawn, changed, isPartial } = slot;
-    if (dirty) slot.changed = frame;
-    if (this.bothSides || slot.tile === null) return false;
-    if (may && (dirty || !drawn)) {
-      const goesOn = drawn && changed === frame - 1;
-      return goesOn && slot.light.shadow.autoUpdate && this.cut(slot);
+  isPart(slot: ShadowSlot, mayDraw: boolean, frame: number): boolean {
+    const { map, placement } = slot;
+    const { since } = map;
+    map.noteAge(frame);
+    if (this.bothSides || placement.region === null) return false;
+    if (mayDraw && !map.isCurrent) {
+      const goesOn = map.isThere && since === frame - 1;
+      return goesOn && slot.shadow.autoUpdate && this.findParts(slot);
     }
-    // at rest the whole is drawn some time, a few maps a frame
-    if (!isPartial || (may && frame - changed > REST + (slot.record & 7))) return false;
-    return this.cut(slot) && slot.faces.every(isCovered);
+    // the whole of a map at rest is drawn some time, a few maps a frame
+    if (!map.isPartial || (mayDraw && frame - since > REST + (slot.record & 7))) return false;
+    return this.findParts(slot) && slot.faces.every(isCovered);
   }
 
-  /** Has each face of a light's map draw only what can be seen of it. @returns false where that is all */
-  private cut(slot: ShadowSlot): boolean {
-    if (!this.hasSeen) {
-      this.hasSeen = true;
-      this.seen.find(this.casters!, this.beginMerged(), this.camera!);
+  /** Finds the visible part of each face of a map. @returns false where that is all of the map */
+  private findParts(slot: ShadowSlot): boolean {
+    if (!this.hasReceivers) {
+      this.hasReceivers = true;
+      this.receivers.find(this.casters!, this.beginMerged(), this.camera!);
     }
-    return this.seen.cut(slot);
+    return this.receivers.findParts(slot);
   }
 
-  /** Sends what the draws of a frame need. */
+  /** Sends the data of the merged casters. */
   send(): void {
     this.mergedCasters?.prepare();
   }
 
-  /** Has the sampler of an atlas of depths compare as the depth buffer is kept. */
-  setComparison(atlas: TileAtlas): void {
+  /** Has the sampler of an atlas of depths compare in the direction of the depth buffer, reversed or not. */
+  setComparison(atlas: TextureAtlas): void {
     const texture = atlas.target?.depthTexture;
     const wanted = this.webgl.state.buffers.depth.getReversed() ? GreaterEqualCompare : LessEqualCompare;
     if (texture && texture.compareFunction !== wanted) texture.compareFunction = wanted;
   }
 
-  /** Draws the maps of lights into the bound target, as far as they are to be drawn. */
+  /** Draws the planned parts of maps into the bound target. */
   drawMaps(slots: readonly ShadowSlot[]): void {
     this.beginFaces();
     for (const slot of slots) for (const face of slot.faces) this.drawFace(slot, face, face.x, face.y);
@@ -156,7 +151,7 @@ export class ShadowMapDraws {
   /** Draws one face at the origin of the bound target. */
   drawAlone(slot: ShadowSlot, face: ShadowFace): void {
     this.beginFaces();
-    this.mergedCasters?.interrupt(); // others were drawn since the last
+    this.mergedCasters?.interrupt(); // the blur was drawn since the last face
     this.drawFace(slot, face, 0, 0);
     this.webgl.state.setScissorTest(false);
   }
@@ -167,7 +162,7 @@ export class ShadowMapDraws {
     this.merged.delete(casters);
     if (this.casters !== casters) return;
     this.casters = this.mergedCasters = null;
-    this.stands.length = this.loose.length = 0;
+    this.proxies.length = this.loose.length = 0;
   }
 
   dispose(): void {
@@ -176,7 +171,7 @@ export class ShadowMapDraws {
     this.merged.clear();
   }
 
-  /** Those of a scene; none where depth is logarithmic, which three's own materials write. */
+  /** The merged casters of a scene; null where depth is logarithmic, which three's own materials write. */
   private mergedOf(casters: ShadowCasters): MergedCasters | null {
     if (this.webgl.capabilities.logarithmicDepthBuffer) return null;
     let merged = this.merged.get(casters);
@@ -187,7 +182,7 @@ export class ShadowMapDraws {
     return merged;
   }
 
-  /** Has them ready, once a frame that draws maps. */
+  /** Brings the merged casters up to date, once in a frame that draws maps. */
   private beginMerged(): MergedCasters | null {
     const merged = this.mergedCasters;
     if (this.hasMerged) return merged;
@@ -199,7 +194,7 @@ export class ShadowMapDraws {
       return null;
     }
     merged.begin(this.camera!, this.casters!, this.loose);
-    merged.addStands(this.stands);
+    merged.addProxies(this.proxies);
     return merged;
   }
 
@@ -210,7 +205,7 @@ export class ShadowMapDraws {
     depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
   }
 
-  /** Clears what is drawn of a face, then draws the casters that it sees. */
+  /** Clears the drawn part of a face, then draws the face's casters. */
   private drawFace(slot: ShadowSlot, face: ShadowFace, x: number, y: number): void {
     if (face.texels === 0) return;
     const { gl, mergedCasters } = this;
@@ -226,7 +221,7 @@ export class ShadowMapDraws {
     this.prepareDepth();
   }
 
-  /** So that depths are cleared, whatever the materials of the last casters were. */
+  /** Has clears write depths, whatever the materials of the last casters have set. */
   private prepareDepth(): void {
     const { depth } = this.webgl.state.buffers;
     depth.setTest(true);

@@ -1,12 +1,12 @@
 // Mean and standard deviation of the depths of a shadow map, blurred down its columns, or (FAROL_ACROSS) its rows.
 // three.js r187 vsm; Donnelly and Lauritzen 2006, Variance Shadow Maps
 uniform highp sampler2D farol_momentSource;
-uniform highp vec4 farol_momentTile; // corner of what is drawn, size of the map (texels)
+uniform highp vec4 farol_momentRegion; // corner of what is drawn, size of the map (texels)
 uniform highp vec3 farol_momentBlur; // radius (texels), samples
 layout(location = 0) out highp vec4 farol_moments;
 //# main
-vec2 at = gl_FragCoord.xy - farol_momentTile.xy;
-vec2 last = farol_momentTile.zw - 0.5;
+vec2 at = gl_FragCoord.xy - farol_momentRegion.xy;
+vec2 last = farol_momentRegion.zw - 0.5;
 float samples = farol_momentBlur.y;
 float mean = 0.0;
 float squaredMean = 0.0;

@@ -1,40 +1,40 @@
 import type { MicroShader, MicroShaderRegistry } from '../../../microshaders';
 import { parseMicroShader } from '../../../microshaders/parseMicroShader';
-import { maskKindsChunk } from './maskKinds';
+import { maskFeaturesChunk } from './maskFeatures';
 
-/** What shaders know of masks: it grows with what is met, and does not shrink, so that nothing compiles twice. */
+/** What shaders have code for. That grows with the masks that are met and never shrinks, so that nothing is compiled twice. */
 export class MaskShaders {
-  /** 0: no masks; 1: shadows and cookies; 2: layers too. */
-  private known = 0;
-  /** Those of `maskKinds` that shaders know, and those that this frame needs too. */
-  private knownKinds = 0;
-  private neededKinds = 0;
+  /** Level of the chunk `lightMask`. 0: no masks; 1: shadows and cookies; 2: layers too. */
+  private level = 0;
+  /** Bits of `maskFeatures` in shaders, and those that frames have needed. */
+  private features = 0;
+  private neededFeatures = 0;
   private readonly before: MicroShader;
 
   constructor(private readonly microshaders: MicroShaderRegistry) {
     this.before = microshaders.get('lightMask')!;
   }
 
-  /** @param kinds of `maskKinds` that a light of this frame needs */
-  need(kinds: number): void {
-    this.neededKinds |= kinds;
+  /** Notes what a light of the frame needs. @param features bits of `maskFeatures` */
+  need(features: number): void {
+    this.neededFeatures |= features;
   }
 
-  /** Has shaders know what this frame needs. */
+  /** Gives shaders what the frame needs. */
   adapt(hasMasks: boolean, hasLayers: boolean): void {
-    if (this.neededKinds !== this.knownKinds) {
-      this.knownKinds = this.neededKinds;
-      this.microshaders.swap('maskKinds', parseMicroShader('maskKinds', maskKindsChunk(this.knownKinds)));
+    if (this.neededFeatures !== this.features) {
+      this.features = this.neededFeatures;
+      this.microshaders.swap('maskFeatures', parseMicroShader('maskFeatures', maskFeaturesChunk(this.features)));
     }
     const needed = hasLayers ? 2 : hasMasks ? 1 : 0;
-    if (needed <= this.known) return;
-    this.known = needed;
+    if (needed <= this.level) return;
+    this.level = needed;
     this.microshaders.swap('lightMask', needed === 2 ? 'lightMaskLayers' : 'lightMaskOn');
   }
 
-  /** Shaders know none again: there are no maps any more that they could look up. */
+  /** Takes all code for masks out of shaders: there are no maps to sample any more. */
   dispose(): void {
-    if (this.known > 0) this.microshaders.swap('lightMask', this.before);
-    this.known = 0;
+    if (this.level > 0) this.microshaders.swap('lightMask', this.before);
+    this.level = 0;
   }
 }

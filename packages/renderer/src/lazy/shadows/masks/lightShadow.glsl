@@ -3,7 +3,7 @@
 //? farol_cubeFace(vec3(2.0, 1.0, 1.0)) == vec3(0.75, 0.75, 0.0)
 //? farol_cubeFace(vec3(0.0, 0.5, -2.0)) == vec3(0.5, 0.625, 5.0)
 #include "lightTable"
-#include "maskKinds"
+#include "maskFeatures"
 uniform highp mat3 farol_worldAxes; // from view space
 uniform highp sampler2DShadow farol_shadowAtlas;
 uniform highp sampler2D farol_lightAtlas; // linear colours, or mean and deviation of depths

@@ -9,7 +9,7 @@ import type { ShadowSlot } from '../slots/ShadowSlot';
  * | texel | holds |
  * |---|---|
  * | 0–3 | columns of the matrix from view space to the map (0 to 1, depth 0 to 1); of a cube: position of the light in view space (m), 1, and nothing |
- * | 4 | corner of the tile of the shadow map (texels); width of a face, kind of shadow (`shadowKinds`), kind of cookie (0 none, 1 map, 2 cube), whether texel 6 counts (of a cube: texel 0, since the light has left its map) and the power of two of a cube's border, as bits 0–14, 15–17, 18–19, 20 and 21–23; normal bias (m) |
+ * | 4 | corner of the tile of the shadow map (texels); width of a face, kind of shadow (`shadowLookups`), kind of cookie (0 none, 1 map, 2 cube), whether texel 6 counts (of a cube: texel 0, since the light has left its map) and the power of two of a cube's border, as bits 0–14, 15–17, 18–19, 20 and 21–23; normal bias (m) |
  * | 5 | of a map: bias (with the sign of the depth buffer), radius of the filter as part of the width, of the height; of a cube: a and b of depth = a + b / distance along an axis, radius of the filter as part of a face; intensity |
  * | 6 | of a map: its height (texels), how many nearer maps there are; 1 if the bounds of its depths are known; – |
  * | 7 | – |
@@ -24,14 +24,14 @@ export const MOST_CASCADES = 3;
 const CASCADES = [40, 44, 32];
 
 /** What a mask does with its shadow map; as in lightShadow.glsl. */
-export const shadowKinds = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, vsm: 5 } as const;
+export const shadowLookups = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, vsm: 5 } as const;
 
 const matrix = new Matrix4();
 const position = new Vector3();
 
 /**
  * Writes the mask of a light, for positions in view space.
- * @param kind of its shadow, one of `shadowKinds`
+ * @param kind of its shadow, one of `shadowLookups`
  * @param reversed the depth buffer is
  * @param layers that the light reaches, as a mask; 0 for all
  */
@@ -44,7 +44,8 @@ export function writeMask(
   reversed: boolean,
   layers: number,
 ): void {
-  const { tile, cookie, isCube, near, far, faceWidth, faceHeight } = slot;
+  const { cookie, isCube, near, far } = slot;
+  const { region, faceWidth, faceHeight, border } = slot.placement;
   const { shadow } = slot.light;
   const at = record * FLOATS_PER_RECORD;
   if (isCube) {
@@ -55,10 +56,10 @@ export function writeMask(
     for (let i = 0; i < 16; i += 4) table.set4(at + i, e[i], e[i + 1], e[i + 2], e[i + 3]);
   }
   const height = isCube ? faceWidth : faceHeight;
-  const cookieKind = cookie === null || cookie.tile === null ? 0 : cookie.isCube ? 2 : 1;
-  const extended = slot.isLeft || (!isCube && (height !== faceWidth || slot.cascades > 0));
-  const bits = packMask(faceWidth, kind, cookieKind, extended, slot.border);
-  table.set4(at + 16, tile?.x ?? 0, tile?.y ?? 0, bits, kind === shadowKinds.none ? 0 : slot.normalBias);
+  const cookieKind = cookie === null || cookie.placement.region === null ? 0 : cookie.isCube ? 2 : 1;
+  const extended = slot.hasLeftMap || (!isCube && (height !== faceWidth || slot.cascades > 0));
+  const bits = packMask(faceWidth, kind, cookieKind, extended, border);
+  table.set4(at + 16, region?.x ?? 0, region?.y ?? 0, bits, kind === shadowLookups.none ? 0 : slot.normalBias);
   const bias = reversed ? -shadow.bias : shadow.bias;
   const { mapSize, intensity } = shadow;
   const radius = slot.filterRadius;
@@ -67,7 +68,7 @@ export function writeMask(
   else if (reversed) {
     table.set4(at + 20, -near / depthRange + bias, (near * far) / depthRange, radius / mapSize.x, intensity);
   } else table.set4(at + 20, far / depthRange + bias, (-near * far) / depthRange, radius / mapSize.x, intensity);
-  table.set4(at + 24, height, slot.cascades, slot.shows && slot.isBounded ? 1 : 0, 0);
+  table.set4(at + 24, height, slot.cascades, slot.hasShadow && slot.map.hasBounds ? 1 : 0, 0);
   writeLayers(table, record, layers);
   const { cascades, fits } = slot;
   for (let i = 0; i < cascades; i++) {
@@ -76,23 +77,22 @@ export function writeMask(
   if (cascades === MOST_CASCADES) return;
   if (cookieKind === 0) table.set4(at + 32, 0, 0, 1, 1);
   else {
-    const { x, y } = cookie!.tile!;
-    const size = cookie!.faceWidth;
-    table.set4(at + 32, x, y, size, cookie!.faceHeight);
+    const { region, faceWidth, faceHeight } = cookie!.placement;
+    table.set4(at + 32, region!.x, region!.y, faceWidth, faceHeight);
   }
 }
 
 /** What a light's mask does with its map. @param type of shadow maps, as `WebGLRenderer.shadowMap.type` has it */
-export function shadowKindOf({ shows, isCube }: ShadowSlot, type: number): number {
-  if (!shows) return shadowKinds.none;
-  if (type === VSMShadowMap) return shadowKinds.vsm;
-  if (type === BasicShadowMap) return isCube ? shadowKinds.cubeBasic : shadowKinds.basic;
-  return isCube ? shadowKinds.cubePcf : shadowKinds.pcf;
+export function shadowLookupOf({ hasShadow, isCube }: ShadowSlot, type: number): number {
+  if (!hasShadow) return shadowLookups.none;
+  if (type === VSMShadowMap) return shadowLookups.vsm;
+  if (type === BasicShadowMap) return isCube ? shadowLookups.cubeBasic : shadowLookups.basic;
+  return isCube ? shadowLookups.cubePcf : shadowLookups.pcf;
 }
 
 /** Writes the mask of a light that has neither shadow nor cookie, but does not reach all layers. */
 export function writeLayerMask(table: DataTable, record: number, layers: number): void {
-  table.set4(record * FLOATS_PER_RECORD + 16, 0, 0, packMask(0, shadowKinds.none, 0, false, 1), 0);
+  table.set4(record * FLOATS_PER_RECORD + 16, 0, 0, packMask(0, shadowLookups.none, 0, false, 1), 0);
   table.set4(record * FLOATS_PER_RECORD + 20, 0, 0, 0, 0);
   table.set4(record * FLOATS_PER_RECORD + 24, 0, 0, 0, 0);
   writeLayers(table, record, layers);

@@ -7,12 +7,12 @@ const PARS = '#include <shadowmask_pars_fragment>';
 const MARK = '// farol_shadowmask_pars';
 const VARYINGS = 'varying highp vec3 farol_maskPositionVS;\nvarying highp vec3 farol_maskNormalVS;\n';
 
-/** ShadowMaterial, and shader materials like it, with Farol's shadows times those that three itself has. */
+/** Twin of ShadowMaterial and shader materials like it: Farol's shadows times those that three draws. */
 export const shadowMaskTwin: TwinKind = {
   key: 'shadow-mask',
   chunks: () => ['shadowMask'],
   patch(shader: TwinShader, _source: Material, header: string) {
-    // where the text of the chunk stands, the function's own name is in it too
+    // three's own chunk names the function, too: it is put in again once the calls are replaced
     shader.fragmentShader = replaceChunk(shader.fragmentShader, 'shadowmask_pars_fragment', () => MARK)
       .replace(/\bgetShadowMask\s*\(\s*\)/g, '(getShadowMask() * farol_shadowMask())')
       .replace(MARK, () => `${PARS}\n${header}`);

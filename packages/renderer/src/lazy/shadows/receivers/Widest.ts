@@ -2,9 +2,8 @@
 const MOST = 48;
 
 /**
- * The boxes that widened the parts of a light's maps in the last frame, by index: where they come first, few others widen
- * them more. Those that still did then come first of all in the next frame, so that it is few that are remembered. Where an
- * index has come to mean another box, no more is lost than time.
+ * Indices of the boxes that widened the visible parts of a light's map in the last frame. Tried first in the next frame, they leave
+ * little for the others to widen. An index that has come to mean another box costs time alone.
  */
 export class Widest {
   readonly list = new Int32Array(MOST);
@@ -14,12 +13,12 @@ export class Widest {
   private foundCount = 0;
   private keptCount = 0;
 
-  /** One of the list has widened them again. */
+  /** A box of the list has widened the parts again. */
   keep(box: number): void {
     this.kept[this.keptCount++] = box;
   }
 
-  /** One of the others has. */
+  /** A box that is not in the list has widened the parts. */
   find(box: number): void {
     this.found[this.foundCount++ % MOST] = box;
   }
@@ -28,7 +27,7 @@ export class Widest {
   end(): void {
     const { list, found, kept } = this;
     let count = 0;
-    // the last to widen them is the widest
+    // the last to widen the parts is the widest
     while (count < Math.min(MOST, this.foundCount)) list[count++] = found[(this.foundCount - count) % MOST];
     for (let i = 0; i < this.keptCount && count < MOST; i++) list[count++] = kept[i];
     this.count = count;

@@ -1,28 +1,28 @@
 import { cubeFacesOf } from '../slots/cubeFacesOf';
 import type { Reach } from '../slots/reach';
 
-/** Of each face, +x, -x, +y, -y, +z, -z: which of those six directions lie across and up in it, as farol_cubeFace has them. */
+/** Directions across and up of the faces +x, -x, +y, -y, +z, -z, as indices of these, as farol_cubeFace has them. */
 const ACROSS = new Uint8Array([4, 5, 0, 1, 1, 0]);
 const UP = new Uint8Array([2, 2, 4, 4, 2, 2]);
 
-/** By which a part may be wider than need be, for less work (parts of the axis). */
+/** How much wider than need be a part may become, for less work (parts of the axis). */
 const SLACK = 0.06;
 
-/** What is held stays so when numbers are rounded. */
+/** Added to parts, so that they still hold their boxes when numbers are rounded. */
 const ROUNDING = 1e-12;
 
-/** How far what is within range of a box reaches in each of the six directions (m). */
+/** How far a box, as far as it is within range, reaches in each of the six directions (m). */
 const ends = new Float64Array(6);
 
 /**
- * Widens the parts of a cube map's faces so that they hold all directions from a point to what is within range of a box.
- * @param parts of the six faces: how far each reaches to its left, right, down and up, as parts of the axis, 4 numbers each;
+ * Widens the visible parts of a cube map's faces so that they hold all directions from the light to a box within range.
+ * @param parts of the six faces: how far each reaches left, right, down and up, as parts of the axis, 4 numbers each;
  * -Infinity for nothing, Infinity for all
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
- * @param reach of the map; what lies farther from the point than its range does not count
- * @param open the faces that count, as bits: those whose part is not all of them yet
+ * @param reach of the map: the light's place and range
+ * @param open faces whose part is not all of the face yet, as bits; others do not count
  * @param writes false to leave the parts as they are
- * @returns 0 where they hold the box already, 1 where they have to be widened by no more than `SLACK`, else 2
+ * @returns 0 where the parts hold the box already, 1 where they are too small by no more than `SLACK`, else 2
  */
 export function cubeFaceParts(
   parts: Float64Array,
@@ -54,13 +54,13 @@ export function cubeFaceParts(
     const left = ends[across ^ 1];
     const top = ends[up];
     const bottom = ends[up ^ 1];
-    // of the box in the face, along its axis
+    // distances of the box along the axis of the face
     const farthest = ends[face];
     const aside = -least(least(left, right), least(bottom, top)) / widening;
     const nearest = -least(least(ends[face ^ 1], -aside), -1e-6 * farthest);
     if (nearest > farthest) continue;
     const first = face * 4;
-    // towards the middle what is farthest counts, away from it what is nearest: both where each is the greater
+    // an end that does not reach the face's middle counts at the greatest distance, others at the least; both tests save a branch
     const isWithin =
       +(left <= parts[first] * nearest) &
       +(left <= parts[first] * farthest) &
@@ -84,14 +84,14 @@ export function cubeFaceParts(
   return widens;
 }
 
-/** The faces whose part is not all of them, as bits. */
+/** The faces whose part is not all of the face, as bits. */
 export function openFaces(parts: Float64Array): number {
   let open = 0;
   for (let side = 0; side < 24; side++) if (parts[side] !== Infinity) open |= 1 << (side >> 2);
   return open;
 }
 
-/** Of two finite numbers; without a branch, see `cubeFacesOf`. */
+/** The lesser of two finite numbers; without a branch, see `cubeFacesOf`. */
 function least(a: number, b: number): number {
   return 0.5 * (a + b - Math.abs(a - b));
 }

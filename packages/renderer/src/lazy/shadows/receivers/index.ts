@@ -1,1 +1,1 @@
-export { SeenReceivers } from './SeenReceivers';
+export { VisibleReceivers } from './VisibleReceivers';

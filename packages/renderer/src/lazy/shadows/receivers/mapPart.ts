@@ -2,13 +2,13 @@ import type { Matrix4 } from 'three';
 import type { Reach } from '../slots/reach';
 
 /**
- * Widens the part of a map so that it holds a box as a camera sees it.
+ * Widens the visible part of a map so that it holds a box as the map's camera projects it.
  * @param part least and most across, least and most up, -1 to 1 in the map, 4 numbers from index `to` on
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
- * @param reach of the map, for what boxes are wider by
- * @param camera from world to clip space
+ * @param reach of the map, which says how much wider boxes are taken
+ * @param matrix from world to clip space
  * @param writes false to leave the part as it is
- * @returns whether it had to be widened
+ * @returns whether the part was too small
  */
 export function mapPart(
   part: Float64Array,
@@ -30,7 +30,7 @@ export function mapPart(
   const up = e[1] * x + e[5] * y + e[9] * z + e[13];
   const w = e[3] * x + e[7] * y + e[11] * z + e[15];
   if (!(w - Math.abs(e[3]) * a - Math.abs(e[7]) * b - Math.abs(e[11]) * c > 1e-6)) {
-    // beside or behind the camera: it may be anywhere
+    // beside or behind the camera, a box may be anywhere in the map
     const isAll = part[to] === -Infinity;
     if (!isAll && writes) {
       part[to] = part[to + 2] = -Infinity;

@@ -13,23 +13,23 @@ import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
 import { PassMaterial } from '../../../gpu/PassMaterial';
 import { wordTarget } from '../../../gpu/wordTarget';
 import { comparesDepths } from '../atlas/comparesDepths';
-import type { Draw } from '../draw/ShadowMapDraws';
+import type { DirectDraw } from '../DirectDraw';
 import type { ShadowSlot } from '../slots/ShadowSlot';
-import type { TileAtlas } from '../atlas/TileAtlas';
+import type { TextureAtlas } from '../atlas/TextureAtlas';
 
-/** Texels a side of a block, as in shadowBounds.glsl. */
+/** Texels a side of a block; shadowBounds.glsl and tileShadows.glsl have the number too. */
 const BLOCK = 8;
-/** Frames for which a map has to be at rest. */
+/** Frames for which a map must have been at rest. */
 const REST = 2;
-/** Texels of maps looked at a frame at most, but for one map. */
+/** Texels read a frame; the map that exceeds them is the last. */
 const BUDGET = 12_000_000;
 
 const rectangle = new Vector4();
 const camera = new PerspectiveCamera();
 
 /**
- * Least and greatest depth of each block of 8 × 8 texels of the atlas, for maps that are at rest. A block at the edge of a map
- * may count in what lies beside it, older texels too: bounds may be wider than need be, never narrower.
+ * Least and greatest depth of each block of 8 × 8 texels of the atlas of depths, for maps at rest. A block at the edge of a map
+ * also counts texels beside the map: bounds may be wider than need be, never narrower.
  */
 export class ShadowBounds {
   readonly target = wordTarget(RGIntegerFormat, UnsignedShortType, 'RG16UI');
@@ -48,7 +48,7 @@ export class ShadowBounds {
     return this.target.width * this.target.height * 4;
   }
 
-  /** True when the frame has some to find. */
+  /** True when the frame has bounds to find. */
   get hasWork(): boolean {
     return this.wanted.length > 0;
   }
@@ -58,15 +58,16 @@ export class ShadowBounds {
     this.left = BUDGET;
   }
 
-  /** A map that is lit with as it is. @param rested frames since something changed in it */
+  /** Takes up a map that the frame does not draw. @param rested frames since something changed in the map */
   keep(slot: ShadowSlot, rested: number): void {
-    if (slot.isBounded || rested < REST || slot.cascades > 0 || this.left <= 0) return;
-    this.left -= slot.tile!.width * slot.tile!.height;
+    if (slot.map.hasBounds || rested < REST || slot.cascades > 0 || this.left <= 0) return;
+    const { region } = slot.placement;
+    this.left -= region!.width * region!.height;
     this.wanted.push(slot);
   }
 
-  /** Finds those of the maps that were kept. Call once the maps of the frame are drawn. */
-  render(atlas: TileAtlas): void {
+  /** Finds the bounds of the maps that were taken up. Call once the maps of the frame are drawn. */
+  render(atlas: TextureAtlas): void {
     const { webgl, target } = this;
     if (this.material === null) this.compile();
     if (!this.hasWork) return;
@@ -78,7 +79,7 @@ export class ShadowBounds {
     webgl.setRenderTarget(target);
     for (const slot of this.wanted) {
       this.draw(slot);
-      slot.isBounded = true;
+      slot.map.bound();
     }
     comparesDepths(webgl, texture, true);
   }
@@ -89,7 +90,7 @@ export class ShadowBounds {
     this.material = null;
   }
 
-  /** Has its program there from the first map on, not in a later frame. */
+  /** Compiles the program with the first map, not in a later frame that would hitch. */
   private compile(): void {
     this.material = new PassMaterial(this.microshaders, {
       name: 'Farol shadow bounds',
@@ -106,12 +107,12 @@ export class ShadowBounds {
   }
 
   private drawTriangle(): void {
-    const draw = this.webgl.renderBufferDirect as unknown as Draw;
+    const draw = this.webgl.renderBufferDirect as unknown as DirectDraw;
     draw(camera, null, this.triangle.geometry, this.material!, this.triangle, null);
   }
 
-  private draw({ tile }: ShadowSlot): void {
-    const { x, y, width, height } = tile!;
+  private draw({ placement }: ShadowSlot): void {
+    const { x, y, width, height } = placement.region!;
     const left = Math.floor(x / BLOCK);
     const bottom = Math.floor(y / BLOCK);
     const right = Math.ceil((x + width) / BLOCK);

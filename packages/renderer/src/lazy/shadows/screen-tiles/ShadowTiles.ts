@@ -7,20 +7,20 @@ import { PassMaterial } from '../../../gpu/PassMaterial';
 import { wordTarget } from '../../../gpu/wordTarget';
 import type { MaskUniforms } from '../../../lighting/maskUniforms';
 
-/** Pixels a side of a tile; lightLoopClustered.glsl has it too. A tile of the light grid holds a whole number of them. */
+/** Pixels a side of a tile; lightLoopClustered.glsl has the number too. A tile of the light grid holds a whole number of these. */
 const TILE = 8;
-/** Pixels a side of the blocks in which depths are looked at first. */
+/** Pixels a side of the blocks whose depths are bounded first. */
 const BLOCK = 4;
-/** Words of lights that are looked at, at most: 512 lights. */
+/** Words of lights at most, a bit a light: 512 lights. */
 const MOST_WORDS = 16;
 const LIGHTS_PER_WORD = 32;
 
 /**
- * Which lights of a tile of the picture light all that is seen there, and which none, as far as the bounds of their shadow maps
- * tell: their maps need no look-up there.
+ * Which lights light all surfaces in a tile of the picture, and which none, as far as the bounds of their shadow maps tell: pixels
+ * there need not sample those maps.
  */
 export class ShadowTiles {
-  /** Lit maps that have bounds. */
+  /** Maps of the frame that have bounds, see `ShadowBounds`. */
   bounded = 0;
   private readonly planes = wordTarget();
   private readonly marks = wordTarget();
@@ -37,14 +37,14 @@ export class ShadowTiles {
   }
 
   /**
-   * Finds them for a frame, once its G-buffer and light grid are there.
+   * Marks the tiles of a frame, once its G-buffer and light grid are there.
    * @param bounds of the shadow maps
    */
   render(frame: Frame, gbuffer: GBuffer, bounds: WebGLRenderTarget): void {
     const mask = frame.uniforms as unknown as MaskUniforms;
     const { lights } = frame;
     const words = Math.min(MOST_WORDS, 2 * Math.ceil(lights.grid.count / (2 * LIGHTS_PER_WORD)));
-    // logarithmic depth is not linear over a surface, and what is too coarse for positions is so here
+    // depth is not linear over a surface where it is logarithmic, and too coarse here where positions need stored distances
     const linear = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance && !frame.queue.reachesFar;
     const finds = this.bounded > 0 && lights.bounded > 0 && linear;
     mask.farol_tileShadows.value = this.marks.texture;
@@ -78,7 +78,7 @@ export class ShadowTiles {
     frame.drawMesh(this.triangle, material);
   }
 
-  /** A texture that is not written is bound all the same; also after a lost context. */
+  /** Has three make the texture of marks, which shaders bind though nothing is marked; also after a lost context. */
   private giveStorage(frame: Frame): void {
     const { properties } = frame.webgl;
     const { __webglTexture } = properties.get(this.marks.texture) as { __webglTexture?: WebGLTexture };

@@ -1,11 +1,12 @@
 import type { CubeTexture, Texture } from 'three';
-import type { AtlasTenant } from '../atlas/TileAtlas';
-import type { Tile } from '../atlas/TilePacker';
+import { AtlasMap } from '../atlas/AtlasMap';
+import { AtlasPlacement } from '../atlas/AtlasPlacement';
+import type { AtlasTenant } from '../atlas/TextureAtlas';
 
-/** Texels a side that an image has in the atlas at most. */
+/** Texels a side of an image in the atlas at most. */
 const LARGEST = 1024;
 
-/** Texels round each face of a cube; as in lightShadow.glsl. */
+/** Texels round each face of a cube; farol_cookieAt in lightShadow.glsl has the number too. */
 export const COOKIE_BORDER = 1;
 
 type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight?: number };
@@ -14,22 +15,22 @@ type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight
 export class CookieSlot implements AtlasTenant {
   readonly isCube: boolean;
   readonly coverage = 1;
+  /** Where the copy of the image lies; written by the atlas. */
+  readonly placement = new AtlasPlacement();
+  /** What the region holds. */
+  readonly map = new AtlasMap();
   wantedWidth = 1;
   wantedHeight = 1;
-  tile: Tile | null = null;
-  faceWidth = 0;
-  faceHeight = 0;
-  halvings = 0;
-  drawn = false;
-  /** Frame in which a light last threw it. */
-  used = 0;
+  /** Last frame in which a light threw the image. */
+  lastLit = 0;
+  /** Version of the texture at the last `follow`. */
   private version = -1;
 
   constructor(readonly texture: Texture | CubeTexture) {
     this.isCube = (texture as CubeTexture).isCubeTexture === true;
   }
 
-  /** Follows the texture: what it holds now is to be drawn when that changed. */
+  /** Follows the texture: the copy is stale when the image has changed. */
   follow(): void {
     const { texture } = this;
     const image = (this.isCube ? (texture as CubeTexture).images[0] : texture.image) as
@@ -40,18 +41,11 @@ export class CookieSlot implements AtlasTenant {
     this.wantedWidth = Math.min(LARGEST, Math.max(1, width));
     this.wantedHeight = this.isCube ? this.wantedWidth : Math.min(LARGEST, Math.max(1, height));
     const isLive = (texture as Texture & { isVideoTexture?: boolean }).isVideoTexture || texture.isRenderTargetTexture;
-    if (isLive || this.version !== texture.version) this.drawn = false;
+    if (isLive || this.version !== texture.version) this.map.change();
     this.version = texture.version;
   }
 
   borderOf(): number {
     return COOKIE_BORDER;
-  }
-
-  place(tile: Tile, faceWidth: number, faceHeight: number): void {
-    this.tile = tile;
-    this.faceWidth = faceWidth;
-    this.faceHeight = faceHeight;
-    this.drawn = false;
   }
 }

@@ -1,6 +1,6 @@
 import { Frustum, Matrix4, PerspectiveCamera, Vector3, WebGLCoordinateSystem, type Camera } from 'three';
+import type { Caster } from '../casters/Caster';
 import { TriangleRuns } from '../casters/merged/TriangleRuns';
-import type { Caster } from '../casters/ShadowCasters';
 
 const frustum = new Frustum();
 const whole = new Matrix4();
@@ -8,24 +8,24 @@ const right = new Vector3();
 const up = new Vector3();
 const back = new Vector3();
 
-/** A camera that draws one tile, and what it sees. */
+/** A camera that draws one face of a map, and the casters that it draws. */
 export class ShadowFace {
-  private readonly ownPlanes = new Float64Array(24);
+  private readonly facePlanes = new Float64Array(24);
   private readonly partPlanes = new Float64Array(24);
-  /** The planes are those of its view; of what it draws. */
-  private hasPlanes = false;
+  private hasFacePlanes = false;
   private hasPartPlanes = false;
-  /** What it draws in this frame by itself. */
+  /** The casters that are drawn one by one in this frame. */
   readonly casters: Caster[] = [];
   private readonly merged: (TriangleRuns | undefined)[] = [];
-  /** From world to clip space, where that was asked for. */
+  /** World to clip space, where the camera's receivers are looked for. */
   readonly matrix = new Matrix4();
-  /** The part of what it draws to that can be seen, and the part that is drawn (texels). */
-  readonly part = { left: 0, bottom: 0, right: 0, top: 0 };
+  /** The part of the face on which receivers that the camera sees look up shadows (texels of the face). */
+  readonly visible = { left: 0, bottom: 0, right: 0, top: 0 };
+  /** The part of the face that is drawn (texels of the face). */
   readonly drawn = { left: 0, bottom: 0, right: 0, top: 0 };
-  /** Of a cube: near, far, widening and the kind of depth that its camera's projection was made with, see `aimCubeFace`. */
+  /** Of a cube: near, far, widening and kind of depth (1: reversed) that the camera's projection was made with. */
   readonly aim = new Float64Array(4);
-  /** Part of the atlas that it draws to (texels). */
+  /** The face in the atlas, with its border (texels). */
   x = 0;
   y = 0;
   width = 0;
@@ -33,13 +33,13 @@ export class ShadowFace {
 
   constructor(readonly camera: Camera) {}
 
-  /** The six planes of its view in world space, as `viewFrustumPlanes` has them. */
+  /** Frustum planes of the face (world space, 6 × 4 numbers as `viewFrustumPlanes` has them). */
   get planes(): Float64Array {
-    if (!this.hasPlanes) this.findPlanes();
-    return this.ownPlanes;
+    if (!this.hasFacePlanes) this.findPlanes();
+    return this.facePlanes;
   }
 
-  /** The same of the part of it that is drawn. */
+  /** Frustum planes of the drawn part of the face (world space). */
   get drawnPlanes(): Float64Array {
     if (!this.hasPartPlanes) {
       this.hasPartPlanes = true;
@@ -51,36 +51,36 @@ export class ShadowFace {
     return this.partPlanes;
   }
 
-  /** What it draws of a page of the merged casters, of those of which one side is seen (three's `Side`). */
+  /** The triangles to draw of a page of the merged casters, of the casters that show one side (three's `Side`). */
   runs(page: number, side: number): TriangleRuns {
     return (this.merged[page * 3 + side] ??= new TriangleRuns());
   }
 
-  /** True when what can be seen is within what is drawn. */
+  /** All that is visible of the face is drawn. */
   get isCovered(): boolean {
-    const { part, drawn } = this;
-    if (part.left >= part.right || part.bottom >= part.top) return true;
-    const across = part.left >= drawn.left && part.right <= drawn.right;
-    return across && part.bottom >= drawn.bottom && part.top <= drawn.top;
+    const { visible, drawn } = this;
+    if (visible.left >= visible.right || visible.bottom >= visible.top) return true;
+    const across = visible.left >= drawn.left && visible.right <= drawn.right;
+    return across && visible.bottom >= drawn.bottom && visible.top <= drawn.top;
   }
 
-  /** Texels that it draws to. */
+  /** Texels that are drawn to. */
   get texels(): number {
     const { left, bottom, right, top } = this.drawn;
     return Math.max(0, right - left) * Math.max(0, top - bottom);
   }
 
-  /** Has it draw what can be seen alone, or all. */
-  draws(all: boolean): void {
-    const { drawn, part } = this;
-    drawn.left = all ? 0 : part.left;
-    drawn.bottom = all ? 0 : part.bottom;
-    drawn.right = all ? this.width : part.right;
-    drawn.top = all ? this.height : part.top;
+  /** Has all of the face drawn, or only what is visible. */
+  plan(isPartial: boolean): void {
+    const { drawn, visible } = this;
+    drawn.left = isPartial ? visible.left : 0;
+    drawn.bottom = isPartial ? visible.bottom : 0;
+    drawn.right = isPartial ? visible.right : this.width;
+    drawn.top = isPartial ? visible.top : this.height;
     this.hasPartPlanes = false;
   }
 
-  /** Puts those of what is drawn in the place of the sides' planes. */
+  /** Replaces the four side planes by those of the drawn part. */
   private narrowPlanes(): void {
     const { camera, drawn, width, height, partPlanes } = this;
     const e = whole.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
@@ -101,19 +101,20 @@ export class ShadowFace {
     }
   }
 
+  /** Forgets the casters. */
   clear(): void {
     this.casters.length = 0;
     for (const runs of this.merged) runs?.clear();
   }
 
-  /** The camera's matrices have changed. */
+  /** Call when the camera's matrices have changed. */
   update(): void {
-    this.hasPlanes = this.hasPartPlanes = false;
+    this.hasFacePlanes = this.hasPartPlanes = false;
   }
 
   private findPlanes(): void {
-    const { camera, ownPlanes: planes } = this;
-    this.hasPlanes = true;
+    const { camera, facePlanes: planes } = this;
+    this.hasFacePlanes = true;
     whole.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     frustum.setFromProjectionMatrix(whole, WebGLCoordinateSystem, camera.reversedDepth);
     for (let i = 0; i < 6; i++) {
@@ -126,7 +127,7 @@ export class ShadowFace {
   }
 }
 
-/** Where the cameras of a point light look and what is up there, as farol_cubeFace has it: +x, -x, +y, -y, +z, -z. */
+/** Of the faces +x, -x, +y, -y, +z, -z of a cube: direction and up of the camera, as farol_cubeFace in lightShadow.glsl has them. */
 const AXES = [
   [1, 0, 0, 0, 1, 0],
   [-1, 0, 0, 0, 1, 0],
@@ -136,7 +137,7 @@ const AXES = [
   [0, 0, -1, 0, 1, 0],
 ] as const;
 
-/** The six faces of a cube map, to be placed by `aimCubeFace`. */
+/** Makes the six faces of a cube map, which `aimCubeFace` turns. */
 export function makeCubeFaces(): ShadowFace[] {
   return AXES.map(() => {
     const camera = new PerspectiveCamera(90, 1, 0.5, 500);
@@ -146,9 +147,10 @@ export function makeCubeFaces(): ShadowFace[] {
 }
 
 /**
- * Puts the camera of one face in its place.
+ * Turns the camera of one face of a cube map.
  * @param index of the face, 0 to 5
- * @param widening tangent of half its angle: 1 sees the face alone, more also what lies beside it
+ * @param position of the light (world space, m)
+ * @param widening tangent of half the camera's angle: 1 shows the face alone, more its border too
  */
 export function aimCubeFace(
   face: ShadowFace,

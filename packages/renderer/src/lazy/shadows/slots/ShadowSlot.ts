@@ -5,33 +5,24 @@ import {
   type Object3D,
   Matrix4,
   OrthographicCamera,
-  type PerspectiveCamera,
   type PointLight,
-  type DirectionalLight,
   type SpotLight,
   Vector3,
 } from 'three';
 import { rangeOf } from '../../../lights/lightRange';
 import { sphereOutsidePlanes } from '../../../lights/sphereOutsidePlanes';
+import { AtlasMap } from '../atlas/AtlasMap';
+import { AtlasPlacement } from '../atlas/AtlasPlacement';
+import { MapDetail } from '../atlas/MapDetail';
+import type { AtlasTenant } from '../atlas/TextureAtlas';
+import type { CookieSlot } from './CookieSlot';
+import { needsFineDepth } from './fineDepth';
 import { fitCascade } from './fitCascade';
 import { placeShadowCamera } from './placeShadowCamera';
-import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
-import type { CookieSlot } from './CookieSlot';
-import type { AtlasTenant } from '../atlas/TileAtlas';
 import { isBeyond, makeReach, setReach } from './reach';
-import { REACH } from './spareHalvings';
-import { needsFineDepth } from './fineDepth';
-import type { Tile } from '../atlas/TilePacker';
-
-/** Lights that three lets cast shadows. */
-export type ShadowLight = (PointLight | SpotLight | DirectionalLight) & {
-  isPointLight?: boolean;
-  isSpotLight?: boolean;
-};
-
-type ShadowCamera = PerspectiveCamera & OrthographicCamera & { _reversedDepth: boolean };
-/** Three's, with what is not in its types. */
-export type OwnShadow = LightShadow & { updateMatrices(light: ShadowLight): void; _frustum: Frustum };
+import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
+import type { PrivateLightShadow, ShadowCamera, ShadowLight } from './ShadowLight';
+import { MATTERING_RANGE } from './sufficientDetail';
 
 /** How far a sample of a filter lies across a face at most (radii): at a corner, by the plane's slant. */
 const FARTHEST = 1.17;
@@ -49,79 +40,69 @@ function cascadeCamera(): OrthographicCamera {
 }
 
 /**
- * The shadow map of one light: its private cameras, where its tile lies, and whether that still holds. What three would
- * change of the light's own shadow (camera, matrix) is changed on a stand-in that inherits its settings, and then left as three
- * would leave it.
+ * The shadow map of one light: its cameras, its region of the atlas, and what the region holds. What three would change of the
+ * light's own shadow (camera, matrix) is changed on a proxy that inherits the settings, then left as three would leave it.
  */
 export class ShadowSlot implements AtlasTenant {
   readonly isCube: boolean;
-  /** The light's own, of which only what three changes too is changed. */
+  /** The light's own shadow, of which only what three changes too is changed. */
   readonly shadow: LightShadow;
-  /** The scene in which it was last lit. */
-  root: Object3D | null = null;
+  /** One face a cascade, the whole map last; six of a cube. */
   readonly faces: ShadowFace[];
-  /** Maps of what is near, before that of the whole. */
+  /** Maps of what is near the camera, beside the whole one. */
   readonly cascades: number;
+  /** Maps a side of the square that the cascades form. */
   readonly side: number;
-  /** How coordinates of the whole map become those of each: scale, shift of x; of y. */
+  /** How coordinates of the whole map become those of each cascade: scale and shift of x, scale and shift of y. */
   readonly fits: Float64Array;
-  /** World space to the map, 0 to 1, and depth; of a point light: to what leads from the light to there. */
+  /** World space to the map, 0 to 1, and depth; of a point light: from world space to the vector from the light. */
   readonly matrix = new Matrix4();
-  /** Nearest and farthest of the map's cameras (m). */
+  /** Near and far planes of the map's cameras (m). */
   near = 0;
   far = 0;
-  /** The place in the atlas, of all faces together. */
-  tile: Tile | null = null;
-  /** Texels a side of a face that the tile was made for. */
-  faceWidth = 0;
-  faceHeight = 0;
-  /** Texels round each face, of a cube. */
-  border = 0;
-  /** How often the size that the light asks for is halved, since no picture shows more; and how often it is to be. */
-  excess = 0;
-  spare = 0;
-  /** Frames for which it could have been more often, and the least that it could. */
-  patience = 0;
-  least = 0;
-  /** How often that is halved again, since the atlas is full. */
-  halvings = 0;
-  /** Share of the picture that the light covers. */
+
+  /** Where the map lies; written by the atlas. */
+  readonly placement = new AtlasPlacement();
+  /** What the region holds. */
+  readonly map = new AtlasMap();
+  /** How far the size is reduced because pictures show no more; set by `chooseDetail` and the atlas. */
+  readonly detail = new MapDetail();
+
+  // of the frame, as the slots are collected
+  /** The scene in which the light was last lit. */
+  root: Object3D | null = null;
+  /** Last frame in which the light was lit. */
+  lastLit = 0;
+  /** Share of the picture that the light covers, 0 to 1. */
   coverage = 1;
-  /** Something in reach changed since the tile was drawn. */
-  dirty = true;
-  /** The frame in which that was last so. */
-  changed = 0;
-  /** The tile holds a map. */
-  drawn = false;
-  /** It holds that only where it could be seen. */
-  isPartial = false;
-  /** Bounds of its depths are known, see `ShadowBounds`. */
-  isBounded = false;
-  /** There has been a map: if its tile was lost it is drawn anew, whatever its updates. */
-  hadMap = false;
-  /** Frame in which the light was last lit. */
-  used = 0;
-  /** Layers of the casters. */
-  layers = 1;
   /** The light casts shadows. */
   casts = false;
-  /** It does in this frame. */
-  shows = false;
-  /** The image that it throws. */
+  /** The image that the light throws. */
   cookie: CookieSlot | null = null;
-  /** Place of its mask record in the frame, -1 for none. */
+  /** Layers of the casters, as bits. */
+  layers = 1;
+
+  // of the frame, as its maps are assigned
+  /** The light has a map to be lit with. */
+  hasShadow = false;
+  /** Its mask's record, counted from the frame's first mask; -1 for none. */
   record = -1;
-  /** What its faces look at, once `draws` is called. */
+
+  // of the draw, by `plan`
+  /** What the faces reach, in world space. */
   readonly reach = makeReach();
   /** The faces that draw anything, as bits. */
   drawnFaces = 63;
-  private readonly own: OwnShadow;
-  /** The light without a range: three would take one that is infinite for the camera's far plane. */
+
+  /** Proxy of the light's shadow. */
+  private readonly own: PrivateLightShadow;
+  /** Proxy of the light without a range: three would take an infinite one for the camera's far plane. */
   private readonly endless: ShadowLight;
-  /** The light's camera, once it is where three would put it. */
-  private placed: Camera | null = null;
+  /** The light's own camera, once it is where three would put it. */
+  private placedCamera: Camera | null = null;
+  /** `matrix`, `near` and `far` at the last `follow`. */
   private readonly before = new Float64Array(18);
-  /** Radius and samples of the blur that it has. */
+  /** Radius (texels) and samples of the blur at the last `follow`. */
   private readonly blur = new Float64Array(2);
 
   /** @param cascades maps of a directional light, the whole one included */
@@ -130,9 +111,9 @@ export class ShadowSlot implements AtlasTenant {
     cascades = 1,
   ) {
     this.isCube = light.isPointLight === true;
-    const shadow = light.shadow as unknown as OwnShadow;
+    const shadow = light.shadow as unknown as PrivateLightShadow;
     this.shadow = shadow;
-    this.own = Object.create(shadow) as OwnShadow;
+    this.own = Object.create(shadow) as PrivateLightShadow;
     this.endless = Object.create(light, { distance: { value: 0 } }) as ShadowLight;
     const camera = shadow.camera.clone();
     // the host need not have done so: three does it with the first map
@@ -148,32 +129,41 @@ export class ShadowSlot implements AtlasTenant {
     for (let i = 0; i < this.cascades; i++) this.faces.splice(i, 0, new ShadowFace(cascadeCamera()));
   }
 
-  /** Texels a side that the light's map has by its own settings. */
+  /** Texels across a face that the light's settings ask for. */
   get wantedWidth(): number {
     return Math.max(1, Math.round(this.light.shadow.mapSize.x));
   }
+
+  /** Texels up a face that the light's settings ask for. */
   get wantedHeight(): number {
     return Math.max(1, Math.round(this.isCube ? this.light.shadow.mapSize.x : this.light.shadow.mapSize.y));
   }
 
-  /** The light is lit in a scene; another one casts other shadows. */
+  /** Notes the scene in which the light is lit: another scene casts other shadows. */
   enter(root: Object3D): void {
-    if (this.root !== root) this.dirty = true;
+    if (this.root !== root) this.map.change();
     this.root = root;
   }
 
+  /** Notes the layers of the casters, as bits. */
+  setLayers(layers: number): void {
+    if (this.layers !== layers) this.map.change();
+    this.layers = layers;
+  }
+
   /**
-   * Follows the light and its settings; the slot is dirty when its view changed.
-   * @param blurs its map is blurred once it is drawn, as variance shadow maps are. Default false
+   * Follows the light and its settings; the map is stale when what it shows has changed.
+   * @param camera that the picture is drawn for
+   * @param blurs the map is blurred once it is drawn, as variance shadow maps are. Default false
    */
-  follow(reversedDepth: boolean, view: Camera, blurs = false): void {
+  follow(reversedDepth: boolean, camera: Camera, blurs = false): void {
     const { radius, blurSamples } = this.shadow;
-    if (blurs && (radius !== this.blur[0] || blurSamples !== this.blur[1])) this.dirty = true;
+    if (blurs && (radius !== this.blur[0] || blurSamples !== this.blur[1])) this.map.change();
     this.blur[0] = radius;
     this.blur[1] = blurSamples;
     if (this.isCube) this.followPoint(reversedDepth);
     else this.followMap(reversedDepth);
-    const refitted = this.cascades > 0 && this.fit(view);
+    const refitted = this.cascades > 0 && this.fit(camera);
     const { before, matrix } = this;
     let same = !refitted && before[16] === this.near && before[17] === this.far;
     for (let i = 0; i < 16; i++) {
@@ -183,12 +173,12 @@ export class ShadowSlot implements AtlasTenant {
     }
     before[16] = this.near;
     before[17] = this.far;
-    if (same && this.placed === this.shadow.camera) return;
+    if (same && this.placedCamera === this.shadow.camera) return;
     placeShadowCamera(this.light, this.own, this.far, reversedDepth);
-    this.placed = this.shadow.camera;
+    this.placedCamera = this.shadow.camera;
     if (same) return;
-    this.dirty = true;
-    if (this.isCube && this.faceWidth > 0) this.aimFaces();
+    this.map.change();
+    if (this.isCube && this.placement.faceWidth > 0) this.aimFaces();
   }
 
   /** True when a sphere (world space, m) may be in one of the maps. */
@@ -204,7 +194,7 @@ export class ShadowSlot implements AtlasTenant {
     return dx * dx + dy * dy + dz * dz <= reach * reach;
   }
 
-  /** Beyond this nothing is lit (m), Infinity where it has no range. */
+  /** Distance beyond which the light lights nothing (m); Infinity when it has no range. */
   get range(): number {
     return rangeOf((this.light as PointLight).distance) || Infinity;
   }
@@ -214,39 +204,41 @@ export class ShadowSlot implements AtlasTenant {
     return !isBeyond(this.reach, box, 0);
   }
 
-  /** Tangent of half the angle that a face of a cube sees: what lies beside it too, as wide as its border. */
+  /** Tangent of half the angle that a face of a cube shows, its border included. */
   get widening(): number {
-    return (this.faceWidth + 2 * this.border) / this.faceWidth;
+    const { faceWidth, border } = this.placement;
+    return (faceWidth + 2 * border) / faceWidth;
   }
 
-  /** Radius of the filter (texels of a map of the size that the light asks for); of a cube no more than its border holds. */
+  /** Radius of the filter (texels of a map of the size asked for); of a cube no more than the border holds. */
   get filterRadius(): number {
     const { radius } = this.shadow;
     if (!this.isCube) return radius;
-    const most = ((LARGEST_BORDER - 0.5) / FARTHEST) * (this.wantedWidth / this.faceWidth);
+    const most = ((LARGEST_BORDER - 0.5) / FARTHEST) * (this.wantedWidth / this.placement.faceWidth);
     return Math.max(-most, Math.min(most, radius));
   }
 
   /**
-   * How far from a surface its shadow is looked up, along its normal (m): a map that is halved since pictures show no more needs
-   * more of that, by half of what a texel is wider there where `spareHalvings` looks.
+   * How far from a surface its shadow is looked up, along the surface's normal (m). A map of less detail needs more: half of what
+   * its texels are wider, at the distance where `sufficientDetail` looks.
    */
   get normalBias(): number {
-    const { excess, isCube, wantedWidth, shadow } = this;
-    if (excess === 0) return shadow.normalBias;
+    const { detail, isCube, wantedWidth, shadow } = this;
+    const { level } = detail;
+    if (level === 0) return shadow.normalBias;
     const scale = isCube ? 1 : this.own.camera.projectionMatrix.elements[0];
-    return shadow.normalBias + (REACH * this.range * (2 ** excess - 1)) / (scale * wantedWidth);
+    return shadow.normalBias + (MATTERING_RANGE * this.range * (2 ** level - 1)) / (scale * wantedWidth);
   }
 
-  /** Whether a point light is elsewhere than its map is of, since nothing has it drawn anew. */
-  get isLeft(): boolean {
+  /** A point light has moved away from where its map was drawn, and nothing has the map drawn anew. */
+  get hasLeftMap(): boolean {
     const map = this.matrix.elements;
     const light = this.light.matrixWorld.elements;
-    if (!this.isCube || !this.shows) return false;
+    if (!this.isCube || !this.hasShadow) return false;
     return map[12] !== -light[12] || map[13] !== -light[13] || map[14] !== -light[14];
   }
 
-  /** Whether depths of 16 bits are too coarse for it. */
+  /** Depths of 16 bits are too coarse for the map. */
   get needsFineDepth(): boolean {
     const { near, far, isCube, own, wantedWidth } = this;
     const camera = own.camera as unknown as ShadowCamera;
@@ -255,41 +247,36 @@ export class ShadowSlot implements AtlasTenant {
     return needsFineDepth(near, far, scale, wantedWidth, this.shadow.bias, isPerspective);
   }
 
-  /** Texels round a face of a cube that its filter reaches at most, a power of two. */
+  /** Texels round a face of a cube that the filter reaches at most, a power of two. */
   borderOf(faceWidth: number): number {
     if (!this.isCube) return 0;
     const reach = Math.abs(this.shadow.radius * faceWidth) / this.wantedWidth || 0;
     return 2 ** Math.ceil(Math.log2(Math.max(1, Math.min(FARTHEST * reach + 0.5, LARGEST_BORDER))));
   }
 
-  /** Takes a place in the atlas; the map is to be drawn anew. */
-  place(tile: Tile, faceWidth: number, faceHeight: number): void {
-    this.tile = tile;
-    this.faceWidth = faceWidth;
-    this.faceHeight = faceHeight;
-    this.dirty = true;
-    this.drawn = false;
-    this.border = this.borderOf(faceWidth);
-    const width = faceWidth + 2 * this.border;
-    const height = faceHeight + 2 * this.border;
+  /** Puts the faces where the atlas has placed the map. */
+  placed(): void {
+    const { region, faceWidth, faceHeight, border } = this.placement;
+    const width = faceWidth + 2 * border;
+    const height = faceHeight + 2 * border;
     this.faces.forEach((face, i) => {
       const columns = this.isCube ? 3 : this.side;
-      face.x = tile.x + (i % columns) * width;
-      face.y = tile.y + Math.floor(i / columns) * height;
+      face.x = region!.x + (i % columns) * width;
+      face.y = region!.y + Math.floor(i / columns) * height;
       face.width = width;
       face.height = height;
     });
     if (this.isCube) this.aimFaces();
   }
 
-  /** Has its faces draw what can be seen alone, or all. @returns texels that they draw to */
-  draws(isPart: boolean): number {
+  /** Has the map drawn in this frame, all of it or only what is visible of each face. @returns texels drawn to */
+  plan(isPartial: boolean): number {
     let texels = 0;
-    this.isPartial = isPart;
+    this.map.plan(isPartial);
     this.drawnFaces = 0;
     setReach(this.reach, this.faces[0].camera.matrixWorld.elements, this.range, this.widening, 0);
     this.faces.forEach((face, i) => {
-      face.draws(!isPart);
+      face.plan(isPartial);
       texels += face.texels;
       if (face.texels > 0) this.drawnFaces |= 1 << i;
     });
@@ -319,14 +306,14 @@ export class ShadowSlot implements AtlasTenant {
     this.faces[this.cascades].update();
   }
 
-  /** Fits the nearer maps round what is seen. @returns whether that changed them */
-  private fit(view: Camera): boolean {
+  /** Fits the cascades round what the camera sees. @returns whether that changed them */
+  private fit(camera: Camera): boolean {
     const { cascades, fits, faces } = this;
     const whole = this.own.camera as unknown as OrthographicCamera;
     const { x, y } = this.light.shadow.mapSize;
     let changed = false;
     for (let i = 0; i < cascades; i++) {
-      fitCascade(faces[i], whole, view, cascades - i, x, y, fitted);
+      fitCascade(faces[i], whole, camera, cascades - i, x, y, fitted);
       for (let k = 0; k < 4; k++) {
         changed ||= fits[i * 4 + k] !== fitted[k];
         fits[i * 4 + k] = fitted[k];

@@ -1,5 +1,6 @@
 import { DirectionalLight, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
+import { placeAndDraw } from './drawnSlot';
 import { fitCascade } from './fitCascade';
 import { ShadowFace } from './ShadowFace';
 import { ShadowSlot } from './ShadowSlot';
@@ -20,13 +21,13 @@ function setUp(): { view: PerspectiveCamera; whole: OrthographicCamera; light: D
 }
 
 describe('fitCascade', () => {
-  test('coordinates of the whole map become those of the cascade, and what is seen near by is in it', () => {
+  test('coordinates of the whole map become those of the cascade, and holds what the camera sees near by', () => {
     const { view, whole } = setUp();
-    for (const nearer of [1, 2, 3]) {
+    for (const wider of [1, 2, 3]) {
       const face = new ShadowFace(new OrthographicCamera());
       const fit = new Float64Array(4);
-      fitCascade(face, whole, view, nearer, 128, 128, fit);
-      const reach = 60 / 4 ** nearer;
+      fitCascade(face, whole, view, wider, 128, 128, fit);
+      const reach = 60 / 4 ** wider;
       for (const [x, y] of [
         [-1, -1],
         [1, 1],
@@ -45,11 +46,11 @@ describe('fitCascade', () => {
     }
   });
 
-  test('a slot sees what its nearer maps see, and is dirty when the view moves, not at rest', () => {
+  test('each cascade shows what is near the camera, and its map is stale when the camera moves, not at rest', () => {
     const { view, light } = setUp();
     const slot = new ShadowSlot(light, 4);
-    slot.place({ x: 0, y: 0, width: 256, height: 256 }, 128, 128);
     slot.follow(false, view);
+    placeAndDraw(slot, 128, 128, 256);
     expect(slot.faces.map(({ x, y }) => [x, y])).toEqual([
       [0, 0],
       [128, 0],
@@ -57,16 +58,15 @@ describe('fitCascade', () => {
       [128, 128],
     ]);
     slot.faces.forEach((face, i) => {
-      const seen = new Vector3(0, 0, i < 3 ? -0.3 : -20).applyMatrix4(view.matrixWorld);
-      const at = seen.project(face.camera);
+      const point = new Vector3(0, 0, i < 3 ? -0.3 : -20).applyMatrix4(view.matrixWorld);
+      const at = point.project(face.camera);
       expect(Math.max(Math.abs(at.x), Math.abs(at.y)), `map ${i}`).toBeLessThan(1);
     });
-    slot.dirty = false;
     slot.follow(false, view);
-    expect(slot.dirty).toBe(false);
+    expect(slot.map.state).toBe('whole');
     view.position.x += 2;
     view.updateMatrixWorld();
     slot.follow(false, view);
-    expect(slot.dirty).toBe(true);
+    expect(slot.map.state).toBe('stale-whole');
   });
 });

@@ -1,26 +1,27 @@
 import { type Camera, type OrthographicCamera, type PerspectiveCamera, Vector3 } from 'three';
 import type { ShadowFace } from './ShadowFace';
 
-/** Each cascade sees four times as far as the one before. */
+/** Each cascade reaches this many times as far as the one before. */
 const STEP = 4;
 
 const centre = new Vector3();
 
 /**
- * Fits the camera of a cascade round what the view camera sees near by: a box that does not turn or change its size with
- * the view, moved by whole texels, so that shadows do not crawl.
+ * Fits the camera of a cascade round the near part of what a camera sees: a box that neither turns nor changes its size with
+ * that camera, moved by whole texels, so that shadows do not crawl.
  * @param whole camera of the whole map, which is the last cascade
- * @param nearer how many cascades come after this one, at least 1
+ * @param viewer camera that the picture is drawn for
+ * @param wider how many cascades are wider than this one, at least 1
  * @param width of the map (texels)
  * @param height of the map (texels)
- * @param out where to write how coordinates of the whole map become those of the cascade: scale, shift of x; of y
+ * @param out gets how coordinates of the whole map become those of the cascade: scale and shift of x, scale and shift of y
  * @see Valient 2008, Stable Rendering of Cascaded Shadow Maps (ShaderX6)
  */
 export function fitCascade(
   face: ShadowFace,
   whole: OrthographicCamera,
-  view: Camera,
-  nearer: number,
+  viewer: Camera,
+  wider: number,
   width: number,
   height: number,
   out: Float64Array,
@@ -28,8 +29,8 @@ export function fitCascade(
   const { left, right, top, bottom } = whole;
   const wide = right - left;
   const high = top - bottom;
-  const radius = seenWithin(view, Math.max(wide, high) / STEP ** nearer);
-  centre.applyMatrix4(view.matrixWorld).applyMatrix4(whole.matrixWorldInverse);
+  const radius = sphereWithin(viewer, Math.max(wide, high) / STEP ** wider);
+  centre.applyMatrix4(viewer.matrixWorld).applyMatrix4(whole.matrixWorldInverse);
   const texelX = (2 * radius) / width;
   const texelY = (2 * radius) / height;
   const x = Math.floor(centre.x / texelX) * texelX;
@@ -52,10 +53,10 @@ export function fitCascade(
   out[3] = (bottom - y + radius) / (2 * radius);
 }
 
-/** Leaves in `centre` (view space) the middle of a sphere round what is seen up to a distance (m). @returns its radius */
-function seenWithin(view: Camera, distance: number): number {
-  const p = view.projectionMatrix.elements;
-  const near = (view as PerspectiveCamera).near;
+/** Finds the sphere round what a camera sees up to a distance (m): leaves its centre (view space) in `centre`. @returns its radius (m) */
+function sphereWithin(viewer: Camera, distance: number): number {
+  const p = viewer.projectionMatrix.elements;
+  const near = (viewer as PerspectiveCamera).near;
   const far = Math.max(distance, near * 1.5);
   const x = 1 / p[0];
   const y = 1 / p[5];

@@ -1,12 +1,11 @@
-import { type Camera, type PointLight, Vector3 } from 'three';
+import { type Camera, type Light, type PointLight, Vector3 } from 'three';
 import { lightRange } from '../../../lights/lightRange';
 import { sphereCoverage } from '../../../lights/sphereCoverage';
-import type { ShadowLight } from './ShadowSlot';
 
 const position = new Vector3();
 
-/** Share of the picture that a light covers, roughly, 0 to 1. */
-export function lightCoverage(light: ShadowLight, camera: Camera): number {
+/** Share of the picture that what a light reaches covers, roughly: 0 to 1, 1 without a range. */
+export function lightCoverage(light: Light, camera: Camera): number {
   const range = lightRange(light as PointLight);
   if (range === 0) return 1;
   position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(camera.matrixWorldInverse);

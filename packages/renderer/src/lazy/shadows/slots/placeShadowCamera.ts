@@ -1,18 +1,21 @@
-import { type PerspectiveCamera, Vector3 } from 'three';
-import type { OwnShadow, ShadowLight } from './ShadowSlot';
-
-type ShadowCamera = PerspectiveCamera & { _reversedDepth: boolean };
+import { Vector3 } from 'three';
+import type { PrivateLightShadow, ShadowCamera, ShadowLight } from './ShadowLight';
 
 const ahead = new Vector3();
 
 /**
- * Leaves the shadow of a light as three's WebGLShadowMap would: its camera where the map is seen from (of a point light: the last
- * of six faces), its matrix and frustum.
- * @param stand on which three's own `updateMatrices` has been run
- * @param far of the map (m)
+ * Leaves the shadow of a light as three's WebGLShadowMap would: the shadow's camera where the map is drawn from (of a point light:
+ * the last of six faces), its matrix and frustum.
+ * @param proxy of the light's shadow, on which three's own `updateMatrices` has been run
+ * @param far plane of the map (m)
  */
-export function placeShadowCamera(light: ShadowLight, stand: OwnShadow, far: number, reversedDepth: boolean): void {
-  const shadow = light.shadow as unknown as OwnShadow;
+export function placeShadowCamera(
+  light: ShadowLight,
+  proxy: PrivateLightShadow,
+  far: number,
+  reversedDepth: boolean,
+): void {
+  const shadow = light.shadow as unknown as PrivateLightShadow;
   const camera = shadow.camera as unknown as ShadowCamera;
   camera._reversedDepth = reversedDepth;
   camera.far = far;
@@ -25,7 +28,7 @@ export function placeShadowCamera(light: ShadowLight, stand: OwnShadow, far: num
     shadow.matrix.makeTranslation(-camera.position.x, -camera.position.y, -camera.position.z);
     return;
   }
-  const from = stand.camera as unknown as ShadowCamera;
+  const from = proxy.camera as unknown as ShadowCamera;
   if (camera.isPerspectiveCamera) {
     camera.fov = from.fov;
     camera.aspect = from.aspect;
@@ -37,6 +40,6 @@ export function placeShadowCamera(light: ShadowLight, stand: OwnShadow, far: num
   camera.matrixWorldInverse.copy(from.matrixWorldInverse);
   camera.projectionMatrix.copy(from.projectionMatrix);
   camera.projectionMatrixInverse.copy(from.projectionMatrixInverse);
-  shadow.matrix.copy(stand.matrix);
-  shadow._frustum.copy(stand._frustum);
+  shadow.matrix.copy(proxy.matrix);
+  shadow._frustum.copy(proxy._frustum);
 }

@@ -4,17 +4,17 @@ import { CLUSTER_TRIANGLES, ClusterOrder } from './ClusterOrder';
 
 /**
  * The triangles of a geometry as shadow maps draw them: positions alone, in clusters that lie close together, see
- * `ClusterOrder`. Made in parts, by `step`.
+ * `ClusterOrder`. Worked out a part at a time, by `step`.
  */
 export class CasterGeometry {
-  /** Positions (own space, m), 3 numbers each, of the vertices that triangles have. */
+  /** Positions (own space, m), 3 numbers each, of the vertices that triangles use. */
   positions = new Float32Array(0);
   /** Three vertices a triangle, cluster after cluster. */
   index = new Uint32Array(0);
   /** Box of each cluster: centre and half sizes (m), 6 numbers. */
   boxes = new Float32Array(0);
   isDone = false;
-  /** False where a position is not a number: it cannot be taken apart. */
+  /** False where a position is no finite number: such triangles cannot be put in order. */
   isSound = true;
   private readonly position: BufferAttribute;
   private readonly source: BufferAttribute | null;
@@ -37,7 +37,7 @@ export class CasterGeometry {
     return geometry === this.geometry;
   }
 
-  /** False once positions or index are others than they were. */
+  /** False once the geometry's positions or index have changed. */
   get isCurrent(): boolean {
     const { attributes, index } = this.geometry;
     const same = attributes.position === this.position && index === this.source;
@@ -47,19 +47,19 @@ export class CasterGeometry {
   }
 
   /**
-   * Goes on with the making.
-   * @param budget triangles to look at, roughly
-   * @returns how many were looked at
+   * Goes on with the work.
+   * @param budget triangles to visit, roughly
+   * @returns triangles visited
    */
   step(budget: number): number {
     if (this.clusters === null) {
       this.clusters = new ClusterOrder(this.centres());
       return this.triangles;
     }
-    const seen = this.clusters.step(budget);
-    if (!this.clusters.isDone) return seen;
+    const visited = this.clusters.step(budget);
+    if (!this.clusters.isDone) return visited;
     this.finish(this.clusters.order);
-    return seen + this.triangles;
+    return visited + this.triangles;
   }
 
   private vertexOf(corner: number): number {
@@ -83,7 +83,7 @@ export class CasterGeometry {
     const { position } = this;
     const known = new Int32Array(position.count).fill(-1);
     this.index = new Uint32Array(order.length * 3);
-    // in a cluster as they came, so that they share vertices with those before
+    // within a cluster in the order of the source, so that neighbours share vertices in the cache
     for (let i = 0; i < order.length; i += CLUSTER_TRIANGLES) order.subarray(i, i + CLUSTER_TRIANGLES).sort();
     let vertices = 0;
     for (let i = 0; i < this.index.length; i++) {

@@ -2,10 +2,10 @@ import type { Matrix4, Vector3, WebGLRenderer } from 'three';
 
 /** Floats of a matrix: three rows of four. */
 const FLOATS = 12;
-/** Objects at most, where the device would take more. */
+/** Objects of a block at most, where the device would take more. */
 const MOST = 1365;
 
-/** Matrices of objects in a uniform block. */
+/** World matrices of objects in a uniform block. */
 export class CasterMatrices {
   private readonly rows: Float32Array;
   private readonly gl: WebGL2RenderingContext;
@@ -28,7 +28,7 @@ export class CasterMatrices {
     return Math.min(MOST, Math.floor(bytes / (FLOATS * Float32Array.BYTES_PER_ELEMENT)));
   }
 
-  /** Sets the matrix of an object, which counts from an origin. */
+  /** Sets the matrix of an object, moved so that it counts from an origin (world space, m). */
   set(object: number, { elements: e }: Matrix4, { x, y, z }: Vector3): void {
     const { rows } = this;
     const at = object * FLOATS;
@@ -42,18 +42,18 @@ export class CasterMatrices {
     this.lastChanged = Math.max(this.lastChanged, at + FLOATS);
   }
 
-  /** Has a program read the block from where `bind` puts it. */
+  /** Has a program read the block from the point that `bind` binds it to. */
   attach(program: WebGLProgram): void {
     const { gl } = this;
     gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, 'FarolCasters'), this.point);
   }
 
-  /** Forgets the buffer, which the context has lost. */
+  /** Forgets the buffer: the context has lost it. */
   lose(): void {
     this.buffer = null;
   }
 
-  /** Sends what changed. */
+  /** Sends the rows that have changed. */
   send(): void {
     const { gl, rows } = this;
     if (this.buffer === null) {

@@ -1,17 +1,17 @@
 /** Triangles of a cluster. */
 export const CLUSTER_TRIANGLES = 64;
-/** Clusters in a group: those that follow one another lie together. */
+/** Clusters of a group: clusters that follow one another lie close together. */
 export const CLUSTERS_PER_GROUP = 8;
 
 /**
  * Orders the triangles of a geometry so that each `CLUSTER_TRIANGLES` that follow one another lie close together: halves them
- * at the median along the longest axis that their centres spread over, until they are one cluster. It can be done in parts.
+ * at the median along the longest axis that their centres spread over, until each half is one cluster. `step` does a part of the work.
  * @see Bentley 1975, Multidimensional Binary Search Trees
  */
 export class ClusterOrder {
   /** The triangles in the new order. */
   readonly order: Uint32Array;
-  /** First and last (exclusive) of the ranges that are still to be halved. */
+  /** Pairs of first and last (exclusive) of the ranges still to be halved. */
   private readonly open: number[] = [];
 
   /** @param centres of the triangles, 3 numbers each */
@@ -27,14 +27,14 @@ export class ClusterOrder {
   }
 
   /**
-   * Goes on with it.
-   * @param budget triangles to look at, roughly
-   * @returns how many were looked at
+   * Goes on with the work.
+   * @param budget triangles to visit, roughly
+   * @returns triangles visited
    */
   step(budget: number): number {
     const { open } = this;
-    let seen = 0;
-    while (open.length > 0 && seen < budget) {
+    let visited = 0;
+    while (open.length > 0 && visited < budget) {
       const end = open.pop()!;
       const first = open.pop()!;
       const clusters = Math.ceil((end - first) / CLUSTER_TRIANGLES);
@@ -42,9 +42,9 @@ export class ClusterOrder {
       const middle = first + Math.ceil(clusters / 2) * CLUSTER_TRIANGLES;
       this.select(this.longestAxis(first, end), first, end - 1, middle);
       open.push(first, middle, middle, end);
-      seen += end - first;
+      visited += end - first;
     }
-    return seen;
+    return visited;
   }
 
   private longestAxis(first: number, end: number): number {
@@ -66,7 +66,7 @@ export class ClusterOrder {
     return longest;
   }
 
-  /** Has all that is less along an axis come before a place, and all that is more after it (Hoare 1961, FIND). */
+  /** Moves centres that are less along an axis before `place`, those that are more after it (Hoare 1961, FIND). */
   private select(axis: number, first: number, last: number, place: number): void {
     const { centres, order } = this;
     while (first < last) {

@@ -21,8 +21,9 @@ import { shadowSideOf } from '../CasterMaterials';
 import { cubeFacesOf } from '../../slots/cubeFacesOf';
 import { moveBox } from '../moveBox';
 import { isBeyond } from '../../slots/reach';
-import type { Caster, ShadowCasters } from '../ShadowCasters';
-import type { Draw } from '../../draw/ShadowMapDraws';
+import type { DirectDraw } from '../../DirectDraw';
+import type { Caster, MergedCaster } from '../Caster';
+import type { ShadowCasters } from '../ShadowCasters';
 import type { ShadowFace } from '../../slots/ShadowFace';
 import type { ShadowSlot } from '../../slots/ShadowSlot';
 import { CasterGeometry } from './CasterGeometry';
@@ -31,20 +32,19 @@ import { addCubeRuns, addMapRuns } from './clusterRuns';
 import { CLUSTERS_PER_GROUP } from './ClusterOrder';
 import { uniteBoxes } from '../uniteBoxes';
 import { isMergeable } from './isMergeable';
-import type { MergedCaster } from './MergedCaster';
 import { MergedMesh } from './MergedMesh';
 
-/** Frames for which a caster that came to look otherwise is not merged. */
+/** Walks for which a caster whose signature has changed is not merged. */
 const SETTLED = 30;
-/** Triangles merged at most: some 22 bytes each on the GPU, and as much beside it. */
+/** Triangles merged at most: about 22 bytes each on the GPU, and as many in memory. */
 const MOST_TRIANGLES = 2_000_000;
-/** Triangles looked at a frame while casters are made ready, so that no frame is late. */
+/** Triangles put in order a frame while casters wait to be merged, so that no frame is late. */
 const BUDGET = 150_000;
-/** Triangles of casters that are gone, below which they are kept. */
+/** Triangles of casters that are gone, below which their room is not taken back. */
 const FEW_GONE = 65_536;
-/** Frames between looks at who is gone, and for which they are kept. */
+/** Walks between sweeps of casters that are gone, and walks for which those are kept. */
 const SWEEP = 256;
-/** Spacing of the places that matrices count from (m): nearer ones keep more of their digits. */
+/** Spacing of the origins that matrices count from (m): positions near the origin keep more of their digits. */
 const GRID = 128;
 
 /** What three keeps of a material. */
@@ -53,13 +53,14 @@ interface MaterialState {
   currentProgram?: { program: WebGLProgram };
 }
 
-const view = new Matrix4();
-const camera = new PerspectiveCamera(); // three changes it where depth is reversed
-/** None of the indices, and so that three does no more than compile. */
-const NOTHING: GeometryGroup = { start: 0, count: 0 };
-const NOT_EVEN_A_DRAW: GeometryGroup = { start: 1, count: -1 };
+const clipFromWorld = new Matrix4();
+const anyCamera = new PerspectiveCamera(); // three changes its projection where depth is reversed
+/** A group that has three bind all that a draw needs, and draw no triangle. */
+const NO_TRIANGLES: GeometryGroup = { start: 0, count: 0 };
+/** A group that has three compile the program, and not draw at all. */
+const NO_DRAW: GeometryGroup = { start: 1, count: -1 };
 
-/** As many objects as a block of matrices holds. */
+/** As many casters as one block of matrices holds. */
 interface Page {
   readonly mesh: MergedMesh;
   readonly matrices: CasterMatrices;
@@ -67,8 +68,8 @@ interface Page {
 }
 
 /**
- * The casters of a scene whose triangles lie in one buffer, in small clusters, so that a face of a shadow map draws all that
- * it sees of them in one call. Casters come to it in time, some a frame; those that it does not hold are drawn one by one.
+ * Casters of a scene whose triangles lie in one buffer, in small clusters, so that a face of a shadow map draws all clusters that
+ * it shows in one call. A budget of casters is merged each frame; those not merged yet are drawn one by one.
  */
 export class MergedCasters {
   private readonly pages: Page[] = [];
@@ -76,18 +77,19 @@ export class MergedCasters {
   private readonly material: PassMaterial;
   private readonly geometries = new WeakMap<BufferGeometry, CasterGeometry>();
   private members: MergedCaster[] = [];
-  /** Those that cast shadows in this frame. */
+  /** The members that cast shadows in this frame. */
   private readonly present: MergedCaster[] = [];
-  /** Their boxes, 6 numbers each, so that the many looks at them need no others. */
+  /** World-space boxes of `present`, 6 numbers each, side by side for the cache's sake. */
   private presentBoxes = new Float64Array(6 * 64);
-  private readonly waiting: Caster[] = [];
+  private readonly queue: Caster[] = [];
   private readonly origin = new Vector3();
   private readonly gl: WebGL2RenderingContext;
   private multiDraw: WEBGL_multi_draw | null = null;
-  private readonly viewFloats = new Float32Array(16);
-  private viewLocation: WebGLUniformLocation | null = null;
-  /** Page and side that three has bound for draws, -1 if something else. */
+  private readonly matrixFloats = new Float32Array(16);
+  private matrixLocation: WebGLUniformLocation | null = null;
+  /** Page × 3 + side that three has bound for draws, -1 for something else. */
   private bound = -1;
+  /** Triangles of casters that are gone, and of all that were merged. */
   private gone = 0;
   private triangles = 0;
 
@@ -111,25 +113,26 @@ export class MergedCasters {
     this.addPage();
   }
 
-  /** Adds what stands in for the triangles in three's traversal, so that they are sent. */
-  addStands(stands: Object3D[]): void {
-    for (const { mesh } of this.pages) stands.push(mesh.stand);
+  /** Adds the proxies by which three's traversal sends the merged triangles. */
+  addProxies(proxies: Object3D[]): void {
+    for (const { mesh } of this.pages) proxies.push(mesh.proxy);
   }
 
   /**
-   * Begins a frame in which maps may be drawn: follows the camera, and takes up some of the casters that wait.
+   * Begins a frame in which maps may be drawn: merges some of the casters that wait.
+   * @param camera near which matrices count from
    * @param casters of the scene
-   * @param loose gets those of them that it does not hold
+   * @param loose gets the casters that are not merged
    */
-  begin(view: Camera, { list, count, frame }: ShadowCasters, loose: Caster[]): void {
-    this.moveOrigin(view);
-    if (frame % SWEEP === 0)
-      for (const { caster } of this.members) if (frame - caster.frame > SWEEP) this.letGo(caster);
+  begin(camera: Camera, { list, count, walks }: ShadowCasters, loose: Caster[]): void {
+    this.moveOrigin(camera);
+    if (walks % SWEEP === 0)
+      for (const { caster } of this.members) if (walks - caster.lastWalk > SWEEP) this.letGo(caster);
     if (this.gone > FEW_GONE && this.gone * 2 > this.triangles) this.startAnew();
     for (let i = 0; i < count; i++) this.find(list[i]);
-    for (let left = BUDGET; left > 0 && this.waiting.length > 0;) {
-      const caster = this.waiting[this.waiting.length - 1];
-      left -= this.makeReady(caster);
+    for (let left = BUDGET; left > 0 && this.queue.length > 0;) {
+      const caster = this.queue[this.queue.length - 1];
+      left -= this.mergeNext(caster);
     }
     this.present.length = 0;
     for (let i = 0; i < count; i++) {
@@ -142,27 +145,27 @@ export class MergedCasters {
     for (let i = 0; i < present.length; i++) this.presentBoxes.set(present[i].caster.box, i * 6);
   }
 
-  /** A caster as it is held, null while it is not. */
+  /** A caster among the merged ones; null where it is not, or no more, and it then may have to wait. */
   find(caster: Caster): MergedCaster | null {
     const { merged } = caster;
     if (merged !== null && this.isSame(merged)) return merged;
     if (merged !== null) this.letGo(caster);
-    if (caster.waits === caster.look) return null;
-    // what changes in frame after frame is drawn by itself
-    if (caster.look > 1 && caster.frame - caster.looked < SETTLED) return null;
-    caster.waits = caster.look;
-    if (caster.hasBox && isMergeable(caster.object)) this.waiting.push(caster);
+    if (caster.queuedVersion === caster.signatureVersion) return null;
+    // a caster that changes in frame after frame is drawn by itself
+    if (caster.signatureVersion > 1 && caster.lastWalk - caster.signatureWalk < SETTLED) return null;
+    caster.queuedVersion = caster.signatureVersion;
+    if (caster.hasBox && isMergeable(caster.object)) this.queue.push(caster);
     return null;
   }
 
-  /** Whether a caster is still what was merged: one that looks otherwise, by its material say, may have the same triangles. */
+  /** Whether a caster still has the triangles that were merged: another signature may come of its material alone. */
   private isSame(merged: MergedCaster): boolean {
     const { caster, geometry } = merged;
-    const { object, hasBox, look } = caster;
+    const { object, hasBox, signatureVersion } = caster;
     if (!hasBox || !geometry.isCurrent || object.onAfterShadow !== Object3D.prototype.onAfterShadow) return false;
-    if (merged.look === look) return true;
+    if (merged.signatureVersion === signatureVersion) return true;
     if (!geometry.isOf((object as Mesh).geometry) || !isMergeable(object)) return false;
-    merged.look = look;
+    merged.signatureVersion = signatureVersion;
     return true;
   }
 
@@ -170,10 +173,10 @@ export class MergedCasters {
     if (caster.merged === null) return;
     this.gone += caster.merged.geometry.triangles;
     caster.merged = null;
-    caster.waits = -1;
+    caster.queuedVersion = -1;
   }
 
-  /** Has each face of a light's map draw the clusters that it sees, in the part of it that is drawn. */
+  /** Has each face of a light's map draw the clusters that its drawn part may show. */
   addTo(slot: ShadowSlot, bothSides: boolean): void {
     const { isCube, reach, layers, drawnFaces } = slot;
     const { present, presentBoxes: boxes } = this;
@@ -183,53 +186,53 @@ export class MergedCasters {
       const { object } = merged.caster;
       if ((object.layers.mask & layers) === 0) continue;
       this.follow(merged);
-      const side = seenSide(shadowSideOf((object as Mesh).material as Material, bothSides), merged.isMirrored);
+      const side = drawnSide(shadowSideOf((object as Mesh).material as Material, bothSides), merged.isMirrored);
       if (isCube) addCubeRuns(slot, merged, side);
       else addMapRuns(slot, merged, side);
     }
   }
 
-  /** Sends what draws need, and has the program there that they are made with. */
+  /** Sends the matrices, and compiles the program where that is needed. */
   prepare(): void {
     const { gl, pages, material } = this;
     const state = this.webgl.properties.get(material) as MaterialState;
     if (state.__version !== material.version) {
-      // new, edited, or gone with a lost context
+      // the program is new, was edited, or has gone with a lost context
       for (const { matrices } of pages) matrices.lose();
-      this.show(pages[0].mesh, NOT_EVEN_A_DRAW);
+      this.show(pages[0].mesh, NO_DRAW);
       const { extensions } = this.webgl;
       const name = 'WEBGL_multi_draw';
       this.multiDraw = extensions.has(name) ? (extensions.get(name) as unknown as WEBGL_multi_draw) : null;
       const { program } = state.currentProgram!;
       pages[0].matrices.attach(program);
-      this.viewLocation = gl.getUniformLocation(program, 'farol_casterView');
+      this.matrixLocation = gl.getUniformLocation(program, 'farol_clipFromOrigin');
     }
     for (const { matrices } of pages) matrices.send();
     this.interrupt();
   }
 
-  /** Something else was drawn: what three has bound is not known any more. */
+  /** Call when something else was drawn: three may have bound other buffers then. */
   interrupt(): void {
     this.bound = -1;
   }
 
-  /** Draws what a face sees into its part of the target. */
+  /** Draws the triangles of a face into the viewport. */
   draw(face: ShadowFace): void {
-    const { gl, webgl, viewFloats } = this;
+    const { gl, webgl, matrixFloats } = this;
     const { x, y, z } = this.origin;
-    let viewed = false;
+    let hasMatrix = false;
     for (let page = 0; page < this.pages.length; page++) {
       for (let side = 0; side < 3; side++) {
         const { count, starts, counts } = face.runs(page, side);
         if (count === 0) continue;
         if (this.bound !== page * 3 + side) this.bind(page, side as Side);
-        if (!viewed) {
+        if (!hasMatrix) {
           const { projectionMatrix, matrixWorldInverse } = face.camera;
-          const e = view.multiplyMatrices(projectionMatrix, matrixWorldInverse).elements;
-          for (let i = 0; i < 12; i++) viewFloats[i] = e[i];
-          for (let i = 0; i < 4; i++) viewFloats[12 + i] = e[i] * x + e[4 + i] * y + e[8 + i] * z + e[12 + i];
-          gl.uniformMatrix4fv(this.viewLocation, false, viewFloats);
-          viewed = true;
+          const e = clipFromWorld.multiplyMatrices(projectionMatrix, matrixWorldInverse).elements;
+          for (let i = 0; i < 12; i++) matrixFloats[i] = e[i];
+          for (let i = 0; i < 4; i++) matrixFloats[12 + i] = e[i] * x + e[4 + i] * y + e[8 + i] * z + e[12 + i];
+          gl.uniformMatrix4fv(this.matrixLocation, false, matrixFloats);
+          hasMatrix = true;
         }
         let indices = 0;
         for (let i = 0; i < count; i++) indices += counts[i];
@@ -252,17 +255,17 @@ export class MergedCasters {
     this.material.dispose();
   }
 
-  /** Has three bind all that draws of a page need; then they need but say what they draw. */
+  /** Has three bind all that draws of a page need; draws then name their triangles alone. */
   private bind(page: number, side: Side): void {
     const { mesh, matrices } = this.pages[page];
     matrices.bind();
     this.material.side = side;
-    this.show(mesh, NOTHING);
+    this.show(mesh, NO_TRIANGLES);
     this.bound = page * 3 + side;
   }
 
   private show({ mesh }: MergedMesh, part: GeometryGroup): void {
-    (this.webgl.renderBufferDirect as unknown as Draw)(camera, null, mesh.geometry, this.material, mesh, part);
+    (this.webgl.renderBufferDirect as unknown as DirectDraw)(anyCamera, null, mesh.geometry, this.material, mesh, part);
   }
 
   private addPage(): Page {
@@ -271,10 +274,10 @@ export class MergedCasters {
     return page;
   }
 
-  /** @returns triangles looked at */
-  private makeReady(caster: Caster): number {
-    if (caster.waits !== caster.look || caster.merged !== null) {
-      this.waiting.pop();
+  /** Goes on with the merging of the last caster that waits. @returns triangles put in order */
+  private mergeNext(caster: Caster): number {
+    if (caster.queuedVersion !== caster.signatureVersion || caster.merged !== null) {
+      this.queue.pop();
       return 1;
     }
     const { geometry: source } = caster.object as Mesh;
@@ -282,11 +285,11 @@ export class MergedCasters {
     if (geometry === undefined) this.geometries.set(source, (geometry = new CasterGeometry(source)));
     const room = MOST_TRIANGLES - this.triangles;
     if (!geometry.isCurrent || !geometry.isSound || geometry.triangles > room) {
-      this.waiting.pop(); // what changes is drawn by itself
+      this.queue.pop(); // a geometry that changes is drawn by itself
       return 1;
     }
     if (!geometry.isDone) return geometry.step(BUDGET);
-    this.waiting.pop();
+    this.queue.pop();
     this.add(caster, geometry);
     return geometry.triangles;
   }
@@ -306,21 +309,21 @@ export class MergedCasters {
       page,
       object,
       first: mesh.add(geometry.positions, geometry.index, object),
-      look: caster.look,
+      signatureVersion: caster.signatureVersion,
       boxes: new Float64Array(geometry.boxes.length),
       groups: new Float64Array(Math.ceil(geometry.boxes.length / 6 / CLUSTERS_PER_GROUP) * 6),
-      place: -1,
+      matrixVersion: -1,
       isMirrored: false,
     };
     caster.merged = merged;
     this.members.push(merged);
   }
 
-  /** Moves the boxes, and the matrix in the block, to where the caster is. */
+  /** Moves the boxes, and the matrix in the block, to the caster's world matrix. */
   follow(merged: MergedCaster): void {
     const { caster, boxes, geometry, page, object } = merged;
-    if (merged.place === caster.place) return;
-    merged.place = caster.place;
+    if (merged.matrixVersion === caster.matrixVersion) return;
+    merged.matrixVersion = caster.matrixVersion;
     const { matrixWorld } = caster.object;
     for (let at = 0; at < boxes.length; at += 6) moveBox(geometry.boxes, at, matrixWorld, boxes, at);
     for (let group = 0; group < merged.groups.length; group += 6) {
@@ -336,30 +339,30 @@ export class MergedCasters {
     this.pages[page].matrices.set(object, matrixWorld, this.origin);
   }
 
-  /** Matrices count from a place near the camera, so that far from the world's origin they keep their digits. */
-  private moveOrigin(view: Camera): void {
-    const e = view.matrixWorld.elements;
+  /** Has matrices count from an origin near the camera: far from the world's origin they would lose digits. */
+  private moveOrigin(camera: Camera): void {
+    const e = camera.matrixWorld.elements;
     const x = Math.round(e[12] / GRID) * GRID;
     const y = Math.round(e[13] / GRID) * GRID;
     const z = Math.round(e[14] / GRID) * GRID;
     const { origin } = this;
     if (origin.x === x && origin.y === y && origin.z === z) return;
     origin.set(x, y, z);
-    for (const member of this.members) member.place = -1;
+    for (const member of this.members) member.matrixVersion = -1;
   }
 
-  /** Casters may come again, to others of a later frame too. */
+  /** Forgets all casters, so that these or other merged casters may take them again. */
   private letAllGo(): void {
     for (const { caster } of this.members) {
       caster.merged = null;
-      caster.waits = -1;
+      caster.queuedVersion = -1;
     }
-    for (const caster of this.waiting) caster.waits = -1;
+    for (const caster of this.queue) caster.queuedVersion = -1;
     this.members = [];
-    this.waiting.length = 0;
+    this.queue.length = 0;
   }
 
-  /** Lets go of all; those that still cast shadows come again. */
+  /** Empties the pages; casters that still cast shadows are merged again. */
   private startAnew(): void {
     this.letAllGo();
     for (const page of this.pages) {
@@ -370,8 +373,8 @@ export class MergedCasters {
   }
 }
 
-/** A mirrored object's triangles turn the other way. */
-function seenSide(side: Side, isMirrored: boolean): Side {
+/** The side of the triangles as they are stored that is drawn: a mirrored object's turn the other way. */
+function drawnSide(side: Side, isMirrored: boolean): Side {
   if (side === DoubleSide || !isMirrored) return side;
   return side === FrontSide ? BackSide : FrontSide;
 }

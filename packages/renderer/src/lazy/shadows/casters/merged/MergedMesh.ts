@@ -1,16 +1,14 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, type Material, Mesh, Sphere } from 'three';
-import { casterStand } from '../casterStand';
+import { casterProxy } from '../casterProxy';
 
-/** Vertices, and indices, of the smallest buffers. */
+/** Vertices, and indices, that the first buffers hold. */
 const SMALLEST = 4096;
 
-/**
- * One mesh that holds the triangles of many: what is added stays where it is put. Three binds it; its runs are drawn without.
- */
+/** One mesh that holds the triangles of many casters. Triangles stay where they are put; three binds the mesh, Farol draws its runs. */
 export class MergedMesh {
   readonly mesh: Mesh;
-  /** Stands in for it in three's traversal, so that its buffers are sent. */
-  readonly stand: Mesh;
+  /** Has three's traversal send the mesh's buffers, see `casterProxy`. */
+  readonly proxy: Mesh;
   vertices = 0;
   indices = 0;
   private geometry: BufferGeometry;
@@ -19,15 +17,15 @@ export class MergedMesh {
     this.geometry = makeGeometry(SMALLEST, SMALLEST);
     this.mesh = new Mesh(this.geometry, material);
     this.mesh.matrixAutoUpdate = this.mesh.matrixWorldAutoUpdate = false;
-    this.stand = casterStand(this.mesh) as Mesh;
+    this.proxy = casterProxy(this.mesh) as Mesh;
   }
 
   /**
    * Adds triangles.
-   * @param positions 3 numbers each
-   * @param index of vertices among those
-   * @param object number of the object, kept with each vertex
-   * @returns the first of their indices
+   * @param positions 3 numbers a vertex (own space of the object, m)
+   * @param index three vertices a triangle
+   * @param object number of the object, written with each vertex
+   * @returns index of the first of the triangles' indices
    */
   add(positions: Float32Array, index: Uint32Array, object: number): number {
     const count = positions.length / 3;
@@ -51,7 +49,7 @@ export class MergedMesh {
     return first;
   }
 
-  /** Lets go of all triangles; the buffers stay. */
+  /** Forgets all triangles; the buffers stay. */
   clear(): void {
     this.vertices = this.indices = 0;
   }
@@ -85,6 +83,6 @@ function makeGeometry(vertices: number, indices: number): BufferGeometry {
   position.usage = index.usage = DynamicDrawUsage;
   geometry.setAttribute('position', position);
   geometry.setIndex(index);
-  geometry.boundingSphere = new Sphere(); // three asks for it when it sorts
+  geometry.boundingSphere = new Sphere(); // three sorts by the sphere
   return geometry;
 }

@@ -1,10 +1,10 @@
 const BYTES_PER_INDEX = Uint32Array.BYTES_PER_ELEMENT;
 
-/** Runs of indices that one call draws, as WEBGL_multi_draw takes them; those that follow one another are joined. */
+/** Runs of indices that one call draws, as WEBGL_multi_draw takes them; runs that follow one another are joined. */
 export class TriangleRuns {
-  /** Byte offset of the first index of each. */
+  /** Byte offset of each run's first index. */
   starts = new Int32Array(16);
-  /** Indices of each. */
+  /** Indices of each run. */
   counts = new Int32Array(16);
   count = 0;
 
@@ -12,7 +12,7 @@ export class TriangleRuns {
     this.count = 0;
   }
 
-  /** @param first index */
+  /** Adds a run. @param first index of the run */
   add(first: number, indices: number): void {
     const { starts, counts, count } = this;
     const start = first * BYTES_PER_INDEX;

@@ -1,7 +1,6 @@
 import mergedCaster from './mergedCaster.glsl?raw';
 import mergedCasterDepth from './mergedCasterDepth.glsl?raw';
 
-export type { MergedCaster } from './MergedCaster';
 export { CLUSTERS_PER_GROUP } from './ClusterOrder';
 export { MergedCasters } from './MergedCasters';
 export { mergedCaster, mergedCasterDepth };

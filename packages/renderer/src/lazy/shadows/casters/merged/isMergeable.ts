@@ -2,7 +2,7 @@ import { type BufferAttribute, type Material, type Mesh, type MeshStandardMateri
 
 /**
  * True for casters that a shadow map shows as plain triangles that stand where their matrix says: nothing discards, bends,
- * clips or watches them. To be asked of those that have a box alone, see `casterBox`: not of what is animated.
+ * clips or watches them. Ask only of casters that have a box (see `casterBox`), which animated ones have not.
  */
 export function isMergeable(object: Object3D): boolean {
   const { isMesh, geometry, material } = object as Mesh;

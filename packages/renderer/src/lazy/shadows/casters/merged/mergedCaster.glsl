@@ -1,10 +1,11 @@
-// Corners of many objects' triangles: each by the matrix of its object.
+// Corners of many casters' triangles, each moved by the matrix of its caster.
 // Farol
-layout(std140) uniform FarolCasters { vec4 farol_casterRows[FAROL_CASTERS * 3]; }; // rows of matrices
-uniform mat4 farol_casterView; // to clip space, from where they count from
-in vec4 position; // own space of its object (m), and which object
+layout(std140) uniform FarolCasters { vec4 farol_casterRows[FAROL_CASTERS * 3]; }; // first three rows of each matrix
+uniform mat4 farol_clipFromOrigin; // to clip space from the origin that the matrices count from
+in vec4 position; // own space of the caster (m), number of the caster
 //# main
 int farol_row = int(position.w) * 3;
 vec4 farol_corner = vec4(position.xyz, 1.0);
-gl_Position = farol_casterView * vec4(dot(farol_casterRows[farol_row], farol_corner),
-  dot(farol_casterRows[farol_row + 1], farol_corner), dot(farol_casterRows[farol_row + 2], farol_corner), 1.0);
+vec3 farol_moved = vec3(dot(farol_casterRows[farol_row], farol_corner), dot(farol_casterRows[farol_row + 1], farol_corner),
+  dot(farol_casterRows[farol_row + 2], farol_corner));
+gl_Position = farol_clipFromOrigin * vec4(farol_moved, 1.0);

@@ -1,18 +1,12 @@
-/** A rectangle of an atlas (texels). */
-export interface Tile {
-  x: number;
-  y: number;
-  width: number;
-  height: number;
-}
+import type { Region } from './AtlasPlacement';
 
 /**
  * Places rectangles in a square and takes them back: guillotine cuts, best fit by the shorter side left over, and free
  * rectangles joined where two share a whole side.
  * @see Jylänki 2010, A Thousand Ways to Pack the Bin
  */
-export class TilePacker {
-  private free: Tile[] = [];
+export class RegionPacker {
+  private free: Region[] = [];
 
   /** @param size texels a side */
   constructor(public size: number) {
@@ -26,7 +20,7 @@ export class TilePacker {
   }
 
   /** A place of that size, or null when there is none. */
-  place(width: number, height: number): Tile | null {
+  place(width: number, height: number): Region | null {
     let best = -1;
     let least = Infinity;
     for (let i = 0; i < this.free.length; i++) {
@@ -52,8 +46,8 @@ export class TilePacker {
   }
 
   /** Gives a place back. */
-  release(tile: Tile): void {
-    let { x, y, width, height } = tile;
+  release(region: Region): void {
+    let { x, y, width, height } = region;
     for (let i = 0; i < this.free.length;) {
       const f = this.free[i];
       const beside = f.y === y && f.height === height && (f.x + f.width === x || x + width === f.x);

@@ -2,7 +2,8 @@ import { type Camera, Matrix4, type Object3D } from 'three';
 import { viewFrustumPlanes } from '../../../lights/viewFrustumPlanes';
 import { boxInsidePlanes, boxOutsidePlanes, casterBox } from '../casters/casterBox';
 import { CLUSTERS_PER_GROUP, type MergedCasters } from '../casters/merged';
-import { type Caster, findSphere, type ShadowCasters } from '../casters/ShadowCasters';
+import type { Caster } from '../casters/Caster';
+import { findSphere, type ShadowCasters } from '../casters/ShadowCasters';
 import { isBeyond, makeReach, setReach } from '../slots/reach';
 import type { ShadowFace } from '../slots/ShadowFace';
 import type { ShadowSlot } from '../slots/ShadowSlot';
@@ -10,41 +11,42 @@ import { cubeFaceParts, openFaces } from './cubeFaceParts';
 import { mapPart } from './mapPart';
 import { Widest } from './Widest';
 
-/** How much wider than the camera's the view is that counts: cameras that shake by a part of a pixel see no more. */
+/** How much wider than the camera's frustum the one that counts is: a camera that shakes by part of a pixel then needs no more. */
 const WIDER = 1.01;
-/** What bends in shaders may leave its sphere by as much. */
+/** By which spheres are taken larger: objects that shaders bend may leave theirs. */
 const SPHERES = 2;
-/** Numbers of a group: its box, the index of what it holds first and that after its last; it is a box itself without any. */
+/** Numbers of a group: its box, index of the first member and index after the last; a group without members is one box. */
 const GROUP = 8;
 
 const matrix = new Matrix4();
 const planes = new Float64Array(24);
 const parts = new Float64Array(24);
-/** Of a cube: the faces whose part is not all of them yet, as bits. */
+/** Faces of a cube whose visible part is not all of the face yet, as bits. */
 let open = 63;
 const reach = makeReach();
 const sphere = { x: 0, y: 0, z: 0, radius: 0 };
 
 /**
- * Where in the view of a camera shadows can be seen: boxes round what receives them. While something moves, a map is drawn
- * only where that is, by `cut`.
+ * World-space boxes round the receivers of shadows that a camera may see. While something moves, maps are drawn only where these
+ * boxes look shadows up, see `findParts`.
+ * @see Bittner et al. 2011, Shadow Caster Culling for Efficient Shadow Mapping
  */
-export class SeenReceivers {
+export class VisibleReceivers {
   /** Boxes along the world's axes: centre and half sizes (m), 6 numbers each. */
   private boxes = new Float64Array(6 * 256);
   private used = 0;
-  /** Boxes that lie together, and the box round them, see `GROUP`; and groups of one object. */
+  /** Groups of boxes that lie close together, and groups of those groups, one an object; see `GROUP`. */
   private groups = new Float64Array(GROUP * 64);
   private groupsUsed = 0;
   private objects = new Float64Array(GROUP * 64);
   private objectsUsed = 0;
   private readonly widest = new WeakMap<ShadowSlot, Widest>();
-  /** Something may be anywhere. */
+  /** A receiver has no bounds. */
   private isUnbounded = false;
 
   /**
-   * Finds them for a frame.
-   * @param merged those of the casters, ready for the frame
+   * Finds the boxes for a frame.
+   * @param merged the merged casters, up to date
    */
   find({ list, count, receivers }: ShadowCasters, merged: MergedCasters | null, camera: Camera): void {
     this.used = this.groupsUsed = this.objectsUsed = 0;
@@ -64,15 +66,16 @@ export class SeenReceivers {
   }
 
   /**
-   * Finds which part of each face of a light's map can be seen, with what filters read beside it.
+   * Finds the part of each face of a light's map that is looked up, with what filters read beside it.
    * @returns false where that is all, or not known
    */
-  cut(slot: ShadowSlot): boolean {
+  findParts(slot: ShadowSlot): boolean {
     if (this.isUnbounded) return false;
-    const { faces, isCube, light, faceWidth, faceHeight } = slot;
-    const { radius } = light.shadow;
+    const { faces, isCube, shadow } = slot;
+    const { faceWidth, faceHeight, border } = slot.placement;
+    const { radius } = shadow;
     const texels = Math.ceil(2 * radius) + 2;
-    // along its normal, a surface looks up the map that far from where it is
+    // receivers look the map up this far away along their normals (m)
     const shift = Math.abs(slot.normalBias);
     parts.fill(-Infinity);
     open = 63;
@@ -104,7 +107,7 @@ export class SeenReceivers {
     if (isCube) for (let i = 0; i < 24; i += 2) parts[i] = -parts[i];
     let all = true;
     for (let i = 0; i < faces.length; i++) {
-      setPart(faces[i], i * 4, faceWidth, faceHeight, slot.border, texels);
+      setVisible(faces[i], i * 4, faceWidth, faceHeight, border, texels);
       all &&= isWhole(faces[i]);
     }
     return !all;
@@ -172,8 +175,8 @@ export class SeenReceivers {
   }
 
   /**
-   * @param first index of its first box; the others follow
-   * @param round box round them, in it from index `from` on
+   * Makes a group of the boxes from `first` on.
+   * @param round holds the box round them, from index `from` on
    */
   private addGroup(first: number, round: Float64Array, from: number): void {
     if (this.groupsUsed === this.groups.length) this.groups = grown(this.groups);
@@ -183,7 +186,7 @@ export class SeenReceivers {
     this.groupsUsed += GROUP;
   }
 
-  /** @param first index of its first group; the others follow */
+  /** Makes a group of the groups from `first` on. @param round box round them */
   private addToObjects(round: Float64Array, first: number): void {
     if (this.objectsUsed === this.objects.length) this.objects = grown(this.objects);
     copyBox(round, 0, this.objects, this.objectsUsed);
@@ -201,7 +204,7 @@ function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
   return more;
 }
 
-/** True when the parts hold a group's box as far as it is in reach, now at least: one that holds no others, say. */
+/** True when the parts hold a group's box, as far as it is within reach; widens them where that is no loss. */
 function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   const isLeaf = groups[at + 6] === groups[at + 7];
   if (isLeaf) hold(slot, groups, at);
@@ -217,7 +220,7 @@ function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   return true;
 }
 
-/** Widens the parts to hold a box, as far as it is in reach. @returns whether they had to be */
+/** Widens the parts to hold a box, as far as it is within reach. @returns whether they were widened */
 function hold({ isCube, faces }: ShadowSlot, boxes: Float64Array, at: number): boolean {
   let widens = false;
   if (isCube) {
@@ -235,20 +238,20 @@ function copyBox(from: Float64Array, at: number, to: Float64Array, index: number
   for (let i = 0; i < 6; i++) to[index + i] = from[at + i];
 }
 
-/** Sets a face's part, in texels of what it draws to, from `parts`. */
-function setPart(face: ShadowFace, at: number, width: number, height: number, border: number, texels: number): void {
-  const { part } = face;
+/** Sets the visible part of a face (texels) from `parts`, with `texels` beside it for filters. */
+function setVisible(face: ShadowFace, at: number, width: number, height: number, border: number, texels: number): void {
+  const { visible } = face;
   const nothing = parts[at] > parts[at + 1];
-  part.left = nothing ? 0 : clamp(Math.floor((parts[at] * 0.5 + 0.5) * width) + border - texels, face.width);
-  part.right = nothing ? 0 : clamp(Math.ceil((parts[at + 1] * 0.5 + 0.5) * width) + border + texels, face.width);
-  part.bottom = nothing ? 0 : clamp(Math.floor((parts[at + 2] * 0.5 + 0.5) * height) + border - texels, face.height);
-  part.top = nothing ? 0 : clamp(Math.ceil((parts[at + 3] * 0.5 + 0.5) * height) + border + texels, face.height);
+  visible.left = nothing ? 0 : clamp(Math.floor((parts[at] * 0.5 + 0.5) * width) + border - texels, face.width);
+  visible.right = nothing ? 0 : clamp(Math.ceil((parts[at + 1] * 0.5 + 0.5) * width) + border + texels, face.width);
+  visible.bottom = nothing ? 0 : clamp(Math.floor((parts[at + 2] * 0.5 + 0.5) * height) + border - texels, face.height);
+  visible.top = nothing ? 0 : clamp(Math.ceil((parts[at + 3] * 0.5 + 0.5) * height) + border + texels, face.height);
 }
 
 function clamp(texel: number, most: number): number {
   return Math.min(most, Math.max(0, texel));
 }
 
-function isWhole({ part, width, height }: ShadowFace): boolean {
-  return part.left === 0 && part.bottom === 0 && part.right === width && part.top === height;
+function isWhole({ visible, width, height }: ShadowFace): boolean {
+  return visible.left === 0 && visible.bottom === 0 && visible.right === width && visible.top === height;
 }

@@ -1,32 +1,29 @@
 import type { Texture, WebGLRenderTarget } from 'three';
-import { TilePacker, type Tile } from './TilePacker';
+import type { AtlasMap } from './AtlasMap';
+import type { AtlasPlacement } from './AtlasPlacement';
+import type { MapDetail } from './MapDetail';
+import { RegionPacker } from './RegionPacker';
 
-/** What has a tile in an atlas: a map, or the six faces of a cube, three by two, with borders. */
+/** What has a region in an atlas: a map, or the six faces of a cube, three by two, with borders. */
 export interface AtlasTenant {
   readonly isCube: boolean;
-  /** Texels round each face of a cube of this size, from what lies beside it, so that filters cross its edges. */
-  borderOf(faceWidth: number): number;
   /** Maps a side of a square of several; 1 when absent. */
   readonly side?: number;
   /** Texels a side that are asked for. */
   readonly wantedWidth: number;
   readonly wantedHeight: number;
-  /** Share of the picture that it matters for, 0 to 1. */
+  /** Share of the picture that the map matters for, 0 to 1. */
   readonly coverage: number;
-  /** The place of all faces together. */
-  tile: Tile | null;
-  /** Texels a side of a face that the tile was made for. */
-  faceWidth: number;
-  faceHeight: number;
-  /** How often the size asked for is halved, since no picture shows more; and how often it is to be. 0 when absent. */
-  excess?: number;
-  readonly spare?: number;
-  /** How often that is halved again, since the atlas is full. */
-  halvings: number;
-  /** The tile holds what it should. */
-  drawn: boolean;
-  /** Takes a place; what it holds is to be drawn anew. */
-  place(tile: Tile, faceWidth: number, faceHeight: number): void;
+  /** Where the map lies; written by the atlas. */
+  readonly placement: AtlasPlacement;
+  /** What the region holds. */
+  readonly map: AtlasMap;
+  /** How far the size asked for is reduced, because pictures show no more; not at all when absent. */
+  readonly detail?: MapDetail;
+  /** Texels round each face of a cube of this size, from what lies beside the face, so that filters cross its edges. */
+  borderOf(faceWidth: number): number;
+  /** Called when the map has got another region. */
+  placed?(): void;
 }
 
 /** Texels a side of the smallest atlas. */
@@ -35,30 +32,30 @@ const SMALLEST = 512;
 const FINE_STEPS = 4096;
 /** Texels a side below which a map is not halved. */
 const SMALLEST_MAP = 16;
-/** Looks at who has been reduced, of which one may place all anew. */
-const LOOKS = 10;
-/** Part of the atlas that tiles of mixed sizes are counted on to fill. */
+/** Rebalancings of a full atlas, of which one may place all maps anew. */
+const REBALANCINGS = 10;
+/** Part of the atlas that regions of mixed sizes are counted on to fill. */
 const FILLED = 0.9;
 
 /**
- * One texture in which every shadow map (or image) has a tile, of the size that is asked for. It grows with what is asked
- * of it, up to a limit; then the tiles of lights that cover least of the picture for their size are halved.
+ * One texture in which every shadow map (or image) has a region of the size that is asked for. The texture grows with what is
+ * asked for, up to a limit; then the maps of lights that cover least of the picture for their size are halved.
  */
-export class TileAtlas {
+export class TextureAtlas {
   target: WebGLRenderTarget | null = null;
-  private readonly packer = new TilePacker(SMALLEST);
+  private readonly packer = new RegionPacker(SMALLEST);
   private readonly order: AtlasTenant[] = [];
-  /** Maps are halved since it is full. */
+  /** Some maps are halved because the atlas is full. */
   reduced = false;
-  /** Counts the looks at who has been reduced. */
-  private looks = 0;
-  /** Part of the largest atlas that maps are reduced to: less after they did not fit. */
+  /** Rebalancings so far. */
+  private rebalancings = 0;
+  /** Part of the largest atlas that maps are reduced to: less once they did not fit. */
   private filled = 1;
 
   /**
    * @param limit texels a side at most
-   * @param bytesPerTexel of its target
-   * @param make a target of so many texels a side
+   * @param bytesPerTexel of the target
+   * @param make makes a target of so many texels a side
    */
   constructor(
     private limit: number,
@@ -66,7 +63,7 @@ export class TileAtlas {
     private readonly make: (size: number) => WebGLRenderTarget,
   ) {}
 
-  /** What shaders read: depth if the target has a texture of it; null while there is no target. */
+  /** What shaders read: the target's depths if it has a texture of them, else its colours; null while there is no target. */
   get texture(): Texture | null {
     return this.target?.depthTexture ?? this.target?.texture ?? null;
   }
@@ -81,17 +78,17 @@ export class TileAtlas {
   }
 
   /**
-   * Gives every tenant a tile of the size that it asks for, or a half, a quarter… of it where there is no room.
+   * Gives every tenant a region of the size that it asks for, or of a half, a quarter… of that where there is no room.
    * @param tenants those of lit lights
-   * @param kept tiles of lights that are not lit now; they are taken when room is needed
-   * @param rebalance looks again at who has been reduced
+   * @param kept tenants of lights that are not lit now; their regions are taken when room is needed
+   * @param rebalances whether a full atlas chooses anew which maps are halved
    */
-  arrange(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[], rebalance: boolean): void {
+  arrange(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[], rebalances: boolean): void {
     if (tenants.length === 0) return;
     if (this.target === null) this.resize(SMALLEST);
     const { limit, order } = this;
-    const looks = rebalance && this.reduced;
-    if (looks) this.reduce(tenants);
+    const rebalancing = rebalances && this.reduced;
+    if (rebalancing) this.reduce(tenants);
     order.length = 0;
     for (const tenant of tenants) {
       if (isPlaced(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) continue;
@@ -99,8 +96,8 @@ export class TileAtlas {
       order.push(tenant);
     }
     if (order.length > 1) this.sort();
-    // where free places are in pieces some make do with less, and only now and then all are placed anew
-    const squeezes = looks && kept.length === 0 && ++this.looks % LOOKS !== 0;
+    // free room may be in pieces: some maps then make do with less, and only now and then are all placed anew
+    const squeezes = rebalancing && kept.length === 0 && ++this.rebalancings % REBALANCINGS !== 0;
     for (const tenant of order) {
       if (this.tryPlace(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) continue;
       if (squeezes && this.squeeze(tenant)) continue;
@@ -109,20 +106,20 @@ export class TileAtlas {
     }
   }
 
-  /** @param limit texels a side that it may have from now on; it never becomes less */
+  /** Lets the atlas grow to a size. @param limit texels a side; a smaller limit than before changes nothing */
   raiseLimit(limit: number): void {
     this.limit = Math.max(this.limit, limit);
   }
 
-  /** Gives a tenant's tile back. */
+  /** Gives a tenant's region back. */
   release(tenant: AtlasTenant): void {
-    if (tenant.tile === null) return;
-    this.packer.release(tenant.tile);
-    tenant.tile = null;
-    tenant.drawn = false;
+    const { region } = tenant.placement;
+    if (region === null) return;
+    this.packer.release(region);
+    drop(tenant);
   }
 
-  /** Makes its target anew, as `make` now does; what the tiles held is lost. */
+  /** Makes the target anew, by `make`; what the regions held is lost. */
   remake(): void {
     if (this.target !== null) this.resize(this.target.width);
   }
@@ -134,16 +131,19 @@ export class TileAtlas {
   }
 
   private tryPlace(tenant: AtlasTenant, width: number, height: number): boolean {
-    const tile = this.packer.place(blockWidth(tenant, width), blockHeight(tenant, height));
-    if (tile !== null) tenant.place(tile, width, height);
-    return tile !== null;
+    const region = this.packer.place(blockWidth(tenant, width), blockHeight(tenant, height));
+    if (region === null) return false;
+    tenant.placement.take(region, width, height, tenant.isCube ? tenant.borderOf(width) : 0);
+    tenant.map.place();
+    tenant.placed?.();
+    return true;
   }
 
-  /** Places a map where there is room for a half, a quarter… of it. */
+  /** Places a map with a half, a quarter… of its texels, where there is room for that. */
   private squeeze(tenant: AtlasTenant): boolean {
     const { limit } = this;
     while (Math.min(mapWidth(tenant, limit), mapHeight(tenant, limit)) > SMALLEST_MAP) {
-      tenant.halvings++;
+      tenant.placement.halve();
       this.reduced = true;
       if (this.tryPlace(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) return true;
     }
@@ -158,10 +158,7 @@ export class TileAtlas {
   /** Places all anew, the largest first, in the smallest atlas that has room, with maps halved where the largest has none. */
   private repack(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[]): void {
     const { limit, order } = this;
-    for (const tenant of kept) {
-      tenant.tile = null;
-      tenant.drawn = false;
-    }
+    for (const tenant of kept) drop(tenant);
     order.length = 0;
     for (const tenant of tenants) order.push(tenant);
     this.filled = 1;
@@ -175,7 +172,7 @@ export class TileAtlas {
       while (!this.placeAll(Math.min(size, limit)) && size < limit) size = larger(size);
       size = Math.min(size, limit);
       if (size !== this.target!.width) this.resize(size);
-      if (order.every((tenant) => tenant.tile !== null) || this.filled < 0.2) return;
+      if (order.every(({ placement }) => placement.region !== null) || this.filled < 0.2) return;
       this.filled *= 0.9;
     }
   }
@@ -185,8 +182,8 @@ export class TileAtlas {
     const { limit } = this;
     let area = 0;
     for (const tenant of tenants) {
-      tenant.halvings = 0;
-      if (tenant.spare !== undefined) tenant.excess = tenant.spare;
+      tenant.placement.restore();
+      tenant.detail?.settle();
       area += areaOf(tenant, limit);
     }
     this.reduced = false;
@@ -200,9 +197,8 @@ export class TileAtlas {
   private placeAll(size: number): boolean {
     const { limit, packer, order } = this;
     packer.clear(size);
-    for (const tenant of order) tenant.tile = null;
+    for (const tenant of order) drop(tenant);
     for (const tenant of order) {
-      tenant.drawn = false;
       if (!this.tryPlace(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) return false;
     }
     return true;
@@ -221,7 +217,7 @@ export class TileAtlas {
     }
     if (worst === null) return 0;
     const before = areaOf(worst, this.limit);
-    worst.halvings++;
+    worst.placement.halve();
     this.reduced = true;
     return before - areaOf(worst, this.limit);
   }
@@ -238,10 +234,15 @@ function larger(size: number): number {
   return size < FINE_STEPS ? 2 * size : size + (1 << (29 - Math.clz32(size)));
 }
 
-/** True when a tenant has a tile for faces of this size, with the border that it needs now. */
+function drop({ placement, map }: AtlasTenant): void {
+  placement.drop();
+  map.release();
+}
+
+/** True when a tenant has a region for faces of this size, with the border that they need now. */
 function isPlaced(tenant: AtlasTenant, width: number, height: number): boolean {
-  const { tile, faceWidth, faceHeight } = tenant;
-  return tile !== null && faceWidth === width && faceHeight === height && tile.width === blockWidth(tenant, width);
+  const { region, faceWidth, faceHeight } = tenant.placement;
+  return region !== null && faceWidth === width && faceHeight === height && region.width === blockWidth(tenant, width);
 }
 
 function mapWidth(tenant: AtlasTenant, limit: number): number {
@@ -252,14 +253,14 @@ function mapHeight(tenant: AtlasTenant, limit: number): number {
   return sideOf(tenant.wantedHeight, tenant, limit);
 }
 
-/** Texels a side of a face: as the light asks or pictures show, but no more than fit alone, halved as there is need. */
+/** Texels a side of a face: as the light asks or pictures show, but no more than fit alone, halved while the atlas is full. */
 function sideOf(asked: number, tenant: AtlasTenant, limit: number): number {
-  const wanted = asked >> (tenant.excess ?? 0);
+  const wanted = asked >> (tenant.detail?.level ?? 0);
   const third = Math.floor(limit / 3);
   const most = tenant.isCube
     ? third - 2 * tenant.borderOf(Math.min(wanted, third))
     : Math.floor(limit / (tenant.side ?? 1));
-  return Math.max(1, Math.min(wanted, most) >> tenant.halvings);
+  return Math.max(1, Math.min(wanted, most) >> tenant.placement.halvings);
 }
 
 function blockWidth(tenant: AtlasTenant, face: number): number {

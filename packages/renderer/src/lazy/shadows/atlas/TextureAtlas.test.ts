@@ -1,17 +1,15 @@
 import { WebGLRenderTarget } from 'three';
 import { describe, expect, test } from 'vitest';
-import { type AtlasTenant, TileAtlas } from './TileAtlas';
-import type { Tile } from './TilePacker';
+import { AtlasMap } from './AtlasMap';
+import { AtlasPlacement } from './AtlasPlacement';
+import { MapDetail } from './MapDetail';
+import { type AtlasTenant, TextureAtlas } from './TextureAtlas';
 
 class Tenant implements AtlasTenant {
-  tile: Tile | null = null;
-  faceWidth = 0;
-  faceHeight = 0;
-  halvings = 0;
-  drawn = false;
-  excess = 0;
-  spare = 0;
-  placed = 0;
+  readonly placement = new AtlasPlacement();
+  readonly map = new AtlasMap();
+  readonly detail = new MapDetail();
+  times = 0;
   border = 1;
 
   constructor(
@@ -24,43 +22,46 @@ class Tenant implements AtlasTenant {
     return this.wantedWidth;
   }
 
+  get faceWidth(): number {
+    return this.placement.faceWidth;
+  }
+
   borderOf(): number {
     return this.isCube ? this.border : 0;
   }
 
-  place(tile: Tile, faceWidth: number, faceHeight: number): void {
-    Object.assign(this, { tile, faceWidth, faceHeight, drawn: false });
-    this.placed++;
+  placed(): void {
+    this.times++;
   }
 }
 
 const atlasOf = (limit: number) =>
-  new TileAtlas(
+  new TextureAtlas(
     limit,
     () => 5,
     (size) => new WebGLRenderTarget(size, size),
   );
 
 function expectApart(tenants: readonly Tenant[], size: number): void {
-  const tiles = tenants.map(({ tile }) => tile!);
-  tiles.forEach((a, i) => {
+  const regions = tenants.map(({ placement }) => placement.region!);
+  regions.forEach((a, i) => {
     expect(a.x >= 0 && a.y >= 0 && a.x + a.width <= size && a.y + a.height <= size).toBe(true);
-    for (const b of tiles.slice(i + 1)) {
+    for (const b of regions.slice(i + 1)) {
       const apart = a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
       expect(apart).toBe(true);
     }
   });
 }
 
-describe('TileAtlas', () => {
+describe('TextureAtlas', () => {
   test('all have the size that they ask for while there is room; the atlas grows to what is needed', () => {
     const atlas = atlasOf(4096);
     const tenants = Array.from({ length: 20 }, (_, i) => new Tenant(128 + 64 * (i % 3), i % 4 === 0));
     atlas.arrange(tenants, [], true);
     for (const tenant of tenants) {
-      expect([tenant.faceWidth, tenant.faceHeight]).toEqual([tenant.wantedWidth, tenant.wantedWidth]);
+      expect([tenant.faceWidth, tenant.placement.faceHeight]).toEqual([tenant.wantedWidth, tenant.wantedWidth]);
       const border = tenant.isCube ? 2 * tenant.border : 0;
-      expect(tenant.tile!.width).toBe((tenant.wantedWidth + border) * (tenant.isCube ? 3 : 1));
+      expect(tenant.placement.region!.width).toBe((tenant.wantedWidth + border) * (tenant.isCube ? 3 : 1));
     }
     expectApart(tenants, atlas.target!.width);
     expect(atlas.target!.width).toBeLessThanOrEqual(2048);
@@ -72,11 +73,11 @@ describe('TileAtlas', () => {
     atlas.arrange(tenants, [], true);
     tenants[0].border = 4;
     atlas.arrange(tenants, [], true);
-    const placed = tenants.map((tenant) => tenant.placed);
+    const placed = tenants.map((tenant) => tenant.times);
     expect(placed[0]).toBeGreaterThan(1);
     atlas.arrange(tenants, [], true);
-    expect(tenants.map((tenant) => tenant.placed)).toEqual(placed);
-    expect(tenants[0].tile).toMatchObject({ width: 3 * 136, height: 2 * 136 });
+    expect(tenants.map((tenant) => tenant.times)).toEqual(placed);
+    expect(tenants[0].placement.region).toMatchObject({ width: 3 * 136, height: 2 * 136 });
     expectApart(tenants, atlas.target!.width);
   });
 
@@ -84,13 +85,13 @@ describe('TileAtlas', () => {
     const atlas = atlasOf(2048);
     const tenants = Array.from({ length: 8 }, () => new Tenant(256));
     atlas.arrange(tenants, [], true);
-    const before = tenants.map(({ tile, placed }) => ({ tile, placed }));
+    const before = tenants.map(({ placement, times }) => ({ region: placement.region, times }));
     atlas.arrange(tenants, [], true);
     atlas.release(tenants[3]);
     const others = tenants.filter((_, i) => i !== 3);
     atlas.arrange(others, [], true);
     atlas.arrange([...others, new Tenant(256)], [], true);
-    others.forEach((tenant) => expect(before).toContainEqual({ tile: tenant.tile, placed: tenant.placed }));
+    others.forEach(({ placement, times }) => expect(before).toContainEqual({ region: placement.region, times }));
   });
 
   test('a full atlas halves those that cover least, gives all a place, and gives sizes back when others go', () => {
@@ -99,9 +100,9 @@ describe('TileAtlas', () => {
     atlas.arrange(tenants, [], true);
     expectApart(tenants, 1024);
     expect(tenants[1].faceWidth).toBeGreaterThan(tenants[23].faceWidth);
-    const placed = tenants.map((tenant) => tenant.placed);
+    const placed = tenants.map((tenant) => tenant.times);
     atlas.arrange(tenants, [], true);
-    expect(tenants.map((tenant) => tenant.placed)).toEqual(placed);
+    expect(tenants.map((tenant) => tenant.times)).toEqual(placed);
     for (const tenant of tenants.slice(2)) atlas.release(tenant);
     atlas.arrange([tenants[1]], [], true);
     expect(tenants[1].faceWidth).toBe(512);
@@ -110,9 +111,10 @@ describe('TileAtlas', () => {
   test('maps are as small as pictures allow; what may be smaller waits for the look at all when the atlas is full', () => {
     const atlas = atlasOf(1024);
     const tenants = Array.from({ length: 4 }, () => new Tenant(512));
-    tenants[0].excess = tenants[0].spare = 2;
+    tenants[0].detail.start(2);
     atlas.arrange(tenants, [], false);
-    tenants[1].spare = 1;
+    for (let i = 0; i < 40; i++) tenants[1].detail.aim(10, true);
+    expect([tenants[1].detail.level, tenants[1].detail.target]).toEqual([0, 1]);
     atlas.arrange(tenants, [], true);
     expect(tenants.map(({ faceWidth }) => faceWidth)).toEqual([128, 512, 512, 512]);
     const more = [...tenants, new Tenant(512)];
@@ -136,9 +138,9 @@ describe('TileAtlas', () => {
     const tenants = Array.from({ length: 40 }, (_, i) => new Tenant(i % 3 ? 256 : 160, i % 2 === 0));
     const fly = (look: number) => {
       tenants.forEach((tenant, i) => (tenant.coverage = 1 / (1 + Math.abs(i - look))));
-      const before = tenants.map(({ placed }) => placed);
+      const before = tenants.map(({ times }) => times);
       atlas.arrange(tenants, [], true);
-      return tenants.filter(({ placed }, i) => placed !== before[i]).length;
+      return tenants.filter(({ times }, i) => times !== before[i]).length;
     };
     expect(fly(0)).toBe(40);
     const anew = Array.from({ length: 38 }, (_, look) => fly(look + 1));
@@ -147,7 +149,7 @@ describe('TileAtlas', () => {
     expect(anew.filter((count) => count > 12).length).toBeLessThanOrEqual(2);
     // those near the camera have what they ask for, or half of it
     for (const tenant of tenants.slice(36)) expect(tenant.faceWidth).toBeGreaterThanOrEqual(128);
-    const texels = tenants.reduce((sum, { tile }) => sum + tile!.width * tile!.height, 0);
+    const texels = tenants.reduce((sum, { placement: { region } }) => sum + region!.width * region!.height, 0);
     expect(texels).toBeGreaterThan(0.6 * 2048 * 2048);
   });
 
@@ -161,21 +163,21 @@ describe('TileAtlas', () => {
     atlas.raiseLimit(2048);
     atlas.arrange(tenants, [], true);
     expect(tenants.every(({ faceWidth }) => faceWidth === 512)).toBe(true);
-    const placed = tenants.map((tenant) => tenant.placed);
+    const placed = tenants.map((tenant) => tenant.times);
     atlas.raiseLimit(256);
     atlas.arrange(tenants, [], true);
-    expect(tenants.map((tenant) => tenant.placed)).toEqual(placed);
+    expect(tenants.map((tenant) => tenant.times)).toEqual(placed);
     expectApart(tenants, 2048);
   });
 
-  test('tiles that are only kept make room', () => {
+  test('regions that are only kept make room', () => {
     const atlas = atlasOf(512);
     const kept = Array.from({ length: 4 }, () => new Tenant(256));
     atlas.arrange(kept, [], true);
     const fresh = [new Tenant(512)];
     atlas.arrange(fresh, kept, true);
     expect(fresh[0].faceWidth).toBe(512);
-    expect(fresh[0].tile).not.toBeNull();
-    expect(kept.every(({ tile, drawn }) => tile === null && !drawn)).toBe(true);
+    expect(fresh[0].placement.region).not.toBeNull();
+    expect(kept.every(({ placement, map }) => placement.region === null && map.state === 'none')).toBe(true);
   });
 });

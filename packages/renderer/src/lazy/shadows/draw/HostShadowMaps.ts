@@ -23,33 +23,34 @@ import type { MicroShaderRegistry } from '../../../microshaders';
 import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
 import { PassMaterial } from '../../../gpu/PassMaterial';
 import { comparesDepths } from '../atlas/comparesDepths';
-import type { Draw } from './ShadowMapDraws';
+import type { DirectDraw } from '../DirectDraw';
 import type { ShadowSlot } from '../slots/ShadowSlot';
-import type { TileAtlas } from '../atlas/TileAtlas';
+import type { TextureAtlas } from '../atlas/TextureAtlas';
 
 const rectangle = new Vector4();
 const camera = new OrthographicCamera(); // where depth is reversed, three updates its projection
 const WHITE = [1, 1, 1, 1];
 const BLACK = [0, 0, 0, 0];
 
-/** What is known of a light's `shadow.map`: no property of it, which a host could see change. */
-interface Shown {
+/** What Farol knows of a light's `shadow.map`; kept beside the map, since a host could see a property of it. */
+interface Watched {
+  /** `shadowMap.type` that the map is of. */
   readonly type: number;
-  /** Its texture was asked for. */
+  /** Somebody has asked for the map's texture. */
   isWanted: boolean;
-  /** It holds a copy. */
+  /** The map holds a copy. */
   isFilled: boolean;
 }
 
-const shown = new WeakMap<RenderTarget, Shown>();
+const watched = new WeakMap<RenderTarget, Watched>();
 
 /**
- * Notes from now on when the texture of a map is asked for, by three's ShadowMapViewer or by stock three. A map that three made
- * stays the object that it is: others may hold it.
+ * Notes from now on when somebody asks for the texture of a map: three's ShadowMapViewer, or stock three. The map stays the same
+ * object, since others may hold it.
  */
-function watch(map: RenderTarget, type: number): Shown {
+function watch(map: RenderTarget, type: number): Watched {
   const state = { type, isWanted: false, isFilled: false };
-  shown.set(map, state);
+  watched.set(map, state);
   Object.defineProperty(map, 'texture', {
     configurable: true,
     get() {
@@ -63,20 +64,20 @@ function watch(map: RenderTarget, type: number): Shown {
   return state;
 }
 
-/** Leaves a map as three makes them. */
+/** Takes the watch off a map, which is then as three makes them. */
 function unwatch(map: RenderTarget): void {
-  shown.delete(map);
+  watched.delete(map);
   delete (map as Partial<RenderTarget>).texture;
 }
 
-/** Whether a map that three made is one of a type of shadow map. */
+/** Whether a map made by three is of a type (`shadowMap.type`). */
 function isOfType({ textures, depthTexture, width, height }: RenderTarget, type: number): boolean {
   if (depthTexture === null || width * height === 0) return false;
   if (type === VSMShadowMap) return textures[0].format === RGFormat;
   return textures[0].format !== RGFormat && (depthTexture.compareFunction !== null) === (type !== BasicShadowMap);
 }
 
-/** One texel in which nothing casts a shadow. */
+/** Makes a map of one texel, to be cleared to what casts no shadow. */
 function makeMap(type: number, reversed: boolean): WebGLRenderTarget {
   const moments = type === VSMShadowMap;
   const depthTexture = new DepthTexture(1, 1, UnsignedIntType);
@@ -95,18 +96,19 @@ function disposeMap(map: RenderTarget): void {
 }
 
 /**
- * Keeps `light.shadow.map` of spot and directional lights as three's own addons expect it: one texel in which nothing casts a
- * shadow, or what three has drawn, until its texture is asked for, and then a copy of the light's part of the atlas. Point
- * lights have none.
+ * Keeps `light.shadow.map` of spot and directional lights as three's addons expect it. Until somebody asks for its texture it is
+ * one texel in which nothing casts a shadow, or what three itself has drawn; from then on a copy of the light's region of the
+ * atlas. Point lights have none.
  */
-export class ShownMaps {
+export class HostShadowMaps {
   private readonly triangle = new FullscreenMesh();
   private readonly uniforms = {
-    farol_shownAtlas: { value: null } as IUniform<Texture | null>,
-    farol_shownTile: { value: new Vector4() },
-    farol_shownFar: { value: 1 },
+    farol_hostMapAtlas: { value: null } as IUniform<Texture | null>,
+    farol_hostMapRegion: { value: new Vector4() },
+    farol_hostMapFar: { value: 1 },
   };
-  private readonly made = new Set<ShadowSlot>();
+  /** Slots of the lights whose maps are watched. */
+  private readonly slots = new Set<ShadowSlot>();
   private depths: PassMaterial | null = null;
   private moments: PassMaterial | null = null;
 
@@ -115,25 +117,25 @@ export class ShownMaps {
     private readonly microshaders: MicroShaderRegistry,
   ) {}
 
-  /** Whether a light's map is to be copied in this frame. @param isDrawn it is drawn anew */
+  /** Whether a light's map is to be copied in this frame. @param isDrawn the frame draws the map */
   wants({ shadow, isCube }: ShadowSlot, isDrawn: boolean, type: number): boolean {
     if (isCube) return false;
-    const state = shadow.map === null ? undefined : shown.get(shadow.map);
+    const state = shadow.map === null ? undefined : watched.get(shadow.map);
     if (state === undefined || state.type !== type) return isDrawn;
     return state.isWanted && (isDrawn || !state.isFilled);
   }
 
-  /** Whether all of a light's map is to be drawn. */
+  /** Whether a light's map is copied, so that all of it has to be drawn. */
   isWatched({ shadow }: ShadowSlot): boolean {
-    return shadow.map !== null && shown.get(shadow.map)?.isWanted === true;
+    return shadow.map !== null && watched.get(shadow.map)?.isWanted === true;
   }
 
-  /** Gives a light its map, and copies it where that is asked for. Call inside three's `render`, once the maps are drawn. */
-  render(slot: ShadowSlot, atlas: TileAtlas, type: number): void {
+  /** Gives a light its `shadow.map`, with a copy where that is wanted. Call inside three's `render`, once the maps are drawn. */
+  render(slot: ShadowSlot, atlas: TextureAtlas, type: number): void {
     const { shadow } = slot;
     const reversed = this.webgl.state.buffers.depth.getReversed();
     let { map } = shadow;
-    let state = map === null ? undefined : shown.get(map);
+    let state = map === null ? undefined : watched.get(map);
     if (map === null || (state === undefined ? !isOfType(map, type) : state.type !== type)) {
       if (map !== null) disposeMap(map);
       map = shadow.map = makeMap(type, reversed);
@@ -142,24 +144,24 @@ export class ShownMaps {
     }
     if (state === undefined) {
       state = watch(map, type);
-      this.made.add(slot);
+      this.slots.add(slot);
     }
     if (!state.isWanted) return;
     this.copy(slot, map, atlas, reversed);
     state.isFilled = true;
   }
 
-  /** The light has no tile any more. */
+  /** Takes `shadow.map` back from a light whose map has no region any more. */
   release(slot: ShadowSlot): void {
     const { map } = slot.shadow;
-    if (!this.made.delete(slot) || map === null || !shown.has(map)) return;
+    if (!this.slots.delete(slot) || map === null || !watched.has(map)) return;
     unwatch(map);
     disposeMap(map);
     slot.shadow.map = null;
   }
 
   dispose(): void {
-    for (const slot of this.made) this.release(slot);
+    for (const slot of this.slots) this.release(slot);
     this.depths?.dispose();
     this.moments?.dispose();
     this.depths = this.moments = null;
@@ -176,7 +178,7 @@ export class ShownMaps {
     gl.clearBufferfv(gl.DEPTH, 0, [reversed ? 0 : 1]);
   }
 
-  private copy(slot: ShadowSlot, map: RenderTarget, atlas: TileAtlas, reversed: boolean): void {
+  private copy(slot: ShadowSlot, map: RenderTarget, atlas: TextureAtlas, reversed: boolean): void {
     const { webgl, uniforms } = this;
     const { maxTextureSize } = webgl.capabilities;
     const width = Math.min(slot.wantedWidth, maxTextureSize);
@@ -185,22 +187,29 @@ export class ShownMaps {
     const moments = map.textures[0].format === RGFormat;
     const material = moments ? (this.moments ??= this.make('moments')) : (this.depths ??= this.make('depths'));
     if (map.width !== width || map.height !== height) map.setSize(width, height);
-    uniforms.farol_shownAtlas.value = atlas.texture;
-    uniforms.farol_shownTile.value.set(face.x, face.y, face.width / width, face.height / height);
-    uniforms.farol_shownFar.value = reversed ? 0 : 1;
+    uniforms.farol_hostMapAtlas.value = atlas.texture;
+    uniforms.farol_hostMapRegion.value.set(face.x, face.y, face.width / width, face.height / height);
+    uniforms.farol_hostMapFar.value = reversed ? 0 : 1;
     material.uniformsNeedUpdate = true;
     if (!moments) comparesDepths(webgl, atlas.texture!, false);
     webgl.setRenderTarget(map as WebGLRenderTarget);
     webgl.state.viewport(rectangle.set(0, 0, width, height));
-    (webgl.renderBufferDirect as unknown as Draw)(camera, null, this.triangle.geometry, material, this.triangle, null);
+    (webgl.renderBufferDirect as unknown as DirectDraw)(
+      camera,
+      null,
+      this.triangle.geometry,
+      material,
+      this.triangle,
+      null,
+    );
     if (!moments) comparesDepths(webgl, atlas.texture!, true);
   }
 
   private make(name: string): PassMaterial {
     return new PassMaterial(this.microshaders, {
-      name: `Farol shown ${name}`,
+      name: `Farol host shadow map, ${name}`,
       vertex: ['fullscreen'],
-      fragment: ['shownMap'],
+      fragment: ['hostShadowMap'],
       uniforms: this.uniforms,
       defines: name === 'moments' ? { FAROL_MOMENTS: '' } : {},
       blending: NoBlending,

@@ -8,7 +8,8 @@ import {
   type WebGLShadowMap,
 } from 'three';
 import { expect, test } from 'vitest';
-import { settleSizes } from './settleSizes';
+import { chooseDetail } from './chooseDetail';
+import { placeAndDraw } from './drawnSlot';
 import { ShadowSlot } from './ShadowSlot';
 
 const picture = { width: 1280, height: 720 };
@@ -31,14 +32,12 @@ function slotOf(light: PointLight | SpotLight, size = 512): ShadowSlot {
 }
 
 function place(slot: ShadowSlot, size = 512): void {
-  slot.place({ x: 0, y: 0, width: 1, height: 1 }, size >> slot.excess, size >> slot.excess);
-  slot.dirty = false;
-  slot.drawn = slot.hadMap = true;
+  placeAndDraw(slot, size >> slot.detail.level);
 }
 
-function settle(slots: ShadowSlot[], z: number, isFull = false, frames = 1): number[] {
-  for (let i = 0; i < frames; i++) settleSizes(slots, cameraAt(z), picture, shadowMap(), isFull);
-  return slots.map(({ excess }) => excess);
+function choose(slots: ShadowSlot[], z: number, isFull = false, frames = 1): number[] {
+  for (let i = 0; i < frames; i++) chooseDetail(slots, cameraAt(z), picture, shadowMap(), isFull);
+  return slots.map(({ detail }) => detail.level);
 }
 
 /** Texels (m) of the reduced map and pixels (m), half way to the light's range, on its side of the camera. */
@@ -49,26 +48,26 @@ function sides(range: number, z: number, texels: number): [number, number] {
 test('the farther a point light is, the fewer texels: each no larger than a pixel, and no smaller than a third of one', () => {
   let before = 0;
   for (const z of [3, 5.1, 10, 20, 40, 80, 160]) {
-    const [excess] = settle([slotOf(new PointLight(0xffffff, 1, 5))], z);
-    expect(excess).toBeGreaterThanOrEqual(before);
-    before = excess;
-    const [texel, pixel] = sides(5, z, 512 >> excess);
-    if (excess > 0) expect(texel).toBeLessThan(pixel);
-    if (z > 10 && excess < 5) expect(texel).toBeGreaterThan(pixel / 3);
+    const [level] = choose([slotOf(new PointLight(0xffffff, 1, 5))], z);
+    expect(level).toBeGreaterThanOrEqual(before);
+    before = level;
+    const [texel, pixel] = sides(5, z, 512 >> level);
+    if (level > 0) expect(texel).toBeLessThan(pixel);
+    if (z > 10 && level < 5) expect(texel).toBeGreaterThan(pixel / 3);
   }
   expect(before).toBeGreaterThan(3);
-  expect(settle([slotOf(new PointLight(0xffffff, 1, 5))], 1e6), 'fewest').toEqual([5]);
+  expect(choose([slotOf(new PointLight(0xffffff, 1, 5))], 1e6), 'fewest').toEqual([5]);
 });
 
 test('what has no range, is near the camera or behind it, and variance shadow maps, stay as they are', () => {
   const slots = [slotOf(new PointLight(0xffffff, 1, 0)), slotOf(new SpotLight(0xffffff, 1, 0))];
-  expect(settle(slots, 300)).toEqual([0, 0]);
+  expect(choose(slots, 300)).toEqual([0, 0]);
   const lights = () => [slotOf(new PointLight(0xffffff, 1, 5)), slotOf(new SpotLight(0xffffff, 1, 5))];
-  expect(settle(lights(), 4)).toEqual([0, 0]);
-  expect(settle(lights(), -100)).toEqual([0, 0]);
+  expect(choose(lights(), 4)).toEqual([0, 0]);
+  expect(choose(lights(), -100)).toEqual([0, 0]);
   const variance = lights();
-  settleSizes(variance, cameraAt(100), picture, shadowMap(VSMShadowMap), false);
-  expect(variance.map(({ excess }) => excess)).toEqual([0, 0]);
+  chooseDetail(variance, cameraAt(100), picture, shadowMap(VSMShadowMap), false);
+  expect(variance.map(({ detail }) => detail.level)).toEqual([0, 0]);
 });
 
 test('a spot light that shines towards the camera needs more than one that shines away', () => {
@@ -78,7 +77,7 @@ test('a spot light that shines towards the camera needs more than one that shine
     light.target.position.set(0, 0, z);
     return slotOf(light);
   });
-  const [near, far] = settle([towards, away], 30);
+  const [near, far] = choose([towards, away], 30);
   expect(far).toBeGreaterThan(near);
 });
 
@@ -88,8 +87,8 @@ test('for an orthographic camera no light is nearer than another; a larger pictu
     camera.position.z = z;
     camera.updateMatrixWorld();
     const slot = slotOf(new PointLight(0xffffff, 1, 5));
-    settleSizes([slot], camera, size, shadowMap(), false);
-    return slot.excess;
+    chooseDetail([slot], camera, size, shadowMap(), false);
+    return slot.detail.level;
   };
   expect(at(3)).toBe(at(90));
   expect(at(3)).toBeGreaterThan(0);
@@ -99,40 +98,40 @@ test('for an orthographic camera no light is nearer than another; a larger pictu
 
 test('a map that becomes too coarse is larger at once, but few a frame where it can wait', () => {
   const slots = Array.from({ length: 12 }, () => slotOf(new PointLight(0xffffff, 1, 5)));
-  const [far] = settle(slots, 120);
+  const [far] = choose(slots, 120);
   for (const slot of slots) place(slot);
-  const half = settle(slots, 72);
-  expect(half.filter((excess) => excess === far - 1)).toHaveLength(4);
+  const half = choose(slots, 72);
+  expect(half.filter((level) => level === far - 1)).toHaveLength(4);
   for (const slot of slots) place(slot);
-  expect(settle(slots, 72).filter((excess) => excess === far - 1)).toHaveLength(8);
-  expect(new Set(settle(slots, 3))).toEqual(new Set([0]));
+  expect(choose(slots, 72).filter((level) => level === far - 1)).toHaveLength(8);
+  expect(new Set(choose(slots, 3))).toEqual(new Set([0]));
 });
 
 test('a map is smaller only when it is drawn anyway, after a while, and never by turns of two cameras', () => {
   const slot = slotOf(new PointLight(0xffffff, 1, 5));
-  settle([slot], 4);
+  choose([slot], 4);
   place(slot);
-  expect(settle([slot], 60, false, 100), 'kept as it is').toEqual([0]);
-  slot.dirty = true;
-  expect(settle([slot], 60)[0]).toBeGreaterThan(1);
+  expect(choose([slot], 60, false, 100), 'kept as it is').toEqual([0]);
+  slot.map.change();
+  expect(choose([slot], 60)[0]).toBeGreaterThan(1);
   place(slot);
-  settle([slot], 4);
+  choose([slot], 4);
   place(slot);
-  slot.dirty = true;
+  slot.map.change();
   for (let i = 0; i < 100; i++) {
-    expect(settle([slot], 60)).toEqual([0]);
-    expect(settle([slot], 4)).toEqual([0]);
+    expect(choose([slot], 60)).toEqual([0]);
+    expect(choose([slot], 4)).toEqual([0]);
   }
-  expect(settle([slot], 60, false, 20), 'not yet').toEqual([0]);
-  expect(settle([slot], 60, true, 100), 'a full atlas sees to it').toEqual([0]);
-  expect(slot.spare).toBeGreaterThan(1);
+  expect(choose([slot], 60, false, 20), 'not yet').toEqual([0]);
+  expect(choose([slot], 60, true, 100), 'a full atlas sees to it').toEqual([0]);
+  expect(slot.detail.target).toBeGreaterThan(1);
 });
 
 test('a map that the host has drawn once is not reduced', () => {
   const light = new PointLight(0xffffff, 1, 5);
   light.shadow.autoUpdate = false;
   const slots = [slotOf(light), slotOf(new PointLight(0xffffff, 1, 5))];
-  const [once, often] = settle(slots, 60);
+  const [once, often] = choose(slots, 60);
   expect(once).toBe(0);
   expect(often).toBeGreaterThan(0);
 });
@@ -142,6 +141,6 @@ test('a reduced map is looked up farther from surfaces, by half of what its texe
   light.shadow.normalBias = 0.01;
   const slot = slotOf(light);
   expect(slot.normalBias).toBe(0.01);
-  slot.excess = 2;
+  slot.detail.start(2);
   expect(slot.normalBias).toBeCloseTo(0.01 + (5 / 128 - 5 / 512) / 2, 6);
 });

@@ -1,0 +1,139 @@
+/**
+ * What the region of an atlas holds of one shadow map (or image).
+ *
+ * | state | the region |
+ * |---|---|
+ * | none | there is none |
+ * | empty | is new: nothing is drawn in it |
+ * | lost | has lost what was drawn, with the context or the atlas' texture; the scene is as it was then |
+ * | partial | holds the map where receivers can be seen |
+ * | whole | holds all of the map |
+ * | stale-partial, stale-whole | hold a map of what has changed since |
+ */
+export type MapState = 'none' | 'empty' | 'lost' | 'partial' | 'whole' | 'stale-partial' | 'stale-whole';
+
+const AFTER_CHANGE: Record<MapState, MapState> = {
+  none: 'none',
+  empty: 'empty',
+  lost: 'empty',
+  partial: 'stale-partial',
+  whole: 'stale-whole',
+  'stale-partial': 'stale-partial',
+  'stale-whole': 'stale-whole',
+};
+
+const AFTER_LOSS: Record<MapState, MapState> = {
+  none: 'none',
+  empty: 'empty',
+  lost: 'lost',
+  partial: 'lost',
+  whole: 'lost',
+  'stale-partial': 'empty',
+  'stale-whole': 'empty',
+};
+
+/** The state of a map, which only these methods change; README.md says who calls each. */
+export class AtlasMap {
+  /** Last frame that found the map out of date, by `noteAge`. */
+  since = 0;
+  private current: MapState = 'none';
+  private planned: 'partial' | 'whole' | null = null;
+  private bounds = false;
+  private drawn = false;
+
+  get state(): MapState {
+    return this.current;
+  }
+
+  /** The region holds a map, up to date or not. */
+  get isThere(): boolean {
+    const { current } = this;
+    return current !== 'none' && current !== 'empty' && current !== 'lost';
+  }
+
+  /** The region holds what it should, as far as that was planned. */
+  get isCurrent(): boolean {
+    return this.current === 'partial' || this.current === 'whole';
+  }
+
+  /** Something has changed since the map was drawn, or nothing was drawn. */
+  get isStale(): boolean {
+    const { current } = this;
+    return current !== 'partial' && current !== 'whole' && current !== 'lost';
+  }
+
+  /** The region holds the map only where receivers could be seen. */
+  get isPartial(): boolean {
+    return this.current === 'partial' || this.current === 'stale-partial';
+  }
+
+  /** `ShadowBounds` knows the depths of what is drawn. */
+  get hasBounds(): boolean {
+    return this.bounds;
+  }
+
+  /** The map has been drawn at least once: where it is lost, it is drawn anew whatever the host says of updates. */
+  get wasDrawn(): boolean {
+    return this.drawn;
+  }
+
+  /** The map has got a region. */
+  place(): void {
+    this.current = 'empty';
+    this.planned = null;
+    this.bounds = false;
+  }
+
+  /** The map has no region any more. */
+  release(): void {
+    this.current = 'none';
+    this.planned = null;
+    this.bounds = false;
+  }
+
+  /** What was drawn is gone. */
+  lose(): void {
+    this.current = AFTER_LOSS[this.current];
+    if (!this.isThere) this.bounds = false;
+  }
+
+  /** Something that the map shows has changed. */
+  change(): void {
+    this.current = AFTER_CHANGE[this.current];
+  }
+
+  /** Notes the frame while the map is out of date. */
+  noteAge(frame: number): void {
+    if (this.isStale) this.since = frame;
+  }
+
+  /**
+   * The map is to be drawn in this frame.
+   * @throws Error when there is no region to draw to
+   */
+  plan(isPartial: boolean): void {
+    if (this.current === 'none') throw new Error('A map without a region cannot be drawn: place it in an atlas first.');
+    this.planned = isPartial ? 'partial' : 'whole';
+    this.bounds = false;
+  }
+
+  /**
+   * The map is drawn as planned.
+   * @throws Error when that was not planned
+   */
+  draw(): void {
+    if (this.planned === null) throw new Error('A map was drawn that was not planned: call plan() first.');
+    this.current = this.planned;
+    this.planned = null;
+    this.drawn = true;
+  }
+
+  /**
+   * The bounds of the depths are found.
+   * @throws Error when there are no depths
+   */
+  bound(): void {
+    if (!this.isThere) throw new Error('A map that is not drawn has no bounds: draw it first.');
+    this.bounds = true;
+  }
+}

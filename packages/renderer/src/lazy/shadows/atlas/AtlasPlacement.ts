@@ -1,0 +1,63 @@
+/** A rectangle of an atlas (texels). */
+export interface Region {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+/** Where a map lies in its atlas; written by the atlas alone. */
+export class AtlasPlacement {
+  private rectangle: Region | null = null;
+  private width = 0;
+  private height = 0;
+  private edge = 0;
+  private halved = 0;
+
+  /** The place of all faces together, null while there is none. */
+  get region(): Region | null {
+    return this.rectangle;
+  }
+
+  /** Texels across a face that the last region was made for, without borders. */
+  get faceWidth(): number {
+    return this.width;
+  }
+
+  /** Texels up a face that the last region was made for, without borders. */
+  get faceHeight(): number {
+    return this.height;
+  }
+
+  /** Texels round each face of a cube; 0 round other maps. */
+  get border(): number {
+    return this.edge;
+  }
+
+  /** How often the map is halved because the atlas is full. */
+  get halvings(): number {
+    return this.halved;
+  }
+
+  /** @throws Error when there is a region already */
+  take(region: Region, faceWidth: number, faceHeight: number, border: number): void {
+    if (this.rectangle !== null) throw new Error('A map has a region already: drop it before another is taken.');
+    this.rectangle = region;
+    this.width = faceWidth;
+    this.height = faceHeight;
+    this.edge = border;
+  }
+
+  drop(): void {
+    this.rectangle = null;
+  }
+
+  halve(): void {
+    this.halved++;
+  }
+
+  /** Asks for the full size again. */
+  restore(): void {
+    this.halved = 0;
+  }
+}

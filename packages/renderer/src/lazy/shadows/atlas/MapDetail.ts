@@ -1,0 +1,61 @@
+/** Frames (of any camera) for which a map has more texels than they show, before it is halved. */
+const PATIENCE = 30;
+/** Eighths of a halving by which a map must be too fine before it is halved. */
+const MARGIN = 2;
+
+/**
+ * Level of detail of a map: how often the size that its light asks for is halved, because pictures show no more. It goes up
+ * (to fewer texels) only after a while, and down at once.
+ */
+export class MapDetail {
+  private applied = 0;
+  private wanted = 0;
+  /** Frames for which the level could have been higher, and the least level that it could have been in them. */
+  private patience = 0;
+  private least = 0;
+
+  /** The level that the map has, or will have once it is placed. */
+  get level(): number {
+    return this.applied;
+  }
+
+  /** The level that the map is to have. */
+  get target(): number {
+    return this.wanted;
+  }
+
+  /** Sets the level of a map without a region, which nothing keeps from any level. */
+  start(level: number): void {
+    this.patience = 0;
+    this.applied = this.wanted = level;
+  }
+
+  /**
+   * Finds the target of a map that has a region.
+   * @param eighths of halvings after which the map would still do for this camera
+   * @param updates the map is drawn whenever something changes; one that is not must do for all cameras
+   */
+  aim(eighths: number, updates: boolean): void {
+    const { applied } = this;
+    const less = updates ? (eighths - MARGIN) >> 3 : 0;
+    if (less <= applied) {
+      this.patience = 0;
+      this.wanted = Math.min(eighths >> 3, applied);
+      return;
+    }
+    this.least = this.patience === 0 ? less : Math.min(this.least, less);
+    this.patience++;
+    this.wanted = this.patience > PATIENCE ? this.least : applied;
+  }
+
+  /** Has the map go to the target. */
+  reach(): void {
+    this.applied = this.wanted;
+    this.patience = 0;
+  }
+
+  /** The same as all maps of a full atlas are sized anew; the frames waited for count on. */
+  settle(): void {
+    this.applied = this.wanted;
+  }
+}

@@ -1,0 +1,24 @@
+// Copies an image that a light throws into its region of the atlas; of a cube (FAROL_CUBE) the six faces, each with a border.
+// Farol; the faces lie as farol_cubeFace in lightShadow.glsl has them
+#ifdef FAROL_CUBE
+uniform highp samplerCube farol_cookieImage;
+#else
+uniform highp sampler2D farol_cookieImage;
+#endif
+uniform highp vec4 farol_cookieRegion; // corner, size (texels); of a cube: corner, side of a face, from face to face
+uniform highp float farol_cookieFlip; // of x
+layout(location = 0) out highp vec4 farol_cookie;
+//# main
+vec2 at = gl_FragCoord.xy - farol_cookieRegion.xy;
+#ifdef FAROL_CUBE
+vec2 cell = floor(at / farol_cookieRegion.w);
+vec2 inFace = at - cell * farol_cookieRegion.w - 0.5 * (farol_cookieRegion.w - farol_cookieRegion.z);
+vec2 across = inFace / farol_cookieRegion.z * 2.0 - 1.0;
+int face = int(cell.x + 3.0 * cell.y + 0.5);
+float side = (face & 1) == 0 ? 1.0 : -1.0;
+vec3 direction = face < 2 ? vec3(side, across.y, side * across.x)
+  : face < 4 ? vec3(side * across.x, side, across.y) : vec3(-side * across.x, across.y, side);
+farol_cookie = textureLod(farol_cookieImage, vec3(farol_cookieFlip * direction.x, direction.yz), 0.0);
+#else
+farol_cookie = texture(farol_cookieImage, at / farol_cookieRegion.zw);
+#endif

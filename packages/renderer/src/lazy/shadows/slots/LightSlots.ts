@@ -1,0 +1,167 @@
+import type { Camera, Light, Object3D, Texture } from 'three';
+import type { AtlasTenant } from '../atlas/TextureAtlas';
+import { CookieSlot } from './CookieSlot';
+import { lightCoverage } from './lightCoverage';
+import type { ShadowLight } from './ShadowLight';
+import { ShadowSlot } from './ShadowSlot';
+
+/** Frames for which the map of a light (or the copy of an image) that is not lit is kept. */
+const KEPT_FRAMES = 600;
+
+/** Gives the regions of slots back to their atlas. */
+export interface SlotRelease {
+  map(slot: ShadowSlot): void;
+  cookie(cookie: CookieSlot): void;
+}
+
+/** The slots of all lights, and of the images that lights throw: those of the frame, and those kept for a while after. */
+export class LightSlots {
+  /** Slots of the frame's lights. */
+  readonly lit: ShadowSlot[] = [];
+  /** What the frame needs of the atlas of depths and of that of colours, by `sortOut`. */
+  readonly depths: ShadowSlot[] = [];
+  readonly colours: AtlasTenant[] = [];
+  /** What has regions of the two atlases, but is not needed in the frame. */
+  readonly keptDepths: ShadowSlot[] = [];
+  readonly keptColours: AtlasTenant[] = [];
+  /** Maps among what the frame needs. */
+  mapCount = 0;
+  private readonly slots = new Map<Light, ShadowSlot>();
+  private readonly images = new Map<Texture, CookieSlot>();
+  private frame = 0;
+
+  constructor(private readonly release: SlotRelease) {}
+
+  get isEmpty(): boolean {
+    return this.slots.size === 0;
+  }
+
+  /** All slots, of the frame or kept. */
+  all(): Iterable<ShadowSlot> {
+    return this.slots.values();
+  }
+
+  /** All images, of the frame or kept. */
+  allImages(): Iterable<CookieSlot> {
+    return this.images.values();
+  }
+
+  /** The slot of a light of the frame; undefined where it has none. */
+  litSlotOf(light: Light): ShadowSlot | undefined {
+    const slot = this.slots.get(light);
+    return slot !== undefined && slot.lastLit === this.frame ? slot : undefined;
+  }
+
+  /** Whether an image is thrown in the frame. */
+  isLit(cookie: CookieSlot): boolean {
+    return cookie.lastLit === this.frame;
+  }
+
+  begin(frame: number): void {
+    this.frame = frame;
+    this.lit.length = 0;
+  }
+
+  /**
+   * Adds a light that casts shadows or throws an image.
+   * @param cascades maps of a directional light, the whole one included; 1 for others
+   */
+  add(
+    light: ShadowLight,
+    root: Object3D,
+    camera: Camera,
+    casts: boolean,
+    image: Texture | null,
+    cascades: number,
+  ): void {
+    const slot = this.slotFor(light, cascades);
+    slot.enter(root);
+    slot.lastLit = this.frame;
+    slot.coverage = lightCoverage(light, camera);
+    slot.casts = casts;
+    slot.cookie = image === null ? null : this.cookieFor(image);
+    const { mask } = light.shadow.camera.layers;
+    // as in three: a shadow camera that has layer 0 alone draws the layers of the camera
+    slot.setLayers((mask & 0xfffffffe) !== 0 ? mask : camera.layers.mask);
+    this.lit.push(slot);
+  }
+
+  /**
+   * Sorts out what the frame needs of the atlases and what is kept, and releases what has not been lit for long.
+   * @param inColours maps lie in the atlas of colours, as variance shadow maps do
+   */
+  sortOut(inColours: boolean): void {
+    const { depths, colours, keptDepths, keptColours, frame, release } = this;
+    depths.length = colours.length = keptDepths.length = keptColours.length = this.mapCount = 0;
+    for (const slot of this.slots.values()) {
+      const isLit = slot.lastLit === frame;
+      if (!isLit) slot.record = -1;
+      if (isLit && slot.casts) {
+        this.mapCount++;
+        (inColours ? colours : depths).push(slot);
+      } else if (frame - slot.lastLit > KEPT_FRAMES) {
+        release.map(slot);
+        this.slots.delete(slot.light);
+      } else if (!isLit || slot.placement.region !== null) (inColours ? keptColours : keptDepths).push(slot);
+    }
+    for (const cookie of this.images.values()) {
+      if (cookie.lastLit === frame) colours.push(cookie);
+      else if (frame - cookie.lastLit > KEPT_FRAMES) {
+        release.cookie(cookie);
+        this.images.delete(cookie.texture);
+      } else keptColours.push(cookie);
+    }
+  }
+
+  /** What was drawn is gone, of maps and, unless `mapsAlone`, of images. */
+  lose(mapsAlone: boolean): void {
+    for (const slot of this.slots.values()) slot.map.lose();
+    if (!mapsAlone) for (const cookie of this.images.values()) cookie.map.lose();
+  }
+
+  /** Releases the maps of a scene, and images that no light of another scene throws. */
+  releaseScene(root: Object3D): void {
+    for (const slot of this.slots.values()) {
+      if (slot.root !== root) continue;
+      this.release.map(slot);
+      this.slots.delete(slot.light);
+    }
+    for (const cookie of this.images.values()) {
+      if (this.isThrown(cookie)) continue;
+      this.release.cookie(cookie);
+      this.images.delete(cookie.texture);
+    }
+  }
+
+  clear(): void {
+    this.slots.clear();
+    this.images.clear();
+  }
+
+  /** The slot that a light has; a new one where its shadow is another, or has another number of cascades. */
+  private slotFor(light: ShadowLight, cascades: number): ShadowSlot {
+    let slot = this.slots.get(light);
+    if (slot !== undefined && (slot.shadow !== light.shadow || (!slot.isCube && slot.cascades !== cascades - 1))) {
+      this.release.map(slot);
+      slot = undefined;
+    }
+    if (slot === undefined) {
+      slot = new ShadowSlot(light, cascades);
+      this.slots.set(light, slot);
+    }
+    return slot;
+  }
+
+  private cookieFor(image: Texture): CookieSlot {
+    let cookie = this.images.get(image);
+    if (cookie === undefined) this.images.set(image, (cookie = new CookieSlot(image)));
+    if (cookie.lastLit !== this.frame) cookie.follow();
+    cookie.lastLit = this.frame;
+    return cookie;
+  }
+
+  private isThrown(cookie: CookieSlot): boolean {
+    for (const slot of this.slots.values()) if (slot.cookie === cookie) return true;
+    return false;
+  }
+}

@@ -1,0 +1,21 @@
+import type {
+  DirectionalLight,
+  Frustum,
+  LightShadow,
+  OrthographicCamera,
+  PerspectiveCamera,
+  PointLight,
+  SpotLight,
+} from 'three';
+
+/** Lights that three lets cast shadows. */
+export type ShadowLight = (PointLight | SpotLight | DirectionalLight) & {
+  isPointLight?: boolean;
+  isSpotLight?: boolean;
+};
+
+/** The camera of a light's shadow, of either kind, with what three keeps private. */
+export type ShadowCamera = PerspectiveCamera & OrthographicCamera & { _reversedDepth: boolean };
+
+/** three's LightShadow with what its types lack. */
+export type PrivateLightShadow = LightShadow & { updateMatrices(light: ShadowLight): void; _frustum: Frustum };

@@ -1,0 +1,5 @@
+/** Size of what is drawn (pixels). */
+export interface PictureSize {
+  readonly width: number;
+  readonly height: number;
+}
