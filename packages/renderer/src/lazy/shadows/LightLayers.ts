@@ -3,45 +3,47 @@ import type { Light, Object3D } from 'three';
 type Drawn = Object3D & { isMesh?: boolean; isLine?: boolean; isPoints?: boolean };
 
 /**
- * Which lights reach which objects when a light reaches only what shares a layer with it: the sets of layers that objects
- * have, the most frequent of them, and whether any light tells them apart. Ambient and hemisphere lights reach all.
+ * Which lights reach only some of a scene's objects, where a light reaches only objects that share a layer with it: the sets of
+ * layers that objects have, and the most frequent set. Ambient and hemisphere lights reach all objects.
  */
 export class LightLayers {
-  /** Layers of most objects, as a mask; 0 when no light of the frame tells objects apart. */
+  /** Layers of most objects, as bits; 0 when each light of the frame reaches all objects. */
   reference = 0;
   private enabled = false;
-  private readonly masks: number[] = [];
+  /** Sets of layers that objects have, as bits, and how many objects have each. */
+  private readonly sets: number[] = [];
   private readonly counts: number[] = [];
-  private met = false;
+  /** Some light does not reach all objects. */
+  private hasLimited = false;
 
-  /** Begins a frame: looks at what the scene's objects have, if lights are to tell them apart. */
+  /** Begins a frame. @param enabled whether lights keep to their layers */
   begin(root: Object3D, enabled: boolean): void {
     this.enabled = enabled;
-    this.masks.length = this.counts.length = 0;
-    this.met = false;
+    this.sets.length = this.counts.length = 0;
+    this.hasLimited = false;
     this.reference = 0;
     if (enabled && root.visible) this.visit(root);
   }
 
-  /** True for a light that reaches some of the objects and not others, or none. */
+  /** True for a light that does not reach all objects. */
   separates(light: Light): boolean {
     if (!this.enabled) return false;
-    for (const mask of this.masks) {
-      if ((mask & light.layers.mask) !== 0) continue;
-      this.met = true;
+    for (const layers of this.sets) {
+      if ((layers & light.layers.mask) !== 0) continue;
+      this.hasLimited = true;
       return true;
     }
     return false;
   }
 
-  /** Ends the look at the lights. */
+  /** Finds `reference`, once `separates` was asked of all lights. */
   end(): void {
-    if (!this.met) return;
+    if (!this.hasLimited) return;
     let most = 0;
-    for (let i = 0; i < this.masks.length; i++) {
+    for (let i = 0; i < this.sets.length; i++) {
       if (this.counts[i] <= most) continue;
       most = this.counts[i];
-      this.reference = this.masks[i];
+      this.reference = this.sets[i];
     }
   }
 
@@ -49,10 +51,10 @@ export class LightLayers {
     const drawn = object as Drawn;
     if (drawn.isMesh || drawn.isLine || drawn.isPoints) {
       const { mask } = object.layers;
-      const i = this.masks.indexOf(mask);
+      const i = this.sets.indexOf(mask);
       if (i >= 0) this.counts[i]++;
       else {
-        this.masks.push(mask);
+        this.sets.push(mask);
         this.counts.push(1);
       }
     }

@@ -6,6 +6,7 @@ import lightMaskLayers from './masks/lightMaskLayers.glsl?raw';
 import lightMaskOn from './masks/lightMaskOn.glsl?raw';
 import lightShadow from './masks/lightShadow.glsl?raw';
 import maskFeatures from './masks/maskFeatures.glsl?raw';
+import { maskRecordChunk } from './masks/maskRecordChunk';
 import { mergedCaster, mergedCasterDepth } from './casters/merged';
 import { ShadowMaps } from './ShadowMaps';
 import shadowMask from './masks/shadowMask.glsl?raw';
@@ -15,13 +16,14 @@ import shadowMoments from './draw/shadowMoments.glsl?raw';
 import { tileMicroShaders } from './screen-tiles';
 import type { WebGLRenderer } from 'three';
 
-/** Its chunks, by name. */
+/** The microshaders of shadows, by name. */
 export const microShaders = {
   cookieRegion,
   lightMaskLayers,
   lightMaskOn,
   lightShadow,
   maskFeatures,
+  maskRecord: maskRecordChunk,
   mergedCaster,
   mergedCasterDepth,
   shadowMask,
@@ -32,13 +34,12 @@ export const microShaders = {
 
 export { ShadowMapCalls } from './draw/ShadowMapCalls';
 
-/** Of materials that show nothing but shadows. */
+/** How materials that show nothing but shadows are recognised and drawn. */
 export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
 
 /**
- * What masks lights: shadow maps, cookies, layers, and their microshaders. The renderer fetches this when a scene first
- * asks for it.
- * @param limit of the atlas of depths, texels a side
+ * Makes what masks lights: shadow maps, cookies, layers, and their microshaders.
+ * @param limit of the atlas of depths, texels a side; null: by the pictures that are drawn
  */
 export function makeShadowMaps(webgl: WebGLRenderer, registry: MicroShaderRegistry, limit: number | null): ShadowMaps {
   addMicroShaders(registry, 'shadows', microShaders);

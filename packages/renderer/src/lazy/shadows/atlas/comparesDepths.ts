@@ -1,6 +1,6 @@
 import type { Texture, WebGLRenderer } from 'three';
 
-/** Whether samplers of a depth texture of the atlas give the outcome of a comparison, or depths. */
+/** Has samplers of a depth texture give the outcome of a comparison, or (`does` false) the depths. */
 export function comparesDepths(webgl: WebGLRenderer, texture: Texture, does: boolean): void {
   const gl = webgl.getContext() as WebGL2RenderingContext;
   const { __webglTexture } = webgl.properties.get(texture) as { __webglTexture: WebGLTexture };

@@ -9,7 +9,7 @@ import {
 } from 'three';
 
 /**
- * What shadow maps are drawn to: depths, to be compared by the sampler.
+ * Makes the target of shadow maps: depths, which the sampler compares.
  * @param size texels a side
  * @param isFine depths have 24 bits, else 16
  */

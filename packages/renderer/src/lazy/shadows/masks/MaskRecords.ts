@@ -6,7 +6,8 @@ import type { LightSlots } from '../slots/LightSlots';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { MaskShaders } from './MaskShaders';
 import { maskFeatures, maskFeaturesOf, maskLoopOf } from './maskFeatures';
-import { RECORDS_PER_MASK, shadowLookupOf, writeLayerMask, writeMask } from './maskRecord';
+import { RECORDS_PER_MASK } from './maskLayout';
+import { shadowLookupOf, writeLayerMask, writeMask } from './maskRecord';
 
 /** The masks of a frame's lights: which light has one, and their records in the light table. */
 export class MaskRecords {

@@ -1,17 +1,17 @@
-// As lightMaskOn, and lights reach only what shares a layer with them; takes its place once that is asked for.
+// As lightMaskOn, for lights that reach only objects of their layers; replaces lightMaskOn once a light does.
 // Farol
 #define FAROL_LAYERS
 #ifdef FAROL_LAYERS_OF_OBJECT
-flat in highp vec2 farol_objectLayers; // of the object, 16 bits each
+flat in highp vec2 farol_objectLayers; // 16 bits each
 #define FAROL_OBJECT_LAYERS farol_objectLayers
 #else
-uniform highp vec2 farol_layers; // of all that the G-buffer holds
+uniform highp vec2 farol_layers; // of all objects in the G-buffer
 #define FAROL_OBJECT_LAYERS farol_layers
 #endif
 #include "lightShadow"
 #define FAROL_HAS_MASKS
 bool farol_sharesLayer(const in int mask) {
-  uvec2 layers = uvec2(farol_lightTexel(mask + 2, 1).xy + 0.5);
+  uvec2 layers = uvec2(farol_maskLayers(mask) + 0.5);
   return layers == uvec2(0u) || (layers & uvec2(FAROL_OBJECT_LAYERS + 0.5)) != uvec2(0u);
 }
 vec3 farol_layeredMask(const in int mask, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS,

@@ -1,0 +1,13 @@
+// What shaders have code for: of shadow maps, cookies and lights. Here all; once lights have masks, what has been met.
+// Farol
+#define FAROL_SHADOW_MAPS
+#define FAROL_SHADOW_CUBES
+#define FAROL_SHADOW_CASCADES
+#define FAROL_BASIC_SHADOWS
+#define FAROL_PCF_SHADOWS
+#define FAROL_VARIANCE_SHADOWS
+#define FAROL_LIGHT_COOKIES
+#define FAROL_UNSHADOWED_MASKS
+#define FAROL_UNBOUNDED_MASKS
+#define FAROL_BOUNDED_MASKS
+#define FAROL_POINT_MASKS

@@ -1,7 +1,7 @@
-// three's getShadowMask() for what shows nothing but shadows: those of all lights that cast any, multiplied.
+// Farol's part of three's getShadowMask(), for materials that show only shadows: the product of all lights' shadows.
 // three.js r187 shadowmask_pars_fragment
 #include "lightMask"
-uniform highp ivec2 farol_masks; // first record of the masks, their number
+uniform highp ivec2 farol_masks; // record of the first mask, number of masks
 varying highp vec3 farol_maskPositionVS;
 varying highp vec3 farol_maskNormalVS;
 
@@ -10,7 +10,7 @@ float farol_shadowMask() {
 #ifdef FAROL_HAS_MASKS
   if (receiveShadow)
     for (int i = 0; i < farol_masks.y; i++)
-      lit *= farol_lightLit(farol_masks.x + i * 3, farol_maskPositionVS, farol_maskNormalVS);
+      lit *= farol_lightLit(farol_masks.x + i * FAROL_RECORDS_PER_MASK, farol_maskPositionVS, farol_maskNormalVS);
 #endif
   return lit;
 }

@@ -1,5 +1,6 @@
-// Least and greatest depth of a block of 8 × 8 texels of the shadow atlas, in 65,535ths, the least rounded down, the greatest up.
-// Farol; Sintorn et al. 2011, Per-Triangle Shadow Volumes Using a View-Sample Cluster Hierarchy, for depth bounds by block
+// Least and greatest depth of a block of 8 × 8 texels of the shadow atlas, in 65,535ths: the least
+// rounded down, the greatest up.
+// Farol; depth bounds by block: Sintorn et al. 2011, Per-Triangle Shadow Volumes Using a View-Sample Cluster Hierarchy
 uniform highp sampler2D farol_shadowDepths;
 layout(location = 0) out highp uvec4 farol_bounds;
 //# main

@@ -1,14 +1,14 @@
-// How far the depths of a block of 4 × 4 pixels are from the plane that its tile's depths lie along, roughly: depth is
-// linear over the picture where a surface is flat.
+// How far the depths of a block of 4 × 4 pixels are from a plane through the depths of the block's tile: where a
+// surface is flat, depth is linear over the picture.
 // Farol
 #include "unproject"
 uniform highp sampler2D farol_gDepth;
 uniform highp vec2 farol_size;
-// bits of: least and most beside the plane (most below least: nothing there), the plane's change a pixel across, a
-// pixel up
+// floats as bits: least and most distance from the plane (most below least: no surface), change of the plane a pixel
+// across, a pixel up
 layout(location = 0) out highp uvec4 farol_plane;
 
-// as unproject.glsl has it: what is lost near 1 is not lost here
+// depth as unproject.glsl takes it, which keeps digits that depths near 1 lose
 float farol_preciseDepth(const in float depth) {
   return farol_depthMode.x > 0.0 ? depth : 1.0 - depth;
 }

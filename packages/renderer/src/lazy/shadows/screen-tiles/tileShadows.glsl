@@ -1,5 +1,5 @@
-// Which lights of a tile light all of its surfaces, and which none, by the depth bounds of their shadow maps: where a
-// light's map is known to be beyond, or before, everything in the tile, no pixel has to look it up.
+// Which lights light all surfaces of a screen tile, and which none, by the depth bounds of their shadow maps: no pixel
+// has to sample a map that is beyond, or before, everything in the tile.
 // Farol; Olsson et al. 2014, Efficient Virtual Shadow Maps for Many Lights, for culling lights by shadow maps
 #include "lightShadow"
 #include "lightTiles"
@@ -10,18 +10,18 @@ uniform highp usampler2D farol_gridMasks;
 uniform highp ivec4 farol_grid;
 uniform highp vec2 farol_size;
 uniform highp int farol_tileShadowWords;
-// of two words of lights: those that light all of the tile, those that light none of it; both: see
+// for two words of lights: bits of those that light all of the tile, of those that light none; both bits: see
 // lightLoopClustered.glsl
 layout(location = 0) out highp uvec4 farol_marks;
 
-const int FAROL_MOST_BLOCKS = 6; // across a tile's part of a map
+const int FAROL_MOST_BLOCKS = 6; // a side of what a tile covers of a map
 
-vec3 farol_corners[8]; // view space (m): all that the tile holds is between them
+vec3 farol_corners[8]; // of a box round the tile's surfaces (view space, m)
 #ifdef FAROL_SHADOW_CUBES
-vec3 farol_worldCorners[8]; // the same along the world's axes
+vec3 farol_worldCorners[8]; // farol_corners along the world's axes (m)
 #endif
 
-// false where they are not known
+// finds the corners; false where they are not known
 bool farol_findCorners(const in ivec2 tile) {
   ivec2 block = tile * 2;
   ivec2 last = min(block + 1, (ivec2(farol_size) + 3) / 4 - 1);
@@ -57,21 +57,21 @@ vec2 farol_ratio(const in float a, const in float shift, const in float c, const
   return vec2(low * (low < 0.0 ? scale.x : scale.y), high * (high < 0.0 ? scale.y : scale.x));
 }
 
-// What the maps hold where the tile's surfaces are looked up, against their own depths (65,535ths).
+// What a map says of the tile's surfaces.
 struct FarolComparison {
-  bool isLit; // nothing is before them
-  bool isDark; // something is before all of them
+  bool isLit; // nothing casts a shadow on them
+  bool isDark; // something casts a shadow on all of them
 };
 
-// low, high: the part of the atlas that is looked up (texels); depths: of the surfaces there, least and most; inside:
-// all within the map
+// low, high: corners of what the tile covers of the atlas (texels); depths: least and most of the tile's surfaces in
+// the map; inside: all of the tile lies within the map
 bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, const in bool inside,
   inout FarolComparison comparison) {
   ivec2 first = ivec2(max(low, 0.0)) >> 3;
   ivec2 last = ivec2(high) >> 3;
   if (max(last.x - first.x, last.y - first.y) >= FAROL_MOST_BLOCKS) return false;
   uvec2 bounds = uvec2(65535u, 0u);
-  // two by two, so that one need not wait for the other
+  // two by two, so that fetches need not wait for each other
   for (int y = first.y; y <= last.y; y += 2) {
     for (int x = first.x; x <= last.x; x += 2) {
       ivec2 next = min(ivec2(x, y) + 1, last);
@@ -92,13 +92,13 @@ bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, 
 }
 
 #ifdef FAROL_SHADOW_CUBES
-// The same for a cube, where one face sees all of the tile: tiles that two see are few. Samples are no farther beside
-// than the face's border is wide.
+// compares a tile with a cube map, where one face shows all of the tile: few tiles show in two; samples lie no farther
+// beside the tile than the face's border is wide
 bool farol_compareCube(const in int record, const in FarolMask mask, inout FarolComparison comparison) {
-  vec3 centre = farol_worldAxes * farol_lightTexel(record, 0).xyz;
+  vec3 centre = farol_worldAxes * farol_maskPosition(record);
   float bias = abs(mask.normalBias);
   int face = int(farol_cubeFace(0.5 * (farol_worldCorners[0] + farol_worldCorners[7]) - centre).z);
-  // along the face's axis, across and up
+  // corners across, up and along the face's axis
   bool isX = face < 2;
   bool isY = face == 2 || face == 3;
   float side = (face & 1) == 0 ? 1.0 : -1.0;
@@ -122,19 +122,18 @@ bool farol_compareCube(const in int record, const in FarolMask mask, inout Farol
   float slant = 1.7320508 * abs(mask.filtering.z) * max(abs(terms.x), abs(terms.y));
   terms = mask.filtering.x + vec2(min(terms.x, terms.y), max(terms.x, terms.y));
   int row = face / 3;
-  vec2 corner = mask.tile.xy + vec2(face - 3 * row, row) * (mask.tile.z + 2.0 * mask.border);
-  return farol_compare(corner + (part.xy * 0.5 + 0.5) * mask.tile.z - 1.0,
-    corner + (part.zw * 0.5 + 0.5) * mask.tile.z + 2.0 * mask.border + 1.0,
+  vec2 corner = mask.region.xy + vec2(face - 3 * row, row) * (mask.region.z + 2.0 * mask.border);
+  return farol_compare(corner + (part.xy * 0.5 + 0.5) * mask.region.z - 1.0,
+    corner + (part.zw * 0.5 + 0.5) * mask.region.z + 2.0 * mask.border + 1.0,
     terms + vec2(-slant, slant), terms.x >= 0.0 && terms.y <= 1.0, comparison);
 }
 
 #endif
 
 #ifdef FAROL_SHADOW_MAPS
-// the same for a map
+// compares a tile with a map that is no cube
 bool farol_compareMap(const in int record, const in FarolMask mask, inout FarolComparison comparison) {
-  mat4 matrix = mat4(farol_lightTexel(record, 0), farol_lightTexel(record, 1), farol_lightTexel(record, 2),
-    farol_lightTexel(record, 3));
+  mat4 matrix = farol_maskMatrix(record);
   mat4 rows = transpose(matrix);
   vec4 shift = abs(mask.normalBias) * vec4(length(rows[0].xyz), length(rows[1].xyz), length(rows[2].xyz),
     length(rows[3].xyz));
@@ -150,19 +149,19 @@ bool farol_compareMap(const in int record, const in FarolMask mask, inout FarolC
     high = max(high, vec3(u.y, v.y, depth.y));
   }
   vec2 depths = vec2(low.z, high.z) + mask.filtering.x;
-  vec2 reach = abs(mask.filtering.yz) * mask.tile.z + 1.5;
-  return farol_compare(mask.tile.xy + clamp(low.xy * mask.tile.z - reach, 0.0, mask.tile.z - 1.0),
-    mask.tile.xy + clamp(high.xy * mask.tile.z + reach, 0.0, mask.tile.z - 1.0), depths,
+  vec2 reach = abs(mask.filtering.yz) * mask.region.z + 1.5;
+  return farol_compare(mask.region.xy + clamp(low.xy * mask.region.z - reach, 0.0, mask.region.z - 1.0),
+    mask.region.xy + clamp(high.xy * mask.region.z + reach, 0.0, mask.region.z - 1.0), depths,
     min(low.x, low.y) >= 0.0 && max(high.x, high.y) <= 1.0 && depths.y <= 1.0, comparison);
 }
 #endif
 
-// bits: 1 all of the tile is lit as far as shadows go, 2 none of it; 0: that is not known
+// 1: the light's shadow leaves all of the tile lit; 2: none of it; 0: neither is known
 int farol_tileShadow(const in int record) {
   FarolMask mask = farol_readMask(record);
-  if (farol_lightTexel(record + 1, 2).z == 0.0 || mask.extended) return 0;
+  if (!farol_maskHasBounds(record) || mask.isExtended) return 0;
   FarolComparison comparison = FarolComparison(true, true);
-  bool isCube = mask.kind == 3 || mask.kind == 4;
+  bool isCube = farol_looksUpCube(mask);
 #ifdef FAROL_SHADOW_CUBES
   if (isCube && !farol_compareCube(record, mask, comparison)) return 0;
 #endif
@@ -170,7 +169,7 @@ int farol_tileShadow(const in int record) {
   if (!isCube && !farol_compareMap(record, mask, comparison)) return 0;
 #endif
   // nothing else may be in the way of a light: neither an image nor layers
-  if (comparison.isLit) return mask.cookie == 0.0 && farol_lightTexel(record + 2, 1).xy == vec2(0.0) ? 1 : 0;
+  if (comparison.isLit) return mask.cookie == FAROL_COOKIE_NONE && farol_maskLayers(record) == vec2(0.0) ? 1 : 0;
   return mask.filtering.w == 1.0 ? 2 : 0;
 }
 //# main
@@ -200,7 +199,7 @@ if (farol_findCorners(tile)) {
       vec4 details = farol_lightDetails(light);
       int shadow = dot(away, away) > range * range ? 2
         : farol_lightIsMasked(details) ? farol_tileShadow(farol_lightMaskRecord(details)) : 0;
-      // a point light of three takes a shorter way
+      // lights that light all of the tile and are point lights of three have both bits, and take a shorter path
       if (shadow == 1 && farol_lightIsMaskedPoint(details)) shadow = 3;
       uvec2 mark = (bits & (~bits + 1u)) * uvec2(shadow & 1, shadow >> 1);
       if (half2 == 0) marks.xy |= mark; else marks.zw |= mark;

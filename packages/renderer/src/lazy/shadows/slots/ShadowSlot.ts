@@ -24,9 +24,9 @@ import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { PrivateLightShadow, ShadowCamera, ShadowLight } from './ShadowLight';
 import { MATTERING_RANGE } from './sufficientDetail';
 
-/** How far a sample of a filter lies across a face at most (radii): at a corner, by the plane's slant. */
+/** How far across a face a sample of the filter lies at most (radii): the disk is slanted at the face's corners. */
 const FARTHEST = 1.17;
-/** Texels; as a power of two it takes three bits of a mask. */
+/** Texels of a border at most; three bits of a mask hold its power of two. */
 const LARGEST_BORDER = 128;
 
 const CAMERA_NUMBERS = ['near', 'zoom', 'left', 'right', 'top', 'bottom'] as const;

@@ -1,9 +1,9 @@
 import type { Reach } from './reach';
 
 /**
- * Which faces of a cube map round a point see some of a box that is within range: bits 0 to 5 for +x, -x, +y, -y, +z, -z.
+ * Finds the faces of a cube map that show some of a box within range: bits 0 to 5 for +x, -x, +y, -y, +z, -z.
  * @param boxes centre and half sizes (m), 6 numbers from index `at` on
- * @param reach of the map: the point, its range, and how far a face sees across
+ * @param reach of the map: place and range of the light, and how far its faces see across
  */
 export function cubeFacesOf(boxes: Float64Array, at: number, reach: Reach): number {
   const x = boxes[at] - reach[0];
@@ -15,7 +15,7 @@ export function cubeFacesOf(boxes: Float64Array, at: number, reach: Reach): numb
   const hx = boxes[at + 3] + wider;
   const hy = boxes[at + 4] + wider;
   const hz = boxes[at + 5] + wider;
-  // how far the box is away along each axis; without branches here and below, which would be taken at random
+  // distance of the box along each axis, 0 where the axis passes it; no branches here and below: a processor cannot predict them
   const gapX = Math.abs(x) - hx;
   const gapY = Math.abs(y) - hy;
   const gapZ = Math.abs(z) - hz;
@@ -23,7 +23,7 @@ export function cubeFacesOf(boxes: Float64Array, at: number, reach: Reach): numb
   const awayY = 0.5 * (gapY + Math.abs(gapY));
   const awayZ = 0.5 * (gapZ + Math.abs(gapZ));
   if (awayX * awayX + awayY * awayY + awayZ * awayZ > range * range) return 0;
-  // a face sees what is no farther aside than it is along the axis times the widening
+  // a face shows what lies no farther aside than along its axis, times the widening
   const right = widening * (hx + x);
   const left = widening * (hx - x);
   const top = widening * (hy + y);

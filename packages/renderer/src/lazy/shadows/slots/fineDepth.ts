@@ -1,16 +1,16 @@
 /** Steps of depth of 16 bits. */
 const STEPS = 65536;
-/** Steps that a bias is to have at least, so that they do not show beside it. */
+/** Steps of depth that a bias must span, so that single steps do not show. */
 const BIAS_STEPS = 16;
 
 /**
- * Whether a shadow map needs depths of 24 bits: 16 take two thirds of the time to clear, and do where half way to the farthest
- * a step is no more than half a texel's width, and no more than a sixteenth of the bias.
- * @param near of the map's camera (m)
- * @param far of it (m)
- * @param scale of its projection across: one over the tangent of half its angle; of an orthographic one, over half its width (m)
+ * Whether a shadow map needs depths of 24 bits. 16 bits take two thirds of the time to clear. They do where a step, half way to
+ * the far plane, is no more than half a texel's width, and no more than a sixteenth of the bias.
+ * @param near plane of the map's camera (m)
+ * @param far plane (m)
+ * @param scale of the projection across: one over the tangent of half the angle, or over half the width (m) where orthographic
  * @param texels across
- * @param bias of the shadow, of depths from 0 to 1
+ * @param bias of the shadow, in depths from 0 to 1
  */
 export function needsFineDepth(
   near: number,

@@ -1,12 +1,12 @@
 /**
- * What a light's map looks at, in an array: a number that one function hands to another may cost an object.
+ * What a light's map reaches: an array, since a fraction that is handed from function to function may be allocated.
  *
  * | index | holds |
  * |---|---|
- * | 0–2 | where it looks from (m) |
- * | 3 | range beyond which nothing counts (m), Infinity for none |
- * | 4 | tangent of half the angle that a face of a cube sees, at least 1 |
- * | 5 | by which boxes are taken to be wider to all sides (m) |
+ * | 0–2 | place of the light (world space, m) |
+ * | 3 | range of the light (m), Infinity for none |
+ * | 4 | tangent of half the angle that a face of a cube shows, at least 1 |
+ * | 5 | how much wider boxes are taken, to all sides (m) |
  */
 export type Reach = Float64Array;
 
@@ -14,17 +14,23 @@ export function makeReach(x = 0, y = 0, z = 0, range = Infinity, widening = 1, w
   return new Float64Array([x, y, z, range, widening, wider]);
 }
 
-/** @param place matrix of a camera that looks from there, its elements */
-export function setReach(reach: Reach, place: readonly number[], range: number, widening: number, wider: number): void {
-  reach[0] = place[12];
-  reach[1] = place[13];
-  reach[2] = place[14];
+/** @param matrixWorld elements of the world matrix of a camera of the map */
+export function setReach(
+  reach: Reach,
+  matrixWorld: readonly number[],
+  range: number,
+  widening: number,
+  wider: number,
+): void {
+  reach[0] = matrixWorld[12];
+  reach[1] = matrixWorld[13];
+  reach[2] = matrixWorld[14];
   reach[3] = range;
   reach[4] = widening;
   reach[5] = wider;
 }
 
-/** True when no part of a box (centre and half sizes, m, from index `at` on) is within the range. */
+/** True when no part of a box (centre and half sizes, m, from index `at` on) is within range. */
 export function isBeyond(reach: Reach, boxes: Float64Array, at: number): boolean {
   const dx = Math.max(0, Math.abs(reach[0] - boxes[at]) - boxes[at + 3]);
   const dy = Math.max(0, Math.abs(reach[1] - boxes[at + 1]) - boxes[at + 4]);
@@ -32,7 +38,7 @@ export function isBeyond(reach: Reach, boxes: Float64Array, at: number): boolean
   return dx * dx + dy * dy + dz * dz > reach[3] * reach[3];
 }
 
-/** True when all of a box is within the range. */
+/** True when all of a box (centre and half sizes, m, from index `at` on) is within range. */
 export function isWithin(reach: Reach, boxes: Float64Array, at: number): boolean {
   const x = Math.abs(reach[0] - boxes[at]) + boxes[at + 3];
   const y = Math.abs(reach[1] - boxes[at + 1]) + boxes[at + 4];
