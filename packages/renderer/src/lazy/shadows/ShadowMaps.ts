@@ -8,20 +8,19 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import { RecentlyUsed } from '../../frame/RecentlyUsed';
-import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { DataTable } from '../../gpu/DataTable';
 import type { MaskUniforms } from '../../lighting/maskUniforms';
 import { cookieOf } from '../../lighting/lightCookie';
 import type { LightMasks } from '../../lighting/LightRecords';
 import type { PictureSize } from '../../lights/PictureSize';
 import type { MicroShaderRegistry } from '../../microshaders';
-import { colourTarget } from './atlas/colourTarget';
-import { depthTarget } from './atlas/depthTarget';
-import { TextureAtlas } from './atlas/TextureAtlas';
+import { ShadowAtlases } from './atlas/ShadowAtlases';
+import type { TextureAtlas } from './atlas/TextureAtlas';
 import { ShadowCasters } from './casters/ShadowCasters';
 import { CookieDraws } from './draw/CookieDraws';
 import { HostShadowMaps } from './draw/HostShadowMaps';
 import { MomentDraws } from './draw/MomentDraws';
+import { RegionDrawer } from './draw/RegionDrawer';
 import { ShadowMapDraws } from './draw/ShadowMapDraws';
 import { LightLayers } from './LightLayers';
 import { MaskRecords } from './masks/MaskRecords';
@@ -36,8 +35,6 @@ import type { ShadowSlot } from './slots/ShadowSlot';
 
 /** Frames between two rebalancings of a full atlas. */
 const REBALANCE = 60;
-/** Texels a side of the atlas of colours at most. */
-const LARGEST_COLOURS = 4096;
 
 /**
  * The shadow maps and cookies of all lights of a renderer, in two atlases. `update` finds which of them a frame needs and which
@@ -59,8 +56,7 @@ export class ShadowMaps implements LightMasks {
   private readonly casters = new WeakMap<Object3D, ShadowCasters>();
   /** Scenes whose maps are held. */
   private readonly scenes = new RecentlyUsed<Object3D>((root) => this.releaseScene(root));
-  private readonly depths: TextureAtlas;
-  private readonly colours: TextureAtlas;
+  private readonly atlases: ShadowAtlases;
   private readonly draws: ShadowMapDraws;
   private readonly moments: MomentDraws;
   private readonly images: CookieDraws;
@@ -71,8 +67,6 @@ export class ShadowMaps implements LightMasks {
   private readonly toDraw: ShadowSlot[] = [];
   private readonly imagesToDraw: CookieSlot[] = [];
   private readonly toCopy: ShadowSlot[] = [];
-  /** Depths have 24 bits, once a light has needed them; 16 before. */
-  private isFine = false;
   /** `shadowMap.type` of the frame, and whether that is VSMShadowMap, whose maps lie in the atlas of colours. */
   private type = -1;
   private isVariance = false;
@@ -86,27 +80,17 @@ export class ShadowMaps implements LightMasks {
     microshaders: MicroShaderRegistry,
     private readonly limit: number | null,
   ) {
-    const { maxTextureSize } = webgl.capabilities;
-    this.depths = new TextureAtlas(
-      0,
-      () => (this.isFine ? 5 : 3),
-      (size) => depthTarget(size, this.isFine),
-    );
-    const floats = lacksFloatTargets(webgl) === null;
-    this.colours = new TextureAtlas(
-      Math.min(LARGEST_COLOURS, maxTextureSize),
-      () => (floats ? 8 : 4),
-      (size) => colourTarget(size, floats),
-    );
+    this.atlases = new ShadowAtlases(webgl);
     this.draws = new ShadowMapDraws(webgl, microshaders);
-    this.moments = new MomentDraws(webgl, microshaders, this.draws);
-    this.images = new CookieDraws(webgl, microshaders);
-    this.hostMaps = new HostShadowMaps(webgl, microshaders);
-    this.bounds = new ShadowBounds(webgl, microshaders);
+    const drawer = new RegionDrawer(webgl, microshaders);
+    this.moments = new MomentDraws(webgl, drawer, this.draws);
+    this.images = new CookieDraws(drawer);
+    this.hostMaps = new HostShadowMaps(webgl, drawer);
+    this.bounds = new ShadowBounds(webgl, drawer);
     this.shaders = new MaskShaders(microshaders);
     this.slots = new LightSlots({
       map: (slot) => this.releaseMap(slot),
-      cookie: (cookie) => this.colours.release(cookie),
+      cookie: (cookie) => this.atlases.colours.release(cookie),
     });
     this.masks = new MaskRecords(this.slots, this.layers, this.shaders);
   }
@@ -114,17 +98,17 @@ export class ShadowMaps implements LightMasks {
   /** Depths of the maps, to be compared by the sampler; null before the first is drawn. */
   get depthTexture(): Texture | null {
     const draws = this.toDraw.length > 0 && !this.isVariance;
-    return draws || !this.isLost(this.depths) ? this.depths.texture : null;
+    return this.textureOf(this.atlases.depths, draws);
   }
 
   /** Colours of cookies, moments of variance shadow maps; null before the first is drawn. */
   get colourTexture(): Texture | null {
     const draws = this.imagesToDraw.length > 0 || (this.toDraw.length > 0 && this.isVariance);
-    return draws || !this.isLost(this.colours) ? this.colours.texture : null;
+    return this.textureOf(this.atlases.colours, draws);
   }
 
   get atlasBytes(): number {
-    return this.depths.bytes + this.colours.bytes + this.moments.bytes;
+    return this.atlases.bytes + this.moments.bytes;
   }
 
   get bytes(): number {
@@ -161,8 +145,8 @@ export class ShadowMaps implements LightMasks {
     uniforms.farol_worldAxes.value.setFromMatrix4(camera.matrixWorld);
     uniforms.farol_shadowAtlas.value = this.depthTexture;
     uniforms.farol_lightAtlas.value = this.colourTexture;
-    uniforms.farol_atlasTexel.value[0] = 1 / this.depths.size;
-    uniforms.farol_atlasTexel.value[1] = 1 / this.colours.size;
+    uniforms.farol_atlasTexel.value[0] = 1 / this.atlases.depths.size;
+    uniforms.farol_atlasTexel.value[1] = 1 / this.atlases.colours.size;
     uniforms.farol_masks.value[0] = firstMask;
     uniforms.farol_masks.value[1] = this.masks.count;
     uniforms.farol_layers.value[0] = this.layers.reference & 0xffff;
@@ -200,7 +184,8 @@ export class ShadowMaps implements LightMasks {
 
   /** Draws what the frame has to draw. Call inside three's `render`, where three draws its own shadow maps. */
   render(): void {
-    const { webgl, toDraw, depths, colours } = this;
+    const { webgl, toDraw } = this;
+    const { depths, colours } = this.atlases;
     const target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     const face = webgl.getActiveCubeFace();
     const level = webgl.getActiveMipmapLevel();
@@ -228,8 +213,7 @@ export class ShadowMaps implements LightMasks {
   }
 
   dispose(): void {
-    this.depths.dispose();
-    this.colours.dispose();
+    this.atlases.dispose();
     this.draws.dispose();
     this.moments.dispose();
     this.images.dispose();
@@ -256,7 +240,7 @@ export class ShadowMaps implements LightMasks {
   private followType(): void {
     const { type } = this.webgl.shadowMap;
     if (type === this.type) return;
-    const atlas = this.isVariance ? this.colours : this.depths;
+    const atlas = this.atlasOfMaps;
     const moves = (type === VSMShadowMap) !== this.isVariance;
     for (const slot of this.slots.all()) {
       slot.map.change();
@@ -287,7 +271,7 @@ export class ShadowMaps implements LightMasks {
 
   /** A lost context has taken the maps along. */
   private noteLoss(): void {
-    if (this.isLost(this.depths) || this.isLost(this.colours)) this.slots.lose(false);
+    if (this.atlases.isLost) this.slots.lose(false);
   }
 
   /** Marks the maps that show a place where something has changed, also those of lights that are not lit now. */
@@ -324,24 +308,24 @@ export class ShadowMaps implements LightMasks {
   private chooseSizes(camera: Camera, picture: PictureSize): void {
     const { shadowMap, capabilities } = this.webgl;
     const { lit } = this.slots;
+    const { depths } = this.atlases;
     // the limit only grows: cameras may take turns, and the largest picture counts
-    this.depths.raiseLimit(Math.min(this.limit ?? atlasLimit(picture, lit), capabilities.maxTextureSize));
-    chooseDetail(lit, camera, picture, shadowMap, this.depths.reduced);
+    depths.raiseLimit(Math.min(this.limit ?? atlasLimit(picture, lit), capabilities.maxTextureSize));
+    chooseDetail(lit, camera, picture, shadowMap, depths.reduced);
   }
 
   /** Gives each map and image of the frame its region; releases the regions of lights that have not been lit for long. */
   private place(): void {
-    const { slots } = this;
+    const { slots, atlases } = this;
     slots.sortOut(this.isVariance);
     const rebalances = slots.mapCount !== this.mapCount || this.frame % REBALANCE === 0;
     this.mapCount = slots.mapCount;
-    if (!this.isFine && slots.depths.some(needsFineDepth)) {
-      this.isFine = true;
-      this.depths.remake();
+    if (!atlases.isFine && slots.depths.some(needsFineDepth)) {
+      atlases.refine();
       slots.lose(true);
     }
-    this.depths.arrange(slots.depths, slots.keptDepths, rebalances);
-    this.colours.arrange(slots.colours, slots.keptColours, rebalances);
+    atlases.depths.arrange(slots.depths, slots.keptDepths, rebalances);
+    atlases.colours.arrange(slots.colours, slots.keptColours, rebalances);
   }
 
   /** Decides whether a lit map is drawn, kept, or copied for three's addons, and gives its mask a record. */
@@ -387,7 +371,7 @@ export class ShadowMaps implements LightMasks {
 
   private releaseMap(slot: ShadowSlot): void {
     this.hostMaps.release(slot);
-    (this.isVariance ? this.colours : this.depths).release(slot);
+    this.atlasOfMaps.release(slot);
   }
 
   /** Releases the maps of a scene, and its casters. */
@@ -398,9 +382,13 @@ export class ShadowMaps implements LightMasks {
     this.casters.delete(root);
   }
 
-  private isLost({ texture }: TextureAtlas): boolean {
-    if (texture === null) return false;
-    return (this.webgl.properties.get(texture) as { __webglTexture?: WebGLTexture }).__webglTexture === undefined;
+  private get atlasOfMaps(): TextureAtlas {
+    return this.isVariance ? this.atlases.colours : this.atlases.depths;
+  }
+
+  /** The texture of an atlas; null while nothing is drawn, now (`draws`) or before. */
+  private textureOf(atlas: TextureAtlas, draws: boolean): Texture | null {
+    return draws || !this.atlases.lacksTexture(atlas) ? atlas.texture : null;
   }
 
   private isDepthReversed(): boolean {

@@ -1,37 +1,27 @@
-import { Camera, type CubeTexture, type IUniform, NoBlending, type Texture, Vector4, type WebGLRenderer } from 'three';
-import type { MicroShaderRegistry } from '../../../microshaders';
-import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
-import { PassMaterial } from '../../../gpu/PassMaterial';
-import { COOKIE_BORDER, type CookieSlot } from '../slots/CookieSlot';
-import type { DirectDraw } from '../DirectDraw';
+import { type CubeTexture, type IUniform, NoBlending, type Texture, Vector4 } from 'three';
+import { FullscreenPass } from '../../../gpu/FullscreenPass';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
-
-const rectangle = new Vector4();
-const camera = new Camera();
+import { COOKIE_BORDER, type CookieSlot } from '../slots/CookieSlot';
+import type { RegionDrawer } from './RegionDrawer';
 
 /** Copies the images that lights throw into the atlas of colours. */
 export class CookieDraws {
-  private readonly triangle = new FullscreenMesh();
   private readonly uniforms = {
     farol_cookieImage: { value: null } as IUniform<Texture | null>,
     farol_cookieRegion: { value: new Vector4() },
     farol_cookieFlip: { value: 1 },
   };
-  private flat: PassMaterial | null = null;
-  private cube: PassMaterial | null = null;
+  private readonly images = this.make('cookie images', {});
+  private readonly cubes = this.make('cookie cubes', { FAROL_CUBE: '' });
 
-  constructor(
-    private readonly webgl: WebGLRenderer,
-    private readonly microshaders: MicroShaderRegistry,
-  ) {}
+  constructor(private readonly drawer: RegionDrawer) {}
 
   /** Copies an image into the image's region. */
   render(cookie: CookieSlot, atlas: TextureAtlas): void {
-    const { webgl, uniforms } = this;
+    const { uniforms, drawer } = this;
     const { texture, isCube } = cookie;
     const { region, faceWidth } = cookie.placement;
     const { x, y, width, height } = region!;
-    const material = isCube ? (this.cube ??= this.make('cubes', true)) : (this.flat ??= this.make('images', false));
     uniforms.farol_cookieImage.value = texture;
     uniforms.farol_cookieRegion.value.set(
       x,
@@ -41,33 +31,24 @@ export class CookieDraws {
     );
     // three keeps cube textures mirrored, all but those of render targets
     uniforms.farol_cookieFlip.value = (texture as CubeTexture).isRenderTargetTexture ? 1 : -1;
-    material.uniformsNeedUpdate = true;
-    webgl.setRenderTarget(atlas.target);
-    webgl.state.viewport(rectangle.set(x, y, width, height));
-    (webgl.renderBufferDirect as unknown as DirectDraw)(
-      camera,
-      null,
-      this.triangle.geometry,
-      material,
-      this.triangle,
-      null,
-    );
+    drawer.bind(atlas.target!);
+    drawer.drawPart(isCube ? this.cubes : this.images, x, y, width, height);
     cookie.map.draw();
   }
 
   dispose(): void {
-    this.flat?.dispose();
-    this.cube?.dispose();
-    this.flat = this.cube = null;
+    this.images.dispose();
+    this.cubes.dispose();
   }
 
-  private make(name: string, cube: boolean): PassMaterial {
-    return new PassMaterial(this.microshaders, {
-      name: `Farol cookie ${name}`,
-      vertex: ['fullscreen'],
-      fragment: ['cookieRegion'],
-      uniforms: this.uniforms,
-      defines: cube ? { FAROL_CUBE: '' } : {},
+  private make(program: string, defines: Record<string, string>): FullscreenPass {
+    const { uniforms } = this;
+    return new FullscreenPass({
+      program,
+      fragment: 'cookieRegion',
+      uniforms,
+      defines,
+      repeats: true,
       blending: NoBlending,
     });
   }

@@ -9,7 +9,6 @@ import {
   LinearFilter,
   NearestFilter,
   NoBlending,
-  OrthographicCamera,
   type RenderTarget,
   RGFormat,
   type Texture,
@@ -19,16 +18,12 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import type { MicroShaderRegistry } from '../../../microshaders';
-import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
-import { PassMaterial } from '../../../gpu/PassMaterial';
+import { FullscreenPass } from '../../../gpu/FullscreenPass';
 import { comparesDepths } from '../atlas/comparesDepths';
-import type { DirectDraw } from '../DirectDraw';
+import type { RegionDrawer } from './RegionDrawer';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
 
-const rectangle = new Vector4();
-const camera = new OrthographicCamera(); // where depth is reversed, three updates its projection
 const WHITE = [1, 1, 1, 1];
 const BLACK = [0, 0, 0, 0];
 
@@ -101,7 +96,6 @@ function disposeMap(map: RenderTarget): void {
  * atlas. Point lights have none.
  */
 export class HostShadowMaps {
-  private readonly triangle = new FullscreenMesh();
   private readonly uniforms = {
     farol_hostMapAtlas: { value: null } as IUniform<Texture | null>,
     farol_hostMapRegion: { value: new Vector4() },
@@ -109,12 +103,12 @@ export class HostShadowMaps {
   };
   /** Slots of the lights whose maps are watched. */
   private readonly slots = new Set<ShadowSlot>();
-  private depths: PassMaterial | null = null;
-  private moments: PassMaterial | null = null;
+  private readonly depths = this.make('depths', {});
+  private readonly moments = this.make('moments', { FAROL_MOMENTS: '' });
 
   constructor(
     private readonly webgl: WebGLRenderer,
-    private readonly microshaders: MicroShaderRegistry,
+    private readonly drawer: RegionDrawer,
   ) {}
 
   /** Whether a light's map is to be copied in this frame. @param isDrawn the frame draws the map */
@@ -162,9 +156,8 @@ export class HostShadowMaps {
 
   dispose(): void {
     for (const slot of this.slots) this.release(slot);
-    this.depths?.dispose();
-    this.moments?.dispose();
-    this.depths = this.moments = null;
+    this.depths.dispose();
+    this.moments.dispose();
   }
 
   private clear(map: RenderTarget, reversed: boolean): void {
@@ -179,39 +172,29 @@ export class HostShadowMaps {
   }
 
   private copy(slot: ShadowSlot, map: RenderTarget, atlas: TextureAtlas, reversed: boolean): void {
-    const { webgl, uniforms } = this;
+    const { webgl, drawer, uniforms } = this;
     const { maxTextureSize } = webgl.capabilities;
     const width = Math.min(slot.wantedWidth, maxTextureSize);
     const height = Math.min(slot.wantedHeight, maxTextureSize);
     const face = slot.faces[slot.faces.length - 1];
     const moments = map.textures[0].format === RGFormat;
-    const material = moments ? (this.moments ??= this.make('moments')) : (this.depths ??= this.make('depths'));
     if (map.width !== width || map.height !== height) map.setSize(width, height);
     uniforms.farol_hostMapAtlas.value = atlas.texture;
     uniforms.farol_hostMapRegion.value.set(face.x, face.y, face.width / width, face.height / height);
     uniforms.farol_hostMapFar.value = reversed ? 0 : 1;
-    material.uniformsNeedUpdate = true;
     if (!moments) comparesDepths(webgl, atlas.texture!, false);
-    webgl.setRenderTarget(map as WebGLRenderTarget);
-    webgl.state.viewport(rectangle.set(0, 0, width, height));
-    (webgl.renderBufferDirect as unknown as DirectDraw)(
-      camera,
-      null,
-      this.triangle.geometry,
-      material,
-      this.triangle,
-      null,
-    );
+    drawer.bind(map as WebGLRenderTarget);
+    drawer.drawPart(moments ? this.moments : this.depths, 0, 0, width, height);
     if (!moments) comparesDepths(webgl, atlas.texture!, true);
   }
 
-  private make(name: string): PassMaterial {
-    return new PassMaterial(this.microshaders, {
-      name: `Farol host shadow map, ${name}`,
-      vertex: ['fullscreen'],
-      fragment: ['hostShadowMap'],
+  private make(name: string, defines: Record<string, string>): FullscreenPass {
+    return new FullscreenPass({
+      program: `host shadow map, ${name}`,
+      fragment: 'hostShadowMap',
       uniforms: this.uniforms,
-      defines: name === 'moments' ? { FAROL_MOMENTS: '' } : {},
+      defines,
+      repeats: true,
       blending: NoBlending,
       depthTest: true,
       depthWrite: true,

@@ -1,5 +1,4 @@
 import {
-  type Camera,
   DepthTexture,
   FloatType,
   HalfFloatType,
@@ -14,15 +13,11 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import type { MicroShaderRegistry } from '../../../microshaders';
-import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
-import { PassMaterial } from '../../../gpu/PassMaterial';
+import { FullscreenPass } from '../../../gpu/FullscreenPass';
+import type { RegionDrawer } from './RegionDrawer';
 import type { ShadowMapDraws } from './ShadowMapDraws';
-import type { DirectDraw } from '../DirectDraw';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
-
-const rectangle = new Vector4();
 
 /**
  * Draws variance shadow maps: a map's depths into a target of their own, then their mean and deviation, blurred down and across
@@ -30,7 +25,6 @@ const rectangle = new Vector4();
  * @see Donnelly and Lauritzen 2006, Variance Shadow Maps
  */
 export class MomentDraws {
-  private readonly triangle = new FullscreenMesh();
   private readonly uniforms = {
     farol_momentSource: { value: null } as IUniform<Texture | null>,
     farol_momentRegion: { value: new Vector4() },
@@ -38,12 +32,12 @@ export class MomentDraws {
   };
   private depths: WebGLRenderTarget | null = null;
   private halves: WebGLRenderTarget | null = null;
-  private down: PassMaterial | null = null;
-  private across: PassMaterial | null = null;
+  private readonly down = this.make('shadow moments down', {});
+  private readonly across = this.make('shadow moments across', { FAROL_ACROSS: '' });
 
   constructor(
     private readonly webgl: WebGLRenderer,
-    private readonly microshaders: MicroShaderRegistry,
+    private readonly drawer: RegionDrawer,
     private readonly draws: ShadowMapDraws,
   ) {}
 
@@ -59,61 +53,46 @@ export class MomentDraws {
     this.prepareTargets(face.width, face.height);
     webgl.setRenderTarget(this.depths);
     this.draws.drawAlone(slot, face);
-    const { down, across } = this.materials();
     this.uniforms.farol_momentBlur.value[0] = radius;
     this.uniforms.farol_momentBlur.value[1] = blurSamples;
-    this.pass(this.halves!, this.depths!.depthTexture!, down, slot, 0, 0, face.camera);
-    this.pass(atlas.target!, this.halves!.texture, across, slot, face.x, face.y, face.camera);
+    this.blur(this.halves!, this.depths!.depthTexture!, this.down, slot, 0, 0);
+    this.blur(atlas.target!, this.halves!.texture, this.across, slot, face.x, face.y);
   }
 
   dispose(): void {
     this.depths?.depthTexture?.dispose();
     this.depths?.dispose();
     this.halves?.dispose();
-    this.down?.dispose();
-    this.across?.dispose();
-    this.depths = this.halves = this.down = this.across = null;
+    this.down.dispose();
+    this.across.dispose();
+    this.depths = this.halves = null;
   }
 
-  private pass(
+  private blur(
     target: WebGLRenderTarget,
     source: Texture,
-    material: PassMaterial,
-    slot: ShadowSlot,
+    pass: FullscreenPass,
+    { placement: { faceWidth, faceHeight } }: ShadowSlot,
     x: number,
     y: number,
-    camera: Camera,
   ): void {
-    const { webgl, uniforms } = this;
+    const { drawer, uniforms } = this;
     uniforms.farol_momentSource.value = source;
-    const { faceWidth, faceHeight } = slot.placement;
     uniforms.farol_momentRegion.value.set(x, y, faceWidth, faceHeight);
-    material.uniformsNeedUpdate = true;
-    webgl.setRenderTarget(target);
-    webgl.state.viewport(rectangle.set(x, y, faceWidth, faceHeight));
-    (webgl.renderBufferDirect as unknown as DirectDraw)(
-      camera,
-      null,
-      this.triangle.geometry,
-      material,
-      this.triangle,
-      null,
-    );
+    drawer.bind(target);
+    drawer.drawPart(pass, x, y, faceWidth, faceHeight);
   }
 
-  private materials(): { down: PassMaterial; across: PassMaterial } {
-    const make = (name: string, defines: Record<string, string>) =>
-      new PassMaterial(this.microshaders, {
-        name: `Farol shadow moments ${name}`,
-        vertex: ['fullscreen'],
-        fragment: ['shadowMoments'],
-        uniforms: this.uniforms,
-        defines,
-        blending: NoBlending,
-      });
-    this.down ??= make('down', {});
-    this.across ??= make('across', { FAROL_ACROSS: '' });
-    return { down: this.down, across: this.across };
+  private make(program: string, defines: Record<string, string>): FullscreenPass {
+    const { uniforms } = this;
+    return new FullscreenPass({
+      program,
+      fragment: 'shadowMoments',
+      uniforms,
+      defines,
+      repeats: true,
+      blending: NoBlending,
+    });
   }
 
   /** Makes both targets as large as the largest map so far. */

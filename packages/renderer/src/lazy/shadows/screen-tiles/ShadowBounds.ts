@@ -1,19 +1,8 @@
-import {
-  type IUniform,
-  NoBlending,
-  PerspectiveCamera,
-  RGIntegerFormat,
-  type Texture,
-  UnsignedShortType,
-  Vector4,
-  type WebGLRenderer,
-} from 'three';
-import type { MicroShaderRegistry } from '../../../microshaders';
-import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
-import { PassMaterial } from '../../../gpu/PassMaterial';
+import { type IUniform, NoBlending, RGIntegerFormat, type Texture, UnsignedShortType, type WebGLRenderer } from 'three';
+import { FullscreenPass } from '../../../gpu/FullscreenPass';
 import { wordTarget } from '../../../gpu/wordTarget';
 import { comparesDepths } from '../atlas/comparesDepths';
-import type { DirectDraw } from '../DirectDraw';
+import type { RegionDrawer } from '../draw/RegionDrawer';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
 
@@ -24,24 +13,26 @@ const REST = 2;
 /** Texels read a frame; the map that exceeds them is the last. */
 const BUDGET = 12_000_000;
 
-const rectangle = new Vector4();
-const camera = new PerspectiveCamera();
-
 /**
  * Least and greatest depth of each block of 8 × 8 texels of the atlas of depths, for maps at rest. A block at the edge of a map
  * also counts texels beside the map: bounds may be wider than need be, never narrower.
  */
 export class ShadowBounds {
   readonly target = wordTarget(RGIntegerFormat, UnsignedShortType, 'RG16UI');
-  private readonly triangle = new FullscreenMesh();
   private readonly depths: IUniform<Texture | null> = { value: null };
-  private material: PassMaterial | null = null;
+  private readonly pass = new FullscreenPass({
+    program: 'shadow bounds',
+    fragment: 'shadowBounds',
+    uniforms: { farol_shadowDepths: this.depths },
+    blending: NoBlending,
+  });
+  private isCompiled = false;
   private readonly wanted: ShadowSlot[] = [];
   private left = BUDGET;
 
   constructor(
     private readonly webgl: WebGLRenderer,
-    private readonly microshaders: MicroShaderRegistry,
+    private readonly drawer: RegionDrawer,
   ) {}
 
   get bytes(): number {
@@ -69,14 +60,14 @@ export class ShadowBounds {
   /** Finds the bounds of the maps that were taken up. Call once the maps of the frame are drawn. */
   render(atlas: TextureAtlas): void {
     const { webgl, target } = this;
-    if (this.material === null) this.compile();
+    if (!this.isCompiled) this.compile();
     if (!this.hasWork) return;
     const blocks = Math.ceil(atlas.target!.width / BLOCK);
     if (target.width !== blocks) target.setSize(blocks, blocks);
     const texture = atlas.target!.depthTexture!;
     this.depths.value = texture;
     comparesDepths(webgl, texture, false);
-    webgl.setRenderTarget(target);
+    this.drawer.bind(target);
     for (const slot of this.wanted) {
       this.draw(slot);
       slot.map.bound();
@@ -86,29 +77,15 @@ export class ShadowBounds {
 
   dispose(): void {
     this.target.dispose();
-    this.material?.dispose();
-    this.material = null;
+    this.pass.dispose();
+    this.isCompiled = false;
   }
 
   /** Compiles the program with the first map, not in a later frame that would hitch. */
   private compile(): void {
-    this.material = new PassMaterial(this.microshaders, {
-      name: 'Farol shadow bounds',
-      vertex: ['fullscreen'],
-      fragment: ['shadowBounds'],
-      uniforms: { farol_shadowDepths: this.depths },
-      blending: NoBlending,
-    });
-    this.webgl.setRenderTarget(this.target);
-    const { geometry } = this.triangle;
-    geometry.setDrawRange(0, 0);
-    this.drawTriangle();
-    geometry.setDrawRange(0, 3);
-  }
-
-  private drawTriangle(): void {
-    const draw = this.webgl.renderBufferDirect as unknown as DirectDraw;
-    draw(camera, null, this.triangle.geometry, this.material!, this.triangle, null);
+    this.isCompiled = true;
+    this.drawer.bind(this.target);
+    this.pass.compile(this.drawer);
   }
 
   private draw({ placement }: ShadowSlot): void {
@@ -117,7 +94,6 @@ export class ShadowBounds {
     const bottom = Math.floor(y / BLOCK);
     const right = Math.ceil((x + width) / BLOCK);
     const top = Math.ceil((y + height) / BLOCK);
-    this.webgl.state.viewport(rectangle.set(left, bottom, right - left, top - bottom));
-    this.drawTriangle();
+    this.drawer.drawPart(this.pass, left, bottom, right - left, top - bottom);
   }
 }

@@ -1,9 +1,8 @@
 import { type IUniform, NoBlending, type Texture, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../../../frame/Frame';
 import type { GBuffer } from '../../../gbuffer/GBuffer';
-import { FullscreenMesh } from '../../../gpu/FullscreenMesh';
+import { FullscreenPass } from '../../../gpu/FullscreenPass';
 import { gbufferUniforms, setGBufferUniforms } from '../../../gbuffer/gbufferUniforms';
-import { PassMaterial } from '../../../gpu/PassMaterial';
 import { wordTarget } from '../../../gpu/wordTarget';
 import type { MaskUniforms } from '../../../lighting/maskUniforms';
 
@@ -24,13 +23,14 @@ export class ShadowTiles {
   bounded = 0;
   private readonly planes = wordTarget();
   private readonly marks = wordTarget();
-  private readonly triangle = new FullscreenMesh();
   private readonly uniforms = gbufferUniforms();
   private readonly own = {
     farol_tilePlanes: { value: this.planes.texture },
     farol_shadowBounds: { value: null } as IUniform<Texture | null>,
   };
-  private materials: { readonly plane: PassMaterial; readonly marks: PassMaterial } | null = null;
+  private readonly planePass = this.make('tile planes', 'tilePlane');
+  private readonly markPass = this.make('tile shadows', 'tileShadows');
+  private isCompiled = false;
 
   get bytes(): number {
     return (this.planes.width * this.planes.height + this.marks.width * this.marks.height) * 16;
@@ -49,7 +49,7 @@ export class ShadowTiles {
     const finds = this.bounded > 0 && lights.bounded > 0 && linear;
     mask.farol_tileShadows.value = this.marks.texture;
     mask.farol_tileShadowWords.value = finds ? words : 0;
-    const materials = (this.materials ??= this.make(frame, bounds));
+    if (!this.isCompiled) this.compile(frame, bounds);
     if (!finds) {
       this.giveStorage(frame);
       return;
@@ -57,25 +57,24 @@ export class ShadowTiles {
     setGBufferUniforms(this.uniforms, gbuffer, frame);
     const x = Math.ceil(frame.width / TILE);
     const y = Math.ceil(frame.height / TILE);
-    this.draw(frame, this.planes, materials.plane, Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
-    this.draw(frame, this.marks, materials.marks, (x * words) / 2, y);
+    this.draw(frame, this.planes, this.planePass, Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
+    this.draw(frame, this.marks, this.markPass, (x * words) / 2, y);
   }
 
   dispose(): void {
     this.planes.dispose();
     this.marks.dispose();
-    this.materials?.plane.dispose();
-    this.materials?.marks.dispose();
-    this.materials = null;
+    this.planePass.dispose();
+    this.markPass.dispose();
+    this.isCompiled = false;
   }
 
-  private draw(frame: Frame, target: WebGLRenderTarget, material: PassMaterial, width: number, height: number): void {
+  private draw(frame: Frame, target: WebGLRenderTarget, pass: FullscreenPass, width: number, height: number): void {
     if (target.width < width || target.height < height) {
       target.setSize(Math.max(target.width, width), Math.max(target.height, height));
     }
     target.viewport.set(0, 0, width, height);
-    frame.bind(target);
-    frame.drawMesh(this.triangle, material);
+    pass.drawTo(frame, target);
   }
 
   /** Has three make the texture of marks, which shaders bind though nothing is marked; also after a lost context. */
@@ -85,34 +84,32 @@ export class ShadowTiles {
     if (__webglTexture === undefined) frame.bind(this.marks);
   }
 
-  private make(frame: Frame, bounds: WebGLRenderTarget): { plane: PassMaterial; marks: PassMaterial } {
-    const { uniforms } = frame;
-    const material = (name: string, fragment: string) =>
-      new PassMaterial(frame.microshaders, {
-        name: `Farol ${name}`,
-        vertex: ['fullscreen'],
-        fragment: [fragment],
-        uniforms: {
-          farol_lightTable: uniforms.farol_lightTable,
-          farol_lightCounts: uniforms.farol_lightCounts,
-          farol_worldAxes: uniforms.farol_worldAxes,
-          farol_gridMasks: uniforms.farol_gridMasks,
-          farol_grid: uniforms.farol_grid,
-          farol_tileShadowWords: uniforms.farol_tileShadowWords,
-          ...this.uniforms,
-          ...this.own,
-        },
-        defines: { FAROL_TILE: `${TILE}` },
-        blending: NoBlending,
-      });
-    const materials = { plane: material('tile planes', 'tilePlane'), marks: material('tile shadows', 'tileShadows') };
-    // both programs are linked now, not when the first map is at rest
+  private make(program: string, fragment: string): FullscreenPass {
+    return new FullscreenPass({
+      program,
+      fragment,
+      shared: [
+        'farol_lightTable',
+        'farol_lightCounts',
+        'farol_worldAxes',
+        'farol_gridMasks',
+        'farol_grid',
+        'farol_tileShadowWords',
+      ],
+      uniforms: { ...this.uniforms, ...this.own },
+      defines: { FAROL_TILE: `${TILE}` },
+      blending: NoBlending,
+    });
+  }
+
+  /** Compiles both programs with the first map, not once a map is at rest, in a frame that would hitch. */
+  private compile(frame: Frame, bounds: WebGLRenderTarget): void {
+    this.isCompiled = true;
     this.own.farol_shadowBounds.value = bounds.texture;
     frame.bind(bounds);
     frame.bind(this.planes);
-    frame.compileMesh(this.triangle, materials.plane);
+    this.planePass.compile(frame);
     frame.bind(this.marks);
-    frame.compileMesh(this.triangle, materials.marks);
-    return materials;
+    this.markPass.compile(frame);
   }
 }
