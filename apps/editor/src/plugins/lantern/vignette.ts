@@ -48,5 +48,5 @@ export const vignette: Technique = {
   ...techniques['tiled-deferred'],
   label: 'Vignette',
   help: 'Tiled deferred shading that grows dark towards the edges: an example of a plugin.',
-  passes: (context) => [...techniques['tiled-deferred'].passes(context), new VignettePass()],
+  passes: () => [...techniques['tiled-deferred'].passes(), new VignettePass()],
 };

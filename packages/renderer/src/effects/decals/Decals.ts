@@ -24,8 +24,6 @@ import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 import { storedKind } from '../../gbuffer/gbufferUniforms';
-import { GBufferPass } from '../../gbuffer/GBufferPass';
-import type { Pass } from '../../frame/Pass';
 import { PassMaterial } from '../../gpu/PassMaterial';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
@@ -36,6 +34,13 @@ import { DecalFramebuffers } from './DecalFramebuffers';
 import decalGBuffer from './decalGBuffer.glsl?raw';
 import decalSurface from './decalSurface.glsl?raw';
 import { SurfaceCopies } from './SurfaceCopies';
+
+declare module '../../frame/Resources' {
+  interface Resources {
+    /** How many decals lie on the surfaces of the G-buffer. */
+    decals: number;
+  }
+}
 
 /** In place of a normal map's scale where there is none. */
 const NO_NORMAL_MAP = 1e9;
@@ -90,18 +95,20 @@ export class Decals implements FarolEffect {
     this.reached = false;
   }
 
-  render(frame: Frame, pass: Pass): void {
+  render(frame: Frame): void {
     this.reached = true;
-    let first = true;
+    let drawn = 0;
     for (const item of frame.queue.opaque) {
       const decal = item.object as Decal;
       if (decal.isDecal !== true) continue;
       item.drawn = true;
-      if (first) this.prepare(frame, (pass as GBufferPass).gbuffer!);
-      first = false;
+      if (drawn === 0) this.prepare(frame, frame.resources.get('gbuffer'));
+      drawn++;
       this.draw(frame, decal);
     }
-    if (!first) frame.bindTarget();
+    if (drawn === 0) return;
+    frame.resources.put('decals', drawn);
+    frame.bindTarget();
   }
 
   end(frame: Frame): void {

@@ -1,8 +1,7 @@
 import { Vector2, Vector4, type IUniform, type Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { gridShift } from './gridFit';
-import type { LightBufferPass } from './LightBufferPass';
-import type { ThinGBufferPass } from './ThinGBufferPass';
+import type { ThinGBuffer } from './ThinGBuffer';
 import { storedKind } from '../../gbuffer/gbufferUniforms';
 import { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../../gpu/unprojectUniforms';
 
@@ -46,15 +45,15 @@ export function lightBufferUniforms(): LightBufferUniforms {
   };
 }
 
-export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: ThinGBufferPass, frame: Frame): void {
-  const target = source.target!;
+export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: ThinGBuffer, frame: Frame): void {
+  const { target } = source;
   uniforms.farol_thinSurface.value = target.texture;
   const distances = target.textures[1];
   uniforms.farol_thinDepth.value = distances ?? target.depthTexture;
   uniforms.farol_thinStored.value = distances === undefined ? 0 : storedKind(frame.camera);
   uniforms.farol_size.value.set(target.width, target.height);
   setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
-  const { x, y, z, w } = source.fit.value;
+  const { x, y, z, w } = source.fit;
   uniforms.farol_fit.value.set(x, y, z, w);
   const unproject = uniforms.farol_unprojectXY.value;
   unproject.set(unproject.x / x, unproject.y / y, unproject.z * x - z, unproject.w * y - w);
@@ -62,16 +61,15 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
 
 export function setLightBufferUniforms(
   uniforms: LightBufferUniforms,
-  source: ThinGBufferPass,
-  lights: LightBufferPass,
+  source: ThinGBuffer,
+  sums: readonly Texture[],
   frame: Frame,
 ): void {
   setThinGBufferUniforms(uniforms, source, frame);
-  const { textures } = lights.target!;
-  uniforms.farol_sums0.value = textures[0];
-  uniforms.farol_sums1.value = textures[1];
-  uniforms.farol_sums2.value = textures[2];
-  const scale = source.scale.value;
+  uniforms.farol_sums0.value = sums[0];
+  uniforms.farol_sums1.value = sums[1];
+  uniforms.farol_sums2.value = sums[2];
+  const { scale } = source;
   const shift = gridShift(scale);
   uniforms.farol_lightGrid.value.set(scale, scale, frame.viewport.x - shift, frame.viewport.y - shift);
 }
