@@ -1,11 +1,12 @@
 import type { Texture, WebGLRenderTarget } from 'three';
+import type { GBuffer } from '../gbuffer/GBuffer';
+import type { LightBuffer } from '../lazy/light-buffer/LightBuffer';
+import type { ThinGBuffer } from '../lazy/light-buffer/ThinGBuffer';
+import type { AccumulatedLight } from '../lighting/AccumulatedLight';
+import type { LightLists } from '../lighting/lists/LightLists';
 import type { RenderItem } from './RenderItem';
 
-/**
- * What passes hand to one another within a frame, by name. A subject adds its own beside the pass that writes it, by
- * declaration merging: `declare module '../frame/Resources' { interface Resources { gbuffer: GBuffer } }`, a package of
- * its own by `declare module '@farol/renderer/authoring'`.
- */
+/** What passes hand to one another within a frame, by name. */
 export interface Resources {
   /** The host's render target, null for the canvas. There from the start; `Frame.bindTarget` binds it. */
   target: WebGLRenderTarget | null;
@@ -13,8 +14,24 @@ export interface Resources {
   overdraw: Texture;
   /** Depth of opaque surfaces as the renderer stores it, of the size that the pass draws with. */
   'scene-depth': Texture;
+  /** Opaque surfaces. */
+  gbuffer: GBuffer;
+  /** Direct light of each pixel of the G-buffer (linear radiance); in the count views lights a pixel, in red. */
+  lighting: Texture;
+  /** Which lights may reach each tile or cluster of the picture. */
+  'light-lists': LightLists;
+  /** All light of the surfaces that multipass lighting draws. */
+  'accumulated-light': AccumulatedLight;
+  /** Surfaces as light pre-pass and inferred lighting have them. */
+  'thin-gbuffer': ThinGBuffer;
+  /** The light that reaches each texel of the thin G-buffer. */
+  'light-buffer': LightBuffer;
+  /** How many decals lie on the surfaces of the G-buffer. */
+  decals: number;
   /** The transparent items, which the pass that writes this lays over the target. */
   transparent: readonly RenderItem[];
+  /** What packages outside of Farol hand over, by a name of their own such as 'acme:fog'. */
+  [own: `${string}:${string}`]: unknown;
 }
 
 export type Resource = keyof Resources;

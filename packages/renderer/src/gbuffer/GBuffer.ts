@@ -5,13 +5,6 @@ import { targetBytes } from '../gpu/targetBytes';
 import { gbufferLayout, type GBufferAttachment } from './gbufferLayout';
 import { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets';
 
-declare module '../frame/Resources' {
-  interface Resources {
-    /** The surfaces of opaque things. */
-    gbuffer: GBuffer;
-  }
-}
-
 /** Geometry buffer: the attachments of `gbufferLayout`, those that effects ask for, and a depth texture. */
 export class GBuffer {
   readonly target: WebGLMultipleRenderTargets;

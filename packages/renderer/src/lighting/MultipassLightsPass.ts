@@ -12,9 +12,9 @@ import {
   WebGLRenderTarget,
   type BufferGeometry,
   type Object3D,
-  type Texture,
 } from 'three';
 import { blendsFloats } from '../gpu/checkDevice';
+import type { AccumulatedLight } from './AccumulatedLight';
 import type { Frame } from '../frame/Frame';
 import { targetBytes } from '../gpu/targetBytes';
 import { coneIntersectsSphere } from '../lights/coneIntersectsSphere';
@@ -27,22 +27,6 @@ const rectangle = new Float64Array(4);
 const scissor = new Vector4();
 const centre = new Vector3();
 const NO_MARK = new Int32Array(1);
-
-/** Sums of multipass lighting. */
-export interface AccumulatedLight {
-  /** Linear radiance; alpha 1 where something was drawn. */
-  readonly texture: Texture;
-  readonly depth: Texture;
-  /** Fog is in the sums; else, where three draws fog after encoding, it is left to the output. */
-  readonly hasFog: boolean;
-}
-
-declare module '../frame/Resources' {
-  interface Resources {
-    /** All light of the surfaces that multipass lighting draws. */
-    'accumulated-light': AccumulatedLight;
-  }
-}
 
 /**
  * Multipass lighting: ambient, environment and emissive once, then each light added by a draw of its own over the objects

@@ -35,13 +35,6 @@ import decalGBuffer from './decalGBuffer.glsl?raw';
 import decalSurface from './decalSurface.glsl?raw';
 import { SurfaceCopies } from './SurfaceCopies';
 
-declare module '../../frame/Resources' {
-  interface Resources {
-    /** How many decals lie on the surfaces of the G-buffer. */
-    decals: number;
-  }
-}
-
 /** In place of a normal map's scale where there is none. */
 const NO_NORMAL_MAP = 1e9;
 const BLENDINGS: readonly Blending[] = [AdditiveBlending, SubtractiveBlending, MultiplyBlending];

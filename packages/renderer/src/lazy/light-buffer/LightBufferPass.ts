@@ -1,37 +1,17 @@
 import { HalfFloatType } from 'three';
-import type { ForwardTwins } from '../../forward/forwardTwin';
 import type { Frame } from '../../frame/Frame';
-import type { View } from '../../frame/views';
 import { PassTarget } from '../../gpu/PassTarget';
 import { lightBufferCountTwin } from './lightBufferCountTwin';
 import { lightBufferTwins } from './lightBufferTwins';
-import {
-  lightBufferUniforms,
-  setLightBufferUniforms,
-  setThinGBufferUniforms,
-  thinGBufferUniforms,
-  type LightBufferUniforms,
-} from './lightBufferUniforms';
+import type { LightBuffer } from './LightBuffer';
+import { lightBufferUniforms, thinGBufferUniforms } from './lightBufferUniforms';
+import { setLightBufferUniforms, setThinGBufferUniforms } from './setLightBufferUniforms';
 import { LightVolumeDraws } from '../../lighting/volumes/LightVolumeDraws';
 import type { Pass } from '../../frame/Pass';
 import type { ThinGBuffer } from './ThinGBuffer';
 
 /** Three texels of four half floats hold the four sums of lightSums.glsl. */
 const ATTACHMENTS = 3;
-
-/** The light that reaches each texel of the thin G-buffer. */
-export interface LightBuffer {
-  /** What lightBufferFilter.glsl reads of it. */
-  readonly uniforms: LightBufferUniforms;
-  /** Kinds by which lit materials take their direct light from it; set `farol_object` for each draw. */
-  readonly twins: (view: View) => ForwardTwins;
-}
-
-declare module '../../frame/Resources' {
-  interface Resources {
-    'light-buffer': LightBuffer;
-  }
-}
 
 /**
  * Adds up the light that reaches each texel of the thin G-buffer, each light over the texels of its volume, diffuse and

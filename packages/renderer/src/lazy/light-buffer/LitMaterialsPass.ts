@@ -1,7 +1,7 @@
 import { Vector2, type Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
-import type { LightBuffer } from './LightBufferPass';
+import type { LightBuffer } from './LightBuffer';
 import { resetObject, setObject } from './objectAttribute';
 import { objectNumber } from './objectNumbers';
 import type { Pass } from '../../frame/Pass';

@@ -14,10 +14,3 @@ export interface ThinGBuffer {
   /** True for a transparent item whose layers are in it. */
   isStippled(item: RenderItem): boolean;
 }
-
-declare module '../../frame/Resources' {
-  interface Resources {
-    /** Surfaces as light pre-pass and inferred lighting have them. */
-    'thin-gbuffer': ThinGBuffer;
-  }
-}

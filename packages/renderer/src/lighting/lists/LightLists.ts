@@ -6,10 +6,3 @@ export interface LightLists {
   /** Defines of a program that walks them over a G-buffer. */
   readonly defines: Readonly<Record<string, string>>;
 }
-
-declare module '../../frame/Resources' {
-  interface Resources {
-    /** Which lights may reach each tile or cluster of the picture. */
-    'light-lists': LightLists;
-  }
-}

@@ -1,16 +1,9 @@
-import { HalfFloatType, type Texture } from 'three';
+import { HalfFloatType } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { gbufferUniforms, setGBufferUniforms } from '../../gbuffer/gbufferUniforms';
 import { PassTarget } from '../../gpu/PassTarget';
 import { LightVolumeDraws } from './LightVolumeDraws';
 import type { Pass } from '../../frame/Pass';
-
-declare module '../../frame/Resources' {
-  interface Resources {
-    /** Direct light of each pixel of the G-buffer (linear radiance); in the count views lights a pixel, in red. */
-    lighting: Texture;
-  }
-}
 
 /** Adds up the light of every pixel of the G-buffer, each light over the pixels of its volume. */
 export class LightVolumesPass implements Pass {
