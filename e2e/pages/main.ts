@@ -70,7 +70,7 @@ declare global {
 }
 
 // what is drawn in the first frame of a test has its code, unless the test is of that
-if (!location.search.includes('late')) await farol.FarolRenderer.preload();
+if (!location.search.includes('lazy')) await farol.FarolRenderer.preload();
 
 window.testPage = {
   three,
