@@ -8,6 +8,8 @@ import { ShadowMapViewer } from 'three/addons/utils/ShadowMapViewer.js';
 import * as decals from '@farol/renderer/decals';
 import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
+import { DistanceFade } from './authoring/DistanceFade';
+import { nearFirst } from './authoring/nearFirst';
 import { Bench } from './Bench';
 import { breakFrames, brokenScene, faultsOf, messageOf } from './brokenFrames';
 import { devices } from './devices';
@@ -33,6 +35,8 @@ export interface TestPage {
   effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency & typeof decals;
   /** three's own. */
   addons: { CSM: typeof CSM; ShadowMapViewer: typeof ShadowMapViewer };
+  /** A technique and an effect as somebody outside writes them. */
+  outside: { readonly nearFirst: typeof nearFirst; readonly DistanceFade: typeof DistanceFade };
   materialScene: typeof materialScene;
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
@@ -66,7 +70,7 @@ declare global {
 }
 
 // what is drawn in the first frame of a test has its code, unless the test is of that
-if (!location.search.includes('late')) await farol.FarolRenderer.preload();
+if (!location.search.includes('lazy')) await farol.FarolRenderer.preload();
 
 window.testPage = {
   three,
@@ -74,6 +78,7 @@ window.testPage = {
   authoring,
   effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals },
   addons: { CSM, ShadowMapViewer },
+  outside: { nearFirst, DistanceFade },
   materialScene,
   chunkScene,
   edgeScene,

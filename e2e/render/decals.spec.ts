@@ -217,8 +217,8 @@ test('the G-buffer and the light of it hold what three’s blending makes of col
       name: 'reader',
       after: ['gbuffer'],
       bytes: 0,
-      render: (_, pass) => {
-        const { target } = (pass as unknown as { gbuffer: { target: import('three').WebGLRenderTarget } }).gbuffer;
+      render: ({ resources }) => {
+        const { target } = resources.get('gbuffer');
         for (const i of [2, 3])
           bench.webgl.readRenderTargetPixels(target, 0, 0, count * pixels, pixels, rows[i - 2], undefined, i);
       },

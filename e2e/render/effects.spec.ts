@@ -159,3 +159,43 @@ test('every effect draws again after a lost context, as before it', async ({ pag
   expect(Math.min(...apart)).toBeGreaterThan(50);
   expect(watch.forgive(/a WebGL context was lost|Context Lost|Context Restored/i)).toBeGreaterThan(0);
 });
+
+test('a technique from outside with a G-buffer pass of its own has ambient occlusion, decals and views; so has an effect depth', async ({
+  page,
+}) => {
+  const { largest, effects, faded } = await page.evaluate(() => {
+    const { Bench, compareImages, edgeScene, effects, outside, three } = window.testPage;
+    const bench = new Bench(96, 64);
+    const { farol } = bench;
+    const { scene, camera } = edgeScene(96, 64);
+    const decal = new effects.Decal(new three.MeshStandardMaterial({ color: 0x00ff00 }));
+    decal.position.set(0, -1.6, 3);
+    decal.rotation.x = -Math.PI / 2;
+    scene.add(decal);
+    const own = farol.addTechnique('near-first', outside.nearFirst);
+    const both = () => {
+      const built = bench.byTechnique('deferred', scene, camera);
+      return { built, apart: compareImages(built, bench.byTechnique(own, scene, camera)).largest };
+    };
+    const plain = both();
+    farol.effects = [new effects.Decals(), new effects.AmbientOcclusion()];
+    const withEffects = both();
+    const largest = { plain: plain.apart, withEffects: withEffects.apart } as Record<string, number>;
+    for (const view of ['albedo', 'lighting', 'light-count', 'overdraw', 'grid'] as const) {
+      farol.view = view;
+      largest[view] = both().apart;
+    }
+    farol.view = 'final';
+    farol.effects = [new outside.DistanceFade()];
+    const faded = both();
+    largest.faded = faded.apart;
+    return {
+      largest,
+      effects: compareImages(plain.built, withEffects.built).largest,
+      faded: compareImages(plain.built, faded.built).largest,
+    };
+  });
+  for (const [name, apart] of Object.entries(largest)) expect(apart, name).toBe(0);
+  expect(effects, 'what ambient occlusion and a decal change').toBeGreaterThan(0.05);
+  expect(faded, 'what the effect from outside changes').toBeGreaterThan(0.05);
+});

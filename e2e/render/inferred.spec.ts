@@ -21,7 +21,7 @@ function haloOf([sizes, steps, pixels, sensitive]: readonly [
   const halos = sizes.map(async ([width, height]) => {
     const bench = new Bench(width, height);
     if (!sensitive) {
-      await bench.farol.addLateMicroShaders();
+      await bench.farol.addLazyMicroShaders();
       const filter = bench.farol.microshaders.get('lightBufferFilter')!;
       // the built package has the same text with fewer blanks
       const weight = /same\s*&&\s*off\s*<\s*1\.0\s*\?\s*pow\(cosine,\s*64\.0\)\s*:\s*0\.0/;

@@ -1,6 +1,14 @@
 import { dirname, join, normalize } from 'node:path/posix';
 import { parseSync } from 'vite';
 
+const lazyFolder = 'packages/renderer/src/lazy';
+/** Folders that are entries of their own. */
+const aroundTheCore = [
+  'packages/renderer/src/adapters',
+  'packages/renderer/src/effects',
+  'packages/renderer/src/authoring',
+];
+
 /** Folders of the editor's sources, each after those that it may import. */
 const editorFolders = [
   ...['style', 'model', 'microshaders', 'viewport', 'layout', 'api', 'files', 'actions', 'ui', 'fields', 'panels'],
@@ -14,14 +22,16 @@ const editorRules = editorFolders.map((folder, i) => ({
 
 /**
  * Who may import whom, as one table. A source file goes by the first row whose `from` is a folder above it; `may` lists
- * folders of the repository and packages, `not` folders in those that are left out, `ofThree` the only names of three's. Packages must also be declared by the
- * file's workspace, and their exports name what may be imported of them.
+ * folders of the repository and packages, `not` folders in those that are left out, `types` folders of which types alone
+ * may be imported, `fetches` folders that `import()` alone may fetch, `ofThree` the only names of three's. Packages must
+ * also be declared by the file's workspace, and their exports name what may be imported of them.
  *
  * microshaders <- the rest of renderer; renderer, engine and editing speak plain three; engine -> renderer; attach -> all
  * three; apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder
  * knows those before it: style, model <- microshaders <- viewport; model <- layout; all of these <- api <- files <- actions
  * <- ui <- fields <- panels <- plugins <- Editor.ts. The renderer's other entries plug it into one library each, are
- * optional effects, or serve editors: its core knows none of them.
+ * optional effects, or serve authors: its core knows none of them. Of lazy/ the core knows types, and frame/lazyCode.ts
+ * alone fetches it.
  */
 export const importRules = [
   { from: 'packages/renderer/src/microshaders', may: ['packages/renderer/src/microshaders', 'three'] },
@@ -31,7 +41,8 @@ export const importRules = [
     may: ['packages/renderer/src/lights', 'three'],
     ofThree: /^((Ambient|Directional|Hemisphere|Point|Spot)?Light|\w*Camera|Vector\d|Matrix\d)$/,
   },
-  { from: 'packages/renderer/src/effects', may: ['packages/renderer', 'three'] },
+  { from: 'packages/renderer/src/lazy', may: ['packages/renderer', 'three'], not: aroundTheCore },
+  { from: 'packages/renderer/src/effects', may: ['packages/renderer', 'three'], types: [lazyFolder] },
   { from: 'packages/renderer/src/adapters/three-pass', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
   { from: 'packages/renderer/src/authoring', may: ['packages/renderer', 'three'] },
@@ -42,10 +53,12 @@ export const importRules = [
     may: ['packages/renderer', 'three', 'react', '@react-three/fiber', '@react-three/postprocessing'],
   },
   {
-    from: 'packages/renderer',
+    from: 'packages/renderer/src/frame/lazyCode.ts',
     may: ['packages/renderer', 'three'],
-    not: ['packages/renderer/src/adapters', 'packages/renderer/src/effects', 'packages/renderer/src/authoring'],
+    not: aroundTheCore,
+    fetches: [lazyFolder],
   },
+  { from: 'packages/renderer', may: ['packages/renderer', 'three'], not: aroundTheCore, types: [lazyFolder] },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine', '@farol/editing'] },
@@ -69,10 +82,10 @@ const apps = ['@farol/viewer', '@farol/editor'];
 export function importViolations(files, manifests) {
   const violations = [];
   for (const [path, source] of files) {
-    const rule = importRules.find(({ from }) => path.startsWith(`${from}/`));
+    const rule = importRules.find(({ from }) => path === from || path.startsWith(`${from}/`));
     if (!rule) continue;
-    for (const specifier of importsOf(path, source)) {
-      const why = violation(path, specifier, rule, manifests);
+    for (const { specifier, kind } of importsOf(path, source)) {
+      const why = violation(path, specifier, kind, rule, manifests);
       if (why) violations.push(`${path} imports ${specifier}: ${why}`);
     }
     const { ofThree } = /** @type {{ ofThree?: RegExp }} */ (rule);
@@ -86,17 +99,26 @@ export function importViolations(files, manifests) {
 }
 
 /**
+ * How a module is imported: its values, its types alone, or at run time by `import()`.
+ * @typedef {'value' | 'type' | 'fetched'} ImportKind
+ */
+
+/**
  * @param {string} path
  * @param {string} specifier
- * @param {{ from: string, may: string[], not?: string[] }} rule
+ * @param {ImportKind} kind
+ * @param {{ from: string, may: string[], not?: string[], types?: string[], fetches?: string[] }} rule
  * @param {ReadonlyMap<string, { name?: string, exports?: object, dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
-function violation(path, specifier, { from, may, not = [] }, manifests) {
+function violation(path, specifier, kind, { from, may, not = [], types = [], fetches = [] }, manifests) {
   const forTests = isTest(path);
   if (specifier.startsWith('.')) {
     const target = normalize(join(dirname(path), specifier));
     const within = (/** @type {string} */ folder) => target === folder || target.startsWith(`${folder}/`);
     if (not.some(within)) return `${from} does not know what plugs it in`;
+    if (!forTests && kind !== 'type' && types.some(within))
+      return `of ${types.join(', ')} ${from} may import types only`;
+    if (!forTests && kind === 'value' && fetches.some(within)) return `${from} may fetch it by import() only`;
     if (may.some(within)) return null;
     if (forTests && target.startsWith('packages/tools/')) return null;
     return `${from} may import ${may.join(', ')} only`;
@@ -170,18 +192,27 @@ function declared(name, path, manifests) {
 }
 
 /**
- * Specifiers of all static and dynamic imports and re-exports of a TypeScript file.
+ * All static and dynamic imports and re-exports of a TypeScript file.
  *
- * @param {string} path @param {string} source @returns {string[]}
+ * @param {string} path @param {string} source @returns {{ specifier: string, kind: ImportKind }[]}
  */
 function importsOf(path, source) {
   const { module } = parseSync(path, source);
   const text = (/** @type {{ start: number, end: number }} */ { start, end }) => source.slice(start, end);
+  /** @returns {{ specifier: string, kind: ImportKind }} */
+  const found = (/** @type {string} */ specifier, /** @type {ImportKind} */ kind) => ({ specifier, kind });
   return [
-    ...module.staticImports.map((entry) => entry.moduleRequest.value),
-    ...module.staticExports.flatMap(({ entries }) =>
-      entries.flatMap(({ moduleRequest }) => (moduleRequest ? [moduleRequest.value] : [])),
+    ...module.staticImports.map(({ moduleRequest, entries }) =>
+      found(moduleRequest.value, entries.length > 0 && entries.every(({ isType }) => isType) ? 'type' : 'value'),
     ),
-    ...module.dynamicImports.flatMap(({ moduleRequest }) => /^['"](.*)['"]$/.exec(text(moduleRequest))?.[1] ?? []),
+    ...module.staticExports.flatMap(({ entries }) =>
+      entries.flatMap(({ moduleRequest, isType }) =>
+        moduleRequest ? [found(moduleRequest.value, isType ? 'type' : 'value')] : [],
+      ),
+    ),
+    ...module.dynamicImports.flatMap(({ moduleRequest }) => {
+      const specifier = /^['"](.*)['"]$/.exec(text(moduleRequest))?.[1];
+      return specifier === undefined ? [] : [found(specifier, 'fetched')];
+    }),
   ];
 }

@@ -46,6 +46,13 @@ describe('the direction of imports', () => {
     ['packages/renderer/src/lights/X.ts', "import * as THREE from 'three';", /imports \* of three/],
     ['packages/engine/src/X.ts', "const lazy = () => import('react');", /may import/],
     ['packages/renderer/src/index.ts', "export * from './adapters/r3f/Farol';", /does not know what plugs it in/],
+    ['packages/renderer/src/gbuffer/X.ts', "import { W } from '../lazy/warm-up/W';", /types only/],
+    ['packages/renderer/src/gbuffer/X.ts', "import { type W, w } from '../lazy/warm-up/W';", /types only/],
+    ['packages/renderer/src/gbuffer/X.ts', "export { w } from '../lazy/warm-up/W';", /types only/],
+    ['packages/renderer/src/gbuffer/X.ts', "const w = () => import('../lazy/warm-up/W');", /types only/],
+    ['packages/renderer/src/effects/x/X.ts', "import '../../lazy/warm-up/W';", /types only/],
+    ['packages/renderer/src/frame/lazyCode.ts', "import { w } from '../lazy/warm-up';", /by import\(\) only/],
+    ['packages/renderer/src/lazy/views/X.ts', "import { e } from '../../effects/E';", /does not know what plugs it in/],
     ['packages/renderer/src/index.ts', "import 'react';", /may import/],
     ['packages/engine/src/X.ts', "import { attachEditor } from '@farol/attach';", /may import/],
     ['packages/editing/src/X.ts', "import type { Field } from '@farol/engine';", /may import/],
@@ -96,6 +103,13 @@ describe('the direction of imports', () => {
     ['packages/engine/src/X.ts', "// import 'react'\nconst text = \"import 'react'\";"],
     ['apps/viewer/src/X.ts', "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';"],
     ['e2e/pages/x.ts', "import { techniques } from '@farol/renderer';"],
+    ['packages/renderer/src/gbuffer/X.ts', "import type { W } from '../lazy/w'; export type { V } from '../lazy/w';"],
+    ['packages/renderer/src/gbuffer/X.ts', "import { type W, type V } from '../lazy/w';"],
+    [
+      'packages/renderer/src/frame/lazyCode.ts',
+      "const w = () => import('../lazy/w'); import type { W } from '../lazy/w';",
+    ],
+    ['packages/renderer/src/lazy/views/X.ts', "import { g } from '../../gbuffer/g'; import { w } from '../warm-up/w';"],
   ])('allows %s: %s', (path, source) => {
     expect(importViolations(new Map([[path, source]]), manifests)).toEqual([]);
   });

@@ -112,7 +112,7 @@ export class Editor implements EditorApi {
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
     this.viewport.shareMicroShaders = (registry) => this.microShaders.addRegistry(registry);
     // what the first frame may need is there before it
-    this.ready = this.viewport.farol.addLateMicroShaders().then(() => this.openFirst(scene));
+    this.ready = this.viewport.farol.addLazyMicroShaders().then(() => this.openFirst(scene));
   }
 
   get commands(): CommandStack {

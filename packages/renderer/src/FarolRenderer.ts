@@ -4,14 +4,15 @@ import { clearValue } from './three/clearValue';
 import { checkDevice } from './gpu/checkDevice';
 import { type View, isSurfaceView, views } from './frame/views';
 import { unknownName } from './errors';
+import { NO_EFFECTS } from './frame/ActiveEffects';
 import { EffectList } from './frame/EffectList';
 import type { FarolEffect } from './frame/FarolEffect';
 import type { FarolInfo } from './frame/FarolInfo';
 import type { FarolOptions } from './FarolOptions';
 import { Frame } from './frame/Frame';
 import { InfoRecorder } from './frame/InfoRecorder';
-import { lightBufferCode, rehearsalCode, shadowCode, timerCode, viewCode } from './frame/lazyCode';
-import { LateViews } from './frame/LateViews';
+import { lazyCode, lazyShaders, shadowCode, warmUpCode } from './frame/lazyCode';
+import { LazyViews } from './frame/LazyViews';
 import { LightFinder } from './frame/LightFinder';
 import { FrameLights } from './lighting/FrameLights';
 import type { LightOrder } from './lighting/LightTable';
@@ -33,8 +34,6 @@ import type { TechniqueName } from './techniques';
 import type { Technique } from './techniques/Technique';
 import { TechniquePicker } from './techniques/TechniquePicker';
 import { TechniqueSet } from './techniques/TechniqueSet';
-
-const NO_EFFECTS: readonly FarolEffect[] = [];
 
 /** As three calls those of a Scene. */
 type SceneCallback = (webgl: WebGLRenderer, scene: Scene, camera: Camera, target?: unknown) => void;
@@ -70,12 +69,6 @@ export class FarolRenderer {
    */
   shadowCascades = 1;
   /**
-   * What takes part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the like,
-   * from entries of the package of their own. Takes effect on the next frame; effects that are left out stay the host's to
-   * dispose, those in the list are disposed with this renderer. Default none.
-   */
-  effects: readonly FarolEffect[];
-  /**
    * Whether a directional, point or spot light reaches only objects that share a layer with it (`light.layers`,
    * `object.layers`); a light is lit at all if the camera shares a layer with it, as in three. What has other layers than
    * most objects is then drawn forward, by every technique. Takes effect on the next frame. Default false, as in three: all
@@ -89,11 +82,10 @@ export class FarolRenderer {
   private readonly sceneViews = new WeakMap<Object3D, SceneView>();
   /** What is seen through transmissive things is drawn at another size than the lists are for. */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
-  private readonly views: LateViews;
+  private readonly views: LazyViews;
   private readonly finder: LightFinder;
   private readonly set: TechniqueSet;
   private readonly picker: TechniquePicker;
-  private readonly lightingScale = { value: 0.5 };
   private viewName: View = 'final';
   private sceneView!: SceneView;
   private disposed = false;
@@ -121,16 +113,10 @@ export class FarolRenderer {
     checkDevice(webgl, false);
     this.effectList = new EffectList(webgl);
     this.microshaders = createRegistry(webgl);
-    this.views = new LateViews(this.microshaders);
+    this.views = new LazyViews(this.microshaders);
     this.finder = new LightFinder(webgl, (code) => this.makeShadows(code));
     const uniforms = this.lights.uniforms.values;
-    this.set = new TechniqueSet({
-      microshaders: this.microshaders,
-      lightIndex: uniforms.farol_lightIndex,
-      tiles: uniforms,
-      grid: uniforms,
-      inferredScale: this.lightingScale,
-    });
+    this.set = new TechniqueSet(this.microshaders);
     this.picker = new TechniquePicker(webgl, this.set);
     this.twins = new TwinCache({
       uniforms,
@@ -174,6 +160,20 @@ export class FarolRenderer {
     return name as TechniqueName;
   }
 
+  /**
+   * What takes part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the like,
+   * from entries of the package of their own. Takes effect on the next frame; effects that are left out stay the host's to
+   * dispose, those in the list are disposed with this renderer. Default none.
+   * @throws Error when two of them conflict, such as two that move the camera
+   */
+  get effects(): readonly FarolEffect[] {
+    return this.effectList.asked;
+  }
+
+  set effects(effects: readonly FarolEffect[]) {
+    this.effectList.asked = effects;
+  }
+
   /** What is shown; takes effect on the next frame. @throws Error when unknown */
   get view(): View {
     return this.viewName;
@@ -191,14 +191,14 @@ export class FarolRenderer {
    * @throws RangeError unless above 0 and at most 1
    */
   get inferredScale(): number {
-    return this.lightingScale.value;
+    return this.frame.inferredScale;
   }
 
   set inferredScale(scale: number) {
     if (!(scale > 0 && scale <= 1)) {
       throw new RangeError(`FarolRenderer: inferredScale is ${scale}; give a number above 0 and at most 1.`);
     }
-    this.lightingScale.value = scale;
+    this.frame.inferredScale = scale;
   }
 
   /** Figures of the last frame. */
@@ -255,9 +255,12 @@ export class FarolRenderer {
     const { target, face, level } = frame;
     const { toneMapping } = webgl;
     let done = false;
-    this.activeEffects = frame.view === 'final' ? this.effectList.of(this.effects, target) : NO_EFFECTS;
+    const effects = frame.view === 'final' ? this.effectList.of(target) : NO_EFFECTS;
+    this.activeEffects = effects;
+    frame.adapters = effects.adapters;
+    frame.gbufferExtras = effects.attachments;
     try {
-      for (const effect of this.activeEffects) effect.begin?.(frame);
+      for (const effect of effects.all) effect.begin?.(frame);
       this.sceneView = this.viewOf(scene);
       this.lights.update(scene, frame, finder, this, this.pick);
       const { fills = 'behind' } = this.set.known[picker.active];
@@ -295,25 +298,17 @@ export class FarolRenderer {
    * Fetches all code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
    * itself, more go without, and layers are not looked at), the views of surfaces and overdraw (the final picture is shown),
-   * 'light-prepass' and 'inferred' ('deferred' draws), rehearsals ('auto' changes unprepared).
+   * 'light-prepass' and 'inferred' ('deferred' draws), GPU times, warming programs up ('auto' changes unprepared).
    * @throws Error when the code cannot be fetched
    */
   static async preload(): Promise<void> {
-    await Promise.all([
-      shadowCode.load(),
-      viewCode.load(),
-      lightBufferCode.load(),
-      timerCode.load(),
-      rehearsalCode.load(),
-    ]);
+    await Promise.all(lazyCode.map((code) => code.load()));
   }
 
-  /** Adds the microshaders of all code that is fetched late to `microshaders`, where they can be seen and replaced. */
-  async addLateMicroShaders(): Promise<void> {
-    await FarolRenderer.preload();
-    addMicroShaders(this.microshaders, 'shadows', shadowCode.code!.microShaders);
-    addMicroShaders(this.microshaders, 'views', viewCode.code!.microShaders);
-    addMicroShaders(this.microshaders, 'light-buffer', lightBufferCode.code!.microShaders);
+  /** Adds the microshaders of all code that is fetched on demand to `microshaders`, where they can be seen and replaced. */
+  async addLazyMicroShaders(): Promise<void> {
+    for (const [owner, code] of Object.entries(lazyShaders))
+      addMicroShaders(this.microshaders, owner, (await code.load()).microShaders);
   }
 
   /**
@@ -331,8 +326,8 @@ export class FarolRenderer {
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
     this.finder.find(scene, camera, this.lightLayers);
     if (this.finder.asksForShadows) await shadowCode.load();
-    await this.set.get(this.technique).late?.load();
-    const { compileByDrawing } = await import('./lazy/warm-up/compileByDrawing');
+    await this.set.get(this.technique).lazy?.load();
+    const { compileByDrawing } = await warmUpCode.load();
     await compileByDrawing(this, scene, camera);
   }
 
@@ -369,11 +364,11 @@ export class FarolRenderer {
     const { frame, picker } = this;
     picker.pick(this.sceneView.chooser, frame, frame.lights, this.activeEffects);
     const technique = this.set.known[picker.active];
-    for (const effect of this.activeEffects) effect.picked?.(frame, technique);
+    for (const effect of this.activeEffects.all) effect.picked?.(frame, technique);
     return technique.lightOrder;
   }
 
-  private makeShadows(code: NonNullable<(typeof shadowCode)['code']>): ShadowMaps {
+  private makeShadows(code: typeof import('./lazy/shadows')): ShadowMaps {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
     this.shadowDraws.proxies = shadows.proxies;
     this.shadowDraws.calls = new code.ShadowMapCalls(this.webgl, () => {
@@ -395,20 +390,18 @@ export class FarolRenderer {
     }
     this.sceneView.dropTransmissive();
     this.setBackground();
-    frame.overdraw = null;
     if (isSurfaceView(frame.view)) {
       this.showSurface();
       frame.bindTarget();
       return;
     }
-    if (frame.view === 'overdraw')
-      this.run('overdraw', () => this.views.passes!.overdraw.render(frame, this.set.hasPass(picker.active, 'depth')));
+    const overdraw = frame.view === 'overdraw' ? this.views.passes!.overdraw : null;
+    if (overdraw !== null) this.run('overdraw', () => overdraw.render(frame, this.set.drawsDepthFirst(picker.active)));
     drawEarly(frame, this.transmittedTwins('final'));
-    drawPasses(frame, this.set.passesOf(picker.active), this.activeEffects, this.recorder);
-    if (frame.view === 'overdraw' && !this.set.hasPass(picker.active, 'output'))
-      this.views.passes!.overdraw.show(frame);
+    drawPasses(frame, picker.active, this.set.passesOf(picker.active), this.activeEffects.all, this.recorder);
+    if (overdraw !== null && !this.set.showsOverdraw(picker.active)) overdraw.show(frame);
     if (frame.view === 'grid') this.showSurface();
-    picker.rehearse(this.sceneView.chooser, frame, this.activeEffects);
+    picker.warmUp(this.sceneView.chooser, frame, this.activeEffects);
     frame.bindTarget();
   }
 

@@ -1,8 +1,13 @@
 export { FarolRenderer } from './FarolRenderer';
 export type { FarolOptions } from './FarolOptions';
 export { techniques, type TechniqueName } from './techniques';
-export type { Technique, TechniqueContext } from './techniques/Technique';
+export type { Technique } from './techniques/Technique';
 export type { Pass, Resource } from './frame/Pass';
+export type { Resources } from './frame/Resources';
+export type { AccumulatedLight } from './lighting/AccumulatedLight';
+export type { LightLists } from './lighting/lists/LightLists';
+export type { LightBuffer } from './lazy/light-buffer/LightBuffer';
+export type { ThinGBuffer } from './lazy/light-buffer/ThinGBuffer';
 export type { Frame } from './frame/Frame';
 export { views, type View } from './frame/views';
 export type { FarolEffect } from './frame/FarolEffect';

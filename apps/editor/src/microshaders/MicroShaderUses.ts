@@ -113,7 +113,7 @@ export class MicroShaderUses {
   private async findAll(): Promise<void> {
     for (const technique of this.techniques) {
       if (this.byTechnique.has(technique)) continue;
-      await this.farol.techniques[technique].late?.load();
+      await this.farol.techniques[technique].lazy?.load();
       await idle();
       this.byTechnique.set(technique, this.chunksWith({ technique }));
     }

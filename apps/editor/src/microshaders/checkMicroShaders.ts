@@ -33,7 +33,7 @@ export async function checkMicroShaders(
     if (problems.length > 0) throw problems[0].error;
   };
   for (const technique of (Object.keys(farol.techniques) as TechniqueName[]).filter((name) => name !== 'auto')) {
-    await farol.techniques[technique].late?.load();
+    await farol.techniques[technique].lazy?.load();
     await idle();
     run({ technique }, refuse);
   }

@@ -1,6 +1,54 @@
+// What techniques, effects and microshaders are made of: docs/authoring.md shows how.
+
+// passes
+export type { Pass } from '../frame/Pass';
+export type { HandedResource, Resource, Resources } from '../frame/Resources';
+export type { Frame } from '../frame/Frame';
+export type { RenderItem } from '../frame/RenderItem';
+export { FullscreenPass, type FullscreenPassOptions, type MeshDrawer, type Uniforms } from '../gpu/FullscreenPass';
+export { PassTarget, type PassTargetOptions } from '../gpu/PassTarget';
+export { OutputMaterial, PassMaterial, type PassMaterialOptions } from '../gpu/PassMaterial';
+export { targetBytes } from '../gpu/targetBytes';
+export { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../gpu/unprojectUniforms';
+
+// what the built-in techniques are made of
+export type { Technique } from '../techniques/Technique';
+export { forwardTail } from '../techniques/forwardTail';
+export { DepthPrepass } from '../forward/DepthPrepass';
+export { ForwardPass, type ForwardPassOptions } from '../forward/ForwardPass';
+export { GBuffer } from '../gbuffer/GBuffer';
+export { GBufferPass } from '../gbuffer/GBufferPass';
+export { fitsGBuffer, GBufferTarget } from '../gbuffer/GBufferTarget';
+export { gbufferUniforms, setGBufferUniforms, type GBufferUniforms } from '../gbuffer/gbufferUniforms';
+export { LightVolumesPass } from '../lighting/volumes/LightVolumesPass';
+export { LightGridPass } from '../lighting/lists/LightGridPass';
+export type { LightLists } from '../lighting/lists/LightLists';
+export { LightTilesPass, type TileDepthUse } from '../lighting/lists/LightTilesPass';
+export type { AccumulatedLight } from '../lighting/AccumulatedLight';
+export { MultipassLightsPass } from '../lighting/MultipassLightsPass';
+export { AccumulatedOutputPass } from '../output/AccumulatedOutputPass';
+export { DeferredOutputPass } from '../output/DeferredOutputPass';
+export { OutputPass } from '../output/OutputPass';
+export { TiledOutputPass } from '../output/TiledOutputPass';
+
+// twins: three's materials with other shaders
+export type { TwinKind, TwinRole, TwinShader } from '../materials/TwinKind';
+export { litTwin, type LitTwinOptions } from '../materials/litTwin';
+export { forwardTwins, type ForwardTwins } from '../forward/forwardTwin';
+export { gbufferTwin } from '../gbuffer/gbufferTwins';
+
+// effects
+export type { FarolEffect } from '../frame/FarolEffect';
+export type { GBufferAttachment } from '../gbuffer/gbufferLayout';
+export { Picture } from '../effects/Picture';
+
+// microshaders
+export { addMicroShaders } from '../microshaders/addMicroShaders';
 export { findClaims, type Claim } from './findClaims';
 export { formatMicroShader } from '../microshaders/formatMicroShader';
 export { parseMicroShaderXML } from '../microshaders/xml/parseMicroShaderXML';
 export { formatMicroShaderXML } from './formatMicroShaderXML';
 export { microShaderSources } from './microShaderSources';
+
+// what editors read back
 export { readPixels } from '../three/readPixels';

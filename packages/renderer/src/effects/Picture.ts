@@ -19,13 +19,11 @@ import {
   WebGLRenderTarget,
   type Color,
   type ColorSpace,
-  type IUniform,
   type Texture,
 } from 'three';
 import type { Frame } from '../frame/Frame';
-import { FullscreenMesh } from '../gpu/FullscreenMesh';
-import { PassMaterial } from '../gpu/PassMaterial';
-import { addMicroShaders } from '../microshaders/addMicroShaders';
+import { FullscreenPass } from '../gpu/FullscreenPass';
+import { targetBytes } from '../gpu/targetBytes';
 import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from './displayTransfer.glsl?raw';
 
@@ -51,12 +49,21 @@ export class Picture {
   private hostFace = 0;
   private hostLevel = 0;
   private readonly hostViewport = new Vector4();
-  private readonly color: IUniform<Texture | null> = { value: null };
-  private readonly depth: IUniform<Texture | null> = { value: null };
-  private readonly offset = { value: new Vector2() };
-  private readonly encode = { value: false };
-  private readonly triangle = new FullscreenMesh();
-  private material: PassMaterial | null = null;
+  private readonly present = new FullscreenPass({
+    program: 'picture',
+    fragment: 'picturePresent',
+    microShaders: { displayTransfer, picturePresent },
+    uniforms: {
+      farol_picture: { value: null as Texture | null },
+      farol_pictureDepth: { value: null as Texture | null },
+      farol_offset: { value: new Vector2() },
+      farol_encode: { value: false },
+    },
+    blendSrc: OneFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+    depthTest: true,
+    depthWrite: true,
+  });
 
   /** The picture of a renderer's frames: one, shared by its effects. */
   static of(frame: Frame): Picture {
@@ -67,9 +74,7 @@ export class Picture {
 
   get bytes(): number {
     let bytes = 0;
-    for (const { width, height, texture } of this.targets) {
-      bytes += width * height * (texture.type === FloatType ? 20 : 12);
-    }
+    for (const target of this.targets) bytes += targetBytes(target);
     return bytes;
   }
 
@@ -108,16 +113,17 @@ export class Picture {
     frame.face = this.hostFace;
     frame.level = this.hostLevel;
     frame.viewport.copy(this.hostViewport);
-    this.color.value = this.texture;
-    this.depth.value = this.target.depthTexture;
-    this.offset.value.set(frame.viewport.x, frame.viewport.y);
-    this.encode.value = this.toDisplay && !this.encoded;
-    this.material ??= this.makeMaterial(frame);
+    const { uniforms } = this.present;
+    uniforms.farol_picture.value = this.texture;
+    uniforms.farol_pictureDepth.value = this.target.depthTexture;
+    uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
+    uniforms.farol_encode.value = this.toDisplay && !this.encoded;
+    const material = this.present.material(frame);
     // over what the host kept, or in its place
-    this.material.blending = this.clears ? NoBlending : CustomBlending;
-    this.material.depthFunc = this.clears ? AlwaysDepth : LessEqualDepth;
+    material.blending = this.clears ? NoBlending : CustomBlending;
+    material.depthFunc = this.clears ? AlwaysDepth : LessEqualDepth;
     frame.bindTarget();
-    frame.drawMesh(this.triangle, this.material);
+    this.present.draw(frame);
   }
 
   dispose(): void {
@@ -126,8 +132,7 @@ export class Picture {
       target.dispose();
     }
     this.targets.length = 0;
-    this.material?.dispose();
-    this.material = null;
+    this.present.dispose();
   }
 
   /** One for the canvas and one for targets, since three draws linear light without tone mapping to those. */
@@ -167,24 +172,5 @@ export class Picture {
       this.targets.push(target);
     }
     return target;
-  }
-
-  private makeMaterial(frame: Frame): PassMaterial {
-    addMicroShaders(frame.microshaders, 'Picture', { displayTransfer, picturePresent });
-    return new PassMaterial(frame.microshaders, {
-      name: 'Farol picture',
-      vertex: ['fullscreen'],
-      fragment: ['picturePresent'],
-      uniforms: {
-        farol_picture: this.color,
-        farol_pictureDepth: this.depth,
-        farol_offset: this.offset,
-        farol_encode: this.encode,
-      },
-      blendSrc: OneFactor,
-      blendDst: OneMinusSrcAlphaFactor,
-      depthTest: true,
-      depthWrite: true,
-    });
   }
 }

@@ -16,7 +16,8 @@ export class DepthPrepass implements Pass {
   readonly name = 'depth';
   readonly reads = [] as const;
   readonly writes = ['scene-depth', 'target'] as const;
-  private readonly own = new PassTarget({ depthTexture: true });
+  /** Depth of the opaque items, as a texture of the picture's size. */
+  private readonly target = new PassTarget({ depthTexture: true });
   /** In its place where the viewport does not begin at the corner: elsewhere, vertices might be rounded to other places. */
   private readonly shifted = new PassTarget({ depthTexture: true });
   private readonly toTarget = new FullscreenPass({
@@ -33,18 +34,13 @@ export class DepthPrepass implements Pass {
     depthWrite: true,
   });
 
-  /** Depth of the opaque items, as a texture of the picture's size. */
-  get target(): WebGLRenderTarget | null {
-    return this.own.current;
-  }
-
   get bytes(): number {
-    return this.own.bytes + this.shifted.bytes;
+    return this.target.bytes + this.shifted.bytes;
   }
 
   render(frame: Frame): void {
     const { width, height, viewport } = frame;
-    const target = this.own.of(width, height);
+    const target = this.target.of(width, height);
     frame.bind(target);
     const isShifted = viewport.x !== 0 || viewport.y !== 0;
     const drawn = isShifted ? this.bindShifted(frame) : target;
@@ -55,10 +51,11 @@ export class DepthPrepass implements Pass {
     if (isShifted) frame.copyDepth(drawn, target, viewport.x, viewport.y);
     if (frame.samples === 0) this.show(frame, target);
     else this.drawSamples(frame);
+    frame.resources.put('scene-depth', target.depthTexture!);
   }
 
   dispose(): void {
-    for (const held of [this.own, this.shifted, this.toTarget]) held.dispose();
+    for (const held of [this.target, this.shifted, this.toTarget]) held.dispose();
   }
 
   /** Draws where the host's target is drawn to. */

@@ -20,7 +20,7 @@ export interface ForwardPassOptions {
 export class ForwardPass implements Pass {
   readonly name: string;
   readonly reads: readonly Resource[];
-  readonly writes = ['target'] as const;
+  readonly writes: readonly Resource[];
   readonly bytes = 0;
   private readonly list: ForwardPassOptions['list'];
   private readonly background = new BackgroundDraw();
@@ -31,6 +31,7 @@ export class ForwardPass implements Pass {
     this.name = options.name;
     this.list = options.list;
     this.reads = options.reads ?? [];
+    this.writes = options.list === 'transparent' ? ['target', 'transparent'] : ['target'];
     const { loop, loopOutside = loop } = options;
     this.twins = forwardTwins(loop);
     this.outside = loopOutside === loop ? this.twins : forwardTwins(loopOutside);
@@ -38,6 +39,7 @@ export class ForwardPass implements Pass {
 
   render(frame: Frame): void {
     const items = frame.queue[this.list];
+    if (this.list === 'transparent') frame.resources.put('transparent', items);
     const fills = this.list === 'opaque' && frame.fills === 'behind';
     if ((items.length === 0 && !fills) || frame.view === 'overdraw') return;
     frame.bindTarget();

@@ -38,6 +38,7 @@ export function forwardTwins(
         adapt(
           litTwin({
             key: `forward-${loop}-${mode}${part}`,
+            role: 'forward',
             loop,
             ...(mode === 'light-count' && { oneByOne: true, chunks: ['heatMap', 'heatScale'], atEnd: COUNT }),
             ...(mode === 'lighting' && { rewrite: onlyDirect }),

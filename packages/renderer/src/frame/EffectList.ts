@@ -1,31 +1,50 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
+import { type ActiveEffects, activeEffects, NO_EFFECTS, refuseConflicts } from './ActiveEffects';
 import type { FarolEffect } from './FarolEffect';
+import { gbufferLayout } from '../gbuffer/gbufferLayout';
+import { drawBuffersOf } from '../gpu/checkDevice';
 
-/** Of the host's list of effects those that can be drawn; what is left out is warned of once. */
+/** The host's effects, and which of them can be drawn; what is left out is warned of once. */
 export class EffectList {
-  private asked: readonly FarolEffect[] = [];
+  private list: readonly FarolEffect[] = [];
+  /** The list and target that `active` is for; the host may push to its list. */
+  private known: readonly FarolEffect[] = [];
   private count = 0;
   private several = false;
-  private runs: readonly FarolEffect[] = [];
+  private active: ActiveEffects = NO_EFFECTS;
   private readonly told = new WeakSet<FarolEffect>();
   /** All that were ever asked for: those that are left out of the list stay the host's, which may use them again. */
   private met: WeakRef<FarolEffect>[] = [];
 
   constructor(private readonly webgl: WebGLRenderer) {}
 
+  /** The host's list. @throws Error when set to a list in which two effects conflict */
+  get asked(): readonly FarolEffect[] {
+    return this.list;
+  }
+
+  set asked(effects: readonly FarolEffect[]) {
+    refuseConflicts(effects);
+    this.list = effects;
+  }
+
   /**
-   * @param effects the host's list; given back as it is while nothing is left out
+   * The effects that draw a frame.
    * @param target what is drawn to
+   * @throws Error when two effects conflict, of which one was pushed to the list
    */
-  of(effects: readonly FarolEffect[], target: WebGLRenderTarget | null): readonly FarolEffect[] {
+  of(target: WebGLRenderTarget | null): ActiveEffects {
+    const { list } = this;
     const several = target !== null && target.textures.length > 1;
-    if (effects === this.asked && effects.length === this.count && several === this.several) return this.runs;
-    this.meet(effects);
-    this.asked = effects;
-    this.count = effects.length;
+    if (list === this.known && list.length === this.count && several === this.several) return this.active;
+    refuseConflicts(list);
+    this.meet(list);
+    this.known = list;
+    this.count = list.length;
     this.several = several;
-    this.runs = effects.every(this.canRun) ? effects : effects.filter(this.canRun);
-    return this.runs;
+    const room = drawBuffersOf(this.webgl.getContext() as WebGL2RenderingContext) - gbufferLayout.length;
+    this.active = list.length === 0 ? NO_EFFECTS : activeEffects(list.filter(this.canRun), room);
+    return this.active;
   }
 
   /** Has all that were met free what they hold; they make it anew when they are drawn again. */

@@ -1,7 +1,10 @@
 import type { WebGLRenderer } from 'three';
 import type { Frame } from './Frame';
+import type { GBufferAttachment } from '../gbuffer/gbufferLayout';
 import type { Pass, Resource } from './Pass';
+import type { RenderItem } from './RenderItem';
 import type { Technique } from '../techniques/Technique';
+import type { TwinKind } from '../materials/TwinKind';
 
 /**
  * Something optional that takes part in a frame of any technique: `farol.effects = [new TAA()]`. The core knows only this;
@@ -13,8 +16,15 @@ export interface FarolEffect {
   readonly name: string;
   /** `render` is called after each pass of the frame that writes one of these. */
   readonly after?: readonly Resource[];
-  /** `render` is called in the place of the pass of this name. */
-  readonly replaces?: string;
+  /** `render` is called in the place of each pass that writes this. Of one resource at most one effect may. */
+  readonly replaces?: Resource;
+  /**
+   * Attachments that a G-buffer is to have besides, while the device has room for them: `Frame.locationOf` tells where.
+   * Of one name at most one effect may ask. Keep the objects: new ones make G-buffers anew. Default none.
+   */
+  readonly attachments?: readonly GBufferAttachment[];
+  /** True if `begin` sets `frame.camera`; at most one effect may. Default false. */
+  readonly movesCamera?: boolean;
   /** True if it works on a G-buffer: the technique 'auto' then picks one that has it. Default false. */
   readonly needsSurfaces?: boolean;
   /**
@@ -28,7 +38,7 @@ export interface FarolEffect {
   readonly bytes: number;
   /**
    * Called before anything is drawn and before three's traversal; may set `frame.camera` (a view of the host's, such as a
-   * jittered one), `frame.target` with its viewport, `frame.adapt` and `frame.gbufferLayout`.
+   * jittered one) and `frame.target` with its viewport.
    */
   begin?(frame: Frame): void;
   /**
@@ -36,7 +46,12 @@ export interface FarolEffect {
    * viewport of the same size.
    */
   picked?(frame: Frame, technique: Technique): void;
-  /** Draws, inside three's `render`. @param pass the pass that was drawn, or that is to be replaced */
+  /**
+   * Gives the kind of twin that an item is drawn with in place of another, or that one: by `kind.role`. Called for each draw,
+   * in the order of the effects, each with what the one before gave; must not allocate in steady state.
+   */
+  adapt?(kind: TwinKind, item: RenderItem): TwinKind;
+  /** Draws, inside three's `render`, by what is in `frame.resources`. @param pass the pass that was drawn, or that is to be replaced */
   render?(frame: Frame, pass: Pass): void;
   /** Called inside three's `render` after all passes; has figures in `FarolInfo.passes` unless there is `after`. */
   end?(frame: Frame): void;

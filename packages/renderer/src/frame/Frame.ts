@@ -9,7 +9,6 @@ import {
   type RawShaderMaterial,
   type Scene,
   type ShaderMaterial,
-  type Texture,
   UnsignedShortType,
   Vector2,
   Vector4,
@@ -17,7 +16,7 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import type { View } from './views';
-import type { Fills } from '../techniques/Technique';
+import type { Fills } from './Fills';
 import type { GBuffer } from '../gbuffer/GBuffer';
 import { farthestTold, needsStoredDistance } from '../gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
@@ -33,11 +32,9 @@ import { logarithmicFar } from '../gpu/unprojectUniforms';
 import type { GeometryGroup, RenderItem } from './RenderItem';
 import { NodeDraws } from '../three/NodeDraws';
 import { hasOwnShader, RenderQueue } from './RenderQueue';
-
-/** Uniforms that every twin and pass of one renderer shares, by reference. */
-export interface FrameUniforms {
-  readonly [name: string]: { value: unknown };
-}
+import { ResourceTable } from './Resources';
+import type { SharedUniforms } from './sharedUniforms';
+import type { TwinAdapter } from './TwinAdapter';
 
 type Draw = (
   camera: Camera,
@@ -73,6 +70,8 @@ const size = new Vector2();
 export class Frame {
   readonly gl: WebGL2RenderingContext;
   readonly queue = new RenderQueue();
+  /** What the passes of this frame have handed over so far. */
+  readonly resources = new ResourceTable();
   scene!: Scene;
   camera!: Camera;
   view: View = 'final';
@@ -85,8 +84,6 @@ export class Frame {
   uploadedBytes = 0;
   /** How the technique fills the target where three was kept from clearing it, else null. */
   fills: Fills | null = null;
-  /** Counts of the view 'overdraw' in this frame. */
-  overdraw: Texture | null = null;
   /** Cube face and mipmap level of the target. */
   face = 0;
   level = 0;
@@ -94,12 +91,12 @@ export class Frame {
   shadowMapsDrawn = 0;
   /** Finds which lights light all, or none, of tiles of a G-buffer; null while no light casts a shadow. */
   findTileShadows: ((gbuffer: GBuffer) => void) | null = null;
-  /** Set by an effect: gives the kind of twin that an item is drawn with in place of another. */
-  adapt: ((kind: TwinKind, item: RenderItem) => TwinKind) | null = null;
-  /** Attachments of the G-buffer; an effect may set others, which begin with the same. */
-  gbufferLayout: readonly GBufferAttachment[] = gbufferLayout;
-  /** Set by an effect: takes the place of the G-buffer's accumulation. */
-  accumulation: Texture | null = null;
+  /** What gives other kinds of twins to draw items with, each what the one before gave. */
+  adapters: readonly TwinAdapter[] = [];
+  /** Attachments of the G-buffer after those of `gbufferLayout`. */
+  gbufferExtras: readonly GBufferAttachment[] = [];
+  /** Texels of the lighting buffers of the technique 'inferred' a pixel, along a side: above 0, at most 1. */
+  inferredScale = 0.5;
   /** Depth is too coarse to rebuild positions from: surfaces store how far they are. */
   storesDistance = false;
   private readonly canvasStencil: boolean;
@@ -116,7 +113,7 @@ export class Frame {
     readonly webgl: WebGLRenderer,
     readonly lights: LightTable,
     readonly twins: TwinCache,
-    readonly uniforms: FrameUniforms,
+    readonly uniforms: SharedUniforms,
     readonly microshaders: MicroShaderRegistry,
   ) {
     this.gl = webgl.getContext() as WebGL2RenderingContext;
@@ -125,6 +122,12 @@ export class Frame {
     this.premultiplied = attributes?.premultipliedAlpha !== false;
     this.draw = webgl.renderBufferDirect as unknown as Draw;
     this.canvasSamples = attributes?.antialias ? 4 : 0;
+  }
+
+  /** Location of an attachment of `gbufferExtras` in G-buffers, -1 where the device has no room for it. */
+  locationOf(extra: GBufferAttachment): number {
+    const index = this.gbufferExtras.indexOf(extra);
+    return index < 0 ? -1 : gbufferLayout.length + index;
   }
 
   /** Samples a pixel of the target: above 0 it is multisampled. */
@@ -139,9 +142,8 @@ export class Frame {
     this.camera = camera;
     this.view = view;
     this.uploadedBytes = 0;
-    this.adapt = this.accumulation = null;
+    this.resources.begin();
     this.nodes?.begin();
-    this.gbufferLayout = gbufferLayout;
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     this.face = webgl.getActiveCubeFace();
     this.level = webgl.getActiveMipmapLevel();
@@ -207,8 +209,8 @@ export class Frame {
   clear(attachments: number, depth: boolean, value: Vector4 = TRANSPARENT): void {
     const { gl, webgl } = this;
     webgl.state.buffers.color.setMask(true);
-    value.toArray(clearValue);
-    for (let i = 0; i < attachments; i++) gl.clearBufferfv(gl.COLOR, i, clearValue);
+    value.toArray(clearColor);
+    for (let i = 0; i < attachments; i++) gl.clearBufferfv(gl.COLOR, i, clearColor);
     if (depth) {
       webgl.state.buffers.depth.setTest(true);
       webgl.state.buffers.depth.setMask(true);
@@ -220,8 +222,8 @@ export class Frame {
   /** Clears one attachment of the bound target to zeros. */
   clearOne(attachment: number): void {
     this.webgl.state.buffers.color.setMask(true);
-    TRANSPARENT.toArray(clearValue);
-    this.gl.clearBufferfv(this.gl.COLOR, attachment, clearValue);
+    TRANSPARENT.toArray(clearColor);
+    this.gl.clearBufferfv(this.gl.COLOR, attachment, clearColor);
   }
 
   /**
@@ -296,10 +298,17 @@ export class Frame {
     state.bindFramebuffer(gl.READ_FRAMEBUFFER, written);
   }
 
+  /** The kind that effects have an item drawn with. */
+  private adapted(kind: TwinKind, item: RenderItem): TwinKind {
+    const { adapters } = this;
+    for (let i = 0; i < adapters.length; i++) kind = adapters[i].adapt(kind, item);
+    return kind;
+  }
+
   /** Draws an item with a twin of its material, if there can be one. */
   drawTwin(item: RenderItem, kind: TwinKind): void {
     if (item.nodes) return;
-    this.drawItem(item, this.twins.get(item.material, this.adapt?.(kind, item) ?? kind));
+    this.drawItem(item, this.twins.get(item.material, this.adapted(kind, item)));
   }
 
   /** Draws an item forward: lit ones by a twin, the others as they are. */
@@ -311,7 +320,7 @@ export class Frame {
       this.drawTwin(item, lit ? twins.back : plainBack);
       this.drawTwin(item, lit ? twins.front : plainFront);
     } else if (lit) this.drawTwin(item, twins.whole);
-    else if ((this.adapt?.(plainWhole, item) ?? plainWhole) !== plainWhole) this.drawTwin(item, plainWhole);
+    else if (this.adapted(plainWhole, item) !== plainWhole) this.drawTwin(item, plainWhole);
     else this.drawItem(item, material);
   }
 
@@ -377,5 +386,6 @@ export class Frame {
 const isLeft = (item: RenderItem): boolean => !item.drawn;
 /** By their count. */
 const drawBuffers: number[][] = [];
-const clearValue = new Float32Array(4);
+/** Argument of `clearBufferfv`. */
+const clearColor = new Float32Array(4);
 const farDepth = new Float32Array([1]);

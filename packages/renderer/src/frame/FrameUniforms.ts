@@ -1,25 +1,15 @@
-import { Vector4, type WebGLRenderer } from 'three';
+import type { WebGLRenderer } from 'three';
 import type { Frame } from './Frame';
+import { sharedUniforms } from './sharedUniforms';
 import type { LightTable } from '../lighting/LightTable';
-import { lightUniforms } from '../lighting/lightUniforms';
-import { gridUniforms } from '../lighting/lists/gridUniforms';
-import { tileUniforms } from '../lighting/lists/tileUniforms';
-import { maskUniforms } from '../lighting/maskUniforms';
 import type { ShadowMaps } from '../lazy/shadows/ShadowMaps';
 
-/** The uniforms of all that is drawn in a frame. */
+/** Brings the shared uniforms of a renderer up to each frame. */
 export class FrameUniforms {
   readonly values;
 
   constructor(private readonly lights: LightTable) {
-    this.values = {
-      farol_heatScale: { value: 1 / 32 },
-      farol_background: { value: new Vector4(0, 0, 0, -1) },
-      ...lightUniforms(lights.ambient),
-      ...maskUniforms(),
-      ...tileUniforms(),
-      ...gridUniforms(),
-    };
+    this.values = sharedUniforms(lights.ambient);
   }
 
   /** Sends the light table, and sets what tells of it. @param heatMaximum hottest count of the count views */

@@ -122,7 +122,7 @@ export class InfoRecorder {
   }
 
   private makeTimer(): void {
-    if (timerCode.code === null) timerCode.ask();
-    else this.timer = new timerCode.code.GpuTimer(this.webgl.getContext() as WebGL2RenderingContext);
+    const gl = this.webgl.getContext() as WebGL2RenderingContext;
+    this.timer = timerCode.use(({ GpuTimer }) => new GpuTimer(gl));
   }
 }

@@ -11,7 +11,7 @@ const FEW_MASKS = 4;
 const UNIFORMS = 100;
 const UNIFORMS_PER_LIGHT = 7;
 
-type ShadowCode = NonNullable<(typeof shadowCode)['code']>;
+type ShadowCode = typeof import('../lazy/shadows');
 
 /** Finds the lights of a frame, and asks for what masks them when one casts a shadow or throws an image. */
 export class LightFinder {
@@ -47,13 +47,9 @@ export class LightFinder {
     }
     this.asksForShadows = found.masks > 0 || layers;
     if (this.shadows !== null || !this.asksForShadows || left.all) return;
-    if (shadowCode.code === null) {
-      shadowCode.ask();
-      if (found.masks <= FEW_MASKS) return;
-    } else {
-      this.shadows = this.makeShadows(shadowCode.code);
-      found.seeksMasks = false;
-    }
+    this.shadows = shadowCode.use(this.makeShadows);
+    if (this.shadows !== null) found.seeksMasks = false;
+    else if (found.masks <= FEW_MASKS) return;
     left.cookies = false;
     left.shadows = threeChunks.shadows && this.webgl.shadowMap.enabled;
     collectLights(scene, camera, left, found);

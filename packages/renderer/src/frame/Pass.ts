@@ -1,17 +1,23 @@
 import type { Frame } from './Frame';
+import type { ResourceUser } from './Resources';
 
-/** A thing passes hand to one another. `target` is what the host draws to; it is there from the start. */
-export type Resource =
-  'target' | 'gbuffer' | 'thin-gbuffer' | 'lighting' | 'light-lists' | 'light-buffer' | 'scene-depth';
+export type { Resource } from './Resources';
 
 /** One step of a technique. It owns its targets and programs. */
-export interface Pass {
+export interface Pass extends ResourceUser {
+  /** Name in `FarolInfo.passes`. */
   readonly name: string;
-  readonly reads: readonly Resource[];
-  readonly writes: readonly Resource[];
-  /** Draws. Called inside three's `render`; must not allocate in steady state. */
+  /** Sources of microshaders that are the pass's own, by name. Default none. */
+  readonly microShaders?: Readonly<Record<string, string>>;
+  /**
+   * Draws, and puts what is in `writes` into `frame.resources`. Called inside three's `render`; must not allocate in steady
+   * state.
+   */
   render(frame: Frame): void;
+  /** In place of `render` while programs are compiled ahead, for a pass that does more than draw by `frame`. */
+  warmUp?(frame: Frame): void;
   /** Bytes of the targets that the pass holds. */
   readonly bytes: number;
+  /** Frees targets and programs; `render` makes them anew. */
   dispose(): void;
 }

@@ -1,18 +1,23 @@
 import type { FarolEffect } from './FarolEffect';
 import type { Frame } from './Frame';
 import type { InfoRecorder } from './InfoRecorder';
-import type { Pass, Resource } from './Pass';
+import type { Pass } from './Pass';
+import type { Resource } from './Resources';
 
 /** Draws the passes of a technique in their order, with the effects after them or in their place, each with its figures. */
 export function drawPasses(
   frame: Frame,
+  technique: string,
   passes: readonly Pass[],
   effects: readonly FarolEffect[],
   recorder: InfoRecorder,
 ): void {
+  const { resources } = frame;
   for (const pass of passes) {
     recorder.beginPass(pass.name);
+    resources.use(technique, pass);
     (replacementOf(pass, effects) ?? pass).render!(frame, pass);
+    resources.use(technique, null);
     recorder.endPass();
     for (const effect of effects) {
       if (effect.after === undefined || !sharesOne(effect.after, pass.writes)) continue;
@@ -31,7 +36,8 @@ export function drawPasses(
 }
 
 function replacementOf(pass: Pass, effects: readonly FarolEffect[]): FarolEffect | null {
-  for (const effect of effects) if (effect.replaces === pass.name) return effect;
+  for (const effect of effects)
+    if (effect.replaces !== undefined && pass.writes.includes(effect.replaces)) return effect;
   return null;
 }
 

@@ -1,19 +1,15 @@
-import type { Pass, Resource } from './Pass';
+import { GIVEN, nobodyWrites, type Resource, type ResourceUser } from './Resources';
 
 /**
  * Checks that each pass reads only what an earlier one wrote, none reads what it writes (but the target), and the last
  * result is the target.
  * @throws Error that names the pass and the resource
  */
-export function validatePasses(technique: string, passes: readonly Pick<Pass, 'name' | 'reads' | 'writes'>[]): void {
-  const written = new Set<Resource>(['target']);
+export function validatePasses(technique: string, passes: readonly ResourceUser[]): void {
+  const written = new Set<Resource>(GIVEN);
   for (const pass of passes) {
     for (const resource of pass.reads) {
-      if (!written.has(resource)) {
-        throw new Error(
-          `Technique "${technique}": pass "${pass.name}" reads "${resource}", which no earlier pass writes.`,
-        );
-      }
+      if (!written.has(resource)) throw nobodyWrites(technique, pass.name, resource);
       if (resource !== 'target' && pass.writes.includes(resource)) {
         throw new Error(`Technique "${technique}": pass "${pass.name}" reads and writes "${resource}".`);
       }

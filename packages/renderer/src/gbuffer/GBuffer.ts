@@ -1,23 +1,28 @@
-import { DepthTexture, FloatType, NearestFilter, RGBAFormat, type WebGLRenderer } from 'three';
+import { DepthTexture, FloatType, NearestFilter, RGBAFormat, type Texture, type WebGLRenderer } from 'three';
 import { drawBuffersOf } from '../gpu/checkDevice';
 import { attachmentIndex } from './gbufferNames';
+import { targetBytes } from '../gpu/targetBytes';
 import { gbufferLayout, type GBufferAttachment } from './gbufferLayout';
 import { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets';
 
-/** Geometry buffer: the attachments of `gbufferLayout` and a depth texture. */
+/** Geometry buffer: the attachments of `gbufferLayout`, those that effects ask for, and a depth texture. */
 export class GBuffer {
   readonly target: WebGLMultipleRenderTargets;
+  readonly layout: readonly GBufferAttachment[];
+  /** Emissive and indirect light: the first attachment, or, for the rest of a frame, what an effect made of it. */
+  accumulation: Texture;
 
   /**
-   * @param layout begins as `gbufferLayout`; an effect may want more
-   * @param storesDistance how far surfaces are is stored beside their normals: positions come from there, not from depth
+   * @param extras attachments after those of `gbufferLayout`
+   * @param storesDistance distances are stored beside normals, and positions come from them, not from depth
    * @throws Error when the device has fewer draw buffers than the layout has attachments
    */
   constructor(
     webgl: WebGLRenderer,
-    readonly layout: readonly GBufferAttachment[] = gbufferLayout,
+    readonly extras: readonly GBufferAttachment[] = [],
     readonly storesDistance = false,
   ) {
+    const layout = (this.layout = [...gbufferLayout, ...extras]);
     const gl = webgl.getContext() as WebGL2RenderingContext;
     const most = drawBuffersOf(gl);
     if (most < layout.length) {
@@ -36,9 +41,11 @@ export class GBuffer {
       texture.format = name === 'normal' && storesDistance ? RGBAFormat : format;
       texture.type = type;
     });
+    this.accumulation = this.emissive;
   }
 
-  get accumulation() {
+  /** The first attachment. */
+  get emissive() {
     return this.target.textures[attachmentIndex.accumulation];
   }
   get normal() {
@@ -56,8 +63,7 @@ export class GBuffer {
 
   /** Bytes of all attachments and depth. */
   get bytes(): number {
-    const perPixel = this.layout.reduce((sum, a) => sum + a.bytes, this.storesDistance ? 8 : 4);
-    return this.target.width * this.target.height * perPixel;
+    return targetBytes(this.target);
   }
 
   /** @param width pixels @param height pixels */

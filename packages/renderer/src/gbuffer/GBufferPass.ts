@@ -1,17 +1,7 @@
-import type { Material } from 'three';
 import type { Frame } from '../frame/Frame';
-import { GBuffer } from './GBuffer';
-import { attachmentIndex } from './gbufferNames';
-import { shadingModelOf } from './shadingModel';
+import { fitsGBuffer, GBufferTarget } from './GBufferTarget';
 import { gbufferTwin } from './gbufferTwins';
-import type { TwinKind } from '../materials/TwinKind';
 import type { Pass } from '../frame/Pass';
-
-/** How lit and unlit meshes are drawn for the views of the G-buffer. */
-export interface GBufferViewTwins {
-  readonly lit: TwinKind;
-  readonly unlit: TwinKind;
-}
 
 /**
  * Draws the opaque items that the G-buffer can hold into it, all attachments in one pass.
@@ -20,43 +10,25 @@ export interface GBufferViewTwins {
 export class GBufferPass implements Pass {
   readonly name = 'g-buffer';
   readonly reads = [] as const;
-  readonly writes = ['gbuffer'] as const;
-  gbuffer: GBuffer | null = null;
-
-  /** @param forView kinds that write every mesh, with emissive alone in the first attachment; then none is marked as drawn */
-  constructor(private readonly forView: GBufferViewTwins | null = null) {}
+  readonly writes = ['gbuffer', 'scene-depth'] as const;
+  private readonly target = new GBufferTarget();
 
   get bytes(): number {
-    return this.gbuffer?.bytes ?? 0;
+    return this.target.bytes;
   }
 
   render(frame: Frame): void {
-    // what stores distances goes on to: cameras may take turns
-    const stores = this.forView === null && (frame.storesDistance || this.gbuffer?.storesDistance === true);
-    if (this.gbuffer?.layout !== frame.gbufferLayout || this.gbuffer.storesDistance !== stores) this.dispose();
-    this.gbuffer ??= new GBuffer(frame.webgl, frame.gbufferLayout, stores);
-    this.gbuffer.setSize(frame.width, frame.height);
-    frame.bind(this.gbuffer.target);
-    // where nothing is drawn, depth 1 says so: what the other attachments hold there is never shown, and a clear costs as much as a draw
-    frame.clear(0, true);
-    // but what is drawn as far off: there flags say so
-    if (frame.queue.reachesFar) frame.clearOne(attachmentIndex.albedo);
+    const gbuffer = this.target.begin(frame);
     for (const item of frame.queue.opaque) {
-      if (this.forView) {
-        if (!item.plain) continue;
-        if (item.lit && !(item.material as Material & { isShaderMaterial?: boolean }).isShaderMaterial)
-          frame.drawTwin(item, this.forView.lit);
-        else if ((item.material as Material & { isMeshBasicMaterial?: boolean }).isMeshBasicMaterial)
-          frame.drawTwin(item, this.forView.unlit);
-      } else if (item.splits && !item.layered && shadingModelOf(item.material) !== null) {
-        frame.drawTwin(item, gbufferTwin);
-        item.drawn = true;
-      }
+      if (!fitsGBuffer(item)) continue;
+      frame.drawTwin(item, gbufferTwin);
+      item.drawn = true;
     }
+    frame.resources.put('gbuffer', gbuffer);
+    frame.resources.put('scene-depth', gbuffer.depth);
   }
 
   dispose(): void {
-    this.gbuffer?.dispose();
-    this.gbuffer = null;
+    this.target.dispose();
   }
 }

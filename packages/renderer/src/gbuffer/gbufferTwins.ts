@@ -28,6 +28,7 @@ export const outputs = (text: string, source: Material) =>
 /** Writes the G-buffer; the first attachment gets emissive, ambient, environment and what three itself lights. */
 export const gbufferTwin: TwinKind = litTwin({
   key: 'gbuffer',
+  role: 'gbuffer',
   loop: 'lightLoopNone',
   chunks: ['gbufferWrite'],
   properties: { fog: false },

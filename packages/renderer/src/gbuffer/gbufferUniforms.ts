@@ -30,7 +30,7 @@ export function storedKind(camera: Camera): 1 | 2 {
 /** Points the uniforms at a G-buffer and at this frame's camera and size. */
 export function setGBufferUniforms(uniforms: GBufferUniforms, gbuffer: GBuffer, frame: Frame): void {
   for (let i = 0; i < textureUniforms.length; i++) uniforms[textureUniforms[i]].value = gbuffer.target.textures[i];
-  if (frame.accumulation !== null) uniforms.farol_gAccumulation.value = frame.accumulation;
+  uniforms.farol_gAccumulation.value = gbuffer.accumulation;
   uniforms.farol_gDepth.value = gbuffer.depth;
   const stored = uniforms.farol_gStored.value;
   stored[0] = gbuffer.storesDistance ? storedKind(frame.camera) : 0;

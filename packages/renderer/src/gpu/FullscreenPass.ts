@@ -1,4 +1,4 @@
-import type { IUniform, Mesh, RawShaderMaterial, ShaderMaterial, WebGLRenderTarget } from 'three';
+import type { IUniform, Mesh, RawShaderMaterial, ShaderMaterial, Texture, WebGLRenderTarget } from 'three';
 import type { MicroShaderRegistry } from '../microshaders';
 import { addMicroShaders } from '../microshaders/addMicroShaders';
 import { FullscreenMesh } from './FullscreenMesh';
@@ -67,7 +67,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
   private readonly own: PassTarget | null;
   private made: PassMaterial | OutputMaterial | null = null;
 
-  constructor(private readonly options: FullscreenPassOptions<U>) {
+  constructor(private options: FullscreenPassOptions<U>) {
     this.uniforms = options.uniforms ?? ({} as U);
     this.own = options.target === undefined ? null : new PassTarget(options.target);
   }
@@ -101,15 +101,34 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
    * @throws Error when the options name no target
    */
   drawToOwn(drawer: MeshDrawer, width: number, height: number): WebGLRenderTarget {
+    const target = this.bindOwn(drawer, width, height);
+    this.draw(drawer);
+    return target;
+  }
+
+  /** Binds its own target, with this size (texels). @returns the target @throws Error when the options name no target */
+  bindOwn(drawer: MeshDrawer, width: number, height: number): WebGLRenderTarget {
     if (this.own === null) throw new Error(`Farol: the pass "${this.options.program}" has no target; give one.`);
     const target = this.own.of(width, height);
-    this.drawTo(drawer, target);
+    drawer.bind(target);
     return target;
+  }
+
+  /** What its own target holds; null before it is first drawn to. */
+  get texture(): Texture | null {
+    return this.own?.current?.texture ?? null;
   }
 
   /** Compiles the program for what is bound, drawing nothing: so that no later frame waits for it. */
   compile(drawer: MeshDrawer): void {
     drawer.compileMesh(this.triangle, this.material(drawer));
+  }
+
+  /** Takes other microshaders or defines, from the next draw on. */
+  protected recompose(parts: Pick<FullscreenPassOptions<U>, 'fragment' | 'defines'>): void {
+    this.options = { ...this.options, ...parts };
+    this.made?.dispose();
+    this.made = null;
   }
 
   /** Frees target and program. */

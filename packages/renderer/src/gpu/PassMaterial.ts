@@ -3,6 +3,7 @@ import type { MicroShaderRegistry } from '../microshaders';
 
 export interface PassMaterialOptions extends Pick<
   ShaderMaterialParameters,
+  | 'transparent'
   | 'blending'
   | 'blendSrc'
   | 'blendDst'

@@ -14,7 +14,9 @@ import {
   type Object3D,
 } from 'three';
 import { blendsFloats } from '../gpu/checkDevice';
+import type { AccumulatedLight } from './AccumulatedLight';
 import type { Frame } from '../frame/Frame';
+import { targetBytes } from '../gpu/targetBytes';
 import { coneIntersectsSphere } from '../lights/coneIntersectsSphere';
 import { projectedSphereBounds } from '../lights/projectedSphereBounds';
 import { additiveTwin, baseTwin, lightMark } from './multipassTwins';
@@ -36,10 +38,11 @@ const NO_MARK = new Int32Array(1);
 export class MultipassLightsPass implements Pass {
   readonly name = 'multipass lights';
   readonly reads = [] as const;
-  readonly writes = ['lighting'] as const;
-  target: WebGLRenderTarget | null = null;
-  /** Fog is in the sums; else, where three draws fog after encoding, it is left to the output. */
-  fogged = true;
+  readonly writes = ['accumulated-light'] as const;
+  private target: WebGLRenderTarget | null = null;
+  private fogged = true;
+  /** What the pass hands over; made with its target and for either place of fog. */
+  private result: AccumulatedLight | null = null;
   private readonly items: RenderItem[] = [];
   /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */
   private spheres = new Float64Array(256);
@@ -47,11 +50,8 @@ export class MultipassLightsPass implements Pass {
   /** Objects whose additive program is there, with the material it is for. */
   private readonly compiled = new WeakMap<Object3D, Material>();
 
-  constructor(private readonly lightIndex: { value: number }) {}
-
   get bytes(): number {
-    const perPixel = this.target?.texture.type === FloatType ? 24 : 16;
-    return this.target ? this.target.width * this.target.height * perPixel : 0;
+    return this.target === null ? 0 : targetBytes(this.target);
   }
 
   render(frame: Frame): void {
@@ -59,13 +59,17 @@ export class MultipassLightsPass implements Pass {
     this.prepareTarget(frame);
     this.items.length = 0;
     this.drawLights(frame);
-    if (this.target!.samples > 0) frame.resolve(this.target!);
+    const { texture, depthTexture, samples } = this.target!;
+    if (samples > 0) frame.resolve(this.target!);
+    if (this.result?.texture !== texture || this.result.hasFog !== this.fogged)
+      this.result = { texture, depth: depthTexture!, hasFog: this.fogged };
+    frame.resources.put('accumulated-light', this.result);
   }
 
   dispose(): void {
     this.target?.depthTexture?.dispose();
     this.target?.dispose();
-    this.target = null;
+    this.target = this.result = null;
   }
 
   private drawLights(frame: Frame): void {
@@ -151,7 +155,7 @@ export class MultipassLightsPass implements Pass {
 
   private drawLight(frame: Frame, record: number, bounded: number): void {
     const { lights } = frame;
-    this.lightIndex.value = record;
+    frame.uniforms.farol_lightIndex.value = record;
     if (lightMark.value === 255) this.unmark(frame);
     else lightMark.value++;
     const kind = additiveTwin(frame.view, this.slot, this.fogged);

@@ -5,11 +5,12 @@ import { withLayers } from './layersAttribute';
 import { lightsFragmentBegin } from '../three/lightsFragmentBegin';
 import { findChunk, replaceChunk } from '../three/replaceChunk';
 import { threeChunks } from '../three/ThreeChunks';
-import type { TwinKind, TwinShader } from './TwinKind';
+import type { TwinKind, TwinRole, TwinShader } from './TwinKind';
 import { TwinRefusal } from '../three/TwinRefusal';
 
 export interface LitTwinOptions {
   readonly key: string;
+  readonly role?: TwinRole;
   readonly loop: LightLoop;
   readonly chunks?: readonly string[];
   /** Shades light by light even where sums would do. Default false. */
@@ -44,6 +45,7 @@ export function litTwin(options: LitTwinOptions): TwinKind {
   const begin = () => lightsFragmentBegin(options.withThreeLights ?? true);
   return {
     key: options.key,
+    ...(options.role && { role: options.role }),
     chunks(source) {
       // the host's own changes of three's lighting functions count, and those of the page
       const own = threeChunks.shading || source.onBeforeCompile !== Material.prototype.onBeforeCompile;

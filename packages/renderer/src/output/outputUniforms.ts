@@ -1,16 +1,20 @@
-import { Color, type IUniform } from 'three';
+import { Color, type Texture } from 'three';
 
-/** The fog uniforms of three, which its renderer fills for materials with `fog`. */
-export function fogUniforms(): Record<string, IUniform> {
+/** `farol_view` of the output shaders: the picture, the light alone, or counts. */
+export const OUTPUT_FINAL = 0;
+export const OUTPUT_LIGHTING = 1;
+export const OUTPUT_COUNTS = 2;
+
+/** Uniforms of all output shaders; those of fog three fills for materials with `fog`. */
+export function outputUniforms() {
   return {
     fogColor: { value: new Color() },
     fogDensity: { value: 0 },
     fogNear: { value: 0 },
     fogFar: { value: 0 },
+    farol_view: { value: OUTPUT_FINAL },
+    farol_overdrawMap: { value: null as Texture | null },
   };
 }
 
-/** `farol_view` of deferredOutput.glsl and accumulatedOutput.glsl. */
-export const OUTPUT_FINAL = 0;
-export const OUTPUT_LIGHTING = 1;
-export const OUTPUT_COUNTS = 2;
+export type OutputUniforms = ReturnType<typeof outputUniforms>;

@@ -1,10 +1,10 @@
 import type { WebGLRenderer } from 'three';
 import { checkDevice, lacksFloatTargets } from '../gpu/checkDevice';
-import type { FarolEffect } from '../frame/FarolEffect';
+import type { ActiveEffects } from '../frame/ActiveEffects';
 import type { Frame } from '../frame/Frame';
-import { rehearsalCode } from '../frame/lazyCode';
+import { warmUpCode } from '../frame/lazyCode';
 import type { LightTable } from '../lighting/LightTable';
-import type { Rehearsal } from '../lazy/warm-up/Rehearsal';
+import type { WarmUp } from '../lazy/warm-up/WarmUp';
 import type { TechniqueName } from '.';
 import type { TechniqueChooser } from './TechniqueChooser';
 import type { TechniqueSet } from './TechniqueSet';
@@ -40,22 +40,19 @@ export class TechniquePicker {
    * @param chooser of the scene that is drawn
    */
   pick(
-    chooser: TechniqueChooser<Rehearsal>,
+    chooser: TechniqueChooser<WarmUp>,
     frame: Frame,
     { bounded, coverage, directional, unbounded }: LightTable,
-    effects: readonly FarolEffect[],
+    { needsSurfaces }: ActiveEffects,
   ): void {
     this.active = this.asked;
     this.reason = 'asked for';
-    const { late } = this.set.known[this.active];
-    if (late?.code === null) {
-      late.ask();
+    const { lazy } = this.set.known[this.active];
+    if (lazy !== undefined && !lazy.ask()) {
       this.active = 'deferred';
       this.reason = `the code of "${this.asked}" is being fetched`;
     }
     if (this.asked !== 'auto') return;
-    let surfaces = false;
-    for (const effect of effects) surfaces ||= effect.needsSurfaces === true;
     const choice = chooser.choose(
       {
         bounded,
@@ -63,24 +60,24 @@ export class TechniquePicker {
         everywhere: directional + unbounded,
         transparents: frame.queue.hasLitTransparents,
         floatTargets: this.floatTargets,
-        surfaces,
+        surfaces: needsSurfaces,
       },
-      rehearsalCode.code !== null,
+      warmUpCode.isThere,
     );
-    if (chooser.settled) rehearsalCode.ask();
+    if (chooser.settled) warmUpCode.ask();
     this.active = choice.technique;
-    this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
+    this.reason = needsSurfaces ? 'an effect works on its G-buffer' : choice.reason;
   }
 
   /** Has what 'auto' is to draw by next made ready, a little in each frame; to be called when the frame is drawn. */
-  rehearse(chooser: TechniqueChooser<Rehearsal>, frame: Frame, effects: readonly FarolEffect[]): void {
+  warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, effects: ActiveEffects): void {
     if (chooser.next === null || this.asked !== 'auto') return;
     const { technique } = chooser.next;
     const { known } = this.set;
     const passes = this.set.passesOf(technique);
     // after a lost context they are others
     if (chooser.preparation?.passes !== passes)
-      chooser.preparation = new rehearsalCode.code!.Rehearsal(frame, known[technique], passes);
-    chooser.preparation.step(effects);
+      chooser.preparation = warmUpCode.use(({ WarmUp }) => new WarmUp(frame, known[technique], technique, passes));
+    chooser.preparation?.step(effects.all);
   }
 }

@@ -2,7 +2,9 @@ import { unknownName } from '../errors';
 import type { Pass } from '../frame/Pass';
 import { validatePasses } from '../frame/validatePasses';
 import { techniques } from '.';
-import type { Technique, TechniqueContext } from './Technique';
+import type { MicroShaderRegistry } from '../microshaders';
+import { addMicroShaders } from '../microshaders/addMicroShaders';
+import type { Technique } from './Technique';
 
 /** The techniques of one renderer, and the passes of those that it has drawn by. */
 export class TechniqueSet {
@@ -10,7 +12,7 @@ export class TechniqueSet {
   readonly known: Record<string, Technique> = { ...techniques };
   private readonly lists = new Map<string, Pass[]>();
 
-  constructor(private readonly context: TechniqueContext) {}
+  constructor(private readonly microshaders: MicroShaderRegistry) {}
 
   /** @throws Error when there is one of that name */
   add(name: string, technique: Technique): void {
@@ -24,22 +26,29 @@ export class TechniqueSet {
     return this.known[name];
   }
 
-  /** @throws Error when a pass reads what none before it writes */
+  /** @throws Error when a pass reads what none before it writes, or the technique's code is not there */
   passesOf(name: string): Pass[] {
     let passes = this.lists.get(name);
     if (passes === undefined) {
-      passes = this.known[name].passes(this.context);
+      passes = this.known[name].passes();
       validatePasses(name, passes);
+      for (const { microShaders = {} } of passes) addMicroShaders(this.microshaders, `technique ${name}`, microShaders);
       this.lists.set(name, passes);
     }
     return passes;
   }
 
-  hasPass(name: string, pass: string): boolean {
-    return this.passesOf(name).some((each) => each.name === pass);
+  /** Whether a technique draws the depth of opaque things into the target before it shades them. */
+  drawsDepthFirst(name: string): boolean {
+    return this.passesOf(name).some(({ writes }) => writes.includes('scene-depth') && writes.includes('target'));
   }
 
-  /** Of the targets of all passes. */
+  /** Whether a technique shows the counts of the view 'overdraw' itself. */
+  showsOverdraw(name: string): boolean {
+    return this.passesOf(name).some(({ reads }) => reads.includes('overdraw'));
+  }
+
+  /** Bytes of the targets of all passes. */
   get bytes(): number {
     let bytes = 0;
     for (const passes of this.lists.values()) for (const pass of passes) bytes += pass.bytes;

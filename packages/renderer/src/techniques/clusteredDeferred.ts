@@ -14,13 +14,10 @@ export const clusteredDeferred: Technique = {
   lightOrder: 'by-grid',
   needsFloatTargets: true,
   fills: 'every-pixel',
-  passes({ tiles, grid }) {
-    const gbuffer = new GBufferPass();
-    return [
-      gbuffer,
-      new LightGridPass(grid, gbuffer),
-      new TiledOutputPass(gbuffer, { ...tiles, ...grid }, 'lightLoopClustered', { FAROL_TILE_SHADOWS: '' }),
-      ...forwardTail('lightLoopClustered', ['light-lists']),
-    ];
-  },
+  passes: () => [
+    new GBufferPass(),
+    new LightGridPass('gbuffer'),
+    new TiledOutputPass(),
+    ...forwardTail('lightLoopClustered', ['light-lists']),
+  ],
 };

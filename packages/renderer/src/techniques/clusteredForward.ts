@@ -12,5 +12,5 @@ export const clusteredForward: Technique = {
   help: 'Light lists by tile and depth, walked by the materials themselves.',
   lightOrder: 'by-grid',
   needsFloatTargets: false,
-  passes: ({ grid }) => [new LightGridPass(grid), ...forwardTail('lightLoopClustered', ['light-lists'])],
+  passes: () => [new LightGridPass(), ...forwardTail('lightLoopClustered', ['light-lists'])],
 };

@@ -14,9 +14,5 @@ export const deferred: Technique = {
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   fills: 'every-pixel',
-  passes() {
-    const gbuffer = new GBufferPass();
-    const lights = new LightVolumesPass(gbuffer);
-    return [gbuffer, lights, new DeferredOutputPass(gbuffer, lights), ...forwardTail('lightLoopAll')];
-  },
+  passes: () => [new GBufferPass(), new LightVolumesPass(), new DeferredOutputPass(), ...forwardTail('lightLoopAll')],
 };

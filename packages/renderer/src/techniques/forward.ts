@@ -13,8 +13,5 @@ export const forward: Technique = {
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   fills: 'every-pixel',
-  passes({ lightIndex }) {
-    const lights = new MultipassLightsPass(lightIndex);
-    return [lights, new AccumulatedOutputPass(lights), ...forwardTail('lightLoopAll')];
-  },
+  passes: () => [new MultipassLightsPass(), new AccumulatedOutputPass(), ...forwardTail('lightLoopAll')],
 };

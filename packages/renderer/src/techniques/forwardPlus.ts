@@ -13,10 +13,10 @@ export const forwardPlus: Technique = {
   help: 'Depth first, then light lists within the depths of each tile, walked by the materials.',
   lightOrder: 'by-depth',
   needsFloatTargets: false,
-  passes({ tiles }) {
-    const depth = new DepthPrepass();
-    const lists = new LightTilesPass(tiles, 'slices', () => depth.target!.depthTexture!, ['scene-depth']);
+  passes: () => [
+    new DepthPrepass(),
+    new LightTilesPass('slices'),
     // the lists know only what is opaque: what lies before it is lit by all lights
-    return [depth, lists, ...forwardTail('lightLoopTiled', ['light-lists'], 'lightLoopAll')];
-  },
+    ...forwardTail('lightLoopTiled', ['light-lists'], 'lightLoopAll'),
+  ],
 };

@@ -21,6 +21,6 @@ export const inferred: Technique = {
   help: 'Light pre-pass with its buffers at half the resolution, joined by a filter that keeps to edges.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
-  late: lightBufferCode,
-  passes: ({ microshaders, inferredScale }) => lightBufferCode.code!.inferredPasses(microshaders, inferredScale),
+  lazy: lightBufferCode,
+  passes: () => lightBufferCode.required.inferredPasses(),
 };

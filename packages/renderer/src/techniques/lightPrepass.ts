@@ -12,6 +12,6 @@ export const lightPrepass: Technique = {
   help: 'Normals first, then the lights into a buffer, then the materials once more, lit by that buffer.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
-  late: lightBufferCode,
-  passes: ({ microshaders }) => lightBufferCode.code!.lightPrepassPasses(microshaders),
+  lazy: lightBufferCode,
+  passes: () => lightBufferCode.required.lightPrepassPasses(),
 };

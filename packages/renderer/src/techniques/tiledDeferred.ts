@@ -15,9 +15,10 @@ export const tiledDeferred: Technique = {
   lightOrder: 'by-depth',
   needsFloatTargets: true,
   fills: 'every-pixel',
-  passes({ tiles }) {
-    const gbuffer = new GBufferPass();
-    const lists = new LightTilesPass(tiles, 'slices', () => gbuffer.gbuffer!.depth, ['gbuffer']);
-    return [gbuffer, lists, new TiledOutputPass(gbuffer, tiles, 'lightLoopTiled'), ...forwardTail('lightLoopAll')];
-  },
+  passes: () => [
+    new GBufferPass(),
+    new LightTilesPass('slices'),
+    new TiledOutputPass(),
+    ...forwardTail('lightLoopAll'),
+  ],
 };

@@ -12,7 +12,5 @@ export const tiledForward: Technique = {
   help: 'A light list for each tile, walked by the materials themselves.',
   lightOrder: 'by-depth',
   needsFloatTargets: false,
-  passes({ tiles }) {
-    return [new LightTilesPass(tiles, 'none'), ...forwardTail('lightLoopTiled', ['light-lists'])];
-  },
+  passes: () => [new LightTilesPass('none'), ...forwardTail('lightLoopTiled', ['light-lists'])],
 };

@@ -1,9 +1,17 @@
 import { type Camera, type Material, Object3D, type Scene, type WebGLRenderer } from 'three';
-import type { Frame } from '../frame/Frame';
 import { isPlainOpaque } from '../gbuffer/shadingModel';
 import { hasNodes } from './hasNodes';
 import type { RenderItem } from '../frame/RenderItem';
 import type { RenderList, RenderLists } from './RenderList';
+import type { RenderQueue } from '../frame/RenderQueue';
+
+/** What is drawn: a `Frame`. */
+interface DrawnFrame {
+  readonly webgl: WebGLRenderer;
+  readonly scene: Scene;
+  readonly camera: Camera;
+  readonly queue: RenderQueue;
+}
 
 /** A host's scene as three is shown it, with the list that its draws go to. */
 interface NodeView {
@@ -33,7 +41,7 @@ export class NodeDraws {
   }
 
   /** Draws an item into the bound target; with the first plain opaque one all of them, marked as drawn. */
-  draw({ webgl, scene, camera, queue }: Frame, item: RenderItem): void {
+  draw({ webgl, scene, camera, queue }: DrawnFrame, item: RenderItem): void {
     this.current = this.viewOf(webgl, scene);
     this.item = item.plain ? null : item;
     this.render(webgl, camera);

@@ -9,10 +9,10 @@ import {
   type Scene,
   type WebGLRenderer,
 } from 'three';
-import type { Rehearsal } from '../lazy/warm-up/Rehearsal';
+import type { WarmUp } from '../lazy/warm-up/WarmUp';
 import type { RenderList, RenderLists } from './RenderList';
 import type { RenderQueue } from '../frame/RenderQueue';
-import type { Fills } from '../techniques/Technique';
+import type { Fills } from '../frame/Fills';
 import type { ShadowMapCalls } from '../lazy/shadows/draw/ShadowMapCalls';
 import { TechniqueChooser } from '../techniques/TechniqueChooser';
 
@@ -38,7 +38,7 @@ const NEVER = [false, false, false, false];
  */
 export class SceneView {
   /** What 'auto' has picked for the scene. */
-  readonly chooser = new TechniqueChooser<Rehearsal>();
+  readonly chooser = new TechniqueChooser<WarmUp>();
   private readonly view: Object3D & { overrideMaterial?: Material | null };
   private readonly children: Object3D[] = [];
   private lights: readonly Light[] = [];

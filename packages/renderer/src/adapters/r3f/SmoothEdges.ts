@@ -1,10 +1,10 @@
 import type { SMAA } from '../../effects/antialiasing/SMAA';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
-import { LateCode } from '../../frame/LateCode';
+import { Lazy } from '../../frame/Lazy';
 import type { Technique } from '../../techniques/Technique';
 
-const smaaCode = new LateCode(
+const smaaCode = new Lazy(
   () => import('../../effects/antialiasing/SMAA'),
   'smooth edges',
   'edges are drawn from one sample a pixel',
@@ -31,12 +31,12 @@ export class SmoothEdges implements FarolEffect {
   picked(frame: Frame, technique: Technique): void {
     this.isOn = false;
     if (frame.samples === 0 || technique.fills !== 'every-pixel') return;
-    if (smaaCode.code === null) {
+    this.smaa ??= smaaCode.use(({ SMAA }) => new SMAA());
+    if (this.smaa === null) {
       this.ask();
       return;
     }
     this.isOn = true;
-    this.smaa ??= new smaaCode.code.SMAA();
     this.smaa.begin(frame);
   }
 
@@ -49,9 +49,8 @@ export class SmoothEdges implements FarolEffect {
   }
 
   private ask(): void {
-    smaaCode.ask();
     if (this.asked) return;
     this.asked = true;
-    smaaCode.load().then(this.loaded, () => {}); // `ask` tells of a failure
+    smaaCode.load().then(this.loaded, () => {}); // `use` tells of a failure
   }
 }

@@ -1,44 +1,36 @@
 import {
   HalfFloatType,
-  NearestFilter,
   RedFormat,
+  RGBAFormat,
   RGFormat,
   type IUniform,
   type Texture,
   Vector2,
   Vector4,
+  type WebGLRenderTarget,
 } from 'three';
-import { drawBuffersOf, lacksFloatTargets } from '../../gpu/checkDevice';
+import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
 import { hasDepthTwin } from '../../forward/depthTwin';
-import { gbufferTwin } from '../../gbuffer/gbufferTwins';
+import type { GBuffer } from '../../gbuffer/GBuffer';
+import type { GBufferAttachment } from '../../gbuffer/gbufferLayout';
 import type { TwinKind } from '../../materials/TwinKind';
-import { DepthPrepass } from '../../forward/DepthPrepass';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
-import { GBufferPass } from '../../gbuffer/GBufferPass';
-import type { Pass } from '../../frame/Pass';
-import { PassMaterial } from '../../gpu/PassMaterial';
-import { ThinGBufferPass } from '../../lazy/light-buffer/ThinGBufferPass';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import type { RenderItem } from '../../frame/RenderItem';
-import { addMicroShaders } from '../../microshaders/addMicroShaders';
-import { EffectTarget } from '../EffectTarget';
 import ambientOcclusion from './ambientOcclusion.glsl?raw';
 import occlusionFilter from './occlusionFilter.glsl?raw';
-import { INDIRECT, layoutWithIndirect } from './layoutWithIndirect';
 import { indirectTwin, occludedTwin } from './occlusionTwins';
 
 /** Radius on the picture beyond which samples would lie too far apart (pixels at full resolution). */
 const LARGEST_RADIUS = 256;
 
+/** What the accumulation holds of ambient, environment and light maps, reflections by roughness. */
+const INDIRECT: GBufferAttachment = { name: 'indirect', format: RGBAFormat, type: HalfFloatType, bytes: 8 };
+
 /** Where the occlusion of a frame goes: into the accumulation of the G-buffer, or to materials that are drawn after it. */
 type Use = 'none' | 'accumulation' | 'prepass' | 'light-buffer';
-
-interface Materials {
-  readonly open: PassMaterial;
-  readonly filter: PassMaterial;
-}
 
 /**
  * Ambient occlusion (GTAO): how much of the sky over each pixel is closed by what lies near it, from depth and normals, takes
@@ -55,6 +47,7 @@ export class AmbientOcclusion implements FarolEffect {
   readonly name = 'ambient occlusion';
   readonly after = ['gbuffer', 'scene-depth'] as const;
   readonly needsSurfaces = true;
+  readonly attachments = [INDIRECT];
   readonly lacks = lacksFloatTargets;
   /** How far off things close the sky (m), above 0. Default 0.5. */
   radius = 0.5;
@@ -64,65 +57,69 @@ export class AmbientOcclusion implements FarolEffect {
   halfResolution = false;
   private use: Use = 'none';
   private warned = false;
-  /** Whether the device draws to as many buffers as the G-buffer with indirect light has; asked in the first frame. */
-  private fits: boolean | null = null;
-  /** Whether the frame has a G-buffer that does not fit. */
+  /** Location of the attachment of indirect light, -1 where the device has no room for it. */
+  private location = -1;
+  /** Whether the frame has a G-buffer without it. */
   private unfit = false;
-  private readonly open = new EffectTarget(
-    { format: RGFormat, type: HalfFloatType, minFilter: NearestFilter, magFilter: NearestFilter },
-    4,
-  );
-  private readonly filtered = new EffectTarget(
-    { format: RedFormat, minFilter: NearestFilter, magFilter: NearestFilter },
-    1,
-  );
-  private readonly accumulation = new EffectTarget(
-    { type: HalfFloatType, minFilter: NearestFilter, magFilter: NearestFilter },
-    8,
-  );
-  private readonly unproject = unprojectUniforms();
-  private readonly reach = { value: new Vector4() };
-  private readonly power = { value: 1 };
-  private readonly depth: IUniform<Texture | null> = { value: null };
-  private readonly normal: IUniform<Texture | null> = { value: null };
-  private readonly openMap: IUniform<Texture | null> = { value: null };
-  private readonly lit: IUniform<Texture | null> = { value: null };
-  private readonly indirect: IUniform<Texture | null> = { value: null };
+  private readonly surface = {
+    ...unprojectUniforms(),
+    farol_reach: { value: new Vector4() },
+    farol_surfaceDepth: { value: null as Texture | null },
+    farol_surfaceNormal: { value: null as Texture | null },
+  };
+  private readonly filtering = {
+    ...this.surface,
+    farol_openMap: { value: null as Texture | null },
+    farol_strength: { value: 1 },
+    farol_lit: { value: null as Texture | null },
+    farol_indirect: { value: null as Texture | null },
+  };
+  private readonly openByNormals = this.openPass({ FAROL_NORMALS: '' });
+  private readonly openByDepth = this.openPass({});
+  private readonly share = new FullscreenPass({
+    program: 'occlusionFilter',
+    fragment: 'occlusionFilter',
+    microShaders: { occlusionFilter },
+    uniforms: this.filtering,
+    target: { format: RedFormat },
+  });
+  private readonly accumulation = new FullscreenPass({
+    program: 'occlusionFilter',
+    fragment: 'occlusionFilter',
+    microShaders: { occlusionFilter },
+    uniforms: this.filtering,
+    defines: { FAROL_ACCUMULATION: '' },
+    target: { type: HalfFloatType },
+  });
   private readonly occlusion = {
     farol_occlusionMap: { value: null as Texture | null },
     farol_occlusionOffset: { value: new Vector2() },
   };
-  private readonly triangle = new FullscreenMesh();
-  private readonly made = new Map<string, Materials>();
   private readonly twins = new Map<TwinKind, TwinKind>();
 
   get bytes(): number {
-    return this.open.bytes + this.filtered.bytes + this.accumulation.bytes;
+    return this.passes.reduce((sum, { bytes }) => sum + bytes, 0);
   }
 
   begin(frame: Frame): void {
     this.use = 'none';
-    this.fits ??= drawBuffersOf(frame.gl) >= layoutWithIndirect.length;
     this.unfit = false;
-    if (this.fits) frame.gbufferLayout = layoutWithIndirect;
-    frame.adapt = this.adapt;
+    const location = frame.locationOf(INDIRECT);
+    if (location !== this.location) this.twins.clear();
+    this.location = location;
   }
 
-  render(frame: Frame, pass: Pass): void {
-    if (pass instanceof GBufferPass) {
-      this.unfit = !this.fits;
-      if (this.unfit) return;
-      const gbuffer = pass.gbuffer!;
-      this.use = 'accumulation';
-      this.lit.value = gbuffer.accumulation;
-      this.indirect.value = gbuffer.target.textures[INDIRECT];
-      this.draw(frame, gbuffer.depth, gbuffer.normal);
-    } else if (pass instanceof DepthPrepass) {
+  render(frame: Frame): void {
+    const { resources } = frame;
+    const gbuffer = resources.find('gbuffer');
+    const thin = resources.find('thin-gbuffer');
+    if (gbuffer !== undefined) this.occludeGBuffer(frame, gbuffer);
+    else if (thin === undefined) {
       this.use = 'prepass';
-      this.draw(frame, pass.target!.depthTexture!, null);
-    } else if (pass instanceof ThinGBufferPass && pass.scale.value === 1) {
+      this.draw(frame, this.share, resources.get('scene-depth'), null);
+    } else if (thin.scale === 1) {
       this.use = 'light-buffer';
-      this.draw(frame, pass.target!.depthTexture!, pass.target!.texture);
+      this.draw(frame, this.share, resources.get('scene-depth'), thin.target.texture);
     }
   }
 
@@ -137,79 +134,75 @@ export class AmbientOcclusion implements FarolEffect {
   }
 
   dispose(): void {
-    for (const target of [this.open, this.filtered, this.accumulation]) target.dispose();
-    for (const { open, filter } of this.made.values()) {
-      open.dispose();
-      filter.dispose();
-    }
-    this.made.clear();
+    for (const pass of this.passes) pass.dispose();
   }
 
-  private readonly adapt = (kind: TwinKind, item: RenderItem): TwinKind => {
-    if (kind === gbufferTwin) return this.fits ? this.twinOf(kind) : kind;
-    if (!item.plain || !kind.key.startsWith('forward-')) return kind;
+  adapt(kind: TwinKind, item: RenderItem): TwinKind {
+    const { role } = kind;
+    if (role === 'gbuffer') return this.location < 0 ? kind : this.twinOf(kind);
+    if (!item.plain || role === undefined) return kind;
     const occluded =
       (this.use === 'prepass' && hasDepthTwin(item.material)) ||
-      (this.use === 'light-buffer' && kind.key.startsWith('forward-lightLoopBuffer'));
+      (this.use === 'light-buffer' && role === 'light-buffer');
     return occluded ? this.twinOf(kind) : kind;
-  };
+  }
+
+  private get passes(): readonly FullscreenPass[] {
+    return [this.openByNormals, this.openByDepth, this.share, this.accumulation];
+  }
 
   private twinOf(kind: TwinKind): TwinKind {
     let twin = this.twins.get(kind);
     if (twin === undefined) {
-      twin = kind === gbufferTwin ? indirectTwin(kind) : occludedTwin(kind, this.occlusion);
+      twin = kind.role === 'gbuffer' ? indirectTwin(kind, this.location) : occludedTwin(kind, this.occlusion);
       this.twins.set(kind, twin);
     }
     return twin;
   }
 
-  private draw(frame: Frame, depth: Texture, normal: Texture | null): void {
-    const { width, height } = frame;
-    const step = this.halfResolution ? 2 : 1;
-    const { open, filter } = this.materials(frame, normal !== null, this.use === 'accumulation');
-    const openTarget = this.open.of(Math.ceil(width / step), Math.ceil(height / step));
-    const pixels = this.radius * frame.camera.projectionMatrix.elements[5] * 0.5 * height;
-    this.reach.value.set(this.radius, pixels, step, LARGEST_RADIUS);
-    this.power.value = this.strength;
-    this.depth.value = depth;
-    this.normal.value = normal;
-    this.openMap.value = openTarget.texture;
-    setUnprojectUniforms(this.unproject, frame.camera, frame.webgl);
-    frame.bind(openTarget);
-    frame.drawMesh(this.triangle, open);
-    const result = (this.use === 'accumulation' ? this.accumulation : this.filtered).of(width, height);
-    frame.bind(result);
-    frame.drawMesh(this.triangle, filter);
-    if (this.use === 'accumulation') frame.accumulation = result.texture;
-    this.occlusion.farol_occlusionMap.value = result.texture;
-    this.occlusion.farol_occlusionOffset.value.set(frame.viewport.x, frame.viewport.y);
+  private occludeGBuffer(frame: Frame, gbuffer: GBuffer): void {
+    this.unfit = this.location < 0;
+    if (this.unfit) return;
+    this.use = 'accumulation';
+    this.filtering.farol_lit.value = gbuffer.accumulation;
+    this.filtering.farol_indirect.value = gbuffer.target.textures[this.location];
+    const { texture } = this.draw(frame, this.accumulation, gbuffer.depth, gbuffer.normal);
+    gbuffer.accumulation = texture;
   }
 
-  private materials(frame: Frame, normals: boolean, accumulation: boolean): Materials {
-    const key = `${normals} ${accumulation}`;
-    let materials = this.made.get(key);
-    if (materials === undefined) {
-      addMicroShaders(frame.microshaders, 'AmbientOcclusion', { ambientOcclusion, occlusionFilter });
-      const uniforms = { ...this.unproject, farol_reach: this.reach, farol_surfaceDepth: this.depth };
-      const material = (chunk: string, define: string, defined: boolean, more: Record<string, IUniform>) =>
-        new PassMaterial(frame.microshaders, {
-          name: `Farol ${chunk}`,
-          vertex: ['fullscreen'],
-          fragment: [chunk],
-          uniforms: { ...uniforms, ...more },
-          defines: defined ? { [define]: '' } : {},
-        });
-      materials = {
-        open: material('ambientOcclusion', 'FAROL_NORMALS', normals, { farol_surfaceNormal: this.normal }),
-        filter: material('occlusionFilter', 'FAROL_ACCUMULATION', accumulation, {
-          farol_openMap: this.openMap,
-          farol_strength: this.power,
-          farol_lit: this.lit,
-          farol_indirect: this.indirect,
-        }),
-      };
-      this.made.set(key, materials);
-    }
-    return materials;
+  /** Finds the open share of the sky over each pixel, and filters it into the target of a pass. */
+  private draw(
+    frame: Frame,
+    filter: AmbientOcclusion['share'],
+    depth: Texture,
+    normal: Texture | null,
+  ): WebGLRenderTarget {
+    const { width, height } = frame;
+    const { filtering } = this;
+    const step = this.halfResolution ? 2 : 1;
+    const pixels = this.radius * frame.camera.projectionMatrix.elements[5] * 0.5 * height;
+    filtering.farol_reach.value.set(this.radius, pixels, step, LARGEST_RADIUS);
+    filtering.farol_strength.value = this.strength;
+    filtering.farol_surfaceDepth.value = depth;
+    filtering.farol_surfaceNormal.value = normal;
+    setUnprojectUniforms(filtering, frame.camera, frame.webgl);
+    const open = normal === null ? this.openByDepth : this.openByNormals;
+    const sky = open.drawToOwn(frame, Math.ceil(width / step), Math.ceil(height / step));
+    filtering.farol_openMap.value = sky.texture;
+    const result = filter.drawToOwn(frame, width, height);
+    this.occlusion.farol_occlusionMap.value = result.texture;
+    this.occlusion.farol_occlusionOffset.value.set(frame.viewport.x, frame.viewport.y);
+    return result;
+  }
+
+  private openPass(defines: Record<string, string>): FullscreenPass {
+    return new FullscreenPass({
+      program: 'ambientOcclusion',
+      fragment: 'ambientOcclusion',
+      microShaders: { ambientOcclusion },
+      uniforms: this.surface as Record<string, IUniform>,
+      defines,
+      target: { format: RGFormat, type: HalfFloatType },
+    });
   }
 }

@@ -36,14 +36,14 @@ farol_outIndirect = vec4(reflectedLight.indirectDiffuse + material.roughness * r
 farol_outIndirect = vec4(reflectedLight.indirectDiffuse, 0.0);
 #endif`;
 
-/** The kind of a G-buffer draw, which writes its indirect light to an attachment more. */
-export function indirectTwin(kind: TwinKind): TwinKind {
+/** The kind of a G-buffer draw, which writes its indirect light to the attachment at a location. */
+export function indirectTwin(kind: TwinKind, location: number): TwinKind {
   return {
     ...kind,
-    key: `${kind.key}-indirect`,
+    key: `${kind.key}-indirect-${location}`,
     patch(shader, source, header) {
       kind.patch(shader, source, header);
-      shader.fragmentShader = `layout(location = 4) out highp vec4 farol_outIndirect;\n${beforeLastBrace(shader.fragmentShader, INDIRECT)}`;
+      shader.fragmentShader = `layout(location = ${location}) out highp vec4 farol_outIndirect;\n${beforeLastBrace(shader.fragmentShader, INDIRECT)}`;
     },
   };
 }

@@ -1,5 +1,6 @@
 import { HalfFloatType, Matrix4, NearestFilter, WebGLRenderTarget, type Object3D, type Vector2 } from 'three';
 import type { Frame } from '../../frame/Frame';
+import { targetBytes } from '../../gpu/targetBytes';
 import type { RenderItem } from '../../frame/RenderItem';
 import { hasMotionTwin, motionTwins } from './motionTwin';
 import type { ObjectMotions } from './ObjectMotions';
@@ -39,7 +40,7 @@ export class MotionPass {
   }
 
   get bytes(): number {
-    return this.target ? this.target.width * this.target.height * 8 : 0;
+    return this.target === null ? 0 : targetBytes(this.target, false);
   }
 
   /**

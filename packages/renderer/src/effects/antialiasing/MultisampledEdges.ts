@@ -1,15 +1,12 @@
-import { HalfFloatType, LessEqualDepth, NearestFilter, type IUniform, type Texture, WebGLRenderTarget } from 'three';
+import { HalfFloatType, LessEqualDepth, LinearFilter, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
-import { gbufferLayout } from '../../gbuffer/gbufferLayout';
 import { forwardTwins } from '../../forward/forwardTwin';
 import { plainWhole } from '../../forward/plainTwins';
-import { addMicroShaders } from '../../microshaders/addMicroShaders';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
-import { PassMaterial } from '../../gpu/PassMaterial';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import { targetBytes } from '../../gpu/targetBytes';
 import type { RenderItem } from '../../frame/RenderItem';
-import { EffectTarget } from '../EffectTarget';
 import { Picture } from '../Picture';
 import edgeBackground from './edgeBackground.glsl?raw';
 import edgeColor from './edgeColor.glsl?raw';
@@ -17,7 +14,6 @@ import edgeResolve from './edgeResolve.glsl?raw';
 import { edgeTwin } from './edgeTwin';
 import { hasMotionTwin } from './motionTwin';
 
-const CHUNKS = { edgeColor, edgeBackground, edgeResolve };
 const SAMPLES = 4;
 
 /**
@@ -40,10 +36,8 @@ export class MultisampledEdges implements FarolEffect {
   shadedLights = 32;
   /** Lights beyond which nothing is shaded: what no pixel nearby shows has edges as in the picture. Default 128. */
   mostLights = 128;
-  private readonly picture: IUniform<Texture | null> = { value: null };
-  private readonly depth: IUniform<Texture | null> = { value: null };
-  private readonly samples: IUniform<Texture | null> = { value: null };
-  private readonly farthest = { value: 1 };
+  private readonly picture = { value: null as Texture | null };
+  private readonly depth = { value: null as Texture | null };
   private readonly whole = { value: true };
   private readonly reuse = { value: false };
   private readonly shades = { value: true };
@@ -55,18 +49,29 @@ export class MultisampledEdges implements FarolEffect {
   };
   private readonly lit = edgeTwin(forwardTwins('lightLoopAll')('final').whole, this.uniforms);
   private readonly unlit = edgeTwin(plainWhole, this.uniforms);
-  private readonly output = new EffectTarget({ type: HalfFloatType }, 8);
-  private readonly triangle = new FullscreenMesh();
   private target: WebGLRenderTarget | null = null;
-  private background: PassMaterial | null = null;
-  private resolve: PassMaterial | null = null;
+  private readonly background = new FullscreenPass({
+    program: 'edgeBackground',
+    fragment: 'edgeBackground',
+    microShaders: { edgeColor, edgeBackground },
+    uniforms: { farol_picture: this.picture, farol_pictureDepth: this.depth, farol_farthest: { value: 1 } },
+  });
+  private readonly resolve = new FullscreenPass({
+    program: 'edgeResolve',
+    fragment: 'edgeResolve',
+    microShaders: { edgeResolve },
+    uniforms: {
+      farol_picture: this.picture,
+      farol_samples: { value: null as Texture | null },
+      farol_whole: this.whole,
+    },
+    target: { type: HalfFloatType, minFilter: LinearFilter, magFilter: LinearFilter },
+  });
   private shared: Picture | null = null;
 
   get bytes(): number {
-    const { target } = this;
-    // of a sample 8 of colour and 4 of depth; and their mean
-    const own = target === null ? 0 : target.width * target.height * (SAMPLES * 12 + 8);
-    return own + this.output.bytes + (this.shared?.bytes ?? 0);
+    const own = this.target === null ? 0 : targetBytes(this.target);
+    return own + this.resolve.bytes + (this.shared?.bytes ?? 0);
   }
 
   begin(frame: Frame): void {
@@ -76,31 +81,27 @@ export class MultisampledEdges implements FarolEffect {
 
   end(frame: Frame): void {
     const picture = this.shared!;
-    if (this.background === null || this.resolve === null) this.makeMaterials(frame);
+    const { background, resolve } = this;
     const target = this.targetLike(picture.target);
-    const output = this.output.of(target.width, target.height);
     this.picture.value = picture.texture;
     this.depth.value = picture.target.depthTexture;
-    this.samples.value = target.texture;
-    this.farthest.value = frame.webgl.state.buffers.depth.getReversed() ? 0 : 1;
+    background.uniforms.farol_farthest.value = frame.webgl.state.buffers.depth.getReversed() ? 0 : 1;
+    resolve.uniforms.farol_samples.value = target.texture;
     this.setReuse(frame);
     frame.bind(target);
     frame.clear(0, true);
-    frame.drawMesh(this.triangle, this.background!);
+    background.draw(frame);
     for (const item of frame.queue.opaque) this.draw(frame, item);
     average(frame, target);
-    frame.bind(output);
-    frame.drawMesh(this.triangle, this.resolve!);
-    picture.texture = output.texture;
+    picture.texture = resolve.drawToOwn(frame, target.width, target.height).texture;
     picture.end(frame);
   }
 
   dispose(): void {
     this.target?.dispose();
-    this.output.dispose();
-    this.background?.dispose();
-    this.resolve?.dispose();
-    this.target = this.background = this.resolve = null;
+    this.target = null;
+    this.background.dispose();
+    this.resolve.dispose();
     this.shared?.dispose();
   }
 
@@ -113,7 +114,8 @@ export class MultisampledEdges implements FarolEffect {
       if (material.depthWrite) this.whole.value = false;
       else laidOver = true;
     }
-    const changed = frame.accumulation !== null || frame.gbufferLayout !== gbufferLayout;
+    const { resources, gbufferExtras } = frame;
+    const changed = gbufferExtras.length > 0 || resources.find('decals') !== undefined;
     this.reuse.value = laidOver || changed || lights.total > this.shadedLights;
     this.shades.value = lights.total <= this.mostLights;
   }
@@ -143,20 +145,6 @@ export class MultisampledEdges implements FarolEffect {
     const target = this.target!;
     if (target.width !== width || target.height !== height) target.setSize(width, height);
     return target;
-  }
-
-  private makeMaterials(frame: Frame): void {
-    const { microshaders } = frame;
-    addMicroShaders(microshaders, 'MultisampledEdges', CHUNKS);
-    const pass = (fragment: string, uniforms: Record<string, IUniform>) =>
-      new PassMaterial(microshaders, {
-        name: `Farol ${fragment}`,
-        vertex: ['fullscreen'],
-        fragment: [fragment],
-        uniforms: { farol_picture: this.picture, ...uniforms },
-      });
-    this.background = pass('edgeBackground', { farol_pictureDepth: this.depth, farol_farthest: this.farthest });
-    this.resolve = pass('edgeResolve', { farol_samples: this.samples, farol_whole: this.whole });
   }
 }
 

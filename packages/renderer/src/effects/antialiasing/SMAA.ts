@@ -1,10 +1,7 @@
-import { HalfFloatType, RGFormat, type IUniform, type Texture } from 'three';
+import { HalfFloatType, LinearFilter, RGFormat, type Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
-import { PassMaterial } from '../../gpu/PassMaterial';
-import { addMicroShaders } from '../../microshaders/addMicroShaders';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
 import displayTransfer from '../displayTransfer.glsl?raw';
-import { EffectTarget } from '../EffectTarget';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import { Picture } from '../Picture';
@@ -12,7 +9,7 @@ import smaaBlend from './smaaBlend.glsl?raw';
 import smaaEdges from './smaaEdges.glsl?raw';
 import smaaWeights from './smaaWeights.glsl?raw';
 
-const CHUNKS = { displayTransfer, smaaEdges, smaaWeights, smaaBlend };
+const LINEAR = { minFilter: LinearFilter, magFilter: LinearFilter } as const;
 
 /**
  * Enhanced subpixel morphological anti-aliasing of one picture (SMAA 1x): finds edges of luma, follows each to its ends (32
@@ -27,19 +24,31 @@ export class SMAA implements FarolEffect {
   readonly name = 'SMAA';
   readonly lacks = lacksFloatTargets;
   readonly takesPicture = true;
-  private readonly edges = new EffectTarget({ format: RGFormat }, 2);
-  private readonly weights = new EffectTarget({}, 4);
-  private readonly output = new EffectTarget({ type: HalfFloatType }, 8);
-  private readonly picture: IUniform<Texture | null> = { value: null };
-  private readonly encoded = { value: false };
-  private readonly edgeMap: IUniform<Texture | null> = { value: null };
-  private readonly weightMap: IUniform<Texture | null> = { value: null };
-  private readonly triangle = new FullscreenMesh();
-  private steps: readonly PassMaterial[] | null = null;
+  private readonly edges = new FullscreenPass({
+    program: 'smaaEdges',
+    fragment: 'smaaEdges',
+    microShaders: { displayTransfer, smaaEdges },
+    uniforms: { farol_picture: { value: null as Texture | null }, farol_encoded: { value: false } },
+    target: { format: RGFormat, ...LINEAR },
+  });
+  private readonly weights = new FullscreenPass({
+    program: 'smaaWeights',
+    fragment: 'smaaWeights',
+    microShaders: { smaaWeights },
+    uniforms: { farol_edgeMap: { value: null as Texture | null } },
+    target: LINEAR,
+  });
+  private readonly blend = new FullscreenPass({
+    program: 'smaaBlend',
+    fragment: 'smaaBlend',
+    microShaders: { displayTransfer, smaaBlend },
+    uniforms: { ...this.edges.uniforms, farol_weightMap: { value: null as Texture | null } },
+    target: { type: HalfFloatType, ...LINEAR },
+  });
   private shared: Picture | null = null;
 
   get bytes(): number {
-    return this.edges.bytes + this.weights.bytes + this.output.bytes + (this.shared?.bytes ?? 0);
+    return this.edges.bytes + this.weights.bytes + this.blend.bytes + (this.shared?.bytes ?? 0);
   }
 
   begin(frame: Frame): void {
@@ -49,50 +58,25 @@ export class SMAA implements FarolEffect {
 
   end(frame: Frame): void {
     const picture = this.shared!;
+    const { edges, weights, blend } = this;
     const { width, height } = frame;
-    this.steps ??= this.makeSteps(frame);
-    const [edges, weights, blend] = this.steps;
-    const edgeTarget = this.edges.of(width, height);
-    const weightTarget = this.weights.of(width, height);
-    const output = this.output.of(width, height);
-    this.picture.value = picture.texture;
-    this.encoded.value = picture.encoded;
-    this.edgeMap.value = edgeTarget.texture;
-    this.weightMap.value = weightTarget.texture;
-    frame.bind(edgeTarget);
+    edges.uniforms.farol_picture.value = picture.texture;
+    edges.uniforms.farol_encoded.value = picture.encoded;
+    edges.bindOwn(frame, width, height);
     frame.clear(1, false);
-    frame.drawMesh(this.triangle, edges);
-    frame.bind(weightTarget);
+    edges.draw(frame);
+    weights.uniforms.farol_edgeMap.value = edges.texture;
+    weights.bindOwn(frame, width, height);
     frame.clear(1, false);
-    frame.drawMesh(this.triangle, weights);
-    frame.bind(output);
-    frame.drawMesh(this.triangle, blend);
-    picture.texture = output.texture;
+    weights.draw(frame);
+    blend.uniforms.farol_weightMap.value = weights.texture;
+    picture.texture = blend.drawToOwn(frame, width, height).texture;
     picture.encoded = false;
     picture.end(frame);
   }
 
   dispose(): void {
-    for (const target of [this.edges, this.weights, this.output]) target.dispose();
-    for (const step of this.steps ?? []) step.dispose();
-    this.steps = null;
+    for (const pass of [this.edges, this.weights, this.blend]) pass.dispose();
     this.shared?.dispose();
-  }
-
-  private makeSteps(frame: Frame): readonly PassMaterial[] {
-    addMicroShaders(frame.microshaders, 'SMAA', CHUNKS);
-    const step = (chunk: string, uniforms: Record<string, IUniform>) =>
-      new PassMaterial(frame.microshaders, {
-        name: `Farol ${chunk}`,
-        vertex: ['fullscreen'],
-        fragment: [chunk],
-        uniforms,
-      });
-    const { picture: farol_picture, encoded: farol_encoded } = this;
-    return [
-      step('smaaEdges', { farol_picture, farol_encoded }),
-      step('smaaWeights', { farol_edgeMap: this.edgeMap }),
-      step('smaaBlend', { farol_picture, farol_encoded, farol_weightMap: this.weightMap }),
-    ];
   }
 }

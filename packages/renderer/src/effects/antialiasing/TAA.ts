@@ -1,18 +1,6 @@
-import {
-  type Camera,
-  type IUniform,
-  Matrix4,
-  type Object3D,
-  type PerspectiveCamera,
-  type Texture,
-  Vector2,
-  Vector4,
-  type WebGLRenderTarget,
-} from 'three';
+import { type Camera, Matrix4, type Object3D, type PerspectiveCamera, type Texture, Vector2, Vector4 } from 'three';
 import type { Frame } from '../../frame/Frame';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
-import { PassMaterial } from '../../gpu/PassMaterial';
-import { addMicroShaders } from '../../microshaders/addMicroShaders';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
 import displayTransfer from '../displayTransfer.glsl?raw';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
@@ -73,6 +61,7 @@ export class TAA implements FarolEffect {
   readonly name = 'TAA';
   readonly lacks = lacksFloatTargets;
   readonly takesPicture = true;
+  readonly movesCamera = true;
   /** Share of a sample in a quarter of a pixel that it falls in, if that moves; half of it if not: above 0, at most 1. Default 0.65. */
   share = 0.65;
   /** Standard deviations of its neighbours to which a pixel's past is clipped where it may not be believed. Default 2, above 0. */
@@ -87,27 +76,46 @@ export class TAA implements FarolEffect {
   private readonly jitter = { value: new Vector2() };
   private readonly motion = new MotionPass(this.jitter.value);
   private readonly viewProjection = new Matrix4();
-  private readonly picture: IUniform<Texture | null> = { value: null };
-  private readonly depth: IUniform<Texture | null> = { value: null };
-  private readonly past: IUniform<Texture | null> = { value: null };
-  private readonly motionMap: IUniform<Texture | null> = { value: null };
-  private readonly reproject = { value: new Matrix4() };
-  private readonly depthKind = { value: new Vector2() };
-  private readonly projectZ = { value: new Vector4() };
-  private readonly encoded = { value: false };
-  private readonly hasMotion = { value: false };
-  private readonly reach: IUniform<Texture | null> = { value: null };
-  private readonly reachBefore: IUniform<Texture | null> = { value: null };
-  private readonly cells = { value: 2 };
-  private readonly weights = { value: new Vector4() };
-  private readonly shareOfNew = { value: new Vector2(1, 1) };
-  private readonly clip = { value: 0 };
-  private readonly belief = { value: 0 };
-  private readonly hasPast = { value: false };
-  private readonly triangle = new FullscreenMesh();
-  private near: PassMaterial | null = null;
-  private resolve: PassMaterial | null = null;
-  private average: PassMaterial | null = null;
+  private readonly jitterDepth = {
+    farol_pictureDepth: { value: null as Texture | null },
+    farol_motionMap: { value: null as Texture | null },
+    farol_reproject: { value: new Matrix4() },
+    farol_jitter: this.jitter,
+    farol_depthKind: { value: new Vector2() },
+    farol_projectZ: { value: new Vector4() },
+    farol_hasMotion: { value: false },
+  };
+  private readonly pastCells = { farol_history: { value: null as Texture | null }, farol_cells: { value: 2 } };
+  private readonly near = new FullscreenPass({
+    program: 'TAA near',
+    fragment: 'taaNear',
+    microShaders: { taaDepth, taaNear },
+    uniforms: this.jitterDepth,
+  });
+  private readonly average = new FullscreenPass({
+    program: 'TAA picture',
+    fragment: 'taaPicture',
+    microShaders: { taaPicture },
+    uniforms: this.pastCells,
+  });
+  private readonly resolve = new FullscreenPass({
+    program: 'TAA',
+    fragment: 'taaResolve',
+    microShaders: { displayTransfer, lanczosCross, taaDepth, taaResolve },
+    uniforms: {
+      ...this.jitterDepth,
+      ...this.pastCells,
+      farol_picture: { value: null as Texture | null },
+      farol_reach: { value: null as Texture | null },
+      farol_reachBefore: { value: null as Texture | null },
+      farol_weights: { value: new Vector4() },
+      farol_encoded: { value: false },
+      farol_hasPast: { value: false },
+      farol_share: { value: new Vector2(1, 1) },
+      farol_gamma: { value: 0 },
+      farol_belief: { value: 0 },
+    },
+  });
   private shared: Picture | null = null;
   /** From `begin` to `end`: found at `begin`, an exception has ended the last frame. */
   private open = false;
@@ -143,30 +151,30 @@ export class TAA implements FarolEffect {
   }
 
   end(frame: Frame): void {
-    const { history, motion, viewProjection } = this;
+    const { history, motion, viewProjection, near, average, resolve } = this;
+    const { uniforms } = resolve;
     const picture = this.shared!;
-    this.makeMaterials(frame);
     this.drawMotion(frame);
-    this.picture.value = picture.texture;
-    this.depth.value = picture.target.depthTexture;
-    this.past.value = history.texture;
-    this.reachBefore.value = history.reach;
-    this.motionMap.value = motion.target?.texture ?? null;
-    this.hasMotion.value = motion.drawn;
-    this.hasPast.value = !history.isEmpty;
-    this.encoded.value = picture.encoded;
+    uniforms.farol_picture.value = picture.texture;
+    uniforms.farol_pictureDepth.value = picture.target.depthTexture;
+    uniforms.farol_history.value = history.texture;
+    uniforms.farol_reachBefore.value = history.reach;
+    uniforms.farol_motionMap.value = motion.target?.texture ?? null;
+    uniforms.farol_hasMotion.value = motion.drawn;
+    uniforms.farol_hasPast.value = !history.isEmpty;
+    uniforms.farol_encoded.value = picture.encoded;
     this.setDepthKind(frame);
-    this.reproject.value.copy(viewProjection).invert().premultiply(history.viewProjection);
+    uniforms.farol_reproject.value.copy(viewProjection).invert().premultiply(history.viewProjection);
     this.setShares(frame);
     const { next, nextReach } = history;
-    this.draw(frame, nextReach, this.near!);
-    this.reach.value = nextReach.texture;
-    this.draw(frame, next, this.resolve!);
+    near.drawTo(frame, nextReach);
+    uniforms.farol_reach.value = nextReach.texture;
+    resolve.drawTo(frame, next);
     history.advance(viewProjection, frame.camera);
     picture.texture = next.texture;
-    if (this.cells.value > 1) {
-      this.past.value = next.texture;
-      this.draw(frame, picture.target, this.average!);
+    if (uniforms.farol_cells.value > 1) {
+      uniforms.farol_history.value = next.texture;
+      average.drawTo(frame, picture.target);
       picture.texture = picture.target.texture;
     }
     picture.encoded = false;
@@ -179,8 +187,7 @@ export class TAA implements FarolEffect {
     this.histories.length = 0;
     this.recent.clear();
     this.motion.dispose();
-    for (const material of [this.near, this.resolve, this.average]) material?.dispose();
-    this.near = this.resolve = this.average = null;
+    for (const pass of [this.near, this.resolve, this.average]) pass.dispose();
     this.shared?.dispose();
   }
 
@@ -200,9 +207,10 @@ export class TAA implements FarolEffect {
     history.known = follows && !motion.known ? 0 : history.known + 1;
     history.quiet = follows && changed ? 0 : history.quiet + 1;
     const lit = history.sure > RELIT && frame.shadowMapsDrawn === 0 && !motion.undrawn;
-    if (!lit) this.belief.value = history.sure > RELIT || moved ? 1 : 0;
-    else if (!follows || history.known <= MET) this.belief.value = 2;
-    else this.belief.value = moved ? 4 : 3;
+    const belief = this.resolve.uniforms.farol_belief;
+    if (!lit) belief.value = history.sure > RELIT || moved ? 1 : 0;
+    else if (!follows || history.known <= MET) belief.value = 2;
+    else belief.value = moved ? 4 : 3;
   }
 
   /** Says how much this frame's samples count. */
@@ -210,11 +218,12 @@ export class TAA implements FarolEffect {
     const { history, share } = this;
     const { gathered } = history;
     const still = !history.isEmpty && history.quiet > SETTLED;
-    const weights = this.weights.value;
-    const cells = this.cells.value;
+    const { farol_weights, farol_cells, farol_gamma, farol_share } = this.resolve.uniforms;
+    const weights = farol_weights.value;
+    const cells = farol_cells.value;
     const parts = cells * cells;
     cellWeights(this.jitter.value, frame.width, frame.height, cells, still || history.isEmpty, weights);
-    this.clip.value = still ? 0 : this.gamma;
+    farol_gamma.value = still ? 0 : this.gamma;
     if (still) {
       for (let i = 0; i < 4; i++) {
         const weight = weights.getComponent(i);
@@ -229,12 +238,7 @@ export class TAA implements FarolEffect {
     const first = 1 / (1 + history.count / parts);
     // in a cell that is a whole pixel, each frame has a sample
     const least = 1 - (1 - share) ** (parts / 4);
-    this.shareOfNew.value.set(Math.max(first, least), Math.max(first, least * STILL));
-  }
-
-  private draw(frame: Frame, target: WebGLRenderTarget, material: PassMaterial): void {
-    frame.bind(target);
-    frame.drawMesh(this.triangle, material);
+    farol_share.value.set(Math.max(first, least), Math.max(first, least * STILL));
   }
 
   private setDepthKind(frame: Frame): void {
@@ -242,8 +246,9 @@ export class TAA implements FarolEffect {
     const { far, projectionMatrix } = frame.camera as PerspectiveCamera;
     const { elements } = projectionMatrix;
     const logarithmic = capabilities.logarithmicDepthBuffer && elements[11] !== 0;
-    this.depthKind.value.set(capabilities.reversedDepthBuffer ? 1 : 0, logarithmic ? Math.log2(far + 1) : 0);
-    this.projectZ.value.set(elements[10], elements[14], elements[11], elements[15]);
+    const { farol_depthKind, farol_projectZ } = this.resolve.uniforms;
+    farol_depthKind.value.set(capabilities.reversedDepthBuffer ? 1 : 0, logarithmic ? Math.log2(far + 1) : 0);
+    farol_projectZ.value.set(elements[10], elements[14], elements[11], elements[15]);
   }
 
   private isCut(history: TemporalHistory, camera: Camera): boolean {
@@ -262,7 +267,7 @@ export class TAA implements FarolEffect {
     this.recent.use(history);
     const beyond = 2 * Math.max(width, height) > frame.webgl.capabilities.maxTextureSize;
     const wanted = this.options.cells ?? (width * height < LARGE ? 2 : 1);
-    const cells = (this.cells.value = beyond ? 1 : wanted);
+    const cells = (this.pastCells.farol_cells.value = beyond ? 1 : wanted);
     if (!history.hasSize(width, height, cells)) history.reset();
     history.setSize(width, height, cells);
     return history;
@@ -282,38 +287,5 @@ export class TAA implements FarolEffect {
     jitterProjection(view.projectionMatrix.copy(camera.projectionMatrix), x, y);
     view.projectionMatrixInverse.copy(view.projectionMatrix).invert();
     return view;
-  }
-
-  private makeMaterials(frame: Frame): void {
-    if (this.resolve !== null) return;
-    const { microshaders } = frame;
-    addMicroShaders(microshaders, 'TAA', { displayTransfer, lanczosCross, taaDepth, taaNear, taaPicture, taaResolve });
-    const depth = {
-      farol_pictureDepth: this.depth,
-      farol_motionMap: this.motionMap,
-      farol_reproject: this.reproject,
-      farol_jitter: this.jitter,
-      farol_depthKind: this.depthKind,
-      farol_projectZ: this.projectZ,
-      farol_hasMotion: this.hasMotion,
-    };
-    const cells = { farol_history: this.past, farol_cells: this.cells };
-    const pass = (name: string, fragment: string, uniforms: Record<string, IUniform>) =>
-      new PassMaterial(microshaders, { name, vertex: ['fullscreen'], fragment: [fragment], uniforms });
-    this.near = pass('Farol TAA near', 'taaNear', depth);
-    this.average = pass('Farol TAA picture', 'taaPicture', cells);
-    this.resolve = pass('Farol TAA', 'taaResolve', {
-      ...depth,
-      ...cells,
-      farol_picture: this.picture,
-      farol_reach: this.reach,
-      farol_reachBefore: this.reachBefore,
-      farol_weights: this.weights,
-      farol_encoded: this.encoded,
-      farol_hasPast: this.hasPast,
-      farol_share: this.shareOfNew,
-      farol_gamma: this.clip,
-      farol_belief: this.belief,
-    });
   }
 }

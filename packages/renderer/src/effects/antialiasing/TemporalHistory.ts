@@ -2,7 +2,7 @@ import {
   type Camera,
   HalfFloatType,
   Matrix4,
-  NearestFilter,
+  LinearFilter,
   type Object3D,
   RGFormat,
   type Texture,
@@ -10,9 +10,12 @@ import {
   Vector4,
   type WebGLRenderTarget,
 } from 'three';
-import { EffectTarget } from '../EffectTarget';
+import { PassTarget } from '../../gpu/PassTarget';
 import { LightWatch } from './LightWatch';
 import { ObjectMotions } from './ObjectMotions';
+
+const CELLS = { type: HalfFloatType, minFilter: LinearFilter, magFilter: LinearFilter } as const;
+const REACH = { type: HalfFloatType, format: RGFormat } as const;
 
 /** What temporal anti-aliasing keeps of the frames of one camera and scene. */
 export class TemporalHistory {
@@ -36,14 +39,8 @@ export class TemporalHistory {
   looks = 0;
   /** Sum of the weights of the samples in each cell of a pixel, since anything changed. */
   readonly gathered = new Vector4();
-  private readonly targets = [
-    new EffectTarget({ type: HalfFloatType }, 8),
-    new EffectTarget({ type: HalfFloatType }, 8),
-  ];
-  private readonly reaches = [
-    new EffectTarget({ type: HalfFloatType, format: RGFormat, minFilter: NearestFilter, magFilter: NearestFilter }, 4),
-    new EffectTarget({ type: HalfFloatType, format: RGFormat, minFilter: NearestFilter, magFilter: NearestFilter }, 4),
-  ];
+  private readonly targets = [new PassTarget(CELLS), new PassTarget(CELLS)];
+  private readonly reaches = [new PassTarget(REACH), new PassTarget(REACH)];
   private width = 0;
   private height = 0;
   private cells = 1;

@@ -15,7 +15,7 @@ export class DecalFramebuffers {
     const { properties, state } = frame.webgl;
     const handle = (texture: Texture) => (properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture;
     // what effects add to the layout is light
-    const light = [gbuffer.accumulation, ...gbuffer.target.textures.slice(gbufferLayout.length)];
+    const light = [gbuffer.emissive, ...gbuffer.target.textures.slice(gbufferLayout.length)];
     const groups = [light.map(handle), [gbuffer.albedo, gbuffer.normal, gbuffer.material].map(handle)];
     const all = groups.flat();
     if (all.length === this.attached.length && all.every((texture, i) => texture === this.attached[i])) return;

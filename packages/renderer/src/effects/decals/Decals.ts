@@ -24,8 +24,6 @@ import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 import { storedKind } from '../../gbuffer/gbufferUniforms';
-import { GBufferPass } from '../../gbuffer/GBufferPass';
-import type { Pass } from '../../frame/Pass';
 import { PassMaterial } from '../../gpu/PassMaterial';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
@@ -90,18 +88,20 @@ export class Decals implements FarolEffect {
     this.reached = false;
   }
 
-  render(frame: Frame, pass: Pass): void {
+  render(frame: Frame): void {
     this.reached = true;
-    let first = true;
+    let drawn = 0;
     for (const item of frame.queue.opaque) {
       const decal = item.object as Decal;
       if (decal.isDecal !== true) continue;
       item.drawn = true;
-      if (first) this.prepare(frame, (pass as GBufferPass).gbuffer!);
-      first = false;
+      if (drawn === 0) this.prepare(frame, frame.resources.get('gbuffer'));
+      drawn++;
       this.draw(frame, decal);
     }
-    if (!first) frame.bindTarget();
+    if (drawn === 0) return;
+    frame.resources.put('decals', drawn);
+    frame.bindTarget();
   }
 
   end(frame: Frame): void {

@@ -1,17 +1,15 @@
-import { HalfFloatType, type Matrix4, NearestFilter, RGFormat, Vector4, type WebGLRenderTarget } from 'three';
+import { HalfFloatType, type Matrix4, RGFormat, Vector4, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../../frame/Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
-import { EffectTarget } from '../EffectTarget';
+import { PassTarget } from '../../gpu/PassTarget';
 import { boxRectangle } from './boxRectangle';
-
-const NEAREST = { minFilter: NearestFilter, magFilter: NearestFilter } as const;
 
 /** Copies of a G-buffer's normals and albedo, which are read while the G-buffer itself is written. */
 export class SurfaceCopies {
-  private readonly normalTarget = new EffectTarget({ format: RGFormat, type: HalfFloatType, ...NEAREST }, 4);
+  private readonly normalTarget = new PassTarget({ format: RGFormat, type: HalfFloatType });
   /** Of a G-buffer that stores distances. */
-  private readonly distanceTarget = new EffectTarget({ type: HalfFloatType, ...NEAREST }, 8);
-  private readonly albedoTarget = new EffectTarget({ ...NEAREST }, 4);
+  private readonly distanceTarget = new PassTarget({ type: HalfFloatType });
+  private readonly albedoTarget = new PassTarget();
   private gbuffer!: WebGLRenderTarget;
   private normals!: WebGLRenderTarget;
   private albedos!: WebGLRenderTarget;

@@ -5,7 +5,6 @@ import {
   OneFactor,
   OneMinusSrcAlphaFactor,
   Vector4,
-  type IUniform,
   type Texture,
   type WebGLRenderTarget,
 } from 'three';
@@ -14,11 +13,9 @@ import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
 import { WebGLMultipleRenderTargets } from '../../three/WebGLMultipleRenderTargets';
 import type { TwinKind } from '../../materials/TwinKind';
-import { ForwardPass } from '../../forward/ForwardPass';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import { targetBytes } from '../../gpu/targetBytes';
 import type { Pass } from '../../frame/Pass';
-import { PassMaterial } from '../../gpu/PassMaterial';
-import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import { Picture } from '../Picture';
 import { isWeighted, weightedTwin } from './weightedTwin';
 import weightedResolve from './weightedResolve.glsl?raw';
@@ -44,16 +41,27 @@ export class WeightedBlendedOIT implements FarolEffect {
   private underTarget: WebGLRenderTarget | null = null;
   private shared: Picture | null = null;
   private readonly twins = new Map<TwinKind, TwinKind>();
-  private readonly layers: IUniform<Texture | null> = { value: null };
-  private readonly weights: IUniform<Texture | null> = { value: null };
-  private readonly triangle = new FullscreenMesh();
-  private material: PassMaterial | null = null;
+  /** While transparent items are added to the weighted sums. */
+  private isWeighing = false;
+  private readonly resolve = new FullscreenPass({
+    program: 'weighted transparency',
+    fragment: 'weightedResolve',
+    microShaders: { weightedResolve },
+    uniforms: {
+      farol_layers: { value: null as Texture | null },
+      farol_weights: { value: null as Texture | null },
+    },
+    blending: CustomBlending,
+    blendSrc: OneFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+  });
 
   get bytes(): number {
-    return (this.target ? this.target.width * this.target.height * 16 : 0) + (this.shared?.bytes ?? 0);
+    return (this.target === null ? 0 : targetBytes(this.target, false)) + (this.shared?.bytes ?? 0);
   }
 
   begin(frame: Frame): void {
+    this.isWeighing = false; // an exception may have ended the last frame
     this.shared = Picture.of(frame);
     this.shared.begin(frame);
   }
@@ -61,11 +69,9 @@ export class WeightedBlendedOIT implements FarolEffect {
   render(frame: Frame, pass: Pass): void {
     const { transparent } = frame.queue;
     let weighted = 0;
-    if (pass instanceof ForwardPass) {
-      for (const item of transparent) {
-        item.drawn = !isWeighted(item);
-        if (!item.drawn) weighted++;
-      }
+    for (const item of transparent) {
+      item.drawn = !isWeighted(item);
+      if (!item.drawn) weighted++;
     }
     if (weighted > 0) {
       this.drawLayers(frame, pass);
@@ -84,35 +90,33 @@ export class WeightedBlendedOIT implements FarolEffect {
   dispose(): void {
     this.target?.dispose();
     this.target = this.underTarget = null;
-    this.material?.dispose();
-    this.material = null;
+    this.resolve.dispose();
     this.shared?.dispose();
   }
 
   /** The weighted sums, under the picture's depth, then over the picture. */
   private drawLayers(frame: Frame, pass: Pass): void {
     const picture = this.shared!.target;
-    const { adapt } = frame;
     const target = this.prepareTarget(picture);
     frame.target = target;
-    frame.adapt = this.adapt;
+    this.isWeighing = true;
     frame.bindTarget();
     frame.clear(2, false, CLEAR);
     pass.render(frame);
     frame.target = picture;
-    frame.adapt = adapt;
-    this.layers.value = target.textures[0];
-    this.weights.value = target.textures[1];
-    this.material ??= this.makeMaterial(frame);
+    this.isWeighing = false;
+    this.resolve.uniforms.farol_layers.value = target.textures[0];
+    this.resolve.uniforms.farol_weights.value = target.textures[1];
     frame.bindTarget();
-    frame.drawMesh(this.triangle, this.material);
+    this.resolve.draw(frame);
   }
 
-  private readonly adapt = (kind: TwinKind): TwinKind => {
+  adapt(kind: TwinKind): TwinKind {
+    if (!this.isWeighing) return kind;
     let twin = this.twins.get(kind);
     if (twin === undefined) this.twins.set(kind, (twin = weightedTwin(kind)));
     return twin;
-  };
+  }
 
   private prepareTarget(picture: WebGLRenderTarget): WebGLMultipleRenderTargets {
     const { width, height } = picture;
@@ -134,18 +138,5 @@ export class WeightedBlendedOIT implements FarolEffect {
     }
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     return this.target;
-  }
-
-  private makeMaterial(frame: Frame): PassMaterial {
-    addMicroShaders(frame.microshaders, 'WeightedBlendedOIT', { weightedResolve });
-    return new PassMaterial(frame.microshaders, {
-      name: 'Farol weighted transparency',
-      vertex: ['fullscreen'],
-      fragment: ['weightedResolve'],
-      uniforms: { farol_layers: this.layers, farol_weights: this.weights },
-      blending: CustomBlending,
-      blendSrc: OneFactor,
-      blendDst: OneMinusSrcAlphaFactor,
-    });
   }
 }

@@ -1,16 +1,10 @@
-import { Vector2, type IUniform, type Texture } from 'three';
+import { Vector2, type Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
-import type { ForwardTwins } from '../../forward/forwardTwin';
-import { lightBufferTwins } from './lightBufferTwins';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import type { LightBuffer } from './LightBuffer';
 import { resetObject, setObject } from './objectAttribute';
-import type { View } from '../../frame/views';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
-import type { LightBufferPass } from './LightBufferPass';
-import { lightBufferUniforms, setLightBufferUniforms } from './lightBufferUniforms';
 import { objectNumber } from './objectNumbers';
 import type { Pass } from '../../frame/Pass';
-import { OutputMaterial } from '../../gpu/PassMaterial';
-import type { ThinGBufferPass } from './ThinGBufferPass';
 
 /**
  * Draws the surfaces of the thin G-buffer once more, into the host's target and with its depth, each by its own material,
@@ -19,33 +13,21 @@ import type { ThinGBufferPass } from './ThinGBufferPass';
  */
 export class LitMaterialsPass implements Pass {
   readonly name = 'output';
-  readonly reads = ['thin-gbuffer', 'scene-depth', 'light-buffer'] as const;
+  readonly reads = ['thin-gbuffer', 'light-buffer', 'overdraw'] as const;
   readonly writes = ['target'] as const;
   readonly bytes = 0;
-  /** Lit materials by the light buffer of this frame; set `farol_object` for each draw. */
-  readonly twins: (view: View) => ForwardTwins;
-  private readonly uniforms = lightBufferUniforms();
-  private readonly overdraw: IUniform<Texture | null> = { value: null };
-  private readonly offset = { value: new Vector2() };
-  private readonly triangle = new FullscreenMesh();
-  private counts: OutputMaterial | null = null;
-
-  constructor(
-    private readonly surfaces: ThinGBufferPass,
-    private readonly lights: LightBufferPass,
-  ) {
-    this.twins = lightBufferTwins(this.uniforms);
-  }
+  /** Shows the counts; made for the light buffer of its technique. */
+  private counts: ReturnType<typeof countPass> | null = null;
 
   render(frame: Frame): void {
-    setLightBufferUniforms(this.uniforms, this.surfaces, this.lights, frame);
+    const { items } = frame.resources.get('thin-gbuffer');
+    const lights = frame.resources.get('light-buffer');
     frame.bindTarget();
     if (frame.view === 'overdraw') {
-      this.showCounts(frame);
+      this.showCounts(frame, lights);
       return;
     }
-    const twins = this.twins(frame.view);
-    const { items } = this.surfaces;
+    const twins = lights.twins(frame.view);
     try {
       for (let i = 0; i < items.length; i++) {
         setObject(frame.gl, objectNumber(i), 0);
@@ -62,15 +44,24 @@ export class LitMaterialsPass implements Pass {
     this.counts = null;
   }
 
-  private showCounts(frame: Frame): void {
-    this.overdraw.value = frame.overdraw;
-    this.offset.value.set(frame.viewport.x, frame.viewport.y);
-    this.counts ??= new OutputMaterial(frame.microshaders, {
-      name: 'Farol light buffer counts',
-      vertex: ['fullscreen'],
-      fragment: ['lightBufferCounts'],
-      uniforms: { ...frame.uniforms, ...this.uniforms, farol_overdrawMap: this.overdraw, farol_offset: this.offset },
-    });
-    frame.drawMesh(this.triangle, this.counts);
+  private showCounts(frame: Frame, lights: LightBuffer): void {
+    const counts = (this.counts ??= countPass(lights));
+    counts.uniforms.farol_overdrawMap.value = frame.resources.find('overdraw') ?? null;
+    counts.uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
+    counts.draw(frame);
   }
+}
+
+function countPass({ uniforms }: LightBuffer) {
+  return new FullscreenPass({
+    program: 'light buffer counts',
+    fragment: 'lightBufferCounts',
+    shared: 'all',
+    asThree: true,
+    uniforms: {
+      ...uniforms,
+      farol_overdrawMap: { value: null as Texture | null },
+      farol_offset: { value: new Vector2() },
+    },
+  });
 }

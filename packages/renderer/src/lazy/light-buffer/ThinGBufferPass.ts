@@ -1,4 +1,7 @@
 import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, RGFormat, Vector4, WebGLRenderTarget } from 'three';
+import { targetBytes } from '../../gpu/targetBytes';
+import * as chunks from './chunks';
+import type { ThinGBuffer } from './ThinGBuffer';
 import type { Frame } from '../../frame/Frame';
 import { thinGBufferLayout } from './thinGBufferLayout';
 import { isLightBufferMaterial } from './isLightBufferMaterial';
@@ -12,8 +15,8 @@ import type { Pass } from '../../frame/Pass';
 
 /** How large the buffers of lighting are, and what is in them. */
 export interface ThinGBufferOptions {
-  /** Texels a pixel of the picture, along a side: above 0, at most 1. Read each frame. */
-  readonly scale: { readonly value: number };
+  /** Of `Frame.inferredScale`, in place of the picture's size. */
+  readonly scaled: boolean;
   /** Transparent things are in it too, each layer in one texel of each two by two. */
   readonly stipple: boolean;
 }
@@ -23,27 +26,32 @@ export interface ThinGBufferOptions {
  * which object it is.
  * @see Engel 2009, The Light Pre-Pass Renderer; Kircher and Lawrance 2009, Inferred Lighting; thesis 2.2.3.3.2
  */
-export class ThinGBufferPass implements Pass {
+export class ThinGBufferPass implements Pass, ThinGBuffer {
   readonly name = 'thin g-buffer';
   readonly reads = [] as const;
   readonly writes = ['thin-gbuffer', 'scene-depth'] as const;
-  target: WebGLRenderTarget | null = null;
-  /** Texels a pixel, along a side. */
-  readonly scale = { value: 1 };
-  /** From the picture's normalised device coordinates to the buffer's, by `gridFit`. */
-  readonly fit = { value: new Vector4(1, 1, 0, 0) };
-  /** The opaque items drawn; the n-th has `objectNumber(n)`. */
+  readonly microShaders = { ...chunks };
+  readonly fit = new Vector4(1, 1, 0, 0);
   readonly items: RenderItem[] = [];
+  private made: WebGLRenderTarget | null = null;
+  private readonly scaleUniform = { value: 1 };
   private readonly twins: ThinGBufferTwins;
 
   constructor(private readonly options: ThinGBufferOptions) {
-    this.twins = thinGBufferTwins(this.scale, this.fit);
+    this.twins = thinGBufferTwins(this.scaleUniform, { value: this.fit });
   }
 
   get bytes(): number {
-    return this.target
-      ? this.target.width * this.target.height * (thinGBufferLayout.bytes + 4 * this.target.textures.length)
-      : 0;
+    return this.made === null ? 0 : targetBytes(this.made);
+  }
+
+  /** Made by `render`. */
+  get target(): WebGLRenderTarget {
+    return this.made!;
+  }
+
+  get scale(): number {
+    return this.scaleUniform.value;
   }
 
   render(frame: Frame): void {
@@ -61,9 +69,10 @@ export class ThinGBufferPass implements Pass {
     } finally {
       resetObject(frame.gl);
     }
+    frame.resources.put('thin-gbuffer', this);
+    frame.resources.put('scene-depth', this.target.depthTexture!);
   }
 
-  /** True for a transparent item whose layers are in the buffer. */
   isStippled(item: RenderItem): boolean {
     const { material, lit } = item;
     return (
@@ -78,23 +87,23 @@ export class ThinGBufferPass implements Pass {
   }
 
   dispose(): void {
-    this.target?.depthTexture?.dispose();
-    this.target?.dispose();
-    this.target = null;
+    this.made?.depthTexture?.dispose();
+    this.made?.dispose();
+    this.made = null;
     this.items.length = 0;
   }
 
   private prepareTarget(frame: Frame): void {
-    const scale = this.options.scale.value;
+    const scale = this.options.scaled ? frame.inferredScale : 1;
     const width = gridTexels(frame.width, scale);
     const height = gridTexels(frame.height, scale);
-    this.scale.value = scale;
-    gridFit(frame.width, frame.height, scale, this.fit.value);
+    this.scaleUniform.value = scale;
+    gridFit(frame.width, frame.height, scale, this.fit);
     // what stores distances goes on to: cameras may take turns
-    if (frame.storesDistance && this.target?.textures.length === 1) this.dispose();
-    this.target ??= makeTarget(frame.storesDistance);
-    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
-    frame.bind(this.target);
+    if (frame.storesDistance && this.made?.textures.length === 1) this.dispose();
+    const target = (this.made ??= makeTarget(frame.storesDistance));
+    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    frame.bind(target);
     frame.clear(1, true);
   }
 

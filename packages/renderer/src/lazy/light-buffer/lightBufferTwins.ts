@@ -12,6 +12,7 @@ export function lightBufferTwins(uniforms: Record<string, IUniform>): (view: Vie
   return forwardTwins('lightLoopBuffer', (kind: TwinKind) =>
     withObject({
       ...kind,
+      role: 'light-buffer',
       patch(shader, source, header) {
         kind.patch(shader, source, header);
         Object.assign(shader.uniforms, uniforms);

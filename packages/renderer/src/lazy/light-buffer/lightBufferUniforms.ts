@@ -1,10 +1,5 @@
 import { Vector2, Vector4, type IUniform, type Texture } from 'three';
-import type { Frame } from '../../frame/Frame';
-import { gridShift } from './gridFit';
-import type { LightBufferPass } from './LightBufferPass';
-import type { ThinGBufferPass } from './ThinGBufferPass';
-import { storedKind } from '../../gbuffer/gbufferUniforms';
-import { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../../gpu/unprojectUniforms';
+import { unprojectUniforms, type UnprojectUniforms } from '../../gpu/unprojectUniforms';
 
 /** Uniforms of thinGBufferRead.glsl. */
 export interface ThinGBufferUniforms extends UnprojectUniforms {
@@ -44,34 +39,4 @@ export function lightBufferUniforms(): LightBufferUniforms {
     farol_sums2: { value: null },
     farol_lightGrid: { value: new Vector4() },
   };
-}
-
-export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: ThinGBufferPass, frame: Frame): void {
-  const target = source.target!;
-  uniforms.farol_thinSurface.value = target.texture;
-  const distances = target.textures[1];
-  uniforms.farol_thinDepth.value = distances ?? target.depthTexture;
-  uniforms.farol_thinStored.value = distances === undefined ? 0 : storedKind(frame.camera);
-  uniforms.farol_size.value.set(target.width, target.height);
-  setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
-  const { x, y, z, w } = source.fit.value;
-  uniforms.farol_fit.value.set(x, y, z, w);
-  const unproject = uniforms.farol_unprojectXY.value;
-  unproject.set(unproject.x / x, unproject.y / y, unproject.z * x - z, unproject.w * y - w);
-}
-
-export function setLightBufferUniforms(
-  uniforms: LightBufferUniforms,
-  source: ThinGBufferPass,
-  lights: LightBufferPass,
-  frame: Frame,
-): void {
-  setThinGBufferUniforms(uniforms, source, frame);
-  const { textures } = lights.target!;
-  uniforms.farol_sums0.value = textures[0];
-  uniforms.farol_sums1.value = textures[1];
-  uniforms.farol_sums2.value = textures[2];
-  const scale = source.scale.value;
-  const shift = gridShift(scale);
-  uniforms.farol_lightGrid.value.set(scale, scale, frame.viewport.x - shift, frame.viewport.y - shift);
 }

@@ -1,34 +1,30 @@
-import { HalfFloatType, NearestFilter, Vector2, WebGLRenderTarget, type IUniform, type Texture } from 'three';
+import { HalfFloatType, Vector2, type Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { depthTwin, hasDepthTwin } from '../../forward/depthTwin';
 import { canCountOverdraw, overdrawTwin } from '../../materials/overdrawTwin';
 import type { RenderItem } from '../../frame/RenderItem';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
-import { OutputMaterial } from '../../gpu/PassMaterial';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import { PassTarget } from '../../gpu/PassTarget';
 
 /** Counts how often a material is shaded at each pixel, in the order in which the technique draws. For the view 'overdraw'. */
 export class OverdrawPass {
-  readonly name = 'overdraw';
-  target: WebGLRenderTarget | null = null;
-  private readonly map: IUniform<Texture | null> = { value: null };
-  private readonly offset = { value: new Vector2() };
-  private readonly triangle = new FullscreenMesh();
-  private material: OutputMaterial | null = null;
+  private readonly target = new PassTarget({ type: HalfFloatType, depthBuffer: true });
+  private readonly counts = new FullscreenPass({
+    program: 'count view',
+    fragment: 'countView',
+    shared: 'all',
+    asThree: true,
+    uniforms: { farol_overdrawMap: { value: null as Texture | null }, farol_offset: { value: new Vector2() } },
+  });
 
   get bytes(): number {
-    return this.target ? this.target.width * this.target.height * 12 : 0;
+    return this.target.bytes;
   }
 
   /** @param depthFirst the technique draws depth before it shades */
   render(frame: Frame, depthFirst: boolean): void {
-    const { width, height } = frame;
-    this.target ??= new WebGLRenderTarget(1, 1, {
-      type: HalfFloatType,
-      minFilter: NearestFilter,
-      magFilter: NearestFilter,
-    });
-    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
-    frame.bind(this.target);
+    const target = this.target.of(frame.width, frame.height);
+    frame.bind(target);
     frame.clear(1, true);
     if (depthFirst) {
       for (const item of frame.queue.opaque) {
@@ -38,27 +34,21 @@ export class OverdrawPass {
     this.count(frame, frame.queue.opaque);
     this.count(frame, frame.queue.transmissive);
     this.count(frame, frame.queue.transparent);
-    frame.overdraw = this.target.texture;
+    frame.resources.put('overdraw', target.texture);
   }
 
   /** Shows the counts alone, for techniques that have no output pass. */
   show(frame: Frame): void {
-    this.map.value = frame.overdraw;
-    this.offset.value.set(frame.viewport.x, frame.viewport.y);
-    this.material ??= new OutputMaterial(frame.microshaders, {
-      name: 'Farol count view',
-      vertex: ['fullscreen'],
-      fragment: ['countView'],
-      uniforms: { ...frame.uniforms, farol_overdrawMap: this.map, farol_offset: this.offset },
-    });
+    const { uniforms } = this.counts;
+    uniforms.farol_overdrawMap.value = frame.resources.get('overdraw');
+    uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     frame.bindTarget();
-    frame.drawMesh(this.triangle, this.material);
+    this.counts.draw(frame);
   }
 
   dispose(): void {
-    this.target?.dispose();
-    this.material?.dispose();
-    this.target = this.material = null;
+    this.target.dispose();
+    this.counts.dispose();
   }
 
   private count(frame: Frame, items: readonly RenderItem[]): void {

@@ -1,11 +1,13 @@
-import { Matrix4, Vector3, Vector4, type OrthographicCamera, type PerspectiveCamera } from 'three';
+import { Matrix4, Vector3, Vector4, type Material, type OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { View } from '../../frame/views';
 import type { Frame } from '../../frame/Frame';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
-import { GBufferPass } from '../../gbuffer/GBufferPass';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import type { GBuffer } from '../../gbuffer/GBuffer';
+import { GBufferTarget } from '../../gbuffer/GBufferTarget';
 import { gbufferUniforms, setGBufferUniforms } from '../../gbuffer/gbufferUniforms';
 import { litViewTwin, unlitViewTwin } from './gbufferViewTwins';
-import { OutputMaterial } from '../../gpu/PassMaterial';
+import type { RenderItem } from '../../frame/RenderItem';
+import type { TwinKind } from '../../materials/TwinKind';
 
 /** `farol_view` of surfaceView.glsl. */
 const CODES: Partial<Record<View, number>> = {
@@ -27,30 +29,45 @@ const PANELS = [
 
 const panel = new Vector4();
 
+/** The kind that writes an item into the G-buffer of the views, null for what these do not show. */
+function viewTwinOf({ plain, lit, material }: RenderItem): TwinKind | null {
+  const m = material as Material & { isShaderMaterial?: boolean; isMeshBasicMaterial?: boolean };
+  if (!plain) return null;
+  if (lit && m.isShaderMaterial !== true) return litViewTwin;
+  return m.isMeshBasicMaterial === true ? unlitViewTwin : null;
+}
+
 /** Fills a G-buffer with every mesh, whatever the technique, and shows one of its things, or three of them round the picture. */
 export class SurfaceViewPass {
-  readonly name = 'view';
-  private readonly gbuffer = new GBufferPass({ lit: litViewTwin, unlit: unlitViewTwin });
-  private readonly uniforms = gbufferUniforms();
-  private readonly view = { value: 0 };
-  private readonly depthRange = { value: new Vector3() };
-  private readonly viewInverse = { value: new Matrix4() };
-  private readonly triangle = new FullscreenMesh();
-  private material: OutputMaterial | null = null;
+  private readonly target = new GBufferTarget(false);
+  private readonly surface = new FullscreenPass({
+    program: 'surface view',
+    fragment: 'surfaceView',
+    shared: 'all',
+    asThree: true,
+    repeats: true,
+    uniforms: {
+      ...gbufferUniforms(),
+      farol_view: { value: 0 },
+      farol_depthRange: { value: new Vector3() },
+      farol_viewInverse: { value: new Matrix4() },
+    },
+  });
 
   get bytes(): number {
-    return this.gbuffer.bytes;
+    return this.target.bytes;
   }
 
   /** Shows `frame.view` over the viewport, or its panels for 'grid'. */
   render(frame: Frame): void {
-    this.gbuffer.render(frame);
-    setGBufferUniforms(this.uniforms, this.gbuffer.gbuffer!, frame);
+    const gbuffer = this.fill(frame);
+    const { uniforms } = this.surface;
+    setGBufferUniforms(uniforms, gbuffer, frame);
     const camera = frame.camera as PerspectiveCamera & OrthographicCamera;
     const { near, far } = camera;
     const logarithmic = camera.isPerspectiveCamera && near > 0 && Number.isFinite(far);
-    this.depthRange.value.set(near, Number.isFinite(far) ? far : near + 1000, logarithmic ? 1 : 0);
-    this.viewInverse.value.copy(camera.matrixWorld);
+    uniforms.farol_depthRange.value.set(near, Number.isFinite(far) ? far : near + 1000, logarithmic ? 1 : 0);
+    uniforms.farol_viewInverse.value.copy(camera.matrixWorld);
     frame.bindTarget();
     const { viewport } = frame;
     if (frame.view !== 'grid') {
@@ -65,28 +82,24 @@ export class SurfaceViewPass {
   }
 
   dispose(): void {
-    this.gbuffer.dispose();
-    this.material?.dispose();
-    this.material = null;
+    this.target.dispose();
+    this.surface.dispose();
+  }
+
+  private fill(frame: Frame): GBuffer {
+    const gbuffer = this.target.begin(frame);
+    for (const item of frame.queue.opaque) {
+      const twin = viewTwinOf(item);
+      if (twin !== null) frame.drawTwin(item, twin);
+    }
+    return gbuffer;
   }
 
   private draw(frame: Frame, code: number, viewport: Vector4): void {
     frame.webgl.state.viewport(viewport);
-    this.material ??= new OutputMaterial(frame.microshaders, {
-      name: 'Farol surface view',
-      vertex: ['fullscreen'],
-      fragment: ['surfaceView'],
-      uniforms: {
-        ...frame.uniforms,
-        ...this.uniforms,
-        farol_view: this.view,
-        farol_depthRange: this.depthRange,
-        farol_viewInverse: this.viewInverse,
-      },
-    });
-    this.view.value = code;
-    this.uniforms.farol_offset.value.set(viewport.x, viewport.y);
-    this.material.uniformsNeedUpdate = true;
-    frame.drawMesh(this.triangle, this.material);
+    const { uniforms } = this.surface;
+    uniforms.farol_view.value = code;
+    uniforms.farol_offset.value.set(viewport.x, viewport.y);
+    this.surface.draw(frame);
   }
 }

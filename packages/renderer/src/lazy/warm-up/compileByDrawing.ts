@@ -1,5 +1,10 @@
-import { type Camera, type Object3D, WebGLRenderTarget } from 'three';
-import type { FarolRenderer } from '../../FarolRenderer';
+import { type Camera, type Object3D, type WebGLRenderer, WebGLRenderTarget } from 'three';
+
+/** A FarolRenderer. */
+interface Renderer {
+  readonly webgl: WebGLRenderer;
+  render(scene: Object3D, camera: Camera): void;
+}
 
 /** Programs as `WebGLRenderer.info.programs` lists them. */
 interface Program {
@@ -7,7 +12,7 @@ interface Program {
 }
 
 /** Draws one pixel, which starts the compilation of everything the scene needs, then waits until the device is done. */
-export async function compileByDrawing(farol: FarolRenderer, scene: Object3D, camera: Camera): Promise<void> {
+export async function compileByDrawing(farol: Renderer, scene: Object3D, camera: Camera): Promise<void> {
   drawOnePixel(farol, scene, camera);
   const programs = (farol.webgl.info.programs ?? []) as unknown as Program[];
   while (!programs.every((program) => program.isReady?.() ?? true)) {
@@ -16,7 +21,7 @@ export async function compileByDrawing(farol: FarolRenderer, scene: Object3D, ca
 }
 
 /** Draws a scene to a target of one pixel. */
-export function drawOnePixel(farol: FarolRenderer, scene: Object3D, camera: Camera): void {
+export function drawOnePixel(farol: Renderer, scene: Object3D, camera: Camera): void {
   const { webgl } = farol;
   const before = webgl.getRenderTarget();
   const face = webgl.getActiveCubeFace();

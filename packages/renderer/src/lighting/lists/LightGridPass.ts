@@ -1,17 +1,18 @@
 import { BINS } from '../../lights/DepthBins';
 import type { Frame } from '../../frame/Frame';
 import { WordTable } from '../../gpu/WordTable';
-import type { GBufferPass } from '../../gbuffer/GBufferPass';
+import type { LightLists } from './LightLists';
 import type { Pass, Resource } from '../../frame/Pass';
-import type { GridUniforms } from './gridUniforms';
 
 /** What is sent when there are no lights to list: a texture must be bound all the same. */
 const NO_WORDS = new Uint32Array(4);
+const PLAIN: LightLists = { loop: 'lightLoopClustered', defines: {} };
+const WITH_TILES: LightLists = { loop: 'lightLoopClustered', defines: { FAROL_TILE_SHADOWS: '' } };
 
 const float = new Float32Array(1);
 const bits = new Int32Array(float.buffer);
 
-/** Brings the light grid, made on the CPU with the light table, to the GPU. */
+/** Brings the light grid, made on the CPU with the light table, to the GPU. The lights are to be ordered 'by-grid'. */
 export class LightGridPass implements Pass {
   readonly name = 'light lists';
   readonly reads: readonly Resource[];
@@ -19,12 +20,9 @@ export class LightGridPass implements Pass {
   private readonly masks = new WordTable(4);
   private readonly bins = new WordTable(1);
 
-  /** @param gbuffer that its lists light: where shadow maps are told of, tiles of it are looked at too */
-  constructor(
-    private readonly uniforms: GridUniforms,
-    private readonly gbuffer: GBufferPass | null = null,
-  ) {
-    this.reads = gbuffer === null ? [] : gbuffer.writes;
+  /** @param lit 'gbuffer' where the lists light one: tiles of it that shadow maps leave wholly lit or dark are found too */
+  constructor(private readonly lit: 'gbuffer' | null = null) {
+    this.reads = lit === null ? [] : [lit];
   }
 
   get bytes(): number {
@@ -32,7 +30,8 @@ export class LightGridPass implements Pass {
   }
 
   render(frame: Frame): void {
-    const { uniforms, masks, bins } = this;
+    const { masks, bins } = this;
+    const { uniforms } = frame;
     const { grid, bounded, firstBounded } = frame.lights;
     const words = bounded > 0 ? grid.masks : NO_WORDS;
     const rows = bounded > 0 ? Math.max(1, (grid.tilesY * grid.words) / 4) : 1;
@@ -53,7 +52,12 @@ export class LightGridPass implements Pass {
     depth[0] = grid.depthShift;
     depth[1] = float[0];
     depth[2] = grid.depthScale;
-    if (this.gbuffer !== null) frame.findTileShadows?.(this.gbuffer.gbuffer!);
+    if (this.lit !== null) frame.findTileShadows?.(frame.resources.get(this.lit));
+    this.warmUp(frame);
+  }
+
+  warmUp(frame: Frame): void {
+    frame.resources.put('light-lists', this.lit === null ? PLAIN : WITH_TILES);
   }
 
   dispose(): void {

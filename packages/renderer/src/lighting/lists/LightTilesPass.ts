@@ -1,11 +1,11 @@
 import { NoBlending, Vector2, type Texture, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../../frame/Frame';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import type { LightLists } from './LightLists';
 import type { Pass, Resource } from '../../frame/Pass';
-import { PassMaterial } from '../../gpu/PassMaterial';
+import { TILE_SHIFT } from './tileUniforms';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { wordTarget } from '../../gpu/wordTarget';
-import { TILE_SHIFT, type TileUniforms } from './tileUniforms';
 
 /** What a tile's list may know of the depths in it: nothing, nearest and farthest, or also which of 32 slices hold any. */
 export type TileDepthUse = 'none' | 'bounds' | 'slices';
@@ -13,12 +13,21 @@ export type TileDepthUse = 'none' | 'bounds' | 'slices';
 /** Texels a row of a list texture; WebGL 2's least MAX_TEXTURE_SIZE. */
 const ROW = 2048;
 const LIGHTS_PER_QUAD = 128;
-interface Materials {
-  readonly coarse: PassMaterial;
-  readonly fine: PassMaterial;
-  readonly summary: PassMaterial;
-  readonly depth: PassMaterial | null;
-  readonly blocks: PassMaterial | null;
+/** Pixels along the side of a block in which depths are looked at first. */
+const BLOCK = 4;
+/** The lists that a pass writes are not among the textures that it reads. */
+const SHARED = ['farol_lightTable', 'farol_lightCounts', 'farol_tiles', 'farol_tileRun', 'farol_tileMask'];
+const DEFINES = {
+  none: {},
+  bounds: { FAROL_DEPTH: '' },
+  slices: { FAROL_DEPTH: '', FAROL_SLICES: '' },
+} as const satisfies Record<TileDepthUse, object>;
+const LISTS: LightLists = { loop: 'lightLoopTiled', defines: {} };
+
+/** A program with the target of words that it fills. */
+interface Step {
+  readonly pass: FullscreenPass;
+  readonly target: WebGLRenderTarget;
 }
 
 /**
@@ -31,12 +40,7 @@ export class LightTilesPass implements Pass {
   readonly name = 'light lists';
   readonly reads: readonly Resource[];
   readonly writes = ['light-lists'] as const;
-  private readonly coarse = wordTarget();
-  private readonly fine = wordTarget();
-  private readonly summary = wordTarget();
-  private readonly depths = wordTarget();
-  private readonly blocks = wordTarget();
-  private readonly own = {
+  private readonly uniforms = {
     ...unprojectUniforms(),
     farol_size: { value: new Vector2() },
     farol_beyond: { value: 1e38 },
@@ -45,24 +49,22 @@ export class LightTilesPass implements Pass {
     farol_sceneDepth: { value: null as Texture | null },
     farol_blocks: { value: null as Texture | null },
   };
-  private readonly triangle = new FullscreenMesh();
-  private materials: Materials | null = null;
+  private readonly blocks = this.step('tile depth blocks', 'tileDepthBlocks');
+  private readonly depths = this.step('tile depths', 'tileDepth');
+  private readonly coarse = this.step('coarse light lists', 'tileMask', { FAROL_COARSE: '' });
+  private readonly fine: Step;
+  private readonly summary = this.step('light list summary', 'tileSummary');
+  private readonly steps: readonly Step[];
+  private isCompiled = false;
 
-  /** @param sceneDepth gives the depth texture of this frame, when depths are used */
-  constructor(
-    private readonly tiles: TileUniforms,
-    private readonly use: TileDepthUse,
-    private readonly sceneDepth: (() => Texture) | null = null,
-    reads: readonly Resource[] = [],
-  ) {
-    this.reads = reads;
+  constructor(private readonly use: TileDepthUse) {
+    this.reads = use === 'none' ? [] : ['scene-depth'];
+    this.fine = this.step('light lists', 'tileMask', DEFINES[use]);
+    this.steps = [this.blocks, this.depths, this.coarse, this.fine, this.summary];
   }
 
   get bytes(): number {
-    return [this.coarse, this.fine, this.summary, this.depths, this.blocks].reduce(
-      (sum, t) => sum + t.width * t.height * 16,
-      0,
-    );
+    return this.steps.reduce((sum, { target }) => sum + target.width * target.height * 16, 0);
   }
 
   render(frame: Frame): void {
@@ -71,63 +73,62 @@ export class LightTilesPass implements Pass {
     const y = Math.ceil(frame.height / (1 << TILE_SHIFT));
     const quads = Math.max(1, Math.ceil(lights.bounded / LIGHTS_PER_QUAD));
     const pages = Math.ceil(quads / 128);
+    frame.resources.put('light-lists', LISTS);
     this.setUniforms(frame, x, y, quads, pages);
-    const materials = (this.materials ??= this.make(frame));
+    if (!this.isCompiled) this.compile(frame);
     this.giveStorage(frame);
     if (lights.bounded === 0) return;
-    if (materials.depth !== null && materials.blocks !== null) {
-      setSize(this.blocks, Math.ceil(frame.width / 4), Math.ceil(frame.height / 4));
-      this.draw(frame, this.blocks, materials.blocks);
-      setSize(this.depths, x, y);
-      this.draw(frame, this.depths, materials.depth);
+    if (this.use !== 'none') {
+      setSize(this.blocks.target, Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
+      draw(frame, this.blocks);
+      setSize(this.depths.target, x, y);
+      draw(frame, this.depths);
     }
-    fit(this.coarse, Math.ceil(x / 4) * Math.ceil(y / 4) * quads);
-    this.draw(frame, this.coarse, materials.coarse);
-    fit(this.fine, x * y * quads);
-    this.draw(frame, this.fine, materials.fine);
+    fit(this.coarse.target, Math.ceil(x / 4) * Math.ceil(y / 4) * quads);
+    draw(frame, this.coarse);
+    fit(this.fine.target, x * y * quads);
+    draw(frame, this.fine);
     // a list of one quad is its own summary
     if (quads === 1) return;
-    fit(this.summary, x * y * pages);
-    this.draw(frame, this.summary, materials.summary);
+    fit(this.summary.target, x * y * pages);
+    draw(frame, this.summary);
   }
 
   dispose(): void {
-    for (const target of [this.coarse, this.fine, this.summary, this.depths, this.blocks]) target.dispose();
-    const { materials } = this;
-    materials?.coarse.dispose();
-    materials?.fine.dispose();
-    materials?.summary.dispose();
-    materials?.depth?.dispose();
-    materials?.blocks?.dispose();
-    this.materials = null;
+    for (const { pass, target } of this.steps) {
+      pass.dispose();
+      target.dispose();
+    }
+    this.isCompiled = false;
   }
 
   private setUniforms(frame: Frame, x: number, y: number, quads: number, pages: number): void {
-    const { tiles, own } = this;
-    const grid = tiles.farol_tiles.value;
+    const { uniforms: own } = this;
+    const { uniforms, queue } = frame;
+    const grid = uniforms.farol_tiles.value;
     grid[1] = x;
     grid[2] = y;
     grid[3] = quads;
-    const run = tiles.farol_tileRun.value;
+    const run = uniforms.farol_tileRun.value;
     run[0] = frame.lights.firstBounded;
     run[1] = frame.lights.bounded;
     run[2] = pages;
     run[3] = frame.lights.plainQuads;
-    tiles.farol_tileMask.value = this.fine.texture;
-    tiles.farol_tileSummary.value = this.summary.texture;
-    tiles.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
+    uniforms.farol_tileMask.value = this.fine.target.texture;
+    uniforms.farol_tileSummary.value = this.summary.target.texture;
+    uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     setUnprojectUniforms(own, frame.camera, frame.webgl);
     own.farol_size.value.set(frame.width, frame.height);
-    own.farol_beyond.value = frame.queue.reachesFar ? Math.max(-1e30, frame.queue.farthest) : 1e38;
-    own.farol_coarseMask.value = this.coarse.texture;
-    own.farol_tileDepth.value = this.depths.texture;
-    own.farol_blocks.value = this.blocks.texture;
-    own.farol_sceneDepth.value = this.sceneDepth?.() ?? null;
+    own.farol_beyond.value = queue.reachesFar ? Math.max(-1e30, queue.farthest) : 1e38;
+    own.farol_coarseMask.value = this.coarse.target.texture;
+    own.farol_tileDepth.value = this.depths.target.texture;
+    own.farol_blocks.value = this.blocks.target.texture;
+    own.farol_sceneDepth.value = this.use === 'none' ? null : frame.resources.get('scene-depth');
   }
 
   /** A list that is not made this frame is bound all the same, so its texture must be there; also after a lost context. */
   private giveStorage(frame: Frame): void {
-    for (const target of [this.fine, this.summary]) {
+    for (const { target } of [this.fine, this.summary]) {
       const { __webglTexture } = frame.webgl.properties.get(target.texture) as { __webglTexture?: WebGLTexture };
       if (__webglTexture !== undefined) continue;
       fit(target, 1);
@@ -135,53 +136,25 @@ export class LightTilesPass implements Pass {
     }
   }
 
-  private draw(frame: Frame, target: WebGLRenderTarget, material: PassMaterial): void {
-    frame.bind(target);
-    frame.drawMesh(this.triangle, material);
+  /** Links all programs, each with a target of its kind, so that a later frame with more lights waits for none. */
+  private compile(frame: Frame): void {
+    this.isCompiled = true;
+    this.giveStorage(frame);
+    for (const { pass, target } of this.steps) {
+      frame.bind(target);
+      if (this.use !== 'none' || (pass !== this.blocks.pass && pass !== this.depths.pass)) pass.compile(frame);
+    }
   }
 
-  private make(frame: Frame): Materials {
-    const { own } = this;
-    const material = (name: string, fragment: string, defines: Record<string, string>) =>
-      new PassMaterial(frame.microshaders, {
-        name: `Farol ${name}`,
-        vertex: ['fullscreen'],
-        fragment: [fragment],
-        // the lists that a pass writes are not among the textures that it reads
-        uniforms: {
-          farol_lightTable: frame.uniforms.farol_lightTable,
-          farol_lightCounts: frame.uniforms.farol_lightCounts,
-          farol_tiles: this.tiles.farol_tiles,
-          farol_tileRun: this.tiles.farol_tileRun,
-          farol_tileMask: this.tiles.farol_tileMask,
-          ...own,
-        },
-        defines,
-        blending: NoBlending,
-      });
-    const depth: Record<string, string> =
-      this.use === 'none' ? {} : this.use === 'bounds' ? { FAROL_DEPTH: '' } : { FAROL_DEPTH: '', FAROL_SLICES: '' };
-    const materials = {
-      coarse: material('coarse light lists', 'tileMask', { FAROL_COARSE: '' }),
-      fine: material('light lists', 'tileMask', depth),
-      summary: material('light list summary', 'tileSummary', {}),
-      depth: this.use === 'none' ? null : material('tile depths', 'tileDepth', {}),
-      blocks: this.use === 'none' ? null : material('tile depth blocks', 'tileDepthBlocks', {}),
-    };
-    // all programs are linked now, each with a target of its kind
-    this.giveStorage(frame);
-    frame.bind(this.blocks);
-    if (materials.blocks !== null) frame.compileMesh(this.triangle, materials.blocks);
-    frame.bind(this.depths);
-    if (materials.depth !== null) frame.compileMesh(this.triangle, materials.depth);
-    frame.bind(this.coarse);
-    frame.compileMesh(this.triangle, materials.coarse);
-    frame.bind(this.fine);
-    frame.compileMesh(this.triangle, materials.fine);
-    frame.bind(this.summary);
-    frame.compileMesh(this.triangle, materials.summary);
-    return materials;
+  private step(program: string, fragment: string, defines: Record<string, string> = {}): Step {
+    const { uniforms } = this;
+    const options = { program, fragment, uniforms, shared: SHARED, defines, blending: NoBlending };
+    return { pass: new FullscreenPass(options), target: wordTarget() };
   }
+}
+
+function draw(frame: Frame, { pass, target }: Step): void {
+  pass.drawTo(frame, target);
 }
 
 function setSize(target: WebGLRenderTarget, width: number, height: number): void {

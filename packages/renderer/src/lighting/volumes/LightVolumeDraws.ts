@@ -11,8 +11,8 @@ import {
 } from 'three';
 import { isCountView } from '../../frame/views';
 import type { Frame } from '../../frame/Frame';
-import { FullscreenMesh } from '../../gpu/FullscreenMesh';
-import { PassMaterial, type PassMaterialOptions } from '../../gpu/PassMaterial';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import { PassMaterial } from '../../gpu/PassMaterial';
 
 /** 12 segments, 8 rings, 6 vertices a quad; the same numbers as in lightVolumeSphere.glsl. */
 const SPHERE_VERTICES = 576;
@@ -29,7 +29,7 @@ const ADDITIVE = {
 const VOLUME = { ...ADDITIVE, side: BackSide, depthTest: true, depthFunc: GreaterEqualDepth } as const;
 
 interface Materials {
-  readonly global: PassMaterial;
+  readonly global: FullscreenPass;
   readonly sphere: PassMaterial;
   readonly cone: PassMaterial;
 }
@@ -42,14 +42,13 @@ interface Materials {
  */
 export class LightVolumeDraws {
   private readonly firstRecord = { value: 0 };
-  private readonly triangle = new FullscreenMesh();
   private readonly spheres = instanced(SPHERE_VERTICES);
   private readonly cones = instanced(CONE_VERTICES);
   private shading: Materials | null = null;
   private counting: Materials | null = null;
 
   /**
-   * @param label begins the names of the programs
+   * @param label begins the names of the programs, with a space at its end
    * @param target microshader that reads the surface of a pixel, lights it and writes it, by a FarolPixel and the functions
    *   that volumeLighting.glsl has
    * @param uniforms of that microshader
@@ -69,7 +68,7 @@ export class LightVolumeDraws {
     // the volumes' own depth is not logarithmic, or too coarse: then the distance to the light alone says what they reach
     const depthTest = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance;
     materials.sphere.depthTest = materials.cone.depthTest = depthTest;
-    if (lights.directional + lights.unbounded > 0) frame.drawMesh(this.triangle, materials.global);
+    if (lights.directional + lights.unbounded > 0) materials.global.draw(frame);
     if (lights.spheres > 0) {
       this.firstRecord.value = lights.firstBounded;
       this.spheres.geometry.instanceCount = lights.spheres;
@@ -92,28 +91,36 @@ export class LightVolumeDraws {
   }
 
   private make(frame: Frame, count: boolean): Materials {
-    const material = (name: string, vertex: string, fragment: string, state: Partial<PassMaterialOptions>) =>
+    const uniforms = {
+      farol_fit: { value: new Vector4(1, 1, 0, 0) },
+      ...this.uniforms,
+      farol_firstRecord: this.firstRecord,
+      dfgLUT: { value: null },
+    };
+    const defines: Record<string, string> = count ? { FAROL_COUNT: '' } : {};
+    const volume = (name: string, vertex: string) =>
       new PassMaterial(frame.microshaders, {
-        name: `${this.label} ${name}`,
+        name: `Farol ${this.label}${name}`,
         vertex: [vertex],
-        fragment: [this.target, fragment],
-        uniforms: {
-          ...frame.uniforms,
-          farol_fit: { value: new Vector4(1, 1, 0, 0) },
-          ...this.uniforms,
-          farol_firstRecord: this.firstRecord,
-          dfgLUT: { value: null },
-        },
-        defines: count ? { FAROL_COUNT: '' } : {},
-        ...state,
+        fragment: [this.target, 'lightVolumeFragment'],
+        uniforms: { ...frame.uniforms, ...uniforms },
+        defines,
+        ...VOLUME,
       });
     const materials = {
-      global: material('global lights', 'fullscreen', 'globalLightsFragment', ADDITIVE),
-      sphere: material('light spheres', 'lightVolumeSphere', 'lightVolumeFragment', VOLUME),
-      cone: material('light cones', 'lightVolumeCone', 'lightVolumeFragment', VOLUME),
+      global: new FullscreenPass({
+        program: `${this.label}global lights`,
+        fragment: [this.target, 'globalLightsFragment'],
+        shared: 'all',
+        uniforms,
+        defines,
+        ...ADDITIVE,
+      }),
+      sphere: volume('light spheres', 'lightVolumeSphere'),
+      cone: volume('light cones', 'lightVolumeCone'),
     };
     // a kind of light that comes later finds its program
-    frame.compileMesh(this.triangle, materials.global);
+    materials.global.compile(frame);
     frame.compileMesh(this.spheres, materials.sphere);
     frame.compileMesh(this.cones, materials.cone);
     return materials;

@@ -1,8 +1,7 @@
-import { DepthTexture, FloatType, HalfFloatType, NearestFilter, WebGLRenderTarget } from 'three';
+import { HalfFloatType } from 'three';
 import type { Frame } from '../../frame/Frame';
-import type { GBuffer } from '../../gbuffer/GBuffer';
-import type { GBufferPass } from '../../gbuffer/GBufferPass';
 import { gbufferUniforms, setGBufferUniforms } from '../../gbuffer/gbufferUniforms';
+import { PassTarget } from '../../gpu/PassTarget';
 import { LightVolumeDraws } from './LightVolumeDraws';
 import type { Pass } from '../../frame/Pass';
 
@@ -11,42 +10,28 @@ export class LightVolumesPass implements Pass {
   readonly name = 'light volumes';
   readonly reads = ['gbuffer'] as const;
   readonly writes = ['lighting'] as const;
-  /** Sum of the light, and a copy of the scene's depth, since the depth texture itself is read meanwhile. */
-  target: WebGLRenderTarget | null = null;
+  /** The sums, and a copy of the scene's depth, since the depth texture itself is read meanwhile. */
+  private readonly target = new PassTarget({ type: HalfFloatType, depthTexture: true });
   private readonly uniforms = gbufferUniforms();
-  private readonly volumes = new LightVolumeDraws('Farol', 'volumeLighting', { ...this.uniforms });
-
-  constructor(private readonly source: GBufferPass) {}
+  private readonly volumes = new LightVolumeDraws('', 'volumeLighting', { ...this.uniforms });
 
   get bytes(): number {
-    return this.target ? this.target.width * this.target.height * 12 : 0;
+    return this.target.bytes;
   }
 
   render(frame: Frame): void {
-    const gbuffer = this.source.gbuffer!;
-    this.prepareTarget(frame, gbuffer);
+    const gbuffer = frame.resources.get('gbuffer');
+    const target = this.target.of(frame.width, frame.height);
+    frame.bind(target);
+    frame.clear(1, false);
+    frame.copyDepth(gbuffer.target, target);
     setGBufferUniforms(this.uniforms, gbuffer, frame);
     this.volumes.draw(frame);
+    frame.resources.put('lighting', target.texture);
   }
 
   dispose(): void {
-    this.target?.depthTexture?.dispose();
-    this.target?.dispose();
-    this.target = null;
+    this.target.dispose();
     this.volumes.dispose();
-  }
-
-  private prepareTarget(frame: Frame, gbuffer: GBuffer): void {
-    const { width, height } = frame;
-    this.target ??= new WebGLRenderTarget(1, 1, {
-      type: HalfFloatType,
-      minFilter: NearestFilter,
-      magFilter: NearestFilter,
-      depthTexture: new DepthTexture(1, 1, FloatType),
-    });
-    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
-    frame.bind(this.target);
-    frame.clear(1, false);
-    frame.copyDepth(gbuffer.target, this.target);
   }
 }

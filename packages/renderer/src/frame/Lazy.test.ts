@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { LateCode } from './LateCode';
+import { Lazy } from './Lazy';
 
 beforeEach(() => vi.useFakeTimers());
 afterEach(() => {
@@ -7,12 +7,13 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
+const code = (lazy: Lazy<string>): string | null => lazy.use((text) => text);
 const offline = (): Promise<string> => Promise.reject(new Error('offline'));
 
 /** Asks as frames do, every 16 ms. */
-async function draw(late: LateCode<string>, milliseconds: number): Promise<void> {
+async function draw(lazy: Lazy<string>, milliseconds: number): Promise<void> {
   for (let time = 0; time < milliseconds; time += 16) {
-    late.ask();
+    lazy.ask();
     await vi.advanceTimersByTimeAsync(16);
   }
 }
@@ -20,12 +21,12 @@ async function draw(late: LateCode<string>, milliseconds: number): Promise<void>
 it('asks again for what could not be fetched, ever more rarely, with one warning', async () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
   const fetch = vi.fn<() => Promise<string>>(offline);
-  const late = new LateCode<string>(fetch, 'shadow maps', 'three draws them');
-  await draw(late, 900);
+  const lazy = new Lazy<string>(fetch, 'shadow maps', 'three draws them');
+  await draw(lazy, 900);
   expect(fetch).toHaveBeenCalledTimes(1);
-  await draw(late, 3000);
+  await draw(lazy, 3000);
   expect(fetch).toHaveBeenCalledTimes(3);
-  await draw(late, 600_000);
+  await draw(lazy, 600_000);
   expect(fetch.mock.calls.length).toBeLessThan(20);
   expect(warn.mock.calls).toEqual([
     [
@@ -33,10 +34,10 @@ it('asks again for what could not be fetched, ever more rarely, with one warning
     ],
   ]);
   fetch.mockResolvedValue('code');
-  await draw(late, 61_000);
-  expect(late.code).toBe('code');
+  await draw(lazy, 61_000);
+  expect(code(lazy)).toBe('code');
   const { length } = fetch.mock.calls;
-  await draw(late, 61_000);
+  await draw(lazy, 61_000);
   expect(fetch).toHaveBeenCalledTimes(length);
 });
 
@@ -46,23 +47,35 @@ it('is fetched at once when it is asked for by name, or the page is online again
   vi.stubGlobal('addEventListener', page.addEventListener.bind(page));
   vi.stubGlobal('removeEventListener', page.removeEventListener.bind(page));
   const fetch = vi.fn<() => Promise<string>>(offline);
-  const late = new LateCode<string>(fetch, 'views', 'the picture is shown');
-  await draw(late, 100);
-  await expect(late.load()).rejects.toThrow('offline');
+  const lazy = new Lazy<string>(fetch, 'views', 'the picture is shown');
+  await draw(lazy, 100);
+  await expect(lazy.load()).rejects.toThrow('offline');
   expect(fetch).toHaveBeenCalledTimes(2);
   page.dispatchEvent(new Event('online'));
   fetch.mockResolvedValue('code');
-  await draw(late, 16);
-  expect(late.code).toBe('code');
-  expect(await late.load()).toBe('code');
+  await draw(lazy, 16);
+  expect(code(lazy)).toBe('code');
+  expect(await lazy.load()).toBe('code');
   expect(fetch).toHaveBeenCalledTimes(3);
   vi.unstubAllGlobals();
 });
 
 it('is fetched once for all who wait for it', async () => {
   const fetch = vi.fn<() => Promise<string>>(() => Promise.resolve('code'));
-  const late = new LateCode<string>(fetch, 'views', 'the picture is shown');
-  late.ask();
-  expect(await Promise.all([late.load(), late.load()])).toEqual(['code', 'code']);
+  const lazy = new Lazy<string>(fetch, 'views', 'the picture is shown');
+  lazy.ask();
+  expect(await Promise.all([lazy.load(), lazy.load()])).toEqual(['code', 'code']);
+  expect(fetch).toHaveBeenCalledTimes(1);
+});
+
+it('is used once it is there, and asked for by that until then', async () => {
+  const fetch = vi.fn<() => Promise<string>>(() => Promise.resolve('code'));
+  const lazy = new Lazy<string>(fetch, 'views', 'the picture is shown');
+  expect(() => lazy.required).toThrow('the code of views is not there; await FarolRenderer.preload() first');
+  expect(lazy.use((text) => text.length)).toBeNull();
+  expect(lazy.isThere).toBe(false);
+  await vi.advanceTimersByTimeAsync(0);
+  expect(lazy.use((text) => text.length)).toBe(4);
+  expect([lazy.required, lazy.isThere, lazy.ask()]).toEqual(['code', true, true]);
   expect(fetch).toHaveBeenCalledTimes(1);
 });

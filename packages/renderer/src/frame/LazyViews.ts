@@ -3,24 +3,21 @@ import { isTechniqueView, type View } from './views';
 import type { MicroShaderRegistry } from '../microshaders';
 import { viewCode } from './lazyCode';
 
-/** What draws the views that no technique draws, once such a view was asked for and its code is there. */
-export class LateViews {
+/** Draws the views that no technique draws, once such a view was asked for and its code is there. */
+export class LazyViews {
+  /** Null until then. */
   passes: ViewPasses | null = null;
 
   constructor(private readonly microshaders: MicroShaderRegistry) {}
 
   /** @returns the view to draw for the one asked for: the final picture while its code is not there */
   available(view: View): View {
-    if (this.passes !== null || isTechniqueView(view)) return view;
-    if (viewCode.code === null) {
-      viewCode.ask();
-      return 'final';
-    }
-    this.passes = viewCode.code.makeViewPasses(this.microshaders);
-    return view;
+    if (isTechniqueView(view)) return view;
+    this.passes ??= viewCode.use(({ makeViewPasses }) => makeViewPasses(this.microshaders));
+    return this.passes === null ? 'final' : view;
   }
 
-  /** Of their targets. */
+  /** Bytes of the targets. */
   get bytes(): number {
     return this.passes === null ? 0 : this.passes.overdraw.bytes + this.passes.surfaceView.bytes;
   }

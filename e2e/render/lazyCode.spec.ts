@@ -1,10 +1,10 @@
 import { expect, test } from '../support/test';
 
-test('before late code is there three draws the shadows and deferred shading the rest, then Farol does: the same picture', async ({
+test('before lazy code is there three draws the shadows and deferred shading the rest, then Farol does: the same picture', async ({
   page,
   pagesURL,
 }) => {
-  await page.goto(`${pagesURL}?late`);
+  await page.goto(`${pagesURL}?lazy`);
   await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(async () => {
     const { Bench, compareImages, farol, three: THREE } = window.testPage;
@@ -56,7 +56,7 @@ test('a page that was offline gets its shadows when it is online again, with one
   pagesURL,
   watch,
 }) => {
-  await page.goto(`${pagesURL}?late`);
+  await page.goto(`${pagesURL}?lazy`);
   await page.waitForFunction(() => 'testPage' in window);
   await page.evaluate(() => {
     const { Bench, shadowScene } = window.testPage;

@@ -1,16 +1,16 @@
 import type { Material, Mesh, Object3D } from 'three';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
-import { LightGridPass } from '../../lighting/lists/LightGridPass';
+import { ResourceTable } from '../../frame/Resources';
 import type { Pass } from '../../frame/Pass';
 import type { RenderItem } from '../../frame/RenderItem';
-import type { Technique } from '../../techniques/Technique';
+import type { Fills } from '../../frame/Fills';
 import type { Preparation } from '../../techniques/TechniqueChooser';
 import { waitingPrograms, type Program, type ProgramList, type WaitingPrograms } from './WaitingPrograms';
 
-/** Draws that are rehearsed in one frame at most: some tenths of a millisecond. */
+/** Draws that are tried in one frame at most: some tenths of a millisecond. */
 const DRAWS = 128;
-const STOP = new Error('Farol: rehearsed');
+const STOP = new Error('Farol: warmed up');
 const stop = (): never => {
   throw STOP;
 };
@@ -21,40 +21,42 @@ const stop = (): never => {
  * nothing is drawn, cleared or waited for, and nothing of the host's is called but what a compilation calls. One new
  * program a frame, then one a frame that the device is done with is given its uniforms, so that no frame is long.
  */
-export class Rehearsal implements Preparation {
-  /** True when all programs that the technique needs for the scene as it was rehearsed can be drawn with at once. */
+export class WarmUp implements Preparation {
+  /** True when all programs that the technique needs for the scene as it was then can be drawn with at once. */
   ready = false;
   private readonly dry: Frame;
-  /** What was rehearsed of each material: geometries, or objects where the object too says what the shader is like. */
+  /** What was tried of each material: geometries, or objects where the object too says what the shader is like. */
   private readonly seen = new Map<Material, Set<object>>();
   private programs: ProgramList | null = null;
   private waiting!: WaitingPrograms;
-  /** Draws that this frame may still rehearse. */
+  /** Draws that this frame may still try. */
   private left = 0;
   /** Whether a draw was left for a later frame. */
   private cut = true;
 
   constructor(
     private readonly frame: Frame,
-    private readonly technique: Technique,
+    private readonly technique: { readonly fills?: Fills },
+    private readonly name: string,
     readonly passes: readonly Pass[],
   ) {
     this.dry = Object.assign(Object.create(frame) as Frame, {
+      resources: new ResourceTable(),
       clear() {},
       resolve() {},
       copyDepth() {},
       drawNodes() {},
       drawItem: (item: RenderItem, material: Material) => {
         // drawn as it is, it has just been drawn
-        if (material !== item.material) this.rehearse(item.object, item, material, item.materialVariant > 0);
+        if (material !== item.material) this.tryDraw(item.object, item, material, item.materialVariant > 0);
       },
       drawMesh: (mesh: Mesh, material: Material) =>
-        this.rehearse(mesh, { geometry: mesh.geometry, group: null }, material),
+        this.tryDraw(mesh, { geometry: mesh.geometry, group: null }, material),
       // what a pass has compiled in advance it does so once
       compileMesh: (mesh: Mesh, material: Material) => {
         const { left } = this;
         this.left = 1;
-        this.rehearse(mesh, { geometry: mesh.geometry, group: null }, material);
+        this.tryDraw(mesh, { geometry: mesh.geometry, group: null }, material);
         this.left = Math.min(left, this.left);
       },
     });
@@ -82,6 +84,7 @@ export class Rehearsal implements Preparation {
     const { useProgram } = state;
     for (let i = queue.early; i < queue.opaque.length; i++) queue.opaque[i].drawn = false;
     dry.fills = frame.fills && (this.technique.fills ?? 'behind');
+    dry.resources.begin();
     this.left = DRAWS;
     this.cut = false;
     state.useProgram = stop;
@@ -94,9 +97,10 @@ export class Rehearsal implements Preparation {
     try {
       for (const pass of this.passes) {
         if (this.cut) break;
-        // lists made on the CPU need no program
-        if (pass instanceof LightGridPass || effects.some(({ replaces }) => replaces === pass.name)) continue;
-        pass.render(dry);
+        if (effects.some(({ replaces }) => replaces !== undefined && pass.writes.includes(replaces))) continue;
+        dry.resources.use(this.name, pass);
+        if (pass.warmUp !== undefined) pass.warmUp(dry);
+        else pass.render(dry);
       }
     } finally {
       Reflect.deleteProperty(programs!, 'push');
@@ -105,7 +109,7 @@ export class Rehearsal implements Preparation {
     }
   }
 
-  private rehearse(
+  private tryDraw(
     object: Object3D,
     { geometry, group }: Pick<RenderItem, 'geometry' | 'group'>,
     material: Material,

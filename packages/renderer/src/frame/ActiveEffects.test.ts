@@ -1,0 +1,39 @@
+import { RGBAFormat, UnsignedByteType } from 'three';
+import { expect, it } from 'vitest';
+import { activeEffects, refuseConflicts } from './ActiveEffects';
+import type { FarolEffect } from './FarolEffect';
+
+const effect = (name: string, parts: Partial<FarolEffect> = {}): FarolEffect => ({
+  name,
+  bytes: 0,
+  dispose() {},
+  ...parts,
+});
+const attachment = (name: string) => ({ name, format: RGBAFormat, type: UnsignedByteType, bytes: 4 });
+
+it.each([
+  ['draw "transparent" in place of the technique', { replaces: 'transparent' }],
+  ['add the attachment "glow" to the G-buffer', { attachments: [attachment('glow')] }],
+  ['move the camera', { movesCamera: true }],
+] as const)('refuses two effects that %s, by both their names', (claim, parts) => {
+  const first = effect('first', parts);
+  const second = effect('second', parts);
+  expect(() => refuseConflicts([first, effect('other'), second])).toThrow(
+    `Farol: the effects "first" and "second" both ${claim}; leave one of them out.`,
+  );
+  expect(() => refuseConflicts([first, effect('other')])).not.toThrow();
+});
+
+it('gathers what all effects ask for, in their order, as far as the device has room', () => {
+  const adapt = (kind: never) => kind;
+  const list = [
+    effect('a', { attachments: [attachment('one')], adapt }),
+    effect('b', { needsSurfaces: true }),
+    effect('c', { attachments: [attachment('two'), attachment('three')], adapt }),
+  ];
+  const { adapters, attachments, needsSurfaces } = activeEffects(list, 2);
+  expect(adapters).toEqual([list[0], list[2]]);
+  expect(attachments.map(({ name }) => name)).toEqual(['one', 'two']);
+  expect(needsSurfaces).toBe(true);
+  expect(activeEffects([list[1]], 0).attachments).toEqual([]);
+});

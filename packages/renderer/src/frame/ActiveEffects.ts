@@ -1,0 +1,57 @@
+import type { GBufferAttachment } from '../gbuffer/gbufferLayout';
+import type { FarolEffect } from './FarolEffect';
+import type { TwinAdapter } from './TwinAdapter';
+
+const NOTHING: readonly never[] = [];
+
+/** The effects of a frame, with what they ask for as lists: made when the host's list changes. */
+export interface ActiveEffects {
+  readonly all: readonly FarolEffect[];
+  /** Those that adapt twins. */
+  readonly adapters: readonly TwinAdapter[];
+  /** Attachments that the G-buffer has for them, as far as the device has room. */
+  readonly attachments: readonly GBufferAttachment[];
+  /** Whether one works on a G-buffer. */
+  readonly needsSurfaces: boolean;
+}
+
+export const NO_EFFECTS: ActiveEffects = {
+  all: NOTHING,
+  adapters: NOTHING,
+  attachments: NOTHING,
+  needsSurfaces: false,
+};
+
+/** @param room attachments that the device can draw to besides those of the G-buffer */
+export function activeEffects(all: readonly FarolEffect[], room: number): ActiveEffects {
+  return {
+    all,
+    adapters: all.filter((effect): effect is FarolEffect & TwinAdapter => effect.adapt !== undefined),
+    attachments: all.flatMap(({ attachments = [] }) => attachments).slice(0, room),
+    needsSurfaces: all.some((effect) => effect.needsSurfaces === true),
+  };
+}
+
+/** What an effect takes for itself, as the end of "both …". */
+function claimsOf({ replaces, attachments = [], movesCamera = false }: FarolEffect): string[] {
+  return [
+    ...(replaces === undefined ? [] : [`draw "${replaces}" in place of the technique`]),
+    ...attachments.map(({ name }) => `add the attachment "${name}" to the G-buffer`),
+    ...(movesCamera ? ['move the camera'] : []),
+  ];
+}
+
+/** @throws Error that names two effects that cannot draw one frame together */
+export function refuseConflicts(effects: readonly FarolEffect[]): void {
+  const owners = new Map<string, FarolEffect>();
+  for (const effect of effects) {
+    for (const claim of claimsOf(effect)) {
+      const owner = owners.get(claim);
+      if (owner !== undefined)
+        throw new Error(
+          `Farol: the effects "${owner.name}" and "${effect.name}" both ${claim}; leave one of them out.`,
+        );
+      owners.set(claim, effect);
+    }
+  }
+}

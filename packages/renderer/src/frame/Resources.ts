@@ -1,0 +1,118 @@
+import type { Texture, WebGLRenderTarget } from 'three';
+import type { GBuffer } from '../gbuffer/GBuffer';
+import type { LightBuffer } from '../lazy/light-buffer/LightBuffer';
+import type { ThinGBuffer } from '../lazy/light-buffer/ThinGBuffer';
+import type { AccumulatedLight } from '../lighting/AccumulatedLight';
+import type { LightLists } from '../lighting/lists/LightLists';
+import type { RenderItem } from './RenderItem';
+
+/** What passes hand to one another within a frame, by name. */
+export interface Resources {
+  /** The host's render target, null for the canvas. There from the start; `Frame.bindTarget` binds it. */
+  target: WebGLRenderTarget | null;
+  /** Shadings of each pixel, in red: there from the start in the view 'overdraw', else never. */
+  overdraw: Texture;
+  /** Depth of opaque surfaces as the renderer stores it, of the size that the pass draws with. */
+  'scene-depth': Texture;
+  /** Opaque surfaces. */
+  gbuffer: GBuffer;
+  /** Direct light of each pixel of the G-buffer (linear radiance); in the count views lights a pixel, in red. */
+  lighting: Texture;
+  /** Which lights may reach each tile or cluster of the picture. */
+  'light-lists': LightLists;
+  /** All light of the surfaces that multipass lighting draws. */
+  'accumulated-light': AccumulatedLight;
+  /** Surfaces as light pre-pass and inferred lighting have them. */
+  'thin-gbuffer': ThinGBuffer;
+  /** The light that reaches each texel of the thin G-buffer. */
+  'light-buffer': LightBuffer;
+  /** How many decals lie on the surfaces of the G-buffer. */
+  decals: number;
+  /** The transparent items, which the pass that writes this lays over the target. */
+  transparent: readonly RenderItem[];
+  /** What packages outside of Farol hand over, by a name of their own such as 'acme:fog'. */
+  [own: `${string}:${string}`]: unknown;
+}
+
+export type Resource = keyof Resources;
+
+/** A resource that is handed over by `put` and `get`. */
+export type HandedResource = Exclude<Resource, 'target'>;
+
+/** Resources that no pass need write. */
+export const GIVEN: readonly Resource[] = ['target', 'overdraw'];
+
+/** The names that a pass declares. */
+export interface ResourceUser {
+  readonly name: string;
+  readonly reads: readonly Resource[];
+  readonly writes: readonly Resource[];
+}
+
+interface Entry {
+  value: unknown;
+  frame: number;
+}
+
+/** "Technique "x": pass "y" reads "z", which no earlier pass writes." */
+export function nobodyWrites(technique: string, user: string, resource: Resource): Error {
+  return new Error(`${place(technique, user)} reads "${resource}", which no earlier pass writes.`);
+}
+
+function place(technique: string, user: string): string {
+  return `Technique "${technique}": pass "${user}"`;
+}
+
+/** The resources of one frame, without allocation from the second frame on. */
+export class ResourceTable {
+  private readonly entries: Partial<Record<Resource, Entry>> = {};
+  private frame = 0;
+  private technique = '';
+  private user: ResourceUser | null = null;
+
+  /** Begins a frame: nobody has written anything. */
+  begin(): void {
+    this.frame++;
+    this.user = null;
+  }
+
+  /** Says which pass draws from here on, and is held to its `reads` and `writes`; null for effects, which are not. */
+  use(technique: string, user: ResourceUser | null): void {
+    this.technique = technique;
+    this.user = user;
+  }
+
+  /** Writes a resource for the passes and effects to come. @throws Error when the pass does not declare it in `writes` */
+  put<R extends HandedResource>(name: R, value: Resources[R]): void {
+    const { user } = this;
+    if (user !== null && !user.writes.includes(name)) throw this.undeclared(user, 'writes', name);
+    const entry = this.entries[name];
+    if (entry === undefined) this.entries[name] = { value, frame: this.frame };
+    else {
+      entry.value = value;
+      entry.frame = this.frame;
+    }
+  }
+
+  /** What was written last. @throws Error when nobody has written it in this frame, or the pass does not declare it in `reads` */
+  get<R extends HandedResource>(name: R): Resources[R] {
+    const value = this.find(name);
+    if (value !== undefined) return value;
+    if (this.user !== null) throw nobodyWrites(this.technique, this.user.name, name);
+    throw new Error(`No pass of technique "${this.technique}" writes "${name}" before an effect reads it.`);
+  }
+
+  /** What was written last, undefined when nobody has written it in this frame. @throws Error as `get`, of `reads` */
+  find<R extends HandedResource>(name: R): Resources[R] | undefined {
+    const { user } = this;
+    if (user !== null && !user.reads.includes(name)) throw this.undeclared(user, 'reads', name);
+    const entry = this.entries[name];
+    return entry?.frame === this.frame ? (entry.value as Resources[R]) : undefined;
+  }
+
+  private undeclared(user: ResourceUser, list: 'reads' | 'writes', name: Resource): Error {
+    return new Error(
+      `${place(this.technique, user.name)} ${list} "${name}" which is not declared; add it to its ${list}.`,
+    );
+  }
+}

@@ -1,0 +1,21 @@
+import { Vector4 } from 'three';
+import { lightUniforms } from '../lighting/lightUniforms';
+import { gridUniforms } from '../lighting/lists/gridUniforms';
+import { tileUniforms } from '../lighting/lists/tileUniforms';
+import { maskUniforms } from '../lighting/maskUniforms';
+
+/** Uniforms that every twin and pass of one renderer shares, by reference. */
+export type SharedUniforms = ReturnType<typeof sharedUniforms>;
+
+/** @param ambient irradiance of ambient light as `AmbientSum` has it, 4 × RGB */
+export function sharedUniforms(ambient: Float32Array) {
+  return {
+    farol_heatScale: { value: 1 / 32 },
+    /** What three would clear to, in the target's encoding; alpha -1 where it has. */
+    farol_background: { value: new Vector4(0, 0, 0, -1) },
+    ...lightUniforms(ambient),
+    ...maskUniforms(),
+    ...tileUniforms(),
+    ...gridUniforms(),
+  };
+}

@@ -1,0 +1,1 @@
+export { GpuTimer } from './GpuTimer';

@@ -1,0 +1,2 @@
+export { compileByDrawing } from './compileByDrawing';
+export { WarmUp } from './WarmUp';
