@@ -15,8 +15,7 @@ interface Computation {
 /** Crease angles that agree to a ten-thousandth of a radian are one. */
 const keyOf = (creaseAngle: number): number => Math.round(creaseAngle * 1e4) / 1e4;
 
-const isLarge = ({ index, attributes }: BufferGeometry): boolean =>
-  (index ?? attributes.position).count > MANY_CORNERS;
+const isLarge = ({ index, attributes }: BufferGeometry): boolean => (index ?? attributes.position).count > MANY_CORNERS;
 
 /** Copies with normals of geometries that have none, one for each crease angle. */
 export class MeshNormals {
@@ -74,8 +73,8 @@ export class MeshNormals {
     // one that was cancelled ends with its next slice
     if (before && !before.control.signal.aborted) return before;
     const control = new AbortController();
-    const promise = computeCreaseNormalsInSlices(geometry, angle, control.signal).then(
-      (copy) => this.keep(geometry, angle, copy),
+    const promise = computeCreaseNormalsInSlices(geometry, angle, control.signal).then((copy) =>
+      this.keep(geometry, angle, copy),
     );
     const computation = { promise, control, waiting: 0 };
     angles.set(angle, computation);

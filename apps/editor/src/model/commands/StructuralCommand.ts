@@ -1,4 +1,4 @@
-import type { Camera, Scene } from '@farol/engine';
+import type { CameraComponent, Scene } from '@farol/engine';
 import type { Command, CommandSelection } from '../Command';
 
 /**
@@ -6,8 +6,8 @@ import type { Command, CommandSelection } from '../Command';
  * camera to the same place after each `do` and each `undo`.
  */
 export abstract class StructuralCommand implements Command {
-  private cameraBefore: Camera | null = null;
-  private cameraAfter: Camera | null | undefined;
+  private cameraBefore: CameraComponent | null = null;
+  private cameraAfter: CameraComponent | null | undefined;
 
   constructor(
     readonly label: string,

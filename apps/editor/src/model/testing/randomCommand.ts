@@ -1,4 +1,4 @@
-import { builtinComponents, GameObject } from '@farol/engine';
+import { builtinComponents, Camera, GameObject } from '@farol/engine';
 import { copyObjects, pasteObjects } from '../clip';
 import type { Command } from '../Command';
 import type { Container } from '../commands/Placement';
@@ -113,7 +113,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
         'Set camera',
         [scene],
         'activeCamera',
-        scene.cameras[below(random, scene.cameras.length)] ?? null,
+        scene.componentsOf(Camera)[below(random, scene.componentsOf(Camera).length)] ?? null,
       );
     case 21:
     case 22:
