@@ -1,3 +1,4 @@
+import type { Light } from '@farol/engine';
 import { axeProblems } from '../support/axeProblems';
 import { expect, test } from '../support/test';
 import { addObject, fieldOf, history, openEditor, serialized } from './editor';
@@ -19,7 +20,9 @@ test('imports a glTF by drop, lights it by an HDR, places it again from the pane
   await page.keyboard.press('f');
 
   // the sky alone lights it, and is behind it
-  await page.evaluate(() => window.editor.document.scene.lights.forEach((light) => (light.enabled = false)));
+  await page.evaluate(() =>
+    window.editor.document.scene.componentsOf<Light>('Light').forEach((light) => (light.enabled = false)),
+  );
   const [darkRed] = await pixelAt(page, 0.5, 0.5);
   await dropFiles(page, picture, [plainSky(1)]);
   await expect.poll(() => history(page)).toContain('Light by sky.hdr');

@@ -37,7 +37,7 @@ test('on a device without float colour buffers the editor draws, and names what 
     };
     document.selection.set([]);
     const without = read();
-    document.selection.set([document.scene.cameras[0].gameObject.id]);
+    document.selection.set([document.scene.componentsOf('Camera')[0].gameObject.id]);
     const preview = read();
     const x = width - 60;
     const seen = new Set<string>();

@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 import type { BrowserContext, Download, Page } from '@playwright/test';
+import type { Light } from '@farol/engine';
 import { glbProblems } from '../support/glbProblems';
 import { compareImages, type FloatImage, isFlat } from '../support/images';
 import { expect, test } from '../support/test';
@@ -128,7 +129,7 @@ const keepWhatGltfHolds = (page: Page): Promise<void> =>
       environment: null,
       fog: 'none',
     });
-    for (const light of scene.lights) {
+    for (const light of scene.componentsOf<Light>('Light')) {
       if (light.type === 'ambient' || light.type === 'hemisphere') light.enabled = false;
       const plain = { attenuation: 'physical', decay: 2, ambient: [0, 0, 0], ownSpecular: false, exponent: 0 };
       Object.assign(light, plain);
@@ -165,7 +166,7 @@ async function checkGltf(page: Page, reader: Page, name: string): Promise<void> 
       for (const { isActive, typeName } of object.components)
         meshes += Number(isActive && typeName === 'ObjectRenderer');
     });
-    return { meshes, lights: scene.lights.filter((light) => light.isActive).length };
+    return { meshes, lights: scene.componentsOf('Light').filter((light) => light.isActive).length };
   });
   expect({ meshes: read.meshes.length, lights: read.lights.length }, name).toEqual(inScene);
   const stock = await editorPicture(page, 'three');

@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import type { Light } from '@farol/engine';
 import { expect, test } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
 import { addObject, fieldOf, history, inspectorFollows, serialized, waitUntilReady } from './editor';
@@ -84,7 +85,10 @@ test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ 
   }
   const intensities = (): Promise<unknown[]> =>
     page.evaluate(() =>
-      window.editor.document.scene.lights.filter(({ type }) => type === 'point').map(({ intensity }) => intensity),
+      window.editor.document.scene
+        .componentsOf<Light>('Light')
+        .filter(({ type }) => type === 'point')
+        .map(({ intensity }) => intensity),
     );
   const light = page.getByRole('region', { name: 'Light', exact: true });
   const type = async (value: string): Promise<void> => {

@@ -1,5 +1,6 @@
 import { readFile, writeFile } from 'node:fs/promises';
 import { inflateRawSync } from 'node:zlib';
+import type { Light } from '@farol/engine';
 import { expect, test } from '../support/test';
 import { addObject, fieldOf, history, openEditor, openEmptyScene, pointOf, serialized, waitUntilReady } from './editor';
 
@@ -16,7 +17,7 @@ function sceneOf(zip: Buffer): string {
 test('opens the temple with its lights', async ({ page }) => {
   await openEditor(page);
   const counts = await page.evaluate(() => ({
-    lights: window.editor.document.scene.lights.filter(({ type }) => type === 'point').length,
+    lights: window.editor.document.scene.componentsOf<Light>('Light').filter(({ type }) => type === 'point').length,
     roots: window.editor.document.scene.roots.length,
     frames: window.editor.viewport.statistics.frames,
   }));

@@ -70,7 +70,7 @@ test('the editor after a lost context: the same picture, no message, also at ano
   await page.evaluate(() => {
     const { viewport, document } = window.editor;
     (viewport as { technique: string }).technique = 'deferred';
-    document.selection.set([document.scene.cameras[0].gameObject.id]);
+    document.selection.set([document.scene.componentsOf('Camera')[0].gameObject.id]);
   });
   await expect.poll(() => page.evaluate(() => window.editor.viewport.farol.effects.length)).toBe(1);
   const before = await picture(page);

@@ -1,5 +1,6 @@
 import { basename, join } from 'node:path';
 import type { Page } from '@playwright/test';
+import type { Light } from '@farol/engine';
 import { recordComparison } from '../support/comparison';
 import { drop } from '../support/drop';
 import { compareImages, isFlat } from '../support/images';
@@ -28,7 +29,7 @@ const figures: Record<string, readonly [number, number] | undefined> = {
 /** Makes of the eight point lights round the model three points, four spots and a sun; the sky's light stays. */
 async function mixLights(page: Page): Promise<void> {
   await page.evaluate(() => {
-    const { lights } = window.viewer.engineScene;
+    const lights = window.viewer.engineScene.componentsOf<Light>('Light');
     const ring = lights.filter((light) => light.type === 'point');
     const middle = { x: 0, y: 0, z: 0 };
     for (const { position } of ring) {
@@ -54,7 +55,9 @@ for (const name of modelFiles(FOLDER)) {
     await openViewer(page, { ...opening, time: 0.5, width: 200, height: 150, dpr: 1, gui: 0 });
     await drop(page, filesOf(join(FOLDER, name)));
     await expect.poll(() => page.evaluate(() => window.viewer.modelName), { timeout: 60_000 }).toBe(basename(name));
-    await page.evaluate(() => window.viewer.engineScene.lights.length).then((count) => expect(count).toBe(9));
+    await page
+      .evaluate(() => window.viewer.engineScene.componentsOf<Light>('Light').length)
+      .then((count) => expect(count).toBe(9));
     await mixLights(page);
     const stock = await readImage(page, 'three');
     expect(isFlat(stock), 'stock three shows nothing').toBe(false);

@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import type { Light } from '@farol/engine';
 import { checkAgreement } from '../support/agreement';
 import { compareImages, isFlat } from '../support/images';
 import { parts } from '../support/parts';
@@ -32,7 +33,7 @@ const load = (page: Page, scene: string): Promise<number[]> =>
       const { parameters } = window.viewer.known.scenes[name];
       const values = Object.entries(few).filter(([parameter]) => parameter in parameters);
       await window.viewer.loadScene(name, Object.fromEntries(values));
-      return window.viewer.engineScene.lights.map(({ intensity }) => intensity);
+      return window.viewer.engineScene.componentsOf<Light>('Light').map(({ intensity }) => intensity);
     },
     [scene, few] as const,
   );
@@ -68,7 +69,7 @@ async function checkKinds(page: Page, scene: string, intensities: readonly numbe
   for (const [kind, scale] of Object.entries(kinds)) {
     await page.evaluate(
       ([kind, scale, intensities, count]) => {
-        const { lights } = window.viewer.engineScene;
+        const lights = window.viewer.engineScene.componentsOf<Light>('Light');
         lights.forEach((light, index) => {
           light.enabled = index < count;
           // what three's lights have not, stock three cannot show

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import type { Light } from '@farol/engine';
 import { drop, type Dropped } from '../support/drop';
 import { compareImages, isFlat } from '../support/images';
 import { expect, test } from '../support/test';
@@ -117,7 +118,10 @@ test('the number of lights round a model follows the menu', async ({ page }) => 
   await openViewer(page, { ...still, gui: 1, lights: 5 });
   await drop(page, { 'square.glb': glb() });
   await shown(page).toBe('square.glb');
-  const points = () => page.evaluate(() => window.viewer.engineScene.lights.filter((l) => l.type === 'point').length);
+  const points = () =>
+    page.evaluate(
+      () => window.viewer.engineScene.componentsOf<Light>('Light').filter((l) => l.type === 'point').length,
+    );
   expect(await points()).toBe(5);
   const input = page.locator('.lil-controller', { hasText: 'lights' }).locator('input[type=text]').first();
   await input.fill('9');

@@ -1,4 +1,5 @@
 import { Quaternion, Vector3 } from 'three';
+import type { Light } from '@farol/engine';
 import { compareImages } from '../support/images';
 import { expect, test } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
@@ -73,7 +74,11 @@ test('a number of lights set in the menu is in the scene and the address, and th
   await input.press('Enter');
   await expect.poll(() => query(page.url()).lights).toBe('7');
   await expect
-    .poll(() => page.evaluate(() => window.viewer.engineScene.lights.filter((l) => l.type === 'point').length))
+    .poll(() =>
+      page.evaluate(
+        () => window.viewer.engineScene.componentsOf<Light>('Light').filter((l) => l.type === 'point').length,
+      ),
+    )
     .toBe(7);
   const after = await page.evaluate(() =>
     window.viewer.engineScene.activeCamera!.gameObject.object3D.position.toArray(),

@@ -1,3 +1,4 @@
+import type { Light } from '@farol/engine';
 import { compareImages, isFlat } from '../support/images';
 import { expect, test } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
@@ -10,7 +11,7 @@ test('scene, technique, view and the parameters of the scene come from the addre
     ...window.viewer.state,
     technique: window.viewer.farol.technique,
     view: window.viewer.farol.view,
-    lights: window.viewer.engineScene.lights.filter(({ type }) => type === 'point').length,
+    lights: window.viewer.engineScene.componentsOf<Light>('Light').filter(({ type }) => type === 'point').length,
   }));
   expect(seen).toMatchObject({ scene: 'benchmarkLights', technique: 'forward', view: 'albedo', lights: 4 });
 });
@@ -39,7 +40,9 @@ test('anti-aliasing and ambient occlusion come from the address, and the menu ch
 test('the number of lights follows the address', async ({ page }) => {
   for (const lights of [3, 17]) {
     await openViewer(page, { ...still, scene: 'temple', lights });
-    const points = await page.evaluate(() => window.viewer.engineScene.lights.filter((l) => l.type === 'point').length);
+    const points = await page.evaluate(
+      () => window.viewer.engineScene.componentsOf<Light>('Light').filter((l) => l.type === 'point').length,
+    );
     expect(points).toBe(lights);
   }
 });

@@ -54,6 +54,8 @@ describe('the direction of imports', () => {
     ['packages/renderer/src/frame/lazyCode.ts', "import { w } from '../lazy/warm-up';", /by import\(\) only/],
     ['packages/renderer/src/lazy/views/X.ts', "import { e } from '../../effects/E';", /does not know what plugs it in/],
     ['packages/renderer/src/index.ts', "import 'react';", /may import/],
+    ['packages/engine/src/core/X.ts', "import { Light } from '../components/Light';", /does not know what plugs it in/],
+    ['packages/engine/src/assets/X.ts', "import('../scenes/temple/temple')", /does not know what plugs it in/],
     ['packages/engine/src/X.ts', "import { attachEditor } from '@farol/attach';", /may import/],
     ['packages/editing/src/X.ts', "import type { Field } from '@farol/engine';", /may import/],
     ['packages/editing/src/X.ts', "import { useEffect } from 'react';", /may import/],
@@ -88,6 +90,7 @@ describe('the direction of imports', () => {
     ['packages/renderer/src/output/X.ts', "import text from './x.glsl?raw'; import 'three';"],
     ['packages/renderer/src/lights/X.ts', "import { type SpotLight, Vector3 } from 'three'; import './Y';"],
     ['packages/renderer/src/lights/X.test.ts', "import { Texture } from 'three';"],
+    ['packages/engine/src/core/X.test.ts', "import { Light } from '../components/Light';"],
     ['packages/engine/src/X.test.ts', "import { it } from 'vitest'; import { Scene } from './Scene';"],
     [
       'packages/renderer/src/adapters/r3f/X.ts',

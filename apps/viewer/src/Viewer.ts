@@ -1,4 +1,4 @@
-import { App, AssetLibrary, Camera, KeyController, MouseController, type Scene } from '@farol/engine';
+import { App, AssetLibrary, type CameraComponent, KeyController, MouseController, type Scene } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 import { cancellable } from '@farol/engine/files';
 import { scenes } from '@farol/engine/scenes';
@@ -323,7 +323,7 @@ export class Viewer {
     return Math.min(...[width, height, ...asked].map((side) => side || Infinity));
   }
 
-  private get cameraComponent(): Camera {
+  private get cameraComponent(): CameraComponent {
     const camera = this.app.scene.activeCamera;
     if (!camera) throw new Error('The scene has no camera: wait for viewer.ready.');
     return camera;

@@ -10,7 +10,7 @@ const source = fileURLToPath(new URL('.', import.meta.url));
 /** What the main entry exports besides types: whoever adds a name decides here that every author needs it. */
 const names = {
   app: ['App', 'createWebGLRenderer', 'noWebGL2'],
-  loopsOfOnesOwn: ['followDecals', 'InputRouter', 'MicroShaderOverrides'],
+  loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides'],
   scene: ['Scene', 'GameObject', 'Component', 'createRandom', 'gameObjectOf'],
   components: [
     ...['Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
@@ -53,7 +53,7 @@ describe('what is loaded with the main entry', () => {
   test.each([
     ['scenes', []],
     ['prefabs', ['prefabs/Prefab.ts', 'prefabs/PrefabTable.ts']],
-    ['files', ['files/fileLimits.ts']],
+    ['files', []],
     ['fuzz', []],
   ])('of %s: %j', (folder, needed) => {
     expect(loaded.filter((path) => path.startsWith(`${folder}/`))).toEqual(needed);

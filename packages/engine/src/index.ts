@@ -4,24 +4,32 @@
  */
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
-export { followDecals } from './app/followDecals';
+export { followEffects } from './app/followEffects';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 
-export { Component, type ComponentClass } from './core/Component';
+export { Component } from './core/Component';
 export { createRandom } from './core/createRandom';
 export type { EngineKeyEvent, EnginePointerEvent } from './core/events';
-export { type AddComponentOptions, GameObject } from './core/GameObject';
+export { GameObject } from './core/GameObject';
 export { gameObjectOf } from './core/gameObjectOf';
-export type { MoveOptions } from './core/moveGameObject';
+export type { RequiredEffect } from './core/RequiredEffect';
 export { Scene, type SceneOptions } from './core/Scene';
-export type { SceneChange } from './core/SceneChange';
+export type { AddComponentOptions, CameraComponent, ComponentClass, MoveOptions, SceneChange } from './core/SceneGraph';
+/** The same types as the classes of these names have: declarations that a compiler writes need a name for each. */
+export type {
+  Component as ComponentType,
+  ComponentRegistry as ComponentRegistryType,
+  GameObject as GameObjectType,
+  Scene as SceneType,
+  Transform as TransformType,
+} from './core/SceneGraph';
 export type { SceneMicroShaders } from './core/SceneMicroShaders';
 export type { SceneSettings } from './core/SceneSettings';
 export type { Vector3Input } from './core/toVector3';
 
-export { ComponentRegistry, type ComponentRegistryOptions } from './components/ComponentRegistry';
-export { builtinComponents } from './components/builtinComponents';
+export { ComponentRegistry, type ComponentRegistryOptions } from './core/ComponentRegistry';
+export { builtinComponents } from './components/index';
 export { Camera } from './components/Camera';
 export { Decal } from './components/Decal';
 export { KeyController } from './components/KeyController';
@@ -30,11 +38,11 @@ export { ModelRenderer } from './components/ModelRenderer';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
-export { Transform } from './components/Transform';
+export { Transform } from './core/Transform';
 
 export type { Asset, AssetChange, AssetFile, TakenAsset } from './assets/Asset';
 export { AssetError } from './assets/AssetError';
 export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';
-export { importModel } from './assets/importModel';
+export { importModel } from './components/importModel';
 export type { FetchBytes, FetchOptions } from './assets/loadAsset';
 export { Model } from './assets/Model';

@@ -67,7 +67,7 @@ describe('EditorDocument', () => {
   it('stops to what was there before it played, edits made while playing included', async () => {
     const document = new EditorDocument();
     document.open(await scenes.temple.build({ lights: 2 }, document.assets));
-    const light = document.scene.lights.find(({ type }) => type === 'point')!;
+    const light = document.scene.componentsOf(Light).find(({ type }) => type === 'point')!;
     const { transform } = light.gameObject;
     const authored = transform.position;
     document.simulation.play();

@@ -1,4 +1,4 @@
-import { App, AssetLibrary, followDecals, KeyController, MouseController, type Scene } from '@farol/engine';
+import { App, AssetLibrary, followEffects, KeyController, MouseController, type Scene } from '@farol/engine';
 import { deserialize, FileError, type ForeignAddress, readSceneFile } from '@farol/engine/files';
 import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -71,7 +71,7 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
     scene.update(last === 0 ? 0 : Math.min((now - last) / 1000, 0.1));
     last = now;
     controls.update();
-    followDecals(app.renderer, scene);
+    followEffects(app.renderer, scene);
     app.renderer.render(scene.three, camera);
     requestAnimationFrame(frame);
   };

@@ -1,4 +1,4 @@
-import type { Camera as CameraComponent } from '@farol/engine';
+import type { CameraComponent } from '@farol/engine';
 import CameraControls from 'camera-controls';
 import {
   Box3,
@@ -127,13 +127,12 @@ export class EditorCamera {
    * Looks from where a camera of the scene is.
    * @param distanceTo - distance (m) of what that camera sees in its middle; null when there is nothing
    */
-  matchCamera(component: CameraComponent, distanceTo: (camera: Camera) => number | null): void {
-    const { three } = component;
+  matchCamera({ three }: CameraComponent, distanceTo: (camera: Camera) => number | null): void {
     if (three instanceof PerspectiveCamera) this.fov = three.fov;
-    this.camera.near = Math.min(0.05, component.near);
-    this.camera.far = Math.max(1000, component.far);
+    this.camera.near = Math.min(0.05, three.near);
+    this.camera.far = Math.max(1000, three.far);
     this.resize(this.camera.aspect, 1);
-    component.updateViewMatrix();
+    three.updateWorldMatrix(true, false);
     eye.setFromMatrixPosition(three.matrixWorld);
     front.setFromMatrixColumn(three.matrixWorld, 2).normalize().negate();
     const toGround = front.y < 0 ? -eye.y / front.y : DEFAULT_DISTANCE;

@@ -45,10 +45,13 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   refresh(scene: Scene, isSelected: (object: GameObject) => boolean, pixelRatio: number, without: Camera | null): void {
     this.shown.length = 0;
     this.material.uniforms.size.value = SIZE * pixelRatio;
-    this.grow(scene.lights.length + scene.cameras.length + scene.decals.length);
-    for (const light of scene.lights) if (light.isActive) this.addIcon(light, isSelected);
-    for (const camera of scene.cameras) if (camera.isActive && camera !== without) this.addIcon(camera, isSelected);
-    for (const decal of scene.decals) if (decal.isActive) this.addIcon(decal, isSelected);
+    const lights = scene.componentsOf(Light);
+    const cameras = scene.componentsOf(Camera);
+    const decals = scene.componentsOf(Decal);
+    this.grow(lights.length + cameras.length + decals.length);
+    for (const light of lights) if (light.isActive) this.addIcon(light, isSelected);
+    for (const camera of cameras) if (camera.isActive && camera !== without) this.addIcon(camera, isSelected);
+    for (const decal of decals) if (decal.isActive) this.addIcon(decal, isSelected);
     this.geometry.setDrawRange(0, this.shown.length);
     for (const name in this.geometry.attributes) this.geometry.attributes[name].needsUpdate = true;
   }

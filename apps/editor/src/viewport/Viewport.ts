@@ -2,7 +2,7 @@ import { Signal } from '@farol/editing';
 import {
   Camera as CameraComponent,
   createWebGLRenderer,
-  followDecals,
+  followEffects,
   type GameObject,
   InputRouter,
 } from '@farol/engine';
@@ -271,7 +271,7 @@ export class Viewport {
   /** Draws now. */
   renderNow(): void {
     this.through?.setViewport(this.width, this.height);
-    followDecals(this.farol, this.document.scene, this.redraw);
+    followEffects(this.farol, this.document.scene, this.redraw);
     (this.painter ?? this.farol).render(this.document.scene.three, this.camera);
     this.gizmo.update(this.camera);
     if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
@@ -365,7 +365,8 @@ export class Viewport {
 
   /** A camera that was taken out cannot be looked through. */
   private checkCamera(): void {
-    if (this.through && !this.document.scene.cameras.includes(this.through)) this.lookThrough = null;
+    if (this.through && !this.document.scene.componentsOf(CameraComponent).includes(this.through))
+      this.lookThrough = null;
   }
 
   private resize(): void {

@@ -85,7 +85,8 @@ function drawDecal(lines: LineSet, { gameObject, size }: Decal): void {
 }
 
 /** Adds the ranges of every light of a scene that is on; of many lights more coarsely. */
-export function drawRanges(lines: LineSet, { lights }: Scene): void {
+export function drawRanges(lines: LineSet, scene: Scene): void {
+  const lights = scene.componentsOf(Light);
   const segments = Math.min(48, Math.max(8, Math.round(20_000 / lights.length)));
   for (const light of lights) if (light.isActive) drawLight(lines, light, segments);
 }

@@ -1,4 +1,4 @@
-import { type Camera, MouseController } from '@farol/engine';
+import { type CameraComponent, MouseController } from '@farol/engine';
 import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Viewer } from '../Viewer';
@@ -28,14 +28,14 @@ export class TouchOrbit {
     this.controls.enabled = touch;
   }
 
-  private isFollowed({ gameObject }: Camera): boolean {
+  private isFollowed({ gameObject }: CameraComponent): boolean {
     return this.proxy.position.equals(gameObject.object3D.position) && this.controls.enabled;
   }
 
-  private takePose({ gameObject, three, fov }: Camera): void {
+  private takePose({ gameObject, three }: CameraComponent): void {
     gameObject.object3D.updateWorldMatrix(true, false);
     gameObject.object3D.matrixWorld.decompose(this.proxy.position, this.proxy.quaternion, this.proxy.scale);
-    this.proxy.fov = (fov * 180) / Math.PI;
+    if (three instanceof PerspectiveCamera) this.proxy.fov = three.fov;
     this.proxy.updateProjectionMatrix();
     new Box3().setFromObject(this.viewer.scene).getBoundingSphere(this.bounds);
     this.front.set(0, 0, -1).applyQuaternion(this.proxy.quaternion);

@@ -162,7 +162,7 @@ describe('the loop', () => {
     const { revision } = app.scene;
     app.resize(300, 100, 2);
     app.render();
-    const camera = app.scene.activeCamera!;
+    const camera = app.scene.activeCamera!.three;
     expect(camera.projectionMatrix.elements[5] / camera.projectionMatrix.elements[0]).toBeCloseTo(3, 6);
     expect(app.webgl.setPixelRatio).toHaveBeenCalledWith(2);
     expect(app.scene.revision).toBe(revision);

@@ -1,9 +1,10 @@
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import type { WebGLRenderer, WebGLRendererParameters } from 'three';
 import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
+import { builtinComponents } from '../components/index';
 import { Scene } from '../core/Scene';
 import { createWebGLRenderer } from './createWebGLRenderer';
-import { followDecals } from './followDecals';
+import { followEffects } from './followEffects';
 import { InputRouter } from './InputRouter';
 import { MicroShaderOverrides } from './MicroShaderOverrides';
 
@@ -71,7 +72,7 @@ export class App {
     this.canvas = this.webgl.domElement;
     if (!options.webgl) this.webgl.shadowMap.enabled = true;
     this.renderer = new FarolRenderer(this.webgl, options.technique ? { technique: options.technique } : {});
-    this.currentScene = options.scene ?? new Scene();
+    this.currentScene = options.scene ?? new Scene({ registry: builtinComponents });
     this.maxDelta = options.maxDelta ?? 0.1;
     this.overrides = new MicroShaderOverrides(this.renderer.microshaders);
     this.watchMicroShaders();
@@ -152,7 +153,7 @@ export class App {
       return;
     }
     camera.setViewport(this.aspectWidth, this.aspectHeight);
-    followDecals(this.renderer, this.currentScene, this.redrawAtRest);
+    followEffects(this.renderer, this.currentScene, this.redrawAtRest);
     this.renderer.render(this.currentScene.three, camera.three);
   }
 

@@ -1,5 +1,5 @@
 import { describeValue } from '../fields/checkFieldValue';
-import { counted } from '../files/fileLimits';
+import { counted } from '../core/counted';
 import type { GltfJson } from './readGltfJson';
 
 type JsonRecord = Record<string, unknown>;

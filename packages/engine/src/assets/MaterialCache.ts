@@ -1,13 +1,16 @@
-import type { Blending, Material, Texture } from 'three';
-import type { ValuesOf } from '../fields/Field';
-import type { AssetLibrary } from './AssetLibrary';
+import type { Material, Texture } from 'three';
 import { makeMaterial, materialSettings, writeMaterial } from './makeMaterial';
-import type { materialFields } from './materialFields';
+import type { MaterialValues } from './materialFields';
+import type { UseCounter } from './UseCounter';
 
-export type MaterialValues = Readonly<ValuesOf<typeof materialFields>> & {
-  /** three's constant. Default NormalBlending. */
-  readonly blending?: Blending;
-};
+/** Where a cache gets textures from: an AssetLibrary. */
+export interface TextureSource {
+  readonly uses: UseCounter;
+  isReady(type: 'texture', name: string): boolean;
+  /** Calls back once the texture can be had. */
+  whenReady(type: 'texture', name: string, callback: () => void): void;
+  texture(name: string, repeat: number): Texture;
+}
 
 interface Entry {
   key: string;
@@ -25,7 +28,7 @@ export class MaterialCache {
   private readonly entries = new Map<string, Entry>();
   private readonly byMaterial = new Map<Material, Entry>();
 
-  constructor(private readonly assets: AssetLibrary) {}
+  constructor(private readonly assets: TextureSource) {}
 
   /** How many materials are alive. */
   get size(): number {

@@ -10,8 +10,8 @@ import { deserialize } from '../files/deserialize';
 import { readSceneFile } from '../files/readSceneFile';
 import { serialize } from '../files/serialize';
 import { AssetLibrary } from './AssetLibrary';
-import { importModel } from './importModel';
-import { packGltf } from './packGltf';
+import { importModel } from '../components/importModel';
+import { packGltf } from '../files/packGltf';
 import { readGltfJson } from './readGltfJson';
 
 const bytesOf = (text: string): ArrayBuffer => new TextEncoder().encode(text).buffer as ArrayBuffer;

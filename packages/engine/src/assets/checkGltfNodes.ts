@@ -1,5 +1,6 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { counted, fileLimits } from '../files/fileLimits';
+import { counted } from '../core/counted';
+import { maximumDepth } from '../core/maximumDepth';
 import { absurdSize, LARGEST } from './checkModel';
 import type { GltfLists } from './GltfLists';
 
@@ -64,7 +65,7 @@ function treeOf(lists: GltfLists): { order: number[]; parents: Map<number, numbe
   let level = nodes.flatMap((_, i) => (parents.has(i) ? [] : [i]));
   const order: number[] = [];
   for (let depth = 1; level.length > 0; depth++) {
-    if (depth > fileLimits.depth) lists.fail(`its nodes are more than ${fileLimits.depth} deep`);
+    if (depth > maximumDepth) lists.fail(`its nodes are more than ${maximumDepth} deep`);
     order.push(...(level.length < 50_000 ? level : []));
     if (level.length >= 50_000) for (const each of level) order.push(each);
     level = level.flatMap((each) => (nodes[each].children as number[] | undefined) ?? []);

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { hasAmbientReflection, setAmbientReflection } from './ambientReflection';
 import { isFieldVisible } from '../fields/isFieldVisible';
-import type { MaterialValues } from './MaterialCache';
+import type { MaterialValues } from './materialFields';
 import { materialFields } from './materialFields';
 
 const constructors = {

@@ -1,3 +1,5 @@
+import type { Blending } from 'three';
+import type { ValuesOf } from '../fields/Field';
 import { angle, asset, boolean, choice, colour, number } from '../fields/fields';
 
 const made = { visibleWhen: { field: 'material', equals: [null] } };
@@ -75,6 +77,12 @@ export const materialFields = {
   doubleSided: boolean(false, { help: 'Draw the backs of triangles too.', label: 'Double sided', ...made }),
   wireframe: boolean(false, { help: 'Draw the edges of triangles only.', ...made }),
   vertexColours: boolean(false, { help: 'Multiply by the colours of the vertices.', label: 'Vertex colours', ...made }),
+};
+
+/** The values of `materialFields`, and what no field of an ObjectRenderer holds. */
+export type MaterialValues = Readonly<ValuesOf<typeof materialFields>> & {
+  /** three's constant. Default NormalBlending. */
+  readonly blending?: Blending;
 };
 
 /** Smallest angle between faces that shows as an edge, for meshes without normals. */

@@ -1,7 +1,7 @@
 import { Matrix4, OrthographicCamera, PerspectiveCamera } from 'three';
 import { component } from '../fields/component';
 import { angle, boolean, choice, number } from '../fields/fields';
-import type { Transform } from './Transform';
+import type { Transform } from '../core/Transform';
 
 const perspective = { visibleWhen: { field: 'projection', equals: ['perspective'] } };
 

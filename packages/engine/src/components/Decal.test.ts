@@ -52,10 +52,10 @@ test('decals of equal looks share a material, which goes with the last; the scen
   const scene = new Scene({ assets });
   const [a, b] = [decalIn(scene, { roughness: 0.2 }), decalIn(scene, { roughness: 0.2 })];
   expect(a.three!.surface).toBe(b.three!.surface);
-  expect(scene.decals).toEqual([a, b]);
+  expect(scene.componentsOf(Decal)).toEqual([a, b]);
   scene.remove(a.gameObject);
   b.gameObject.removeComponent(b);
-  expect(scene.decals).toEqual([]);
+  expect(scene.componentsOf(Decal)).toEqual([]);
   expect(a.three).toBeNull();
   expect(assets.materials.size).toBe(0);
 });
@@ -84,7 +84,7 @@ test('its blending is kept in files; a file from before there was any is read as
   const file = serialize(scene);
   const [written] = file.objects[0].components.filter(({ type }) => type === 'Decal');
   expect(written.values.blending).toBe('multiply');
-  expect((await deserialize(file)).decals[0].blending).toBe('multiply');
+  expect((await deserialize(file)).componentsOf(Decal)[0].blending).toBe('multiply');
   delete written.values.blending;
-  expect((await deserialize(file)).decals[0].blending).toBe('normal');
+  expect((await deserialize(file)).componentsOf(Decal)[0].blending).toBe('normal');
 });

@@ -6,13 +6,13 @@ import {
   NormalBlending,
   SubtractiveBlending,
 } from 'three';
-import type { MaterialValues } from '../assets/MaterialCache';
+import type { MaterialValues } from '../assets/materialFields';
 import { materialFields } from '../assets/materialFields';
 import { component } from '../fields/component';
 import { angle, asset, choice, colour, number, vector3 } from '../fields/fields';
-import type { FieldValue } from '../fields/Field';
-import type { Scene } from '../core/Scene';
-import { decalCode, loadDecalCode } from './decalCode';
+import type { RequiredEffect } from '../core/RequiredEffect';
+import type { Scene } from '../core/SceneGraph';
+import { decalCode, decalsEffect, loadDecalCode } from './decalCode';
 
 const blendings = {
   normal: NormalBlending,
@@ -63,6 +63,7 @@ export class Decal extends component({
 }) {
   static override readonly typeName: string = 'Decal';
   static override readonly help: string = 'A picture on whatever surface lies in a box.';
+  static override readonly effect: RequiredEffect = decalsEffect;
 
   private box: ThreeDecal | null = null;
   private material: MeshStandardMaterial | null = null;
@@ -104,12 +105,6 @@ export class Decal extends component({
 
   override onActiveChanged(): void {
     this.apply();
-  }
-
-  protected override checkField(name: string, value: FieldValue): string | null {
-    const field = this.fields[name];
-    if (!this.scene || field.kind !== 'asset' || typeof value !== 'string') return null;
-    return this.scene.assets.problemWith(field.assetType, value);
   }
 
   private surface(): MaterialValues {

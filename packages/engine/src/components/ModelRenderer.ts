@@ -1,8 +1,7 @@
 import { AnimationMixer, type Object3D } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import type { Model } from '../assets/Model';
-import type { Scene } from '../core/Scene';
-import type { FieldValue } from '../fields/Field';
+import type { Scene } from '../core/SceneGraph';
 import { component } from '../fields/component';
 import { asset, boolean, number, string } from '../fields/fields';
 
@@ -56,11 +55,6 @@ export class ModelRenderer extends component({
 
   override update(_deltaSeconds: number, time: number): void {
     this.mixer?.setTime(time * this.animationSpeed);
-  }
-
-  protected override checkField(name: string, value: FieldValue): string | null {
-    if (!this.scene || name !== 'model' || typeof value !== 'string') return null;
-    return this.scene.assets.problemWith('model', value);
   }
 
   private refresh(): void {

@@ -1,9 +1,9 @@
 import { type BufferGeometry, type Material, Mesh } from 'three';
 import { creaseAngleField, materialFields } from '../assets/materialFields';
-import type { FieldValue } from '../fields/Field';
 import { component } from '../fields/component';
 import { asset, boolean } from '../fields/fields';
-import type { Scene } from '../core/Scene';
+import type { Scene } from '../core/SceneGraph';
+import { instanceGroupsOf } from './instances/InstanceGroups';
 
 /** Fields that only choose flags of the mesh. */
 const flags = new Set(['render', 'castShadow', 'receiveShadow']);
@@ -70,12 +70,6 @@ export class ObjectRenderer extends component({
     this.applyFlags();
   }
 
-  protected override checkField(name: string, value: FieldValue): string | null {
-    const field = this.fields[name];
-    if (!this.scene || field.kind !== 'asset' || typeof value !== 'string') return null;
-    return this.scene.assets.problemWith(field.assetType, value);
-  }
-
   /** Takes the geometry of the present fields, at once or when its asset is loaded and has normals. */
   private refreshGeometry(): void {
     const { scene, mesh } = this;
@@ -112,14 +106,14 @@ export class ObjectRenderer extends component({
   private refreshMaterial(): void {
     const { scene, geometryInUse: geometry } = this;
     if (!scene || !geometry) return;
-    if (this.inGroup) scene.instances.remove(this);
+    if (this.inGroup) instanceGroupsOf(scene).remove(this);
     this.inGroup = false;
     const material = this.takeMaterial(scene);
     if (this.instanced) {
       this.mesh3D?.removeFromParent();
       this.mesh3D = null;
       this.inGroup = true;
-      scene.instances.add(this, geometry, material);
+      instanceGroupsOf(scene).add(this, geometry, material);
     } else if (this.mesh3D) {
       this.mesh3D.material = material;
     } else {
@@ -178,7 +172,7 @@ export class ObjectRenderer extends component({
     this.waiting?.abort();
     this.waiting = null;
     this.shown = null;
-    if (this.inGroup) scene.instances.remove(this);
+    if (this.inGroup) instanceGroupsOf(scene).remove(this);
     this.inGroup = false;
     this.mesh3D?.removeFromParent();
     this.mesh3D = null;

@@ -2,6 +2,7 @@ import { describe, expect, test } from 'vitest';
 import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
+import './index';
 import { RandomMovement } from './RandomMovement';
 
 const key = (type: 'down' | 'up', code: string, extra: Partial<EngineKeyEvent> = {}): EngineKeyEvent => ({

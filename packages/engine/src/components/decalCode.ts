@@ -1,3 +1,5 @@
+import type { RequiredEffect } from '../core/RequiredEffect';
+
 type DecalCode = typeof import('@farol/renderer/decals');
 
 let code: DecalCode | null = null;
@@ -19,3 +21,11 @@ export async function loadDecalCode(): Promise<void> {
   );
   return loading;
 }
+
+/** The effect that draws decals. */
+export const decalsEffect: RequiredEffect = {
+  get effectClass() {
+    return code?.Decals ?? null;
+  },
+  load: loadDecalCode,
+};

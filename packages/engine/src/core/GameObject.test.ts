@@ -1,10 +1,11 @@
 import { Matrix4 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
-import { builtinComponents } from '../components/builtinComponents';
-import { ComponentRegistry } from '../components/ComponentRegistry';
+import { Camera } from '../components/Camera';
+import { builtinComponents } from '../components/index';
+import { ComponentRegistry } from '../core/ComponentRegistry';
 import { Light } from '../components/Light';
 import { ObjectRenderer } from '../components/ObjectRenderer';
-import { Transform } from '../components/Transform';
+import { Transform } from '../core/Transform';
 import { component } from '../fields/component';
 import { object } from '../fields/fields';
 import { deserialize } from '../files/deserialize';
@@ -15,7 +16,7 @@ import { Component } from './Component';
 import { GameObject } from './GameObject';
 import { gameObjectOf } from './gameObjectOf';
 import { Scene } from './Scene';
-import type { SceneChange } from './SceneChange';
+import type { SceneChange } from './SceneGraph';
 
 class Listener extends Component {
   static override readonly typeName: string = 'Listener';
@@ -202,14 +203,14 @@ describe('a scene', () => {
     const lights = [c, d].map((each) => each.addComponent(Light));
     a.addComponent('Camera');
     scene.add(a);
-    expect(new Set(scene.lights)).toEqual(new Set(lights));
-    expect(scene.activeCamera).toBe(scene.cameras[0]);
+    expect(new Set(scene.componentsOf(Light))).toEqual(new Set(lights));
+    expect(scene.activeCamera).toBe(scene.componentsOf(Camera)[0]);
     scene.remove(c);
-    expect(scene.lights).toEqual([lights[1]]);
+    expect(scene.componentsOf(Light)).toEqual([lights[1]]);
     expect(scene.findById(c.id)).toBeNull();
     d.removeComponent(lights[1]);
     scene.remove(a);
-    expect(scene.lights).toEqual([]);
+    expect(scene.componentsOf(Light)).toEqual([]);
     expect(scene.activeCamera).toBeNull();
     expect(scene.three.children).toEqual([]);
   });
@@ -303,7 +304,7 @@ test('a component that was taken off comes back as it was, with its id and at it
   const [light, camera] = [a.addComponent('Light', { intensity: 3 }), a.addComponent('Camera')];
   const { id } = light;
   a.removeComponent(light);
-  expect(a.scene!.lights).toEqual([]);
+  expect(a.scene!.componentsOf(Light)).toEqual([]);
   a.addComponent(light, {}, { index: 1 });
   expect(a.components).toEqual([a.transform, light, camera]);
   expect(light.id).toBe(id);
@@ -329,5 +330,5 @@ test('a clone has new ids and the same content, down to the last child', () => {
   expect(ids.size).toBe(8);
   const scene = new Scene();
   scene.add(a).add(copy);
-  expect(scene.lights).toHaveLength(2);
+  expect(scene.componentsOf(Light)).toHaveLength(2);
 });

@@ -1,40 +1,31 @@
 import { shortText } from '@farol/renderer';
 import { Object3D } from 'three';
-import { builtinComponents } from '../components/builtinComponents';
-import { Transform } from '../components/Transform';
 import type { FieldValue } from '../fields/Field';
 import type { PrefabLink } from '../prefabs/Prefab';
-import type { Component, ComponentClass } from './Component';
+import { builtinComponents } from './builtinComponents';
 import { createId } from './createId';
 import { setGameObjectOf } from './gameObjectOf';
-import { moveGameObject, type GameObjectContainer, type MoveOptions } from './moveGameObject';
-import type { Scene } from './Scene';
+import { moveGameObject } from './moveGameObject';
+import type {
+  AddComponentOptions,
+  Component,
+  ComponentClass,
+  GameObject as GameObjectType,
+  GameObjectContainer,
+  MoveOptions,
+  Scene,
+} from './SceneGraph';
+import { Transform } from './Transform';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** How a component is put on a GameObject. */
-export interface AddComponentOptions {
-  /** Place among the components; at the end when absent. Place 0 is the Transform's. */
-  index?: number;
-  /** Id in place of one made from the object's. */
-  id?: string;
-  enabled?: boolean;
-}
-
-/**
- * A thing of the scene. By itself it does nothing: it holds children and components, and passes updates, events and
- * calls on to them. It owns one three object, `object3D`; its front is that object's -Z axis.
- */
-export class GameObject implements GameObjectContainer {
+/** See the interface. */
+class BaseGameObject implements GameObjectType {
   readonly id: string;
   readonly object3D = new Object3D();
-  /** Always there, always the first component. */
   readonly transform: Transform;
-  /** @internal */
   readonly childList: GameObject[] = [];
-  /** @internal What it is directly in. */
   container: GameObjectContainer | null = null;
-  /** @internal */
   sceneOf: Scene | null = null;
 
   private readonly componentList: Component[] = [];
@@ -45,7 +36,6 @@ export class GameObject implements GameObjectContainer {
   private isLocked = false;
   private activeWithParents = true;
 
-  /** @param options - `id`: unique in its scene, random when absent */
   constructor(name = 'Object', options: { id?: string } = {}) {
     this.id = options.id ?? createId();
     this.ownName = name;
@@ -74,7 +64,6 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'tags' });
   }
 
-  /** The object of a prefab that this one is a copy of; null for an object of its own. */
   get prefabLink(): PrefabLink | null {
     return this.link;
   }
@@ -85,7 +74,6 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'prefab' });
   }
 
-  /** False hides the object and its children, and stops their updates and events. */
   get active(): boolean {
     return this.isActive;
   }
@@ -98,7 +86,6 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'active' });
   }
 
-  /** Whether an editor leaves the object and all below it alone: they are not picked in the picture. It has no other effect. */
   get locked(): boolean {
     return this.isLocked;
   }
@@ -109,12 +96,10 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'locked' });
   }
 
-  /** Locked, or below an object that is. */
   get lockedInHierarchy(): boolean {
     return this.isLocked || (this.parent?.lockedInHierarchy ?? false);
   }
 
-  /** Active, and so are all its ancestors. */
   get activeInHierarchy(): boolean {
     return this.activeWithParents;
   }
@@ -135,18 +120,15 @@ export class GameObject implements GameObjectContainer {
     return this.sceneOf;
   }
 
-  /** @internal */
   get threeParent(): Object3D {
     return this.object3D;
   }
 
-  /** Adds a child, or moves one that is elsewhere; its local transform stays. @throws Error for a cycle */
   add(child: GameObject, index?: number): this {
     moveGameObject(child, this, index, { keepWorld: false });
     return this;
   }
 
-  /** Takes a child out, with all below it; it may be added again. @throws Error when it is no child of this object */
   remove(child: GameObject): this {
     if (child.container !== this)
       throw new Error(`'${shortText(child.name)}' is no child of '${shortText(this.name)}'.`);
@@ -154,23 +136,10 @@ export class GameObject implements GameObjectContainer {
     return this;
   }
 
-  /**
-   * Moves the object below another, or to the top of a scene.
-   * @param index - place among the new siblings; at the end when absent
-   * @param options - `keepWorld` (default true): it stays where it is in the world. Under a parent with unequal scales
-   * a rotated object would need shear, which a Transform cannot hold: it then comes as near as it can.
-   * @throws Error when the new parent is the object itself or below it; nothing has changed then
-   */
   reparent(parent: GameObject | Scene, index?: number, options: MoveOptions = {}): void {
     moveGameObject(this, parent, index, { keepWorld: options.keepWorld ?? true });
   }
 
-  /**
-   * Puts a component on the object.
-   * @param type - class, type name, or a component that is on no object
-   * @param values - field values in place of the defaults
-   * @throws Error for an unknown type name or a second component of a unique type; FieldError for a wrong value
-   */
   addComponent<T extends Component>(type: ComponentClass<T> | T, values?: Values, options?: AddComponentOptions): T;
   addComponent(type: string, values?: Values, options?: AddComponentOptions): Component;
   addComponent(
@@ -197,7 +166,6 @@ export class GameObject implements GameObjectContainer {
     return component;
   }
 
-  /** Takes a component off; it may be added again, or disposed. @throws Error for the Transform or a stranger */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
     if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);
@@ -208,7 +176,6 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'component-remove', gameObject: this, component });
   }
 
-  /** Moves a component to another place in the list; the Transform stays first. */
   moveComponent(component: Component, index: number): void {
     const from = this.componentList.indexOf(component);
     if (from < 1) throw new Error(`This ${component.typeName} cannot be moved within '${shortText(this.name)}'.`);
@@ -217,7 +184,6 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'component-move', gameObject: this, component });
   }
 
-  /** The first component of a class (or of one derived from it), or of a type name; null when there is none. */
   getComponent<T extends Component>(type: ComponentClass<T>): T | null;
   getComponent(type: string): Component | null;
   getComponent(type: string | ComponentClass): Component | null {
@@ -227,7 +193,6 @@ export class GameObject implements GameObjectContainer {
     return null;
   }
 
-  /** All components of a class, or of a type name. */
   getComponents<T extends Component>(type: ComponentClass<T>): T[];
   getComponents(type: string): Component[];
   getComponents(type: string | ComponentClass): Component[] {
@@ -236,17 +201,12 @@ export class GameObject implements GameObjectContainer {
     );
   }
 
-  /** Updates its active components, then its children. A Scene does the same from flat lists. */
   update(deltaSeconds: number, time: number): void {
     if (!this.isActive) return;
     for (const component of this.componentList) if (component.enabled) component.update(deltaSeconds, time);
     for (const child of this.childList) child.update(deltaSeconds, time);
   }
 
-  /**
-   * Calls a method of every component that has it, here and in all children (thesis 3.2.4), active or not.
-   * @returns how many components received the call
-   */
   callMethod(name: string, ...args: unknown[]): number {
     if (name in Object.prototype) throw new Error(`'${name}' is a method of every object: it cannot be propagated.`);
     let receivers = 0;
@@ -260,13 +220,11 @@ export class GameObject implements GameObjectContainer {
     return receivers;
   }
 
-  /** Visits the object and all below it, parents first. */
   traverse(visit: (gameObject: GameObject) => void): void {
     visit(this);
     for (const child of this.childList) child.traverse(visit);
   }
 
-  /** The first object with this id, else with this name, among this one and all below it; null when there is none. */
   find(nameOrId: string): GameObject | null {
     let byName: GameObject | null = null;
     let byId: GameObject | null = null;
@@ -277,17 +235,12 @@ export class GameObject implements GameObjectContainer {
     return byId ?? byName;
   }
 
-  /**
-   * A copy with all below it, with new ids, in no scene. References to objects inside the copy follow it. A whole
-   * instance of a prefab is copied as one; a part of one becomes an object of its own.
-   */
   clone(): GameObject {
     const newIds = new Map<string, string>();
     this.traverse((gameObject) => newIds.set(gameObject.id, createId()));
-    return this.copyWithIds(newIds, new Set());
+    return copyOf(this, newIds, new Set());
   }
 
-  /** Takes the object out of its parent or scene, and gives back what it and all below it hold. */
   dispose(): void {
     if (this.container) moveGameObject(this, null, undefined, { keepWorld: false });
     // from the last one on: each leaves the end of its list
@@ -299,9 +252,8 @@ export class GameObject implements GameObjectContainer {
     this.componentList.length = 0;
   }
 
-  /** @internal Called when `active` changed here or above. */
   refreshActive(): void {
-    const active = this.isActive && (this.parent?.activeWithParents ?? true);
+    const active = this.isActive && (this.parent?.activeInHierarchy ?? true);
     if (active === this.activeWithParents) return;
     this.activeWithParents = active;
     for (const component of this.componentList) component.onActiveChanged();
@@ -314,29 +266,39 @@ export class GameObject implements GameObjectContainer {
     for (let n = 2; this.componentList.some((component) => component.id === id); n++) id = `${base}${n}`;
     return id;
   }
-
-  /** @param prefabs - those of which the copy holds the root of an instance, from here upwards */
-  private copyWithIds(newIds: ReadonlyMap<string, string>, prefabs: ReadonlySet<string>): GameObject {
-    const copy = new GameObject(this.name, { id: newIds.get(this.id) });
-    copy.tags = this.tags;
-    const isRoot = this.link !== null && this.link.source === this.link.prefab;
-    const within = isRoot ? new Set([...prefabs, this.link!.prefab]) : prefabs;
-    if (this.link && within.has(this.link.prefab)) copy.link = this.link;
-    for (const component of this.componentList) {
-      const values = component.authoredValues();
-      for (const [name, field] of Object.entries(component.fields)) {
-        const value = values[name];
-        if (field.kind === 'object' && typeof value === 'string') values[name] = newIds.get(value) ?? value;
-      }
-      if (component === this.transform) for (const name in values) copy.transform.set(name, values[name]);
-      else {
-        const id = component.id.startsWith(`${this.id}:`) ? copy.id + component.id.slice(this.id.length) : undefined;
-        copy.addComponent(component.componentClass, values, { enabled: component.enabled, id });
-      }
-    }
-    for (const child of this.childList) copy.add(child.copyWithIds(newIds, within));
-    copy.active = this.active;
-    copy.locked = this.locked;
-    return copy;
-  }
 }
+
+/**
+ * A copy of an object with all below it.
+ * @param newIds - the id of each copy, by that of the object
+ * @param prefabs - those of which the copy holds the root of an instance, from here upwards
+ */
+function copyOf(source: GameObject, newIds: ReadonlyMap<string, string>, prefabs: ReadonlySet<string>): GameObject {
+  const copy = new GameObject(source.name, { id: newIds.get(source.id) });
+  copy.tags = source.tags;
+  const { prefabLink: link } = source;
+  const isRoot = link !== null && link.source === link.prefab;
+  const within = isRoot ? new Set([...prefabs, link.prefab]) : prefabs;
+  if (link && within.has(link.prefab)) copy.prefabLink = link;
+  for (const component of source.components) {
+    const values = component.authoredValues();
+    for (const [name, field] of Object.entries(component.fields)) {
+      const value = values[name];
+      if (field.kind === 'object' && typeof value === 'string') values[name] = newIds.get(value) ?? value;
+    }
+    if (component === source.transform) for (const name in values) copy.transform.set(name, values[name]);
+    else {
+      const id = component.id.startsWith(`${source.id}:`) ? copy.id + component.id.slice(source.id.length) : undefined;
+      copy.addComponent(component.componentClass, values, { enabled: component.enabled, id });
+    }
+  }
+  for (const child of source.children) copy.add(copyOf(child, newIds, within));
+  copy.active = source.active;
+  copy.locked = source.locked;
+  return copy;
+}
+
+export type GameObject = GameObjectType;
+
+/** @param options - `id`: unique in its scene, random when absent */
+export const GameObject: new (name?: string, options?: { id?: string }) => GameObject = BaseGameObject;

@@ -1,22 +1,25 @@
 import { shortText } from '@farol/renderer';
 import type { Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
-import { builtinComponents } from '../components/builtinComponents';
-import type { Camera } from '../components/Camera';
-import type { ComponentRegistry } from '../components/ComponentRegistry';
-import type { Decal } from '../components/Decal';
-import type { Light } from '../components/Light';
-import type { Component } from './Component';
-import type { EngineKeyEvent, EnginePointerEvent } from './events';
-import type { GameObject } from './GameObject';
-import { InstanceGroups } from './InstanceGroups';
-import { PrefabTable } from '../prefabs/PrefabTable';
 import { assetFields } from '../fields/assetFields';
-import { type GameObjectContainer, moveGameObject } from './moveGameObject';
-import type { SceneChange } from './SceneChange';
+import { PrefabTable } from '../prefabs/PrefabTable';
+import { builtinComponents } from './builtinComponents';
+import type { EngineKeyEvent, EnginePointerEvent } from './events';
+import { moveGameObject } from './moveGameObject';
+import type { RequiredEffect } from './RequiredEffect';
+import type {
+  CameraComponent,
+  Component,
+  ComponentClass,
+  ComponentRegistry,
+  GameObject,
+  Scene as SceneType,
+  SceneChange,
+} from './SceneGraph';
 import { SceneIndex } from './SceneIndex';
 import { SceneMicroShaders } from './SceneMicroShaders';
-import { sceneFields, SceneSettings } from './SceneSettings';
+import { SceneRoot } from './SceneRoot';
+import { SceneSettings } from './SceneSettings';
 
 export interface SceneOptions {
   name?: string;
@@ -26,33 +29,22 @@ export interface SceneOptions {
   registry?: ComponentRegistry;
 }
 
-/** A world of GameObjects over one three scene. Any number may exist. */
-export class Scene implements GameObjectContainer {
-  /** The declaration of the settings, as a component declares its fields. */
-  static readonly fields = sceneFields;
-
-  /** @internal ObjectRenderers that are drawn as instances. */
-  readonly instances = new InstanceGroups();
-  readonly three: ThreeScene = this.instances.root;
+/** See the interface. */
+class BaseScene implements SceneType {
+  readonly three = new SceneRoot();
   readonly assets: AssetLibrary;
   /** Types of components that can be added by name: by files, prefabs and menus. Another one must have those in use. */
   registry: ComponentRegistry;
   readonly settings: SceneSettings;
-  /** Microshaders that are saved with the scene. */
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
-  /**
-   * Takes what a component throws while it is updated; the others go on. While null, `update` throws it.
-   */
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
-  /** What objects of the scene are copies of. */
-  readonly prefabs = new PrefabTable(this);
-  /** @internal */
+  readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
   readonly childList: GameObject[] = [];
 
   private readonly index = new SceneIndex();
   private readonly listeners = new Set<(change: SceneChange) => void>();
   private readonly ownsAssets: boolean;
-  private currentCamera: Camera | null = null;
+  private currentCamera: CameraComponent | null = null;
   private ownName: string;
   private seconds = 0;
   private edits = 0;
@@ -63,7 +55,9 @@ export class Scene implements GameObjectContainer {
     this.ownsAssets = !options.assets;
     this.assets = options.assets ?? new AssetLibrary();
     this.registry = options.registry ?? builtinComponents;
-    this.settings = new SceneSettings(this);
+    this.settings = new SceneSettings(this.three, this.assets, (field, before) =>
+      this.notify({ kind: 'settings', field, before }),
+    );
   }
 
   get name(): string {
@@ -81,32 +75,25 @@ export class Scene implements GameObjectContainer {
     return this.childList;
   }
 
-  /** How many objects it has, however deep in the tree. */
   get size(): number {
     return this.index.objectsById.size;
   }
 
-  /** Every Light of the scene, active or not; the same array all along. Its order is not that of the tree. */
-  get lights(): readonly Light[] {
-    return this.index.lights.array;
+  componentsOf<T extends Component>(type: ComponentClass<T>): readonly T[];
+  componentsOf<T extends Component>(type: string): readonly T[];
+  componentsOf(type: ComponentClass | string): readonly Component[] {
+    return this.index.componentsOf(type);
   }
 
-  /** Every Camera of the scene, active or not; the same array all along. */
-  get cameras(): readonly Camera[] {
-    return this.index.cameras.array;
+  get requiredEffects(): readonly RequiredEffect[] {
+    return this.index.effects.array;
   }
 
-  /** Every Decal of the scene, active or not; the same array all along. */
-  get decals(): readonly Decal[] {
-    return this.index.decals.array;
-  }
-
-  /** The camera to draw with: the first one that came, unless another was chosen; null when the scene has none. */
-  get activeCamera(): Camera | null {
+  get activeCamera(): CameraComponent | null {
     return this.currentCamera;
   }
 
-  set activeCamera(camera: Camera | null) {
+  set activeCamera(camera: CameraComponent | null) {
     if (camera && !this.index.cameras.has(camera))
       throw new Error('The active camera must be in the scene: add it first.');
     if (camera === this.currentCamera) return;
@@ -114,36 +101,27 @@ export class Scene implements GameObjectContainer {
     this.notify({ kind: 'active-camera' });
   }
 
-  /** Simulated time in seconds. */
   get time(): number {
     return this.seconds;
   }
 
-  /** Grows by one with each edit; simulation leaves it as it is. */
   get revision(): number {
     return this.edits;
   }
 
-  /** @internal */
   get scene(): Scene {
     return this;
   }
 
-  /** @internal */
   get threeParent(): ThreeScene {
     return this.three;
   }
 
-  /**
-   * Adds an object, with all below it, at the top of the tree; out of wherever it was, its local transform kept.
-   * @throws Error naming a duplicate id or an unknown asset; nothing has changed then
-   */
   add(gameObject: GameObject, index?: number): this {
     moveGameObject(gameObject, this, index, { keepWorld: false });
     return this;
   }
 
-  /** Takes an object out of the scene, wherever in the tree it is; it keeps its ids and may be added again. */
   remove(gameObject: GameObject): this {
     if (gameObject.scene !== this)
       throw new Error(`'${shortText(gameObject.name)}' is not in the scene '${shortText(this.name)}'.`);
@@ -151,7 +129,6 @@ export class Scene implements GameObjectContainer {
     return this;
   }
 
-  /** The object with this id, else the first with this name in tree order; null when there is none. */
   find(nameOrId: string): GameObject | null {
     const byId = this.findById(nameOrId);
     if (byId) return byId;
@@ -170,12 +147,10 @@ export class Scene implements GameObjectContainer {
     return this.index.componentsById.get(id) ?? null;
   }
 
-  /** Visits every object, parents first, in tree order. */
   traverse(visit: (gameObject: GameObject) => void): void {
     for (const root of this.childList) root.traverse(visit);
   }
 
-  /** Advances the time and updates every active component that overrides `update`. @param deltaSeconds - 0 or more */
   update(deltaSeconds: number): void {
     this.seconds += deltaSeconds;
     const components = this.index.updated.array;
@@ -190,26 +165,22 @@ export class Scene implements GameObjectContainer {
     }
   }
 
-  /** Puts everything whose motion depends on time alone at `seconds`: the same in every run. */
   setTime(seconds: number): void {
     this.seconds = seconds;
     this.update(0);
   }
 
-  /** Undoes simulation: time 0, and every object where it was authored. */
   reset(): void {
     this.traverse((gameObject) => gameObject.transform.restoreAuthored());
     this.setTime(0);
   }
 
-  /** Calls a method of every component of the scene that has it. @returns how many received the call */
   callMethod(name: string, ...args: unknown[]): number {
     let receivers = 0;
     for (const root of [...this.childList]) receivers += root.callMethod(name, ...args);
     return receivers;
   }
 
-  /** Passes a pointer event on to every active component that wants it. */
   dispatchPointer(event: EnginePointerEvent): void {
     const components = this.index.pointed.array;
     for (let i = 0; i < components.length; i++) {
@@ -222,7 +193,6 @@ export class Scene implements GameObjectContainer {
     }
   }
 
-  /** Passes a key event on to every active component that wants it. */
   dispatchKey(event: EngineKeyEvent): void {
     const components = this.index.keyed.array;
     for (let i = 0; i < components.length; i++) {
@@ -233,13 +203,15 @@ export class Scene implements GameObjectContainer {
     }
   }
 
-  /** Calls `listener` after each edit of structure, fields or settings. @returns a function that ends it */
   onChange(listener: (change: SceneChange) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
 
-  /** Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released. */
+  onMatricesUpdated(listener: () => void): () => void {
+    return this.three.onMatricesUpdated(listener);
+  }
+
   dispose(): void {
     this.listeners.clear();
     for (const root of this.childList.toReversed()) root.dispose();
@@ -248,13 +220,11 @@ export class Scene implements GameObjectContainer {
     if (this.ownsAssets) this.assets.dispose();
   }
 
-  /** @internal Counts an edit and tells the listeners. */
   notify(change: SceneChange): void {
     this.edits++;
     for (const listener of this.listeners) listener(change);
   }
 
-  /** @internal @throws Error when an object cannot come in */
   checkSubtree(gameObject: GameObject): void {
     gameObject.traverse((each) => {
       if (this.index.objectsById.has(each.id)) {
@@ -266,7 +236,6 @@ export class Scene implements GameObjectContainer {
     });
   }
 
-  /** @internal @throws Error when a component names an asset that nobody knows */
   checkComponent(component: Component): void {
     for (const { name, assetType } of assetFields(component.fields)) {
       const value = component.getAuthored(name);
@@ -275,7 +244,6 @@ export class Scene implements GameObjectContainer {
     }
   }
 
-  /** @internal */
   subtreeEntered(gameObject: GameObject): void {
     gameObject.sceneOf = this;
     this.index.objectsById.set(gameObject.id, gameObject);
@@ -283,7 +251,6 @@ export class Scene implements GameObjectContainer {
     for (const child of gameObject.children) this.subtreeEntered(child);
   }
 
-  /** @internal */
   subtreeLeaves(gameObject: GameObject): void {
     for (const child of gameObject.children) this.subtreeLeaves(child);
     for (const component of gameObject.components) this.componentLeaves(component);
@@ -291,17 +258,20 @@ export class Scene implements GameObjectContainer {
     gameObject.sceneOf = null;
   }
 
-  /** @internal */
   componentEntered(component: Component): void {
     this.index.addComponent(component);
     component.onEnterScene(this);
-    if (!this.currentCamera && this.cameras.length > 0) this.currentCamera = this.cameras[0];
+    if (!this.currentCamera) this.currentCamera = this.index.cameras.array[0] ?? null;
   }
 
-  /** @internal */
   componentLeaves(component: Component): void {
     component.onLeaveScene(this);
     this.index.removeComponent(component);
-    if (component === (this.currentCamera as Component | null)) this.currentCamera = this.cameras[0] ?? null;
+    if (component === (this.currentCamera as Component | null))
+      this.currentCamera = this.index.cameras.array[0] ?? null;
   }
 }
+
+export type Scene = SceneType;
+
+export const Scene: new (options?: SceneOptions) => Scene = BaseScene;

@@ -1,17 +1,20 @@
-import { Camera } from '../components/Camera';
-import { Decal } from '../components/Decal';
-import { Light } from '../components/Light';
 import { Component } from './Component';
-import type { GameObject } from './GameObject';
 import { IndexedList } from './IndexedList';
+import { isCameraComponent } from './isCameraComponent';
+import type { RequiredEffect } from './RequiredEffect';
+import type { CameraComponent, ComponentClass, GameObject } from './SceneGraph';
+
+const isOf = (component: Component, type: ComponentClass | string): boolean =>
+  typeof type === 'string' ? component.typeName === type : component instanceof type;
 
 /** The lists by which a scene finds things without walking its tree; kept up to date as objects come and go. */
 export class SceneIndex {
   readonly objectsById = new Map<string, GameObject>();
   readonly componentsById = new Map<string, Component>();
-  readonly lights = new IndexedList<Light>();
-  readonly cameras = new IndexedList<Camera>();
-  readonly decals = new IndexedList<Decal>();
+  /** Components that the scene can be drawn through. */
+  readonly cameras = new IndexedList<CameraComponent>();
+  /** Effects that components of the scene need, each once. */
+  readonly effects = new IndexedList<RequiredEffect>();
   /** Components that override `update`. */
   readonly updated = new IndexedList<Component>();
   /** Components with a pointer method. */
@@ -19,25 +22,48 @@ export class SceneIndex {
   /** Components with a key method. */
   readonly keyed = new IndexedList<Component>();
 
+  /** Lists of the classes and type names that were asked for. */
+  private readonly byType = new Map<ComponentClass | string, IndexedList<Component>>();
+  private readonly effectUsers = new Map<RequiredEffect, number>();
+
+  /** The components of a class or type name; the same array all along. The first call for a type visits every component. */
+  componentsOf(type: ComponentClass | string): readonly Component[] {
+    let list = this.byType.get(type);
+    if (!list) {
+      list = new IndexedList();
+      this.byType.set(type, list);
+      for (const component of this.componentsById.values()) if (isOf(component, type)) list.add(component);
+    }
+    return list.array;
+  }
+
   addComponent(component: Component): void {
     this.componentsById.set(component.id, component);
-    if (component instanceof Light) this.lights.add(component);
-    if (component instanceof Camera) this.cameras.add(component);
-    if (component instanceof Decal) this.decals.add(component);
+    for (const [type, list] of this.byType) if (isOf(component, type)) list.add(component);
+    if (isCameraComponent(component)) this.cameras.add(component);
     if (component.update !== Component.prototype.update) this.updated.add(component);
     if (component.onKeyDown || component.onKeyUp) this.keyed.add(component);
     if (component.onPointerDown || component.onPointerMove || component.onPointerUp || component.onPointerWheel) {
       this.pointed.add(component);
     }
+    this.countEffect(component.componentClass.effect, 1);
   }
 
   removeComponent(component: Component): void {
     this.componentsById.delete(component.id);
-    if (component instanceof Light) this.lights.remove(component);
-    if (component instanceof Camera) this.cameras.remove(component);
-    if (component instanceof Decal) this.decals.remove(component);
+    for (const list of this.byType.values()) list.remove(component);
+    if (isCameraComponent(component)) this.cameras.remove(component);
     this.updated.remove(component);
     this.pointed.remove(component);
     this.keyed.remove(component);
+    this.countEffect(component.componentClass.effect, -1);
+  }
+
+  private countEffect(effect: RequiredEffect | null, change: 1 | -1): void {
+    if (!effect) return;
+    const users = (this.effectUsers.get(effect) ?? 0) + change;
+    this.effectUsers.set(effect, users);
+    if (users > 0) this.effects.add(effect);
+    else this.effects.remove(effect);
   }
 }

@@ -1,9 +1,9 @@
 import { Color, EquirectangularReflectionMapping, Fog, FogExp2, type Scene as ThreeScene, type Texture } from 'three';
+import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldValue, ValuesOf } from '../fields/Field';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
-import { FieldOwner } from '../fields/FieldOwner';
+import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
 import { asset, choice, colour, number } from '../fields/fields';
-import type { Scene } from './Scene';
 
 const linearFog = { visibleWhen: { field: 'fog', equals: ['linear'] } };
 
@@ -41,12 +41,17 @@ export const sceneFields = {
 export interface SceneSettings extends ValuesOf<typeof sceneFields> {}
 
 /** What belongs to a scene as a whole: background, environment, fog. Writes them to its three scene. */
-export class SceneSettings extends FieldOwner {
+export class SceneSettings extends BaseFieldOwner {
   static readonly fields = sceneFields;
 
   private environmentTexture: Texture | null = null;
 
-  constructor(private readonly owner: Scene) {
+  /** @param changed - called after a setting got another value; `before` is the value until then */
+  constructor(
+    private readonly three: ThreeScene,
+    private readonly assets: AssetLibrary,
+    private readonly changed: (field: string, before: FieldValue) => void,
+  ) {
     super();
     this.apply();
   }
@@ -55,13 +60,13 @@ export class SceneSettings extends FieldOwner {
     return 'Scene';
   }
 
-  protected override checkField(name: string, value: unknown): string | null {
-    return name === 'environment' && typeof value === 'string' ? this.owner.assets.problemWith('texture', value) : null;
+  protected override get assetNames(): AssetNames {
+    return this.assets;
   }
 
   protected override fieldChanged(name: string, before: FieldValue): void {
     this.apply();
-    this.owner.notify({ kind: 'settings', field: name, before });
+    this.changed(name, before);
   }
 
   /** Lets go of the environment. */
@@ -71,7 +76,7 @@ export class SceneSettings extends FieldOwner {
 
   /** Writes every setting to the three scene. */
   private apply(): void {
-    const { three } = this.owner;
+    const { three } = this;
     this.applyEnvironment(three);
     three.environmentIntensity = this.environmentIntensity;
     const useTexture = this.background === 'environment' && this.environmentTexture !== null;
@@ -85,7 +90,7 @@ export class SceneSettings extends FieldOwner {
 
   private applyEnvironment(three: ThreeScene): void {
     const name = this.environment;
-    const { assets } = this.owner;
+    const { assets } = this;
     if (name === null) this.useTexture(null);
     else if (assets.isReady('texture', name)) this.useTexture(assets.texture(name));
     else assets.whenReady('texture', name, () => this.environment === name && this.apply());
@@ -97,10 +102,10 @@ export class SceneSettings extends FieldOwner {
     if (texture === before) return;
     if (texture) {
       texture.mapping = EquirectangularReflectionMapping;
-      this.owner.assets.uses.acquire(texture);
+      this.assets.uses.acquire(texture);
     }
     this.environmentTexture = texture;
-    if (before) this.owner.assets.uses.release(before);
+    if (before) this.assets.uses.release(before);
   }
 }
 

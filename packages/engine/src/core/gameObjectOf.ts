@@ -1,5 +1,5 @@
 import type { Object3D } from 'three';
-import type { GameObject } from './GameObject';
+import type { GameObject } from './SceneGraph';
 
 const owners = new WeakMap<Object3D, GameObject>();
 

@@ -1,23 +1,7 @@
 import { shortText } from '@farol/renderer';
 import { Matrix4, type Object3D } from 'three';
-import { fileLimits } from '../files/fileLimits';
-import type { GameObject } from './GameObject';
-import type { Scene } from './Scene';
-
-/** What can hold GameObjects: another one, or a scene. */
-export interface GameObjectContainer {
-  /** @internal */
-  readonly childList: GameObject[];
-  /** The scene that it is, or is in. */
-  readonly scene: Scene | null;
-  /** @internal The three object below which its children's hang. */
-  readonly threeParent: Object3D;
-}
-
-export interface MoveOptions {
-  /** Keep position, rotation and scale in the world. */
-  keepWorld?: boolean;
-}
+import { maximumDepth } from './maximumDepth';
+import type { GameObject, GameObjectContainer, MoveOptions } from './SceneGraph';
 
 /** Checks that an object is not put below itself. @returns how many objects deep the container lies; 0 for a scene */
 function checkNoCycle(gameObject: GameObject, container: GameObjectContainer): number {
@@ -38,9 +22,9 @@ function checkNoCycle(gameObject: GameObject, container: GameObjectContainer): n
 function checkDepth(gameObject: GameObject, depth: number): void {
   let level: readonly GameObject[] = [gameObject];
   for (let deep = depth + 1; level.length > 0; deep++) {
-    if (deep > fileLimits.depth) {
+    if (deep > maximumDepth) {
       throw new Error(
-        `'${shortText(gameObject.name)}' cannot be put there: the scene would be more than ${fileLimits.depth} objects deep. Choose a parent nearer to the top.`,
+        `'${shortText(gameObject.name)}' cannot be put there: the scene would be more than ${maximumDepth} objects deep. Choose a parent nearer to the top.`,
       );
     }
     level = level.flatMap(({ childList }) => childList);

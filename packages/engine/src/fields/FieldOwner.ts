@@ -1,6 +1,12 @@
 import { checkFieldValue } from './checkFieldValue';
-import type { FieldTable, FieldValue } from './Field';
+import type { AssetType, Field, FieldTable, FieldValue } from './Field';
 import { FieldError } from './FieldError';
+
+/** Knows the names of assets. */
+export interface AssetNames {
+  /** Null when `name` is an asset of this type, else what is wrong and the mend. */
+  problemWith(type: AssetType, name: string): string | null;
+}
 
 /** A copy that nobody can change in place; -0 becomes 0, which JSON cannot tell apart. */
 function own(value: FieldValue): FieldValue {
@@ -16,46 +22,56 @@ export function sameValue(a: FieldValue, b: FieldValue): boolean {
 }
 
 /** Something with declared fields: a component, or the settings of a scene. */
-export abstract class FieldOwner {
+export interface FieldOwner {
+  /** The declaration of every field, by name. */
+  readonly fields: FieldTable;
+  /** Name used in messages, such as 'Light'. */
+  readonly ownerName: string;
+  /**
+   * The value now. A Transform that is being simulated answers with where it is at present.
+   * @throws FieldError when there is no such field
+   */
+  get(name: string): FieldValue;
+  /**
+   * The value that was last set: what is saved in a file, untouched by simulation.
+   * @throws FieldError when there is no such field
+   */
+  getAuthored(name: string): FieldValue;
+  /**
+   * Sets a field; arrays are copied. Nothing happens when the value is the same as before.
+   * @throws FieldError naming owner, field, the value and what is allowed, or an asset that nobody knows; nothing has
+   * changed then
+   */
+  set(name: string, value: FieldValue): void;
+}
+
+/** Keeps the values of fields, and checks them. */
+export abstract class BaseFieldOwner implements FieldOwner {
   private readonly values: Record<string, FieldValue> = Object.create(null);
 
   constructor() {
     for (const name in this.fields) this.values[name] = own(this.fields[name].default);
   }
 
-  /** The declaration of every field, by name. */
   get fields(): FieldTable {
     return (this.constructor as unknown as { fields: FieldTable }).fields;
   }
 
-  /** Name used in messages, such as 'Light'. */
   abstract get ownerName(): string;
 
-  /**
-   * The value now. A Transform that is being simulated answers with where it is at present.
-   * @throws FieldError when there is no such field
-   */
   get(name: string): FieldValue {
     return this.getAuthored(name);
   }
 
-  /**
-   * The value that was last set: what is saved in a file, untouched by simulation.
-   * @throws FieldError when there is no such field
-   */
   getAuthored(name: string): FieldValue {
     if (!(name in this.values)) throw this.unknownField(name);
     return this.values[name];
   }
 
-  /**
-   * Sets a field; arrays are copied. Nothing happens when the value is the same as before.
-   * @throws FieldError naming owner, field, the value and what is allowed; nothing has changed then
-   */
   set(name: string, value: FieldValue): void {
     const field = this.fields[name];
     if (!(name in this.values)) throw this.unknownField(name);
-    const problem = checkFieldValue(field, value) ?? this.checkField(name, value);
+    const problem = checkFieldValue(field, value) ?? this.problemWithAsset(field, value);
     if (problem) throw new FieldError(this.ownerName, name, problem);
     const before = this.values[name];
     if (sameValue(before, value) && sameValue(this.get(name), value)) return;
@@ -63,13 +79,16 @@ export abstract class FieldOwner {
     this.fieldChanged(name, before);
   }
 
-  /** What else is wrong with a value of the right kind, such as an asset nobody knows; null when nothing is. */
-  protected checkField(_name: string, _value: FieldValue): string | null {
-    return null;
-  }
+  /** Where the fields that name assets look their names up; null while any name goes. */
+  protected abstract get assetNames(): AssetNames | null;
 
   /** Called after a field got another value. @param before - the authored value until then */
   protected abstract fieldChanged(name: string, before: FieldValue): void;
+
+  private problemWithAsset(field: Field, value: FieldValue): string | null {
+    if (field.kind !== 'asset' || typeof value !== 'string') return null;
+    return this.assetNames?.problemWith(field.assetType, value) ?? null;
+  }
 
   private unknownField(name: string): FieldError {
     return new FieldError(this.ownerName, name, `is unknown; the fields are ${Object.keys(this.fields).join(', ')}`);

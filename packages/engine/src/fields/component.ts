@@ -1,17 +1,20 @@
-import type { FieldTable, ValuesOf } from './Field';
+import { BaseComponent } from '../core/Component';
+import type { Component, ComponentClass } from '../core/SceneGraph';
 import { defineFieldProperties } from './defineFieldProperties';
-import { Component } from '../core/Component';
+import type { FieldTable, ValuesOf } from './Field';
 
-type Constructor<T> = abstract new () => T;
+/** What a class of components extends: its static members have defaults, `typeName` and `help` are to be given. */
+export type ComponentBase<F extends FieldTable> = Pick<
+  ComponentClass,
+  'typeName' | 'version' | 'unique' | 'help' | 'effect'
+> & { readonly fields: F } & (abstract new () => Component & ValuesOf<F>);
 
 /**
  * The base class of a component with these fields, each a typed property of the instance:
  * `class RandomMovement extends component({ speed: number(1, { unit: 'm/s', help: '…' }) }) { … }`.
  */
-export function component<const F extends FieldTable>(
-  fields: F,
-): Omit<typeof Component, 'prototype' | 'fields'> & Constructor<Component & ValuesOf<F>> & { readonly fields: F } {
-  abstract class Fielded extends Component {
+export function component<const F extends FieldTable>(fields: F): ComponentBase<F> {
+  abstract class Fielded extends BaseComponent {
     static override readonly fields = fields;
   }
   defineFieldProperties(Fielded.prototype, fields);

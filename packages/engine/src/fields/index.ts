@@ -2,7 +2,7 @@
 export * from './Field';
 export * from './fields';
 export { checkFieldValue } from './checkFieldValue';
-export { component } from './component';
+export { component, type ComponentBase } from './component';
 export { FieldError } from './FieldError';
-export { FieldOwner, sameValue } from './FieldOwner';
+export { type FieldOwner, sameValue } from './FieldOwner';
 export { isFieldVisible } from './isFieldVisible';

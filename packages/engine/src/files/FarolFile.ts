@@ -1,5 +1,4 @@
 import type { AssetType, FieldValue } from '../fields/Field';
-import type { Prefab, PrefabLink } from '../prefabs/Prefab';
 
 /**
  * Version of the file format. Raise it, and add to `fileMigrations`, when the shape below changes.
@@ -35,6 +34,27 @@ export interface FileObject {
   components: FileComponent[];
 }
 
+/** A tree of objects to be placed any number of times. It is data: nothing of it is drawn. Never changed in place. */
+export interface Prefab {
+  /** Also the id of its root object. */
+  readonly id: string;
+  readonly name: string;
+  /** In tree order; the root, which has no parent, is the first. Those of another prefab within it have a link to that. */
+  readonly objects: readonly FileObject[];
+}
+
+/** What a GameObject is a copy of. */
+export interface PrefabLink {
+  readonly prefab: string;
+  /** Id of the object in the prefab; the prefab's own id for the root of an instance. */
+  readonly source: string;
+  /**
+   * Overrides that happen to have the prefab's present value: 'Light.intensity', 'name'. They stay when it changes. Every
+   * other value that differs from the prefab's is an override without being listed.
+   */
+  readonly pinned?: readonly string[];
+}
+
 /** An asset that is read from an address, or from a file beside the scene in a `.farol` container: one of the two. */
 export interface FileAsset {
   name: string;
@@ -50,7 +70,7 @@ export interface FarolFile {
   format: 'farol-scene';
   version: number;
   name: string;
-  /** Scene.fields that differ from their defaults. */
+  /** Fields of SceneSettings that differ from their defaults. */
   settings: Record<string, FieldValue>;
   /** Id of the GameObject whose Camera is looked through, or null. */
   activeCamera: string | null;

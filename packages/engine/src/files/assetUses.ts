@@ -1,4 +1,4 @@
-import type { ComponentRegistry } from '../components/ComponentRegistry';
+import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
 import { assetFields } from '../fields/assetFields';
 import type { AssetType, FieldTable, FieldValue } from '../fields/Field';

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { AssetLibrary } from '../assets/AssetLibrary';
-import { ComponentRegistry } from '../components/ComponentRegistry';
-import { builtinComponents } from '../components/builtinComponents';
+import { ComponentRegistry } from '../core/ComponentRegistry';
+import { builtinComponents } from '../components/index';
 import { Component } from '../core/Component';
 import { component } from '../fields/component';
 import { number } from '../fields/fields';

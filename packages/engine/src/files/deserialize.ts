@@ -3,9 +3,10 @@ import type { AssetError } from '../assets/AssetError';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { AddressRefusedError } from '../assets/foreignOrigin';
 import { typeOfUrl } from '../assets/loadAsset';
-import { builtinComponents } from '../components/builtinComponents';
-import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { builtinComponents } from '../components/index';
 import { cancellable } from '../core/cancellable';
+import { isCameraComponent } from '../core/isCameraComponent';
+import type { ComponentRegistry } from '../core/SceneGraph';
 import { Scene } from '../core/Scene';
 import { assetUses } from './assetUses';
 import { OwnAssets } from './OwnAssets';
@@ -165,7 +166,7 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     for (const [name, text] of Object.entries(checked.microShaders ?? {})) scene.microShaders.set(name, text);
     for (const name of Object.keys(checked.settings)) scene.settings.set(name, checked.settings[name]);
     const camera = checked.activeCamera === null ? null : scene.findById(checked.activeCamera);
-    scene.activeCamera = camera ? (camera.getComponent('Camera') as Scene['activeCamera']) : null;
+    scene.activeCamera = camera?.components.find(isCameraComponent) ?? null;
     await cancellable(scene.assets.meshesPrepared(), signal, () => {});
     return scene;
   } catch (error) {

@@ -1,7 +1,9 @@
+import { maximumDepth } from '../core/maximumDepth';
+
 /** How much a scene may hold. Files beyond a limit are refused, and so is an edit that would make such a file. */
 export const fileLimits = {
-  /** Objects from the top to the deepest: three goes through them by recursion, and bears some 2,500. */
-  depth: 500,
+  /** Objects from the top to the deepest. */
+  depth: maximumDepth,
   /** Prefabs within prefabs. */
   prefabDepth: 64,
   /** Objects, once each instance of a prefab holds all that its prefab does. */
@@ -11,6 +13,3 @@ export const fileLimits = {
   /** Problems that are told one by one. */
   problems: 100,
 } as const;
-
-/** A number with its thousands apart, for messages. */
-export const counted = (count: number): string => count.toLocaleString('en');

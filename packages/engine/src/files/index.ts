@@ -13,7 +13,8 @@ export { readSceneFile, type SceneFile } from './readSceneFile';
 export { serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
 export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 
-export { type ComponentData, makeUnknownComponent, UnknownComponent } from '../components/UnknownComponent';
+export type { ComponentData } from '../core/SceneGraph';
+export { makeUnknownComponent, UnknownComponent } from '../core/UnknownComponent';
 export { cancellable } from '../core/cancellable';
 export { createId } from '../core/createId';
 export { checkModel } from '../assets/checkModel';
@@ -21,6 +22,6 @@ export { collectFiles, type FileMap } from '../assets/collectFiles';
 export { AddressRefusedError, foreignOrigin } from '../assets/foreignOrigin';
 export { readableEndings, typeOfUrl } from '../assets/loadAsset';
 export { makeKTX2Loader } from '../assets/makeKTX2Loader';
-export { decodedUri, packGltf } from '../assets/packGltf';
+export { decodedUri, packGltf } from './packGltf';
 export { type GltfJson, readGltfJson } from '../assets/readGltfJson';
 export { checkModelFile, modelError } from '../assets/readModel';

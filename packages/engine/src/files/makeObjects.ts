@@ -1,5 +1,5 @@
-import { builtinComponents } from '../components/builtinComponents';
-import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { builtinComponents } from '../components/index';
+import type { ComponentRegistry } from '../core/SceneGraph';
 import { GameObject } from '../core/GameObject';
 import type { FileObject } from './FarolFile';
 

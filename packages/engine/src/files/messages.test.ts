@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { MicroShaderRegistry, parseMicroShader, shortText } from '@farol/renderer';
 import { parseMicroShaderXML } from '@farol/renderer/authoring';
-import { ComponentRegistry } from '../components/ComponentRegistry';
+import { ComponentRegistry } from '../core/ComponentRegistry';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { parseFile } from './parseFile';
 import type { FileError } from './FileError';

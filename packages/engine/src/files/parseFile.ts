@@ -1,7 +1,7 @@
 import { shortText } from '@farol/renderer';
 import type { AssetLibrary } from '../assets/AssetLibrary';
-import { builtinComponents } from '../components/builtinComponents';
-import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { builtinComponents } from '../components/index';
+import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
 import { describeValue } from '../fields/checkFieldValue';
 import { assetUses, type AssetUse } from './assetUses';

@@ -1,6 +1,5 @@
 import { shortText } from '@farol/renderer';
-import type { ComponentRegistry } from '../components/ComponentRegistry';
-import type { ComponentClass } from '../core/Component';
+import type { ComponentClass, ComponentRegistry } from '../core/SceneGraph';
 import { checkFieldValue, describeValue, isFieldValue } from '../fields/checkFieldValue';
 import type { FieldTable, FieldValue } from '../fields/Field';
 import type { FileComponent } from './FarolFile';

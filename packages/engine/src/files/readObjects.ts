@@ -1,8 +1,9 @@
 import { shortText } from '@farol/renderer';
-import type { ComponentRegistry } from '../components/ComponentRegistry';
+import type { ComponentRegistry } from '../core/SceneGraph';
 import { describeValue } from '../fields/checkFieldValue';
 import type { FileComponent, FileObject } from './FarolFile';
-import { counted, fileLimits } from './fileLimits';
+import { counted } from '../core/counted';
+import { fileLimits } from './fileLimits';
 import { isRecord, join, type ProblemList, ringOf } from './ProblemList';
 import { readComponent } from './readComponent';
 import { readLink } from './readLink';

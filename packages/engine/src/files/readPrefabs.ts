@@ -1,9 +1,10 @@
-import type { ComponentRegistry } from '../components/ComponentRegistry';
+import type { ComponentRegistry } from '../core/SceneGraph';
 import { describeValue } from '../fields/checkFieldValue';
 import type { Prefab } from '../prefabs/Prefab';
 import { PrefabSizes } from '../prefabs/PrefabSizes';
 import type { FileObject } from './FarolFile';
-import { counted, fileLimits } from './fileLimits';
+import { counted } from '../core/counted';
+import { fileLimits } from './fileLimits';
 import { join, type ProblemList, ringOf, sampleOf } from './ProblemList';
 import { readObjects } from './readObjects';
 

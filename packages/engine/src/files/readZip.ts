@@ -1,5 +1,5 @@
 import { FileError } from './FileError';
-import { counted } from './fileLimits';
+import { counted } from '../core/counted';
 import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from './unpack';
 
 const END = 0x06054b50;

@@ -1,8 +1,10 @@
 import { describe, expect, test } from 'vitest';
-import { componentTypes } from '../components/builtinComponents';
+import { Camera } from '../components/Camera';
+import { builtinComponents } from '../components/index';
 import { createRandom } from '../core/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
+import { sceneFields } from '../core/SceneSettings';
 import { isFieldVisible } from '../fields/isFieldVisible';
 import { randomFieldValue } from '../fields/randomFieldValue';
 import { deserialize } from './deserialize';
@@ -10,7 +12,7 @@ import { serialize } from './serialize';
 
 const assetNames = { mesh: ['box', 'sphere', 'torus'], texture: ['checker'], material: [], shader: [], model: [] };
 
-describe.each([...componentTypes.keys()])('%s', (typeName) => {
+describe.each([...builtinComponents.types.keys()])('%s', (typeName) => {
   test.each([1, 2, 3])('keeps random values of every field through a file (seed %i)', async (seed) => {
     const random = createRandom(seed);
     const scene = new Scene({ name: 'Round trip' });
@@ -33,7 +35,7 @@ describe.each([...componentTypes.keys()])('%s', (typeName) => {
   });
 
   test('declares help for every field, defaults that it allows, and conditions on fields that it has', () => {
-    const type = componentTypes.get(typeName)!;
+    const type = builtinComponents.types.get(typeName)!;
     const component = new type();
     expect(type.help).not.toBe('');
     for (const [name, field] of Object.entries(type.fields)) {
@@ -48,7 +50,7 @@ describe.each([...componentTypes.keys()])('%s', (typeName) => {
 test('settings, hierarchy, order, tags, activity and the camera survive a file', async () => {
   const random = createRandom(9);
   const scene = new Scene({ name: 'All sorts' });
-  for (const [name, field] of Object.entries(Scene.fields)) {
+  for (const [name, field] of Object.entries(sceneFields)) {
     scene.settings.set(name, randomFieldValue(field, random, ['checker']));
   }
   const parent = new GameObject('Parent');
@@ -62,7 +64,7 @@ test('settings, hierarchy, order, tags, activity and the camera survive a file',
     camera.addComponent('Camera');
     scene.add(camera);
   }
-  scene.activeCamera = scene.cameras[1];
+  scene.activeCamera = scene.componentsOf(Camera)[1];
   scene.microShaders.set('own/tint', 'vec3 tint;\n');
   scene.microShaders.set('heatMap', '#include "own/tint"\n// "quoted"\n');
   const copy = await deserialize(JSON.parse(JSON.stringify(serialize(scene))));

@@ -1,6 +1,6 @@
 import type { AssetLibrary } from '../assets/AssetLibrary';
-import type { GameObject } from '../core/GameObject';
-import type { Scene } from '../core/Scene';
+import type { GameObject } from '../core/SceneGraph';
+import type { Scene } from '../core/SceneGraph';
 import type { FieldOwner } from '../fields/FieldOwner';
 import { sameValue } from '../fields/FieldOwner';
 import type { FieldValue } from '../fields/Field';

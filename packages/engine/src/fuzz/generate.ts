@@ -1,5 +1,5 @@
 import { deflateSync, zipSync } from 'three/addons/libs/fflate.module.js';
-import { builtinComponents } from '../components/builtinComponents';
+import { builtinComponents } from '../components/index';
 import { sceneFields } from '../core/SceneSettings';
 import type { FieldTable, FieldValue } from '../fields/Field';
 import { randomFieldValue } from '../fields/randomFieldValue';

@@ -1,6 +1,6 @@
-import type { ComponentRegistry } from '../components/ComponentRegistry';
-import type { Component } from '../core/Component';
-import type { GameObject } from '../core/GameObject';
+import type { ComponentRegistry } from '../core/SceneGraph';
+import type { Component } from '../core/SceneGraph';
+import type { GameObject } from '../core/SceneGraph';
 import { sameValue } from '../fields/FieldOwner';
 import type { FileComponent, FileObject } from '../files/FarolFile';
 import { mapReferences } from './copyObjects';

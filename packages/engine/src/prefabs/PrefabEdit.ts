@@ -1,5 +1,5 @@
-import type { Component } from '../core/Component';
-import type { GameObject } from '../core/GameObject';
+import type { Component } from '../core/SceneGraph';
+import type { GameObject } from '../core/SceneGraph';
 import type { FieldValue } from '../fields/Field';
 import type { PrefabLink } from './Prefab';
 

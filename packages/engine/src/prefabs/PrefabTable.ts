@@ -1,11 +1,11 @@
-import type { Scene } from '../core/Scene';
 import { type Prefab, PrefabError } from './Prefab';
 
 /** The prefabs of a scene, by id. */
 export class PrefabTable {
   private readonly byId = new Map<string, Prefab>();
 
-  constructor(private readonly scene: Scene) {}
+  /** @param changed - called with the id of a prefab that was set or forgotten */
+  constructor(private readonly changed: (id: string) => void) {}
 
   get list(): readonly Prefab[] {
     return [...this.byId.values()];
@@ -20,12 +20,12 @@ export class PrefabTable {
     if (this.byId.get(prefab.id) === prefab) return;
     if (prefab.objects[0]?.id !== prefab.id) throw new PrefabError(prefab.name, 'must begin with its root object.');
     this.byId.set(prefab.id, prefab);
-    this.scene.notify({ kind: 'prefab', id: prefab.id });
+    this.changed(prefab.id);
   }
 
   /** Forgets a prefab. What links to it keeps its values, and follows it no more. */
   delete(id: string): void {
-    if (this.byId.delete(id)) this.scene.notify({ kind: 'prefab', id });
+    if (this.byId.delete(id)) this.changed(id);
   }
 
   /** Whether a prefab is, or holds at any depth, an instance of another. */

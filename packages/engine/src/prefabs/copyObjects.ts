@@ -1,4 +1,4 @@
-import type { ComponentRegistry } from '../components/ComponentRegistry';
+import type { ComponentRegistry } from '../core/SceneGraph';
 import type { FieldValue } from '../fields/Field';
 import type { FileObject } from '../files/FarolFile';
 import { componentKey } from './instances';

@@ -1,7 +1,7 @@
-import { builtinComponents } from '../components/builtinComponents';
-import type { ComponentRegistry } from '../components/ComponentRegistry';
+import { builtinComponents } from '../components/index';
+import type { ComponentRegistry } from '../core/SceneGraph';
 import { createId } from '../core/createId';
-import type { GameObject } from '../core/GameObject';
+import type { GameObject } from '../core/SceneGraph';
 import { makeObjects } from '../files/makeObjects';
 import { copyObjects } from './copyObjects';
 import type { Prefab } from './Prefab';

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/renderer';
-import { builtinComponents } from '../components/builtinComponents';
+import { builtinComponents } from '../components/index';
 import { createId } from '../core/createId';
-import type { GameObject } from '../core/GameObject';
+import type { GameObject } from '../core/SceneGraph';
 import { serializeObject } from '../files/serialize';
 import { copyObjects } from './copyObjects';
 import { instanceRootOf } from './instances';

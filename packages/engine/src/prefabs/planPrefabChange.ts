@@ -1,8 +1,9 @@
 import { shortText } from '@farol/renderer';
-import type { GameObject } from '../core/GameObject';
-import type { Scene } from '../core/Scene';
+import type { GameObject } from '../core/SceneGraph';
+import type { Scene } from '../core/SceneGraph';
 import { makeObjects } from '../files/makeObjects';
-import { counted, fileLimits } from '../files/fileLimits';
+import { counted } from '../core/counted';
+import { fileLimits } from '../files/fileLimits';
 import { serializeObject } from '../files/serialize';
 import { InstanceUpdate } from './InstanceUpdate';
 import { isInstanceRoot } from './instances';

@@ -1,4 +1,4 @@
-import type { ComponentClass } from '../core/Component';
+import type { ComponentClass } from '../core/SceneGraph';
 import { createRandom } from '../core/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';

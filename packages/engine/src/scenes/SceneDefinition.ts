@@ -1,5 +1,5 @@
 import type { AssetLibrary } from '../assets/AssetLibrary';
-import type { Scene } from '../core/Scene';
+import type { Scene } from '../core/SceneGraph';
 import { checkFieldValue } from '../fields/checkFieldValue';
 import type { FieldTable, FieldValue } from '../fields/Field';
 import { FieldError } from '../fields/FieldError';

@@ -3,9 +3,10 @@ import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { BoxGeometry, Group, Mesh, MeshStandardMaterial, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
+import { Light } from '../components/Light';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { ObjectRenderer } from '../components/ObjectRenderer';
-import type { Scene } from '../core/Scene';
+import type { Scene } from '../core/SceneGraph';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
 import { benchmarkLights } from './benchmark/benchmarkLights';
@@ -35,7 +36,7 @@ const few: Record<string, Record<string, number | string>> = {
   benchmarkLightsObjects: { n: 2, m: 3, mesh: 'dragon' },
 };
 
-const lightPlaces = (scene: Scene): number[][] => scene.lights.map((light) => light.position.toArray());
+const lightPlaces = (scene: Scene): number[][] => scene.componentsOf(Light).map((light) => light.position.toArray());
 
 const seeds = (scene: Scene): unknown[] =>
   scene.find('Lights')!.children.map((light) => light.getComponent('RandomMovement')!.get('seed'));
@@ -74,7 +75,7 @@ describe.each(Object.keys(few))('%s', (name) => {
     scene.update(1);
     scene.three.updateMatrixWorld();
     expect(scene.activeCamera).not.toBeNull();
-    expect(scene.lights.length).toBeGreaterThan(3);
+    expect(scene.componentsOf(Light).length).toBeGreaterThan(3);
     for (const { geometry } of meshes(scene)) {
       const normal = geometry!.getAttribute('normal');
       const length = new Vector3();
@@ -120,7 +121,7 @@ describe('benchmarkLights', () => {
     const planes = scene.find('Planes')!.children;
     expect(planes).toHaveLength(n * n);
     expect(planes[0].transform.scale[0] * n).toBeCloseTo(30, 9);
-    expect(scene.lights.filter(({ type }) => type === 'point')).toHaveLength(m * m);
+    expect(scene.componentsOf(Light).filter(({ type }) => type === 'point')).toHaveLength(m * m);
     expect(meshes(scene)).toHaveLength(n * n);
     scene.dispose();
   });

@@ -1,13 +1,13 @@
 import type { Command, CommandSelection } from '@farol/editing';
-import type { Camera, Scene } from '@farol/engine';
+import type { CameraComponent, Scene } from '@farol/engine';
 
 /**
  * A command that adds, takes out or moves. A scene that loses its camera chooses another one: this brings the active
  * camera to the same place after each `do` and each `undo`.
  */
 export abstract class StructuralCommand implements Command {
-  private cameraBefore: Camera | null = null;
-  private cameraAfter: Camera | null | undefined;
+  private cameraBefore: CameraComponent | null = null;
+  private cameraAfter: CameraComponent | null | undefined;
 
   constructor(
     readonly label: string,

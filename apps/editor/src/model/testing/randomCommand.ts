@@ -1,5 +1,5 @@
 import type { Command } from '@farol/editing';
-import { builtinComponents, GameObject } from '@farol/engine';
+import { builtinComponents, Camera, GameObject } from '@farol/engine';
 import { copyObjects, pasteObjects } from '../clip';
 import type { Container } from '../commands/Placement';
 import { SetMicroShaders } from '../commands/SetMicroShaders';
@@ -113,7 +113,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
         'Set camera',
         [scene],
         'activeCamera',
-        scene.cameras[below(random, scene.cameras.length)] ?? null,
+        scene.componentsOf(Camera)[below(random, scene.componentsOf(Camera).length)] ?? null,
       );
     case 21:
     case 22:

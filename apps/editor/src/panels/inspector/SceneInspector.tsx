@@ -1,4 +1,5 @@
 import { type ReactNode, useMemo } from 'react';
+import { Camera } from '@farol/engine';
 import { SetProperty } from '../../model/commands/SetProperty';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -13,7 +14,7 @@ export function SceneInspector(): ReactNode {
   useSignal(document.structure);
   const { scene } = document;
   const owners = useMemo(() => [scene.settings], [scene]);
-  const cameras = scene.cameras.map((camera) => ({ value: camera.id, label: camera.gameObject.name }));
+  const cameras = scene.componentsOf(Camera).map((camera) => ({ value: camera.id, label: camera.gameObject.name }));
   return (
     <>
       <div className="object-header">
@@ -36,7 +37,7 @@ export function SceneInspector(): ReactNode {
                 options={cameras}
                 label="Active camera"
                 onChange={(id) => {
-                  const camera = scene.cameras.find((each) => each.id === id) ?? null;
+                  const camera = scene.componentsOf(Camera).find((each) => each.id === id) ?? null;
                   commands.run(new SetProperty('Set camera', [scene], 'activeCamera', camera));
                 }}
               />

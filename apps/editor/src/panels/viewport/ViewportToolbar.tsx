@@ -1,4 +1,5 @@
 import type { ReactNode } from 'react';
+import { Camera } from '@farol/engine';
 import { gizmoModes } from '../../actions/gizmoModes';
 import { gizmoSpace } from '../../actions/gizmoSpace';
 import { snap } from '../../actions/snap';
@@ -16,7 +17,7 @@ const EDITOR_CAMERA = '/';
 
 /** @param id - of a camera of the scene; anything else stands for the editor's own */
 function lookThrough(viewport: Viewport, id: string): void {
-  viewport.lookThrough = viewport.document.scene.cameras.find((camera) => camera.id === id) ?? null;
+  viewport.lookThrough = viewport.document.scene.componentsOf(Camera).find((camera) => camera.id === id) ?? null;
 }
 
 /** What lies over the picture: handles at the left, what is drawn and through which camera at the right. */
@@ -26,7 +27,7 @@ export function ViewportToolbar(): ReactNode {
   // the button of snapping says them
   usePreferences(({ snapSteps }) => snapSteps);
   useSignal(document.structure);
-  const cameras = document.scene.cameras.map((camera) => ({
+  const cameras = document.scene.componentsOf(Camera).map((camera) => ({
     value: camera.id,
     label: camera.gameObject.name,
     help: 'Keys and mouse go to the scene while it plays.',

@@ -10,7 +10,7 @@ export const flickerAll: Action = {
   keys: ['Ctrl+Alt+L'],
   icon: 'point',
   run({ document: { scene }, commands }) {
-    const lamps = scene.lights.filter(({ type }) => type === 'point' || type === 'spot');
+    const lamps = scene.componentsOf(Light).filter(({ type }) => type === 'point' || type === 'spot');
     const objects = lamps.map(({ gameObject }) => gameObject).filter((object) => object.getComponent(Light));
     commands.run(addComponent(scene, objects, Flicker));
   },

@@ -1,5 +1,5 @@
 import { Signal } from '@farol/editing';
-import { followDecals } from '@farol/engine';
+import { followEffects } from '@farol/engine';
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { type Camera, HalfFloatType, type Scene, Vector2, WebGLRenderTarget } from 'three';
 import type { MicroShaderEditing } from '../../microshaders/MicroShaderEditing';
@@ -111,7 +111,7 @@ export class WipePainter implements Painter {
     const { viewport, other } = this;
     other.view = viewport.view;
     other.heatMapMaximum = viewport.farol.heatMapMaximum;
-    followDecals(other, viewport.document.scene);
+    followEffects(other, viewport.document.scene);
     const isDue = !this.isMeasuring && performance.now() - this.measuredAt > MEASURE_EVERY;
     if (isDue || this.isDifference) this.drawTargets(scene, camera);
     if (isDue) void this.measure();

@@ -1,4 +1,4 @@
-import type { GameObject } from '../../core/GameObject';
+import type { GameObject } from '../../core/SceneGraph';
 import type { FieldValue } from '../../fields/Field';
 import { textureName } from '../../textures/builtinTextures';
 import type { SceneBuilder } from '../SceneBuilder';

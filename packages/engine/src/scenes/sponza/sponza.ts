@@ -1,6 +1,6 @@
 import { Box3, type Object3D, Vector3 } from 'three';
-import { importModel } from '../../assets/importModel';
-import type { Scene } from '../../core/Scene';
+import { importModel } from '../../components/importModel';
+import type { Scene } from '../../core/SceneGraph';
 import { lightBudget } from '../lightBudget';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';

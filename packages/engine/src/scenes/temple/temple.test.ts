@@ -1,11 +1,12 @@
 import { expect, test } from 'vitest';
+import { Light } from '../../components/Light';
 import { temple } from './temple';
 
 const places = async (time: number, seed = 1): Promise<number[]> => {
   const scene = await temple(7, { seed });
   scene.setTime(time);
   scene.three.updateMatrixWorld();
-  const result = scene.lights.flatMap((light) => light.position.toArray());
+  const result = scene.componentsOf(Light).flatMap((light) => light.position.toArray());
   scene.dispose();
   return result;
 };
@@ -19,7 +20,7 @@ test('the lights are at the same places at the same time in every run', async ()
 
 test('has the lights that were asked for, a camera, and a temple of real columns', async () => {
   const scene = await temple(7);
-  expect(scene.lights.filter((light) => light.type === 'point')).toHaveLength(7);
+  expect(scene.componentsOf(Light).filter((light) => light.type === 'point')).toHaveLength(7);
   expect(scene.activeCamera?.gameObject.name).toBe('Camera');
   const columns = scene.find('Columns')!.children;
   expect(columns).toHaveLength(26);

@@ -1,5 +1,5 @@
-import type { Scene } from '../../core/Scene';
-import type { GameObject } from '../../core/GameObject';
+import type { Scene } from '../../core/SceneGraph';
+import type { GameObject } from '../../core/SceneGraph';
 import type { Vector3Tuple } from '../../fields/Field';
 import { number } from '../../fields/fields';
 import { SceneBuilder } from '../SceneBuilder';

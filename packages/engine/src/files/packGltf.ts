@@ -1,7 +1,7 @@
 import { shortText } from '@farol/renderer';
-import { sampleOf } from '../files/ProblemList';
-import { checkGltf } from './checkGltf';
-import { readGltfJson } from './readGltfJson';
+import { sampleOf } from './ProblemList';
+import { checkGltf } from '../assets/checkGltf';
+import { readGltfJson } from '../assets/readGltfJson';
 
 const HEADER = 12;
 const CHUNK = 8;

@@ -1,9 +1,9 @@
 import { type Material, Mesh, type Object3D } from 'three';
-import { ObjectRenderer } from '../components/ObjectRenderer';
 import { GameObject } from '../core/GameObject';
-import type { AssetLibrary } from './AssetLibrary';
-import { Model } from './Model';
-import { modelParts } from './modelParts';
+import type { AssetLibrary } from '../assets/AssetLibrary';
+import { Model } from '../assets/Model';
+import { modelParts } from '../assets/modelParts';
+import { ObjectRenderer } from './ObjectRenderer';
 
 /**
  * Makes GameObjects of a three model, such as `gltf.scene`: its tree, transforms and meshes, so that each can be edited.

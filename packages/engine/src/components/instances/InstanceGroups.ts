@@ -1,32 +1,15 @@
-import { type BufferGeometry, type Material, Scene as ThreeScene } from 'three';
-import type { ObjectRenderer } from '../components/ObjectRenderer';
-import { InstanceGroup } from './InstanceGroup';
-
-/** The three scene of a Scene: it brings its instances up to date after all world matrices. */
-class SceneRoot extends ThreeScene {
-  constructor(private readonly groups: InstanceGroups) {
-    super();
-  }
-
-  override updateMatrixWorld(force?: boolean): void {
-    super.updateMatrixWorld(force);
-    this.groups.update();
-  }
-}
+import type { BufferGeometry, Material, Scene as ThreeScene } from 'three';
+import type { Scene } from '../../core/SceneGraph';
+import { InstanceGroup, type InstanceMember } from './InstanceGroup';
 
 /** The ObjectRenderers of a scene that are drawn as instances, grouped by geometry, material and shadows. */
 export class InstanceGroups {
-  readonly root: ThreeScene = new SceneRoot(this);
-
   private readonly groups = new Map<string, InstanceGroup>();
-  private readonly keys = new Map<ObjectRenderer, string>();
+  private readonly keys = new Map<InstanceMember, string>();
 
-  /** How many groups, so how many draw calls, there are. */
-  get size(): number {
-    return this.groups.size;
-  }
+  constructor(private readonly root: ThreeScene) {}
 
-  add(renderer: ObjectRenderer, geometry: BufferGeometry, material: Material): void {
+  add(renderer: InstanceMember, geometry: BufferGeometry, material: Material): void {
     const shadows = { cast: renderer.castShadow, receive: renderer.receiveShadow };
     const key = [geometry.id, material.id, shadows.cast, shadows.receive].join();
     let group = this.groups.get(key);
@@ -35,7 +18,7 @@ export class InstanceGroups {
     this.keys.set(renderer, key);
   }
 
-  remove(renderer: ObjectRenderer): void {
+  remove(renderer: InstanceMember): void {
     const key = this.keys.get(renderer);
     const group = key === undefined ? undefined : this.groups.get(key);
     if (key === undefined || !group) return;
@@ -53,4 +36,17 @@ export class InstanceGroups {
       if (mesh.parent !== this.root) this.root.add(mesh);
     }
   }
+}
+
+const known = new WeakMap<Scene, InstanceGroups>();
+
+/** The instances of a scene, brought up to date whenever its world matrices are. */
+export function instanceGroupsOf(scene: Scene): InstanceGroups {
+  let groups = known.get(scene);
+  if (!groups) {
+    groups = new InstanceGroups(scene.three);
+    known.set(scene, groups);
+    scene.onMatricesUpdated(groups.update.bind(groups));
+  }
+  return groups;
 }

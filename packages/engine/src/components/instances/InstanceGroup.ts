@@ -1,8 +1,17 @@
 import { type BufferGeometry, Color, DynamicDrawUsage, InstancedMesh, type Material } from 'three';
-import type { ObjectRenderer } from '../components/ObjectRenderer';
-import type { GameObject } from './GameObject';
-import type { InstanceOwner } from './gameObjectOf';
-import { IndexedList } from './IndexedList';
+import type { InstanceOwner } from '../../core/gameObjectOf';
+import { IndexedList } from '../../core/IndexedList';
+import type { Component, GameObject } from '../../core/SceneGraph';
+import type { Vector3Tuple } from '../../fields/Field';
+
+/** A component that is drawn as an instance: an ObjectRenderer. */
+export interface InstanceMember extends Component {
+  readonly render: boolean;
+  /** Linear. */
+  readonly colour: Vector3Tuple;
+  readonly castShadow: boolean;
+  readonly receiveShadow: boolean;
+}
 
 /** The three mesh of a group; a ray that hits one of its instances finds the GameObject by `gameObjectOf`. */
 class GroupMesh extends InstancedMesh implements InstanceOwner {
@@ -17,7 +26,7 @@ const colour = new Color();
 
 /** ObjectRenderers of one geometry and one material, drawn in one call. */
 export class InstanceGroup {
-  readonly members = new IndexedList<ObjectRenderer>();
+  readonly members = new IndexedList<InstanceMember>();
 
   private mesh: GroupMesh | null = null;
 

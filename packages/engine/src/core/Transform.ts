@@ -1,8 +1,9 @@
-import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
+import { Euler, Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 import type { FieldValue, Vector3Tuple } from '../fields/Field';
 import { component } from '../fields/component';
 import { euler, vector3 } from '../fields/fields';
-import { toVector3, type Vector3Input } from '../core/toVector3';
+import type { ComponentClass, Transform as TransformType } from './SceneGraph';
+import { toVector3, type Vector3Input } from './toVector3';
 
 const matrix = new Matrix4();
 const parentInverse = new Matrix4();
@@ -18,7 +19,7 @@ const UP: Vector3Tuple = [0, 1, 0];
  * where the object is now, `getAuthored` with where it was put before simulation moved it. Its methods are edits: they
  * change the authored values. Front is the object's -Z axis, as of three's cameras and spot lights.
  */
-export class Transform extends component({
+class BaseTransform extends component({
   position: vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Place relative to the parent.' }),
   rotation: euler([0, 0, 0], { help: 'Turn about x, then y, then z, relative to the parent.' }),
   scale: vector3([1, 1, 1], { step: 0.1, help: 'Factor of size along the own axes.' }),
@@ -41,14 +42,14 @@ export class Transform extends component({
   }
 
   override onFieldChanged(name: string): void {
-    this.restore(name);
+    restore(this, name);
   }
 
   /** Puts the object back to where it was authored, undoing what simulation did. */
   restoreAuthored(): void {
-    this.restore('position');
-    this.restore('rotation');
-    this.restore('scale');
+    restore(this, 'position');
+    restore(this, 'rotation');
+    restore(this, 'scale');
   }
 
   /** The matrix from the object's space to the world's: a copy, up to date. */
@@ -73,17 +74,17 @@ export class Transform extends component({
 
   /** Unit vector to the object's right (+X) in the world. */
   get right(): Vector3 {
-    return this.axis(0, 1);
+    return axisOf(this, 0, 1);
   }
 
   /** Unit vector to the object's top (+Y) in the world. */
   get top(): Vector3 {
-    return this.axis(1, 1);
+    return axisOf(this, 1, 1);
   }
 
   /** Unit vector to the object's front (-Z) in the world. */
   get front(): Vector3 {
-    return this.axis(2, -1);
+    return axisOf(this, 2, -1);
   }
 
   /** Where the object is in the world, in metres. */
@@ -111,7 +112,7 @@ export class Transform extends component({
   /** Turns about an axis of the world through the object's own place, by radians, anticlockwise seen against the axis. */
   rotate(radians: number, axis: Vector3Input): void {
     const { object3D } = this.gameObject;
-    const inverse = this.parentRotation(parentQuaternion).invert();
+    const inverse = parentRotation(object3D, parentQuaternion).invert();
     toVector3(axis, position).normalize().applyQuaternion(inverse);
     this.setQuaternion(quaternion.setFromAxisAngle(position, radians).multiply(object3D.quaternion));
   }
@@ -134,7 +135,7 @@ export class Transform extends component({
     const target = toVector3(second ?? first, new Vector3());
     const eye = second ? toVector3(first, new Vector3()) : this.worldPosition;
     matrix.lookAt(eye, target, toVector3(up, position));
-    const inverse = this.parentRotation(parentQuaternion).invert();
+    const inverse = parentRotation(object3D, parentQuaternion).invert();
     if (second) {
       if (object3D.parent) object3D.parent.worldToLocal(eye);
       this.set('position', eye.toArray());
@@ -147,26 +148,31 @@ export class Transform extends component({
     turned.setFromQuaternion(value, 'XYZ');
     this.set('rotation', [turned.x, turned.y, turned.z]);
   }
+}
 
-  private restore(name: string): void {
-    const { object3D } = this.gameObject;
-    const [x, y, z] = this.getAuthored(name) as Vector3Tuple;
-    if (name === 'position') object3D.position.set(x, y, z);
-    else if (name === 'rotation') object3D.rotation.set(x, y, z, 'XYZ');
-    else if (name === 'scale') object3D.scale.set(x, y, z);
-  }
+/** Puts a field of the object back to its authored value. */
+function restore(transform: Transform, name: string): void {
+  const { object3D } = transform.gameObject;
+  const [x, y, z] = transform.getAuthored(name) as Vector3Tuple;
+  if (name === 'position') object3D.position.set(x, y, z);
+  else if (name === 'rotation') object3D.rotation.set(x, y, z, 'XYZ');
+  else if (name === 'scale') object3D.scale.set(x, y, z);
+}
 
-  private axis(column: number, sign: number): Vector3 {
-    return new Vector3().setFromMatrixColumn(this.modelMatrix, column).normalize().multiplyScalar(sign);
-  }
+/** A column of the model matrix as a unit vector, times a sign. */
+const axisOf = (transform: Transform, column: number, sign: number): Vector3 =>
+  new Vector3().setFromMatrixColumn(transform.modelMatrix, column).normalize().multiplyScalar(sign);
 
-  private parentRotation(target: Quaternion): Quaternion {
-    const { parent } = this.gameObject.object3D;
-    if (!parent) return target.identity();
-    parent.updateWorldMatrix(true, false);
-    return target.setFromRotationMatrix(matrixRotation(parent.matrixWorld));
-  }
+/** The rotation of an object's parent in the world. */
+function parentRotation({ parent }: Object3D, target: Quaternion): Quaternion {
+  if (!parent) return target.identity();
+  parent.updateWorldMatrix(true, false);
+  return target.setFromRotationMatrix(matrixRotation(parent.matrixWorld));
 }
 
 const rotation = new Matrix4();
 const matrixRotation = (world: Matrix4): Matrix4 => rotation.extractRotation(world);
+
+export type Transform = TransformType;
+
+export const Transform: ComponentClass<Transform> = BaseTransform;

@@ -1,4 +1,5 @@
-import { Component } from '../core/Component';
+import { Component } from './Component';
+import type { ComponentData } from './SceneGraph';
 import type { CustomField, FieldTable, FieldType, FieldValue } from '../fields/Field';
 
 /** A value of a field whose declaration is not known. */
@@ -10,14 +11,6 @@ const data: FieldType = { name: 'data', allows: 'a number, text, true, false, nu
  */
 export abstract class UnknownComponent extends Component {
   static override readonly help: string = 'What brings this component is not here: its data are kept as they are.';
-}
-
-/** What is left of a component without its class. */
-export interface ComponentData {
-  readonly type: string;
-  /** Version of the class that wrote the values. */
-  readonly version: number;
-  readonly values: Readonly<Record<string, FieldValue>>;
 }
 
 /** A component on no object, which holds the data of a class that is not known. */

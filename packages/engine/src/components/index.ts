@@ -1,0 +1,27 @@
+import { builtinComponents } from '../core/builtinComponents';
+import { Transform } from '../core/Transform';
+import { Camera } from './Camera';
+import { Decal } from './Decal';
+import { KeyController } from './KeyController';
+import { Light } from './Light';
+import { ModelRenderer } from './ModelRenderer';
+import { MouseController } from './MouseController';
+import { ObjectRenderer } from './ObjectRenderer';
+import { RandomMovement } from './RandomMovement';
+
+/** The built-in components, in the order of the Add menu. */
+const components = [
+  Transform,
+  ObjectRenderer,
+  ModelRenderer,
+  Light,
+  Camera,
+  Decal,
+  KeyController,
+  MouseController,
+  RandomMovement,
+];
+
+for (const each of components) builtinComponents.register(each);
+
+export { builtinComponents };

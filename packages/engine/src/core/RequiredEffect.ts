@@ -1,0 +1,9 @@
+import type { FarolEffect } from '@farol/renderer';
+
+/** An effect of the renderer without which a component cannot be seen; the component's class names it as `effect`. */
+export interface RequiredEffect {
+  /** Class of the effect; null until `load` is done. */
+  readonly effectClass: (new () => FarolEffect) | null;
+  /** Fetches the code of the effect. @throws Error (as a rejection) when it cannot be fetched; try again */
+  load(): Promise<void>;
+}

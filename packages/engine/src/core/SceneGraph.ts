@@ -1,0 +1,397 @@
+import type {
+  Matrix4,
+  Object3D,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Quaternion,
+  Scene as ThreeScene,
+  Vector3,
+} from 'three';
+import type { AssetLibrary } from '../assets/AssetLibrary';
+import type { FieldTable, FieldValue, Vector3Tuple } from '../fields/Field';
+import type { FieldOwner } from '../fields/FieldOwner';
+import type { PrefabLink } from '../prefabs/Prefab';
+import type { PrefabTable } from '../prefabs/PrefabTable';
+import type { EngineKeyEvent, EnginePointerEvent } from './events';
+import type { RequiredEffect } from './RequiredEffect';
+import type { SceneMicroShaders } from './SceneMicroShaders';
+import type { SceneSettings } from './SceneSettings';
+import type { Vector3Input } from './toVector3';
+
+/**
+ * What scenes, GameObjects and components are to each other and to their users. Each of the three names the other two, so
+ * their types are on this page, and their classes, in files of their own, import it instead of each other.
+ */
+
+/** What the registry, the menus and the file format know of a class of components. */
+export interface ComponentClass<T extends Component = Component> {
+  new (): T;
+  /** Name in files and menus. */
+  readonly typeName: string;
+  readonly fields: FieldTable;
+  /** Version of its form in files; raise it, and write `migrate`, whenever a field changes its name, meaning or default. */
+  readonly version: number;
+  /** At most one on a GameObject. */
+  readonly unique: boolean;
+  /** One line for the Add menu. */
+  readonly help: string;
+  /** The effect of the renderer that the component cannot be seen without, such as decals; null for none. */
+  readonly effect: RequiredEffect | null;
+  /** Brings field values written by an older version up to `version`. */
+  migrate?(values: Record<string, unknown>, fromVersion: number): Record<string, unknown>;
+}
+
+/**
+ * A part of a GameObject that gives it an ability. Its fields are declared once (see `component`), and read by the
+ * inspector, the file format, undo and the tests.
+ */
+export interface Component extends FieldOwner {
+  /** Unique in its scene and kept in files; '' until the component has been on a GameObject. */
+  readonly id: string;
+  readonly componentClass: ComponentClass;
+  readonly typeName: string;
+  /** False switches the component off without taking it away. */
+  enabled: boolean;
+  /**
+   * The GameObject that the component is on.
+   * @throws Error when it is on none
+   */
+  readonly gameObject: GameObject;
+  readonly isAttached: boolean;
+  /** The scene of the GameObject, or null. */
+  readonly scene: Scene | null;
+  /** Enabled, on a GameObject that is active together with all its ancestors. */
+  readonly isActive: boolean;
+
+  /** Pointer events over the canvas, while the object is active and the component enabled. */
+  onPointerDown?(event: EnginePointerEvent): void;
+  onPointerMove?(event: EnginePointerEvent): void;
+  onPointerUp?(event: EnginePointerEvent): void;
+  onPointerWheel?(event: EnginePointerEvent): void;
+  onKeyDown?(event: EngineKeyEvent): void;
+  onKeyUp?(event: EngineKeyEvent): void;
+
+  /** The component came onto a GameObject; `gameObject` is there, `scene` perhaps not. */
+  onAttach(): void;
+  /** The component is about to leave its GameObject. */
+  onDetach(): void;
+  /** The GameObject came into a scene, or the component came onto a GameObject of one. */
+  onEnterScene(scene: Scene): void;
+  /** The GameObject, or the component alone, is about to leave the scene. */
+  onLeaveScene(scene: Scene): void;
+  /** A field got another value, by hand or by code. Called only while attached. */
+  onFieldChanged(name: string): void;
+  /** `isActive` may have changed: the component was enabled or disabled, or an object above it was. */
+  onActiveChanged(): void;
+  /**
+   * Called every frame that is simulated; only components that override it are visited.
+   * @param deltaSeconds - 0 when the scene was put at a time
+   * @param time - the scene's time in seconds
+   */
+  update(deltaSeconds: number, time: number): void;
+  /** Gives back what the component holds. It cannot be used afterwards. */
+  dispose(): void;
+  /** The authored value of every field. */
+  authoredValues(): Record<string, FieldValue>;
+
+  /** @internal Called by GameObject. */
+  attachTo(gameObject: GameObject, id: string): void;
+  /** @internal Called by GameObject. */
+  detach(): void;
+}
+
+/** A component that a scene can be drawn through: `Camera`, or any other with these members. */
+export interface CameraComponent extends Component {
+  /** The camera to draw with, below the object's object3D. */
+  readonly three: PerspectiveCamera | OrthographicCamera;
+  /** Called before each frame with the size of the canvas, in any unit; not an edit. */
+  setViewport(width: number, height: number): void;
+}
+
+/** Where a GameObject is; every GameObject has exactly one. See the class of this name. */
+export interface Transform extends Component {
+  /** Metres, relative to the parent. */
+  position: Vector3Tuple;
+  /** Radians about x, then y, then z, relative to the parent. */
+  rotation: Vector3Tuple;
+  /** Factor of size along the own axes. */
+  scale: Vector3Tuple;
+  /** The matrix from the object's space to the world's: a copy, up to date. */
+  modelMatrix: Matrix4;
+  /** Unit vector to the object's right (+X) in the world. */
+  readonly right: Vector3;
+  /** Unit vector to the object's top (+Y) in the world. */
+  readonly top: Vector3;
+  /** Unit vector to the object's front (-Z) in the world. */
+  readonly front: Vector3;
+  /** Where the object is in the world, in metres. */
+  readonly worldPosition: Vector3;
+  /** Puts the object back to where it was authored, undoing what simulation did. */
+  restoreAuthored(): void;
+  /** Moves by a vector along the axes of the world, in metres. */
+  translate(offset: Vector3Input): void;
+  /** Moves by a vector along the object's own axes, in metres of its parent's space (its scale does not count). */
+  translateLocal(offset: Vector3Input): void;
+  /** Turns about an axis of the world through the object's own place, by radians, anticlockwise seen against the axis. */
+  rotate(radians: number, axis: Vector3Input): void;
+  /** Turns about one of the object's own axes, by radians. */
+  rotateLocal(radians: number, axis: Vector3Input): void;
+  /** Turns the front to a point of the world. */
+  lookAt(target: Vector3Input): void;
+  /**
+   * Puts the object at `eye` (in the world) and turns its front to `target`.
+   * @param up - the direction that shall be its top, as far as it can; [0, 1, 0] when absent
+   */
+  lookAt(eye: Vector3Input, target: Vector3Input, up?: Vector3Input): void;
+  /** Sets the rotation from a quaternion relative to the parent. */
+  setQuaternion(value: Quaternion): void;
+}
+
+/** What is left of a component without its class. */
+export interface ComponentData {
+  readonly type: string;
+  /** Version of the class that wrote the values. */
+  readonly version: number;
+  readonly values: Readonly<Record<string, FieldValue>>;
+}
+
+/** The types of components that files and menus may name. */
+export interface ComponentRegistry {
+  /** Whether files may hold components of types that nobody registered. */
+  readonly keepsUnknown: boolean;
+  /** Every type by its name, in the order of registration. */
+  readonly types: ReadonlyMap<string, ComponentClass>;
+  /** Adds a type. @throws Error when it has no name, or the name is another class's */
+  register(componentClass: ComponentClass): this;
+  /** Takes a type out: no more of it can be added by name. Components of it that there are stay what they are. */
+  unregister(componentClass: ComponentClass): void;
+  /** The fields of a type; none of one that is not known, where those are kept. @throws Error for one that is refused */
+  fieldsOf(typeName: string): FieldTable;
+  /** @throws Error naming the types that there are */
+  get(typeName: string): ComponentClass;
+  /** A component on no object from the data of a checked file, of a type that is not known too where those are kept. */
+  createFrom(data: ComponentData): Component;
+  /** A new component on no object. @throws Error for an unknown type, FieldError for a wrong value */
+  create(typeName: string, values?: Readonly<Record<string, FieldValue>>): Component;
+}
+
+/** What can hold GameObjects: another one, or a scene. */
+export interface GameObjectContainer {
+  /** @internal */
+  readonly childList: GameObject[];
+  /** The scene that it is, or is in. */
+  readonly scene: Scene | null;
+  /** @internal The three object below which its children's hang. */
+  readonly threeParent: Object3D;
+}
+
+/** How a component is put on a GameObject. */
+export interface AddComponentOptions {
+  /** Place among the components; at the end when absent. Place 0 is the Transform's. */
+  index?: number;
+  /** Id in place of one made from the object's. */
+  id?: string;
+  enabled?: boolean;
+}
+
+export interface MoveOptions {
+  /** Keep position, rotation and scale in the world. */
+  keepWorld?: boolean;
+}
+
+/**
+ * A thing of the scene. By itself it does nothing: it holds children and components, and passes updates, events and
+ * calls on to them. It owns one three object, `object3D`; its front is that object's -Z axis.
+ */
+export interface GameObject extends GameObjectContainer {
+  readonly id: string;
+  readonly object3D: Object3D;
+  /** Always there, always the first component. */
+  readonly transform: Transform;
+  name: string;
+  tags: readonly string[];
+  /** The object of a prefab that this one is a copy of; null for an object of its own. */
+  prefabLink: PrefabLink | null;
+  /** False hides the object and its children, and stops their updates and events. */
+  active: boolean;
+  /** Whether an editor leaves the object and all below it alone: they are not picked in the picture. It has no other effect. */
+  locked: boolean;
+  /** Locked, or below an object that is. */
+  readonly lockedInHierarchy: boolean;
+  /** Active, and so are all its ancestors. */
+  readonly activeInHierarchy: boolean;
+  readonly parent: GameObject | null;
+  readonly children: readonly GameObject[];
+  readonly components: readonly Component[];
+
+  /** Adds a child, or moves one that is elsewhere; its local transform stays. @throws Error for a cycle */
+  add(child: GameObject, index?: number): this;
+  /** Takes a child out, with all below it; it may be added again. @throws Error when it is no child of this object */
+  remove(child: GameObject): this;
+  /**
+   * Moves the object below another, or to the top of a scene.
+   * @param index - place among the new siblings; at the end when absent
+   * @param options - `keepWorld` (default true): it stays where it is in the world. Under a parent with unequal scales
+   * a rotated object would need shear, which a Transform cannot hold: it then comes as near as it can.
+   * @throws Error when the new parent is the object itself or below it; nothing has changed then
+   */
+  reparent(parent: GameObject | Scene, index?: number, options?: MoveOptions): void;
+  /**
+   * Puts a component on the object.
+   * @param type - class, type name, or a component that is on no object
+   * @param values - field values in place of the defaults
+   * @throws Error for an unknown type name or a second component of a unique type; FieldError for a wrong value
+   */
+  addComponent<T extends Component>(
+    type: ComponentClass<T> | T,
+    values?: Readonly<Record<string, FieldValue>>,
+    options?: AddComponentOptions,
+  ): T;
+  addComponent(type: string, values?: Readonly<Record<string, FieldValue>>, options?: AddComponentOptions): Component;
+  /** Takes a component off; it may be added again, or disposed. @throws Error for the Transform or a stranger */
+  removeComponent(component: Component): void;
+  /** Moves a component to another place in the list; the Transform stays first. */
+  moveComponent(component: Component, index: number): void;
+  /** The first component of a class (or of one derived from it), or of a type name; null when there is none. */
+  getComponent<T extends Component>(type: ComponentClass<T>): T | null;
+  getComponent(type: string): Component | null;
+  /** All components of a class, or of a type name. */
+  getComponents<T extends Component>(type: ComponentClass<T>): T[];
+  getComponents(type: string): Component[];
+  /** Updates its active components, then its children. A Scene does the same from flat lists. */
+  update(deltaSeconds: number, time: number): void;
+  /**
+   * Calls a method of every component that has it, here and in all children (thesis 3.2.4), active or not.
+   * @returns how many components received the call
+   */
+  callMethod(name: string, ...args: unknown[]): number;
+  /** Visits the object and all below it, parents first. */
+  traverse(visit: (gameObject: GameObject) => void): void;
+  /** The first object with this id, else with this name, among this one and all below it; null when there is none. */
+  find(nameOrId: string): GameObject | null;
+  /**
+   * A copy with all below it, with new ids, in no scene. References to objects inside the copy follow it. A whole
+   * instance of a prefab is copied as one; a part of one becomes an object of its own.
+   */
+  clone(): GameObject;
+  /** Takes the object out of its parent or scene, and gives back what it and all below it hold. */
+  dispose(): void;
+
+  /** @internal What it is directly in. */
+  container: GameObjectContainer | null;
+  /** @internal */
+  sceneOf: Scene | null;
+  /** @internal Called when `active` changed here or above. */
+  refreshActive(): void;
+}
+
+/** What an edit changed. Simulation makes none of these. */
+export type SceneChange =
+  | { readonly kind: 'add' | 'remove' | 'move'; readonly gameObject: GameObject }
+  | {
+      readonly kind: 'object';
+      readonly gameObject: GameObject;
+      readonly property: 'name' | 'active' | 'locked' | 'tags' | 'prefab';
+    }
+  | {
+      readonly kind: 'component-add' | 'component-remove' | 'component-move';
+      readonly gameObject: GameObject;
+      readonly component: Component;
+    }
+  | {
+      readonly kind: 'field';
+      readonly component: Component;
+      readonly field: string;
+      /** The authored value until then. */
+      readonly before: FieldValue;
+    }
+  | { readonly kind: 'enabled'; readonly component: Component }
+  | { readonly kind: 'settings'; readonly field: string; readonly before: FieldValue }
+  | { readonly kind: 'microshader'; readonly name: string }
+  | { readonly kind: 'prefab'; readonly id: string }
+  | { readonly kind: 'active-camera' | 'name' };
+
+/** A world of GameObjects over one three scene. Any number may exist. */
+export interface Scene extends GameObjectContainer {
+  /** Itself. */
+  readonly scene: Scene;
+  readonly three: ThreeScene;
+  readonly assets: AssetLibrary;
+  /** Known types of components. */
+  registry: ComponentRegistry;
+  readonly settings: SceneSettings;
+  /** Microshaders that are saved with the scene. */
+  readonly microShaders: SceneMicroShaders;
+  /** What objects of the scene are copies of. */
+  readonly prefabs: PrefabTable;
+  /** Takes what a component throws while it is updated; the others go on. While null, `update` throws it. */
+  onComponentError: ((component: Component, error: unknown) => void) | null;
+  name: string;
+  readonly roots: readonly GameObject[];
+  /** How many objects it has, however deep in the tree. */
+  readonly size: number;
+  /** The effects of the renderer that components of the scene need; the same array all along. */
+  readonly requiredEffects: readonly RequiredEffect[];
+  /**
+   * The camera to draw with: the first one that came, unless another was chosen; null when the scene has none.
+   * @throws Error when set to a camera that is not in the scene
+   */
+  activeCamera: CameraComponent | null;
+  /** Simulated time in seconds. */
+  readonly time: number;
+  /** Grows by one with each edit; simulation leaves it as it is. */
+  readonly revision: number;
+
+  /**
+   * Every component of a class (or of one derived from it), or of a type name, active or not. The array is the same one all
+   * along, kept up to date as components come and go: it may be read in every frame. Its order is not that of the tree.
+   */
+  componentsOf<T extends Component>(type: ComponentClass<T>): readonly T[];
+  componentsOf<T extends Component>(type: string): readonly T[];
+  /**
+   * Adds an object, with all below it, at the top of the tree; out of wherever it was, its local transform kept.
+   * @throws Error naming a duplicate id or an unknown asset; nothing has changed then
+   */
+  add(gameObject: GameObject, index?: number): this;
+  /** Takes an object out of the scene, wherever in the tree it is; it keeps its ids and may be added again. */
+  remove(gameObject: GameObject): this;
+  /** The object with this id, else the first with this name in tree order; null when there is none. */
+  find(nameOrId: string): GameObject | null;
+  findById(id: string): GameObject | null;
+  findComponentById(id: string): Component | null;
+  /** Visits every object, parents first, in tree order. */
+  traverse(visit: (gameObject: GameObject) => void): void;
+  /** Advances the time and updates every active component that overrides `update`. @param deltaSeconds - 0 or more */
+  update(deltaSeconds: number): void;
+  /** Puts everything whose motion depends on time alone at `seconds`: the same in every run. */
+  setTime(seconds: number): void;
+  /** Undoes simulation: time 0, and every object where it was authored. */
+  reset(): void;
+  /** Calls a method of every component of the scene that has it. @returns how many received the call */
+  callMethod(name: string, ...args: unknown[]): number;
+  /** Passes a pointer event on to every active component that wants it. */
+  dispatchPointer(event: EnginePointerEvent): void;
+  /** Passes a key event on to every active component that wants it. */
+  dispatchKey(event: EngineKeyEvent): void;
+  /** Calls `listener` after each edit of structure, fields or settings. @returns a function that ends it */
+  onChange(listener: (change: SceneChange) => void): () => void;
+  /** Calls `listener` whenever three has brought the world matrices of `three` up to date. @returns a function that ends it */
+  onMatricesUpdated(listener: () => void): () => void;
+  /** Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released. */
+  dispose(): void;
+
+  /** @internal Counts an edit and tells the listeners. */
+  notify(change: SceneChange): void;
+  /** @internal @throws Error when an object cannot come in */
+  checkSubtree(gameObject: GameObject): void;
+  /** @internal @throws Error when a component names an asset that nobody knows */
+  checkComponent(component: Component): void;
+  /** @internal */
+  subtreeEntered(gameObject: GameObject): void;
+  /** @internal */
+  subtreeLeaves(gameObject: GameObject): void;
+  /** @internal */
+  componentEntered(component: Component): void;
+  /** @internal */
+  componentLeaves(component: Component): void;
+}
