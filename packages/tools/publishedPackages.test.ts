@@ -9,7 +9,9 @@ const read = (...path: string[]): string => readFileSync(join(...path), 'utf8');
 
 it('finds the packages that are not private', () => {
   const names = packages.map(({ manifest }) => manifest.name);
-  expect(names).toEqual(expect.arrayContaining(['@farol/attach', '@farol/engine', '@farol/renderer']));
+  expect(names).toEqual(
+    expect.arrayContaining(['@farol/attach', '@farol/editing', '@farol/engine', '@farol/renderer']),
+  );
   expect(names).not.toContain('@farol/tools');
 });
 

@@ -4,7 +4,7 @@ import type { AttachOptions } from './AttachOptions';
 
 /**
  * Opens an editor over a running three.js page: the tree of its objects, an inspector of transform, flags, light, camera
- * and materials, a gizmo on the selected object, undo, and a frame panel which can have the page drawn by Farol. The page
+ * and materials, a gizmo on the selected objects, undo, and a frame panel which can have the page drawn by Farol. The page
  * needs to know nothing of it. While the editor is there, it stands in for `renderer.render` of this one renderer; all
  * else is listened to, or drawn over the finished frame. `dispose()` takes all of that away; edits of the scene stay.
  *

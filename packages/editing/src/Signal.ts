@@ -17,7 +17,7 @@ export class Signal {
     for (const listener of [...this.listeners]) listener();
   };
 
-  /** Calls `listener` after each change. @returns a function that ends it */
+  /** Calls `listener` after each change. @returns a function that removes the listener */
   readonly subscribe = (listener: () => void): (() => void) => {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

@@ -16,7 +16,7 @@ export class Session {
 
   constructor(
     readonly scene: Object3D,
-    /** What the page looks through; the gizmo and picking follow it. */
+    /** The camera that the page draws with; gizmo and picking go by this one. */
     public camera: Camera,
     readonly webgl: WebGLRenderer,
   ) {
@@ -45,19 +45,19 @@ export class Session {
     return false;
   }
 
-  /** Deselects what the page has taken away. */
+  /** Deselects objects that the page has taken out of the scene. */
   dropLost(): void {
     const { selection } = this;
     if (!selection.items.every((object) => this.holds(object)))
       selection.set(selection.items.filter((object) => this.holds(object)));
   }
 
-  /** Why the last thing that was asked for was not done; '' when it was. */
+  /** Message of the error that the last `attempt` threw; '' when the attempt succeeded. */
   get problem(): string {
     return this.message;
   }
 
-  /** Does something; what it throws becomes `problem`. */
+  /** Runs a function; the message of an error that it throws becomes `problem`. */
   attempt(run: () => void): void {
     let message = '';
     try {

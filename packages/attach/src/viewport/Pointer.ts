@@ -7,8 +7,8 @@ import { pickObject } from './pickObject';
 const CLICK = 4;
 
 /**
- * Pointer on the page's canvas: drags the gizmo, and selects what is clicked, with Ctrl or Shift besides the others. What the gizmo takes, the page's own
- * controls do not see; all else reaches them as ever.
+ * Pointer on the page's canvas: drags the gizmo, and selects the clicked object, with Ctrl or Shift besides the others.
+ * Events that the gizmo takes do not reach the page's own controls; all other events do.
  */
 export class Pointer {
   private readonly at = new Vector2();

@@ -25,8 +25,8 @@ const delta = new Matrix4();
 const turn = new Quaternion();
 
 /**
- * Where objects go while a gizmo drags a pivot: they move, turn and grow with the pivot. A single object turns and grows in
- * its place; several go round the pivot.
+ * Poses of objects while a gizmo drags a pivot: the objects move, turn and grow with the pivot. A single object turns and
+ * grows in its place; several go round the pivot.
  */
 export class TransformDrag {
   private readonly starts: readonly Start[];
@@ -51,7 +51,7 @@ export class TransformDrag {
     });
   }
 
-  /** Where the objects are with the pivot as it is now, in the order of the starts; what does not change is left out. */
+  /** Poses for the pivot's present place, in the order of the starts; parts that the mode does not change are left out. */
   poses(mode: TransformMode): Partial<Pose>[] {
     const { pivot, starts } = this;
     pivot.updateMatrixWorld();

@@ -11,7 +11,7 @@ export class Gesture<Item = string> {
   /** @param finish takes the command of a committed gesture; null when nothing is to be kept */
   constructor(private readonly finish: (command: Command<Item> | null) => void) {}
 
-  /** False once it was committed or discarded; calls do nothing then. */
+  /** False once the gesture was committed or discarded; calls do nothing then. */
   get isOpen(): boolean {
     return this.open;
   }
