@@ -1,3 +1,4 @@
+import { capital } from '../capital';
 import { TEXELS_PER_RECORD } from '../lights/lightRecord';
 import type { RecordLayout } from '../lights/recordLayout';
 
@@ -12,7 +13,7 @@ const TYPES = ['', 'float', 'vec2', 'vec3', 'vec4'];
 export function recordGetters(prefix: string, layout: RecordLayout): string {
   const lines: string[] = [];
   const add = (type: string, name: string, of: string, value: string) =>
-    lines.push(`${type} farol_${prefix}${capital(name)}(const in ${of}) { return ${value}; }`);
+    lines.push(`${type} farol_${prefix}${capital(name)}(${of}) { return ${value}; }`);
   Object.entries(layout).forEach(([texel, values], i) => {
     const record = i < TEXELS_PER_RECORD ? 'record' : `record + ${Math.floor(i / TEXELS_PER_RECORD)}`;
     const fetched = `farol_lightTexel(${record}, ${i % TEXELS_PER_RECORD})`;
@@ -25,8 +26,4 @@ export function recordGetters(prefix: string, layout: RecordLayout): string {
     }
   });
   return lines.join('\n');
-}
-
-function capital(name: string): string {
-  return name[0].toUpperCase() + name.slice(1);
 }
