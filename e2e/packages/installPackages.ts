@@ -20,15 +20,20 @@ export default function installPackages(): () => void {
   npm(['pack', ...folders, '--json', '--pack-destination', tarballs]);
   const files = publishedPackages().map(({ manifest }) => join(tarballs, tarballName(manifest)));
 
+  // without a network npm could not look three up: three is copied, and npm says whether all peers are as they are asked for
+  writeFileSync(join(host, 'package.json'), JSON.stringify({ name: 'host', private: true, type: 'module' }));
+  npm(['install', '--offline', '--legacy-peer-deps', '--ignore-scripts', '--no-audit', '--no-fund', ...files], host);
   copyInstalled(['three', '@types/three'], host);
-  const version = (name: string): string => readManifest(join(host, 'node_modules', name)).version;
-  const manifest = {
-    ...{ name: 'host', private: true, type: 'module' },
-    dependencies: { three: version('three') },
-    devDependencies: { '@types/three': version('@types/three') },
-  };
-  writeFileSync(join(host, 'package.json'), JSON.stringify(manifest));
-  npm(['install', '--offline', '--ignore-scripts', '--no-audit', '--no-fund', ...files], host);
+  const manifest = readManifest(host);
+  const names = [...Object.keys(manifest.dependencies ?? {}), 'three', '@types/three'];
+  const versions = names.map((name) => [name, readManifest(join(host, 'node_modules', name)).version]);
+  writeFileSync(
+    join(host, 'package.json'),
+    JSON.stringify({ ...manifest, dependencies: Object.fromEntries(versions) }),
+  );
+  for (const lock of ['package-lock.json', 'node_modules/.package-lock.json'])
+    rmSync(join(host, lock), { force: true });
+  npm(['ls', '--all'], host);
   cpSync(new URL('host', import.meta.url), host, { recursive: true });
   return () => rmSync(folder, { recursive: true, force: true });
 }

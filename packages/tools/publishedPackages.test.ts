@@ -42,6 +42,8 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
       bugs: { url: `${home}/issues` },
       keywords: expect.arrayContaining(['three', 'threejs', 'webgl']),
       files: ['dist', 'CHANGELOG.md'],
+      // a package with a scope is else published for its owners alone
+      publishConfig: { access: 'public' },
     });
   });
 
