@@ -1,3 +1,4 @@
+import { capital } from '../capital';
 import { TEXELS_PER_RECORD } from '../lights/lightRecord';
 import type { RecordLayout } from '../lights/recordLayout';
 
@@ -5,14 +6,14 @@ const TYPES = ['', 'float', 'vec2', 'vec3', 'vec4'];
 
 /**
  * GLSL functions that read a record of the light table: `vec4 farol_<prefix><Texel>(record)` for each texel, and
- * `farol_<prefix><Value>` for each value, of a record or of a texel that was fetched before.
- * What needs more texels than a record has lies in the records that follow.
+ * `farol_<prefix><Value>` for each value, of a record or of a texel that was fetched before. The texels of a layout with
+ * more than a record has lie in the records that follow.
  * @param prefix such as `light`: `farol_lightRange(record)`, `farol_lightRange(farol_lightSphere(record))`
  */
 export function recordGetters(prefix: string, layout: RecordLayout): string {
   const lines: string[] = [];
   const add = (type: string, name: string, of: string, value: string) =>
-    lines.push(`${type} farol_${prefix}${capital(name)}(const in ${of}) { return ${value}; }`);
+    lines.push(`${type} farol_${prefix}${capital(name)}(${of}) { return ${value}; }`);
   Object.entries(layout).forEach(([texel, values], i) => {
     const record = i < TEXELS_PER_RECORD ? 'record' : `record + ${Math.floor(i / TEXELS_PER_RECORD)}`;
     const fetched = `farol_lightTexel(${record}, ${i % TEXELS_PER_RECORD})`;
@@ -25,8 +26,4 @@ export function recordGetters(prefix: string, layout: RecordLayout): string {
     }
   });
   return lines.join('\n');
-}
-
-function capital(name: string): string {
-  return name[0].toUpperCase() + name.slice(1);
 }

@@ -254,11 +254,7 @@ export class ShadowMaps implements LightMasks {
 
   /** Adds a light of the frame to the slots; one that only keeps to layers needs none. */
   private collect(light: Light, root: Object3D, camera: Camera): void {
-    const { isDirectionalLight } = light as Light & {
-      isPointLight?: boolean;
-      isDirectionalLight?: boolean;
-    };
-    // three has no variance shadow maps of point lights
+    const { isDirectionalLight } = light as Light & { isDirectionalLight?: boolean };
     const casts = hasShadowMap(light, shadowedLights(this.webgl));
     const image = cookieOf(light);
     if (!casts && image === null) {

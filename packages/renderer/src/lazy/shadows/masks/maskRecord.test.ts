@@ -44,9 +44,9 @@ test('a mask fills its records, and getters look where TypeScript writes', () =>
   });
   expect(FITS).toEqual([40, 44, 32]);
   for (const line of [
-    'vec4 farol_maskColumnW(const in int record) { return farol_lightTexel(record, 3); }',
-    'vec4 farol_maskPlace(const in int record) { return farol_lightTexel(record + 1, 0); }',
-    'vec2 farol_maskLayers(const in int record) { return farol_lightTexel(record + 2, 1).xy; }',
+    'vec4 farol_maskColumnW(int record) { return farol_lightTexel(record, 3); }',
+    'vec4 farol_maskPlace(int record) { return farol_lightTexel(record + 1, 0); }',
+    'vec2 farol_maskLayers(int record) { return farol_lightTexel(record + 2, 1).xy; }',
     'int texel = cascade == 0 ? 2 : cascade == 1 ? 3 : 0;',
     'const int FAROL_LOOKUP_CUBE_PCF = 4;',
   ]) {
