@@ -122,7 +122,7 @@ export class LightVolumeDraws {
       sphere: volume('light spheres', 'lightVolumeSphere'),
       cone: volume('light cones', 'lightVolumeCone'),
     };
-    // a kind of light that comes later finds its program
+    // so that the first light of a kind need not wait for its program
     materials.global.compile(frame);
     frame.compileMesh(this.spheres, materials.sphere);
     frame.compileMesh(this.cones, materials.cone);
