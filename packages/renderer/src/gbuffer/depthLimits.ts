@@ -1,4 +1,4 @@
-/** Depth this near to its far end may be drawn as the end itself: some steps of 24 bits, and of 16. */
+/** Distances from the far end of depth that may be rounded to the end itself: some steps of 24 bits, and of 16. */
 const STEPS_24 = 2 ** -22;
 const STEPS_16 = 2 ** -14;
 /** Far plane by near plane from which positions are no longer rebuilt from depth. */
@@ -9,7 +9,8 @@ function isOblique(m: ArrayLike<number>): boolean {
 }
 
 /**
- * The distance (m, along the view) from which depth may be that of nothing, 1; Infinity where there is none.
+ * The distance (m, along the view) from which on a surface's depth may be 1, as that of an empty pixel; Infinity for
+ * none.
  * @param m 16 elements of a projection, column-major
  * @param logarithmic the far plane of logarithmic depth (m), else 0
  * @param coarse depth has 16 bits
@@ -23,8 +24,8 @@ export function farthestTold(m: ArrayLike<number>, reversed: boolean, logarithmi
 }
 
 /**
- * True if positions rebuilt from 32-bit depth would be too coarse or, with an oblique near plane, wrong: then surfaces store
- * how far they are.
+ * True if positions rebuilt from 32-bit depth would be too coarse or, with an oblique near plane, wrong: then the
+ * G-buffer stores the distances of surfaces.
  * @param m 16 elements of a projection, column-major
  * @param precise depth is reversed or logarithmic
  */

@@ -43,7 +43,10 @@ const samplers = gbufferLayout.map(({ name, ...row }: GBufferAttachment) => {
   );
 });
 
-/** The microshader `gbufferTextures`: a sampler for each attachment and depth, and a function that reads a pixel of each. */
+/**
+ * The microshader `gbufferTextures`: a sampler for each attachment and depth, and a function that reads a pixel of
+ * each.
+ */
 export const gbufferTexturesChunk = `// Reads the attachments of the G-buffer, and its depth.
 // Farol; made from the rows of gbuffer/gbufferLayout.ts
 ${samplers.join('')}uniform highp sampler2D farol_gDepth;

@@ -5,8 +5,8 @@
 #include "storedDistance"
 #include "surfaceFlags"
 #include "unproject"
-// x: distances along the view are stored, 1 in perspective, 2 orthographic; y: 1 where flags tell nothing from what is
-// drawn at its depth
+// x: distances along the view are stored, 1 in perspective, 2 orthographic; y: 1 where flags tell empty pixels from
+// surfaces at the same depth
 uniform highp ivec2 farol_gStored;
 
 struct FarolSurface {

@@ -14,7 +14,7 @@ type AnyMaterial = Material & {
   isMeshStandardMaterial?: boolean;
 };
 
-/** For the views of the G-buffer, what the G-buffer itself would not take is written too, by the nearest model. */
+/** Shading model of a material, or the nearest one for materials that only the views of the G-buffer hold. */
 export function nearestModel(source: Material): ShadingModel {
   const m = source as AnyMaterial;
   return (

@@ -1,4 +1,4 @@
-// Rounds to the nearest half float: some drivers cut what is written to a target of half floats, twice as far off.
+// Rounds to the nearest half float: some drivers truncate what is written to targets of half floats, twice as far off.
 // IEEE 754 binary16 (10 bits of the fraction's 23); OpenGL ES 3.0, 2.1.3 leaves the rounding to the driver
 //? farol_roundToHalf(vec2(0.3333, -0.3333)) == vec2(0.33325195, -0.33325195)
 //? farol_roundToHalf(vec2(1.0, 0.0)) == vec2(1.0, 0.0)

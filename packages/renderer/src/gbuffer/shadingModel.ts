@@ -29,8 +29,8 @@ export function isPlainOpaque(material: Material): boolean {
 }
 
 /**
- * True for an opaque material whose picture depends on what opaque things were drawn before it, or that changes what may be
- * drawn after it otherwise than by being in front of it: it must be drawn in three's order.
+ * True for an opaque material that must be drawn in three's order: its picture depends on things drawn before, or it
+ * affects things drawn after otherwise than by its depth.
  */
 export function isOrderSensitive(material: Material): boolean {
   return (

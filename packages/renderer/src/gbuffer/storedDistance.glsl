@@ -6,7 +6,7 @@
 //? farol_unpackDistance(farol_packDistance(-123.4, true), true) == -123.4
 vec2 farol_packDistance(const in float distanceVS, const in bool orthographic) {
   if (orthographic) {
-    // not by packHalf2x16: a driver may leave out that it is packed and unpacked
+    // not by packHalf2x16: a driver may drop packing and unpacking, and so the rounding
     float high = farol_roundToHalf(vec2(distanceVS)).x;
     return farol_roundToHalf(vec2(high, distanceVS - high));
   }

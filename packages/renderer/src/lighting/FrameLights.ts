@@ -3,7 +3,9 @@ import type { Frame } from '../frame/Frame';
 import { FrameUniforms } from '../frame/FrameUniforms';
 import type { LightFinder } from '../frame/LightFinder';
 import type { LightLayers } from '../lazy/shadows/LightLayers';
+import type { ShadowedLights } from '../lights/classifyLight';
 import { type LightOrder, LightTable } from './LightTable';
+import { shadowedLights } from './shadowedLights';
 
 /** Settings of a FarolRenderer that lights depend on. */
 export interface LightSettings {
@@ -17,7 +19,7 @@ export interface LightSettings {
 export class FrameLights {
   readonly table = new LightTable();
   readonly uniforms = new FrameUniforms(this.table);
-  private readonly masks = { shadows: false, layers: null as LightLayers | null };
+  private readonly masks = { shadows: 'none' as ShadowedLights, layers: null as LightLayers | null };
 
   /**
    * Brings the lights of a frame up to date.
@@ -29,7 +31,7 @@ export class FrameLights {
     const { webgl } = settings;
     const { shadows } = finder;
     const layers = shadows?.layers ?? null;
-    masks.shadows = webgl.shadowMap.enabled;
+    masks.shadows = shadowedLights(webgl);
     masks.layers = layers;
     layers?.begin(scene, settings.lightLayers);
     table.collect(finder.found.all, frame.camera, masks);

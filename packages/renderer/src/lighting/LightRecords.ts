@@ -82,7 +82,7 @@ export class LightRecords {
 
   /**
    * Writes the record of a point or spot light whose centre (view space, m) is given.
-   * @returns whether it is that of a plain point light
+   * @returns whether the record is that of a plain point light
    */
   writeLocal(record: number, light: Light, x: number, y: number, z: number, view: Matrix4): boolean {
     const { table } = this;
@@ -109,7 +109,7 @@ export class LightRecords {
     return plain;
   }
 
-  /** Writes the extension record, if the light needs one, and leaves in `colour` what to put in place of its colour. */
+  /** Writes the extension record, if the light needs one, and leaves in `colour` the colour for the light's own record. */
   private writeExtension(light: Light): number {
     const data = (light.userData.farol as FarolLightData | undefined) ?? NO_DATA;
     const { specular, ambient, attenuation } = data;
@@ -151,7 +151,7 @@ export class LightRecords {
   }
 }
 
-/** Infinity as a number that shaders can subtract from itself, 0 for what is no number. */
+/** Infinity as a finite number, whose difference from itself is 0 and not NaN; NaN as 0. */
 function finite(value: number): number {
   return Math.max(-1e30, Math.min(1e30, value || 0));
 }

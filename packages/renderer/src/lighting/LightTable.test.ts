@@ -6,9 +6,9 @@ import { LightTable } from './LightTable';
 
 const camera = new PerspectiveCamera(60, 1, 0.1, 100);
 camera.updateMatrixWorld();
-const settings = { shadows: true, layers: null };
+const settings = { shadows: 'all', layers: null } as const;
 const size = { width: 64, height: 64 };
-/** No light of theirs has a mask: variance shadow maps know no point lights. */
+/** As while the code that masks a light is not there. */
 const without: LightMasks = { records: 0, recordOf: () => -1, write: () => {} };
 
 describe('the light table', () => {

@@ -15,18 +15,18 @@ const QUAD = 128;
 const position = new Vector3();
 
 /**
- * How the lights with a range lie in the table: spheres before cones, near to far by their centres, or by the ranks of the
- * light grid, which is then made.
+ * How the lights with a range lie in the table: spheres before cones, near to far by their centres, or by the ranks of
+ * the light grid, which is then made.
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
 
 /**
  * The visible lights of a frame as one float texture, in view space, a record each, in runs: directional, local without a
- * range, local with a range, the last in a `LightOrder`. No limit but the texture's size (RECORDS_PER_ROW × MAX_TEXTURE_SIZE
- * records).
+ * range, local with a range, the last in a `LightOrder`. No limit but the texture's size (RECORDS_PER_ROW ×
+ * MAX_TEXTURE_SIZE records).
  *
- * A light has three names: the `Light` of three's, its place in `boundeds`, and its record; `rank` leads from the record of a
- * light with a range to its place.
+ * A light has three names: the `Light` of three's, its place in `boundeds`, and its record; `rank` leads from the
+ * record of a light with a range to its place.
  */
 export class LightTable extends VisibleLights {
   readonly table = new DataTable(RECORDS_PER_ROW * TEXELS_PER_RECORD);

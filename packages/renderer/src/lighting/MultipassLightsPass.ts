@@ -31,8 +31,8 @@ const NO_MARK = new Int32Array(1);
 /**
  * Multipass lighting: ambient, environment and emissive once, then each light added by a draw of its own over the objects
  * that its range reaches, inside the rectangle that its volume covers on screen.
- * Sums in 32-bit float where the device blends it (EXT_float_blend), else, and where the host's target is multisampled and
- * so this one too, in half float.
+ * Sums in 32-bit floats where the device blends them (EXT_float_blend) and the host's target has one sample; else in half
+ * floats.
  * @see thesis 2.2.1.3 and 3.2.3.1
  */
 export class MultipassLightsPass implements Pass {
@@ -47,7 +47,7 @@ export class MultipassLightsPass implements Pass {
   /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */
   private spheres = new Float64Array(256);
   private slot: 0 | 1 = 0;
-  /** Objects whose additive program is there, with the material it is for. */
+  /** Objects whose additive program is linked, with the material that the program is for. */
   private readonly compiled = new WeakMap<Object3D, Material>();
 
   get bytes(): number {
@@ -96,10 +96,10 @@ export class MultipassLightsPass implements Pass {
     state.setScissorTest(false);
   }
 
-  /** True if what the output does to all pixels, tone mapping and fog after encoding, three does to the material. */
+  /** True for a material that three would tone map and fog as the output pass does all pixels. */
   private sums(material: Material, frame: Frame): boolean {
     if (this.fogged) return true;
-    // the output knows how far a pixel is by its depth alone
+    // the output pass fogs by depth, which is too coarse here
     if (frame.storesDistance && frame.scene.fog) return false;
     if (!material.toneMapped && frame.webgl.toneMapping !== NoToneMapping) return false;
     return (material as Material & { fog?: boolean }).fog !== false || !frame.scene.fog;
@@ -162,7 +162,7 @@ export class MultipassLightsPass implements Pass {
     let drawn = false;
     const { spheres, items } = this;
     const b = bounded * 4;
-    // of surfaces of several objects at one depth the last is seen: it comes first, and the mark keeps the others out
+    // last object first: of surfaces at one depth the last shows, and the light's mark keeps it from the others
     for (let i = items.length - 1; i >= 0; i--) {
       if (bounded >= 0 && spheres[i * 4 + 3] !== Infinity) {
         const { bounds, axes } = lights;
@@ -193,11 +193,11 @@ export class MultipassLightsPass implements Pass {
       frame.drawTwin(items[i], kind);
       drawn = true;
     }
-    // a light that reaches nothing leaves the twin drawn last as it was
+    // where nothing was drawn, the twin drawn last is another still
     if (drawn) this.turn();
   }
 
-  /** Puts the light's rectangle into `scissor`; false if it covers nothing. */
+  /** Puts the rectangle of a light into `scissor`. @returns false if it covers no pixel */
   private setScissor(frame: Frame, k: number): boolean {
     const { bounds } = frame.lights;
     const { camera, width, height } = frame;
@@ -249,7 +249,7 @@ export class MultipassLightsPass implements Pass {
   }
 }
 
-/** The sphere that three culls the object by, in its own space. */
+/** The sphere that three culls an object by, in the object's space. */
 function boundingSphereOf(object: Object3D, geometry: BufferGeometry): Sphere | null {
   const own = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere;
   return own ?? geometry.boundingSphere;

@@ -7,9 +7,9 @@ struct FarolLight {
   vec3 direction; // to the light, view space, unit length
   vec3 color; // irradiance of a surface that faces the light
   float distance; // to the light (m), 0 for a directional light
-  float attenuation; // what the colour was multiplied by
+  float attenuation; // factor of the colour, with distance and angle
   int extension; // record of the extension, 0 when there is none
-  int mask; // record of its shadow and cookie, 0 when there is none
+  int mask; // record of the mask (shadow map, cookie, layers), 0 when there is none
 };
 
 // exponent: of the thesis's spot light, -1 for three's penumbra

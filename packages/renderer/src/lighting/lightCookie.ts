@@ -1,8 +1,8 @@
 import type { CubeTexture, Light, PointLight, SpotLight, Texture } from 'three';
 
 /**
- * The image that a light with a cookie (`hasCookie`) throws: a spot light's own `map`, a point light's cube texture as `setLightCookie` gave it.
- * Null for none.
+ * The image that a light with a cookie (`hasCookie`) throws: a spot light's own `map`, a point light's cube texture as
+ * `setLightCookie` gave it. Null for none.
  */
 export function cookieOf(light: Light): Texture | null {
   const spot = light as SpotLight;

@@ -34,7 +34,7 @@ describe.each([
       () => {
         shift = shift > 0 ? -0.01 : 0.01;
         for (const { matrixWorld } of lights) matrixWorld.elements[12] += shift;
-        table.collect(lights, camera, { shadows: false, layers: null });
+        table.collect(lights, camera, { shadows: 'none', layers: null });
         table.write(camera, order, size);
       },
       { time: 1500, warmupTime: 500 },

@@ -26,7 +26,7 @@ export function baseTwin(view: View, fogged: boolean): TwinKind {
   return view === 'final' || view === 'grid' ? (fogged ? base : baseUnfogged) : baseDark;
 }
 
-/** What the light being drawn leaves in the stencil, 1 to 255: of surfaces at one depth, it is added to one alone. */
+/** Stencil value of the light being drawn, 1 to 255: of several surfaces at one depth, the light is added to one. */
 export const lightMark = { value: 1 };
 
 const ADDITIVE = {
@@ -59,7 +59,7 @@ const ENVIRONMENT = `#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_CUBE ) &&
 #endif`;
 
 function onlyThisLight(text: string): string {
-  // fog fades this light's part; its colour came with the base pass
+  // fog fades this light's part; the colour of the fog came with the base pass
   const fog = replacePart(ShaderChunk.fog_fragment, 'fogColor', 'vec3(0.0)');
   let own = replaceChunk(text, 'lights_fragment_end', () => 'totalEmissiveRadiance = vec3(0.0);');
   // toon has none

@@ -20,6 +20,13 @@ describe('the getters of a record', () => {
     ]);
   });
 
+  it('go on in the next record', () => {
+    const layout = Object.fromEntries([0, 1, 2, 3, 4].map((i) => [`t${i}`, { [`v${i}`]: 'x' }]));
+    expect(recordGetters('mask', layout)).toContain(
+      'float farol_maskV4(int record) { return farol_lightTexel(record + 1, 0).x; }',
+    );
+  });
+
   it('lie where TypeScript writes, in one record', () => {
     expect(texelOffsets(lightRecord)).toEqual({ sphere: 0, emission: 4, cone: 8, details: 12 });
     for (const [offsets, layout] of [[LIGHT, lightRecord] as const, [EXTENSION, extensionRecord] as const]) {

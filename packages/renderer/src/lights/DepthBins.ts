@@ -5,14 +5,17 @@ export const BINS = 1024;
 export const NO_LIGHT = 0xffffffff;
 /** Buckets of the sort by depth. */
 const KEYS = 4096;
-/** Widens the range of each light (bins), for depths that a GPU has rounded. */
+/** Added to the range of each light at both ends (bins): a GPU rounds depths. */
 const MARGIN = 1 / 32;
 /** Least range of depths that is cut into bins (units of the last place). */
 const LEAST_RANGE = 1 << 20;
-/** Most lights that are put before the bins. */
+/** Most deep lights. */
 const MOST_DEEP = 128;
 const EXTENTS = 256;
-/** Lights that are read at once, and how many times more such pages than for like lights make deep lights worth a try. */
+/**
+ * Lights of a page, which shaders read at once. Deep lights are tried from LONG times the pages a depth of like lights
+ * on.
+ */
 const PAGE = 128;
 const LONG = 1.5;
 
@@ -21,15 +24,15 @@ const LONG = 1.5;
  * The first and the last bin have no lights. Bins widen with depth: with the bits of a float as an integer, which grow as
  * its logarithm does, `bin = clamp(int(float(floatBitsToInt(max(depth + shift, 0.0)) - start) * scale), 0, 1023)`.
  *
- * Lights that reach over far more others than most do come first of all: they are in no bin and count for every depth.
- * Else they would widen each bin they touch, and so all that is shaded there.
+ * Deep lights, which reach over far more other lights than most do, have the first ranks: they are in no bin and count
+ * for every depth. In bins they would widen the range of each bin that they touch.
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
  */
 export class DepthBins {
   shift = 0;
   start = 0;
   scale = 0;
-  /** First rank | last rank << 16; first above last where there is none. */
+  /** Of each bin: first rank | last rank << 16; first above last in a bin without lights. */
   readonly bins = new Uint32Array(BINS);
   /** Rank to light of `GridLights`; NO_LIGHT for the ranks that fill the last word of deep lights. */
   order = new Uint32Array(0);
@@ -73,7 +76,7 @@ export class DepthBins {
   }
 
   private setScale(nearest: number, farthest: number, perspective: boolean): void {
-    // an orthographic range is moved to where it is one octave
+    // orthographic: the range of depths is shifted to where it spans one octave
     const size = Math.max(farthest - nearest, 0.01 * Math.max(Math.abs(nearest), Math.abs(farthest)), 1e-6);
     this.shift = perspective ? 0 : Math.fround(size - nearest);
     const start = floatBits(nearest + this.shift);
@@ -98,7 +101,7 @@ export class DepthBins {
     for (let bin = 0; bin < BINS; bin++) before[bin + 1] += before[bin];
   }
 
-  /** Sorts by counting: lights of more than an extent, then the others by the middle of their depth. */
+  /** Sorts by counting: deep lights, of an extent above `limit`, then the others by the middle of their depths. */
   private rank(count: number, limit: number): void {
     const { keys, starts, order } = this;
     starts.fill(0);
@@ -118,7 +121,7 @@ export class DepthBins {
     }
   }
 
-  /** How many lights have their middle between the ends of this one. */
+  /** Extent of a light: how many lights have the middle of their depths between its nearest and farthest depth. */
   private extent(i: number): number {
     return this.before[this.last[i] + 1] - this.before[this.first[i]];
   }
@@ -136,7 +139,7 @@ export class DepthBins {
     return sum / count;
   }
 
-  /** The extent above which lights are deep: twice the mean, or so much more that at most MOST_DEEP are. */
+  /** The extent above which lights are deep: twice the mean, or more where else more than MOST_DEEP were deep. */
   private deepLimit(count: number, mean: number): number {
     let step = EXTENTS;
     for (let deep = 0; step > 0; step--) {
@@ -151,7 +154,7 @@ export class DepthBins {
     const { bins, order, next, first, last, count } = this;
     const start = this.deepWords * 32;
     bins.fill(0xffff);
-    // each bin is set once: `next` leads over those that are
+    // each bin is set once: `next` leads over the bins that are set
     for (let bin = 0; bin <= BINS; bin++) next[bin] = bin;
     for (let rank = start; rank < count; rank++) {
       const end = last[order[rank]];
@@ -182,7 +185,7 @@ function floatBits(value: number): number {
   return bits[0];
 }
 
-/** First bin from this one on that is not set, halving the path on the way. */
+/** First bin at or after `bin` that is not set; halves the paths in `next` on the way. */
 function follow(next: Uint16Array, bin: number): number {
   let at = bin;
   while (next[at] !== at) {

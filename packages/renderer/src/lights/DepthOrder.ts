@@ -1,5 +1,5 @@
 /**
- * Sorts lights near to far. Without allocation while it does not grow; radix sort of 16-bit depths, twice 8 bits, so that
+ * Sorts lights near to far. Allocates only to grow; radix sort of 16-bit depths, twice 8 bits, so that
  * lights of equal depth keep their order.
  */
 export class DepthOrder {

@@ -1,10 +1,10 @@
 import type { Light, PointLight, SpotLight } from 'three';
 
-/** Keeps lights out that have a value which is not a finite number: they would make every pixel NaN. */
+/** Finds lights with a value that is not a finite number: they would make every pixel NaN. */
 export class FiniteLights {
   private readonly warned = new WeakSet<Light>();
 
-  /** True if it can be lit by; else warns, once for each light. */
+  /** True if all values of a light are finite; else warns, once for each light. */
   check(light: Light): boolean {
     const e = light.matrixWorld.elements;
     const l = light as PointLight & SpotLight;

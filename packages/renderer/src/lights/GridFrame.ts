@@ -4,7 +4,7 @@ export class GridFrame {
   tilesY = 0;
   /** True where a slope is lateral / depth; false (orthographic) where it is the lateral distance itself. */
   perspective = true;
-  /** Above 0; a projection that mirrors mirrors positions instead: `signX`, `signY`. */
+  /** Above 0; where the projection mirrors, `signX` or `signY` is -1 and positions are mirrored. */
   scaleX = 1;
   scaleY = 1;
   offsetX = 0;

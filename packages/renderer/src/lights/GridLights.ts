@@ -24,8 +24,8 @@ export class GridLights {
   /** Place of each in the caller's list. */
   index = new Uint32Array(0);
   /**
-   * x, y, depth, radius of a sphere round it (m); its rectangle: left, right (tiles), bottom, top (slopes); nearest
-   * and farthest depth (m) between near and far plane.
+   * Of each light: x, y, depth, radius of a sphere round it (m); its rectangle: left, right (tiles), bottom, top
+   * (slopes); nearest and farthest depth (m) between near and far plane.
    */
   shapes = new Float64Array(0);
   /** First column, last column, first row, last row. */
@@ -79,7 +79,7 @@ export class GridLights {
     this.add(i, sphere[0], sphere[1], -sphere[2], sphere[3], nearest, farthest, frame);
   }
 
-  /** Adds a sphere, of which only what is inside `rectangle` and between two depths counts. */
+  /** Adds the part of a sphere that is inside `rectangle` and between the depths `first` and `last` (m). */
   private add(
     i: number,
     centreX: number,
@@ -95,7 +95,7 @@ export class GridLights {
     let depth = centreDepth;
     let radius = wholeRadius;
     if (!(depth >= near && depth <= far)) {
-      // the part beyond a plane that leaves less than half is within a sphere round its disc on the plane
+      // less than half of the sphere is within near and far plane: a sphere round its disc on the plane holds that part
       depth = depth < near ? near : far;
       radius = halfChord(depth - centreDepth, radius);
     }

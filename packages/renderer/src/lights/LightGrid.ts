@@ -19,9 +19,9 @@ export const MOST_LIGHTS = 65_504;
  *
  *     lights of a pixel = bits of its tile's mask, at ranks from first to last of its depth's bin, and at deep ranks
  *
- * A tile knows nothing of depth and a bin nothing of the picture: memory grows with their sum, not with their product as that
- * of clusters does. Lights that reach over far more depths than most are deep: in no bin, they count for every depth.
- * No light that reaches a point is ever missing there; no list can overflow; nothing is allocated but to grow.
+ * A tile knows nothing of depth and a bin nothing of the picture: memory grows with their sum, not with their product
+ * as that of clusters does. Lights that reach over far more depths than most are deep: in no bin, they count for every
+ * depth. No light that reaches a point is ever missing there; no list can overflow; nothing is allocated but to grow.
  *
  * Steps of an update: `GridLights` (where each light is on screen), `DepthBins` (ranks and bins), `TileMasks` (bits).
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
@@ -56,8 +56,8 @@ export class LightGrid {
   }
 
   /**
-   * Word `w` of tile `(x, y)` at `((w >> 2) * tilesY * tilesX + y * tilesX + x) * 4 + (w & 3)`: a row of RGBA32UI texels is a
-   * row of tiles, four words a texel. Only the first `tilesX * tilesY * words`; longer than that as a rule.
+   * Word `w` of tile `(x, y)` at `((w >> 2) * tilesY * tilesX + y * tilesX + x) * 4 + (w & 3)`: a row of RGBA32UI
+   * texels is a row of tiles, four words a texel. Only the first `tilesX * tilesY * words`; longer than that as a rule.
    */
   get masks(): Uint32Array {
     return this.tileMasks.masks;

@@ -5,7 +5,7 @@ import { type GridLights, MARGIN, SHAPE, TILES } from './GridLights';
 /** Lights and words of a page. */
 const PAGE_LIGHTS = 128;
 const PAGE_WORDS = 4;
-/** Tiles that a page's lights must cover, per tile of the picture, for spans to be written by their ends. */
+/** Lights a tile (mean over the picture) from which on a page's spans are written by their ends, then filled. */
 const TOGGLE_FROM = 6;
 
 /**
@@ -57,7 +57,7 @@ export class TileMasks {
     if (toggle) this.spread(base, pageSize, frame.tilesX * PAGE_WORDS);
   }
 
-  /** Marks, row by row, the columns that the outline of a sphere spans in it. */
+  /** Marks, row by row, the columns that the outline of a sphere spans. */
   private markOutline(
     lights: GridLights,
     light: number,

@@ -19,14 +19,14 @@ const planes = new Float64Array(24);
 const coneSphere = new Float64Array(4);
 
 /**
- * The lights of a frame by class, in view space: those that have a value which is no number, give no light, or reach nothing
- * that the camera sees are left out. Arrays grow to what is needed and are kept.
+ * The lights of a frame by class, in view space: those that have a value which is no number, give no light, or reach
+ * nothing that the camera sees are left out. Arrays grow to what is needed and are kept.
  */
 export class VisibleLights {
   readonly directionals: DirectionalLight[] = [];
   readonly unboundeds: Light[] = [];
   readonly boundeds: Light[] = [];
-  /** Those of them that may have a mask. */
+  /** Lights of these three lists that may have a mask. */
   readonly masked: Light[] = [];
   /** Of each of `boundeds`: view-space sphere [x, y, z, r] (m), r its range. */
   bounds = new Float64Array(64);

@@ -11,7 +11,7 @@ import {
   Texture,
 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { classifyLight, hasCookie, isManagedLight, mayBeMasked } from './classifyLight';
+import { classifyLight, hasCookie, hasShadowMap, isManagedLight, mayBeMasked } from './classifyLight';
 import type { FarolLightData } from './FarolLightData';
 import { VisibleLights } from './VisibleLights';
 
@@ -20,7 +20,7 @@ function withData<L extends Light>(light: L, farol: FarolLightData): L {
   return light;
 }
 
-const nothing = { shadows: false, layers: null };
+const nothing = { shadows: 'none', layers: null } as const;
 
 describe('the class of a light', () => {
   const nearFar = { attenuation: { kind: 'near-far', near: 1, far: 2 } } as const;
@@ -52,7 +52,13 @@ describe('the class of a light', () => {
     expect(isManagedLight(spot, { shadows: false, cookies: true, all: false })).toBe(false);
     point.castShadow = true;
     expect(mayBeMasked(point, nothing)).toBe(false);
-    expect(mayBeMasked(point, { ...nothing, shadows: true })).toBe(true);
+    expect(mayBeMasked(point, { ...nothing, shadows: 'all' })).toBe(true);
+    expect(mayBeMasked(point, { ...nothing, shadows: 'all-but-points' })).toBe(false);
+    expect(hasShadowMap(point, 'all')).toBe(true);
+    expect(hasShadowMap(new PointLight(), 'all')).toBe(false);
+    spot.map = null;
+    spot.castShadow = true;
+    expect(mayBeMasked(spot, { ...nothing, shadows: 'all-but-points' })).toBe(true);
     expect(mayBeMasked(new DirectionalLight(), { ...nothing, layers: { separates: () => true } })).toBe(true);
   });
 });
@@ -78,7 +84,7 @@ describe('the visible lights of a frame', () => {
     const sun = new DirectionalLight();
     const out = [at(new PointLight(0xffffff, 1, 5), 0, 0, 50), at(new PointLight(0x000000, 1, 5), 0, 0, -10)];
     const all = [point, extended, spot, shadowed, endless, sun, ...out, new AmbientLight()];
-    for (let i = 0; i < 2; i++) lights.collect(all, camera, { shadows: true, layers: null });
+    for (let i = 0; i < 2; i++) lights.collect(all, camera, { shadows: 'all', layers: null });
     expect(lights.boundeds).toEqual([point, extended, spot, shadowed]);
     expect([lights.directionals, lights.unboundeds, lights.masked]).toEqual([[sun], [endless], [shadowed]]);
     expect([lights.spheres, lights.cones, lights.total, lights.visible]).toEqual([3, 1, 9, 7]);

@@ -62,15 +62,23 @@ export function isManagedLight(light: Light, left: LeftToThree): boolean {
   return !(left.shadows && light.castShadow) && !(left.cookies && isSpotLight === true && hasCookie(light));
 }
 
+/** Which of the lights that cast shadows have shadow maps; variance shadow maps know no point lights. */
+export type ShadowedLights = 'none' | 'all' | 'all-but-points';
+
+/** True for a light that has a shadow map. */
+export function hasShadowMap(light: Light, shadowed: ShadowedLights): boolean {
+  if (!light.castShadow || shadowed === 'none') return false;
+  return shadowed === 'all' || (light as AnyLight).isPointLight !== true;
+}
+
 /** What lights of a frame may be masked by. */
 export interface MaskSettings {
-  /** Whether lights that cast shadows have shadow maps. */
-  readonly shadows: boolean;
+  readonly shadows: ShadowedLights;
   /** Which lights do not reach all objects; null for none. */
   readonly layers: { separates(light: Light): boolean } | null;
 }
 
 /** True for a directional, point or spot light of which a shadow map, an image or layers may take something. */
 export function mayBeMasked(light: Light, masks: MaskSettings): boolean {
-  return (light.castShadow && masks.shadows) || hasCookie(light) || masks.layers?.separates(light) === true;
+  return hasShadowMap(light, masks.shadows) || hasCookie(light) || masks.layers?.separates(light) === true;
 }

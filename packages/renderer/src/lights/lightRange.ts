@@ -1,10 +1,10 @@
 import type { PointLight } from 'three';
 import type { FarolLightData } from './FarolLightData';
 
-/** A range as wide shows nowhere, and its square is about the largest number of 32 bits (m). */
+/** From here on (m) a range counts as none: its end shows nowhere, and its square exceeds 32-bit floats soon after. */
 const ENDLESS = 1e18;
 
-/** Distance from which the light gives exactly nothing (m); 0 when there is none, as for a range that is not above 0. */
+/** Distance from which on a light gives exactly nothing (m); 0 for a light without a range. */
 export function lightRange(light: PointLight): number {
   const attenuation = (light.userData.farol as FarolLightData | undefined)?.attenuation;
   let range = light.distance;
@@ -12,7 +12,7 @@ export function lightRange(light: PointLight): number {
   return rangeOf(range);
 }
 
-/** A distance as three's lights have it: 0 when it is no limit. */
+/** Range (m) of a `distance` of three's lights; 0 for a distance that is no limit. */
 export function rangeOf(distance: number): number {
   return distance > 0 && distance < ENDLESS ? distance : 0;
 }

@@ -1,9 +1,9 @@
 import { texelOffsets, type RecordLayout } from './recordLayout';
 
 /**
- * The light table: a texture of RGBA32F texels, `TEXELS_PER_RECORD` a record, `RECORDS_PER_ROW` records a row. A light is one
- * record; what few lights need lies in records of their own, behind all lights: a mask (`masks/maskRecord.ts`: the light's
- * shadow map and cookie) and an extension (what only a light of the thesis has).
+ * The light table: a texture of RGBA32F texels, `TEXELS_PER_RECORD` a record, `RECORDS_PER_ROW` records a row. A light
+ * is one record; what few lights need lies in records of their own, behind all lights: a mask (`masks/maskRecord.ts`:
+ * the light's shadow map and cookie) and an extension (what only a light of the thesis has).
  *
  * Offsets for TypeScript and getters for GLSL (microshader `lightRecord`) are made from the tables below.
  */

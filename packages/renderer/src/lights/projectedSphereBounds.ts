@@ -4,7 +4,8 @@ import { halfChord, slopeBounds } from './slopeBounds';
 const bounds = new Float64Array(4);
 
 /**
- * The rectangle of a sphere on screen, of the part of it between near and far plane; exact, with the camera inside it too.
+ * The rectangle on screen of the part of a sphere between near and far plane; exact, also with the camera inside the
+ * sphere.
  * @param x centre in view space (m), with y and z
  * @param radius (m), 0 to Infinity
  * @param projection 16 elements, column-major: perspective (also off-centre, also without far plane) or orthographic
@@ -26,7 +27,7 @@ export function projectedSphereBounds(
   if (!(radius - z >= near && -z - radius <= far)) return false;
   let left: number, right: number, bottom: number, top: number;
   if (m[11] === 0) {
-    // a plane that the centre is beyond leaves less than half of it
+    // with the centre beyond near or far plane, less than half of the sphere is left: no wider than its disc on the plane
     const reach = halfChord(-z < near ? near + z : Math.max(0, -z - far), radius);
     left = (x - reach) * m[0] + m[12];
     right = (x + reach) * m[0] + m[12];

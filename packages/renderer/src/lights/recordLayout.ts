@@ -1,6 +1,6 @@
 /**
- * What the four numbers of a texel mean, by name: which of them a value is (`'xyz'`), or its type in GLSL and an expression
- * in which `t` is the texel.
+ * What the four numbers of a texel mean, by name: which of them a value is (`'xyz'`), or its type in GLSL and an
+ * expression in which `t` is the texel.
  */
 export type TexelValues = Readonly<Record<string, string | readonly [type: string, expression: string]>>;
 

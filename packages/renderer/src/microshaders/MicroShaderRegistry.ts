@@ -12,7 +12,7 @@ export interface MicroShaderRegistryOptions<Program> {
   compiler?: MicroShaderCompiler<Program>;
 }
 
-/** Gets the names of the replaced chunk and of all that depend on it. */
+/** Gets the names of a replaced chunk and of all chunks that depend on it. */
 export type MicroShaderListener = (names: readonly string[]) => void;
 
 /**
@@ -25,11 +25,11 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   private readonly shaders: ShaderCache<Program>;
   private readonly listeners = new Set<MicroShaderListener>();
   private readonly checks = new Set<MicroShaderListener>();
-  /** What `replace` put others in the place of (undefined: the parent's), and what `swap` put in, by name. */
+  /** By name: the chunks that `replace` put others in the place of (undefined: the parent's), and those that `swap` put in. */
   private readonly edited = new Map<string, MicroShader | undefined>();
   private readonly swapped = new Map<string, MicroShader>();
   private replacements = 0;
-  /** Chunk to the number of its last replacement, its own and with its dependencies. */
+  /** By chunk: the number of its own last replacement; of the last one among it and its dependencies. */
   private readonly replacedAt = new Map<string, number>();
   private readonly revisions = new Map<string, number>();
   private readonly textKeys = new WeakMap<readonly string[], { revision: number; key: string }>();
@@ -148,7 +148,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return known || xmlUrl === undefined ? shader() : this.loadXMLFile(xmlUrl).then(shader);
   }
 
-  /** A chunk as the parent has it, whatever replaces it here; undefined when the parent has none of the name. */
+  /** The parent's chunk of a name, whatever replaces it here; undefined when the parent has none. */
   original(name: string): MicroShader | undefined {
     return this.parent?.get(name);
   }
@@ -190,8 +190,8 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Puts the content of another chunk, known to be good, in the place of one, unless that is edited: then once the edit is
-   * taken back. What is drawn with it compiles anew when it is next drawn. No check runs.
+   * Puts the content of another chunk, known to be good, in the place of a chunk; of an edited one, once the edit is taken
+   * back. Programs that use the chunk compile anew when next drawn with. No check runs.
    */
   swap(name: string, other: string | MicroShader): void {
     const content = typeof other === 'string' ? this.get(other) : other;
@@ -214,8 +214,8 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * A key that differs between registries, too, where the texts of these chunks do: programs of one WebGLRenderer are shared
-   * by key. Empty while none of the chunks is replaced.
+   * A key of the texts of these chunks, empty while none of them is replaced. Registries that share a WebGLRenderer, which
+   * shares programs by key, get different keys for different texts.
    */
   textKey(names: readonly string[]): string {
     const revision = this.revision(names);
@@ -228,7 +228,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return known.key;
   }
 
-  /** Calls back after each replacement. @returns call it to end that */
+  /** Calls back after each replacement. @returns function that ends the calls */
   onChange(listener: MicroShaderListener): () => void {
     this.listeners.add(listener);
     return () => void this.listeners.delete(listener);
@@ -236,7 +236,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
 
   /**
    * Calls back before each replacement takes effect, when `header` and `compose` give the new text already: a check that
-   * throws (it cannot compile what it made of them) prevents the replacement. @returns call it to end that
+   * throws (its program does not compile) prevents the replacement. @returns function that ends the calls
    */
   addCheck(check: MicroShaderListener): () => void {
     this.checks.add(check);
@@ -287,10 +287,10 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return revision;
   }
 
-  /** The names and all they depend on, unknown ones and cycles included. */
+  /** The names and those of all dependencies, unknown ones and cycles included. */
   private withDependencies(names: readonly string[]): Set<string> {
     const all = new Set(names);
-    // a set goes on to what is added while it is walked
+    // iteration of a set goes on to names added meanwhile
     for (const name of all) for (const dependency of this.get(name)?.dependencies ?? []) all.add(dependency);
     return all;
   }

@@ -1,4 +1,4 @@
-/** What a compiler gets: whole sources, composed of microshaders, without `#version`. */
+/** Whole sources for a compiler, composed of microshaders, without `#version`. */
 export interface ShaderSource {
   readonly name: string;
   readonly vertexShader: string;

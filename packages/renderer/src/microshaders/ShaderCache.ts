@@ -8,9 +8,9 @@ type Compose = (
 
 /** Shaders compiled anew, not yet in use. */
 export interface Recompiled {
-  /** Puts them in use and frees the programs before them. */
+  /** Takes the new programs into use and frees the old ones. */
   commit(): void;
-  /** Frees them. */
+  /** Frees the new programs. */
   drop(): void;
 }
 

@@ -18,7 +18,7 @@ const THREE_INCLUDE = /^[ \t]*#include +<([\w./]+)>/gm;
  */
 export function checkLiveEdit(webgl: WebGLRenderer, registry: MicroShaderRegistry, names: readonly string[]): void {
   const gl = webgl.getContext() as WebGL2RenderingContext;
-  // what was replaced before and is not drawn with yet
+  // chunks that were replaced before, in programs that have not been drawn with since
   const edited = registry.names().filter((name) => registry.get(name) !== registry.original(name));
   const all = [...new Set([...edited, ...names])];
   for (const program of (webgl.info.programs ?? []) as unknown as Program[]) {

@@ -1,11 +1,11 @@
-/** One message of a shader compiler, brought back to the microshader that it is about. */
+/** One message of a shader compiler, with the microshader and line that caused the message. */
 export interface MicroShaderCompileEntry {
   /** Name of the chunk, `three/…` for one of three's; null outside of any. */
   readonly chunk: string | null;
   /** Line in the chunk's file, or in the whole source when there is no chunk; from 1, 0 if unknown. */
   readonly line: number;
   readonly message: string;
-  /** That line, without blanks round it. */
+  /** Text of the line, without blanks round it. */
   readonly text: string;
 }
 

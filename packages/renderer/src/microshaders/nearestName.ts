@@ -1,4 +1,4 @@
-/** The known name that is fewest edits away, if that is near enough to be a slip of the pen. */
+/** The known name that is fewest edits away from a wrong one, if near enough to be a slip of the pen. */
 export function nearestName(name: string, known: Iterable<string>): string | undefined {
   let best: string | undefined;
   let fewest = Math.max(2, name.length / 2);

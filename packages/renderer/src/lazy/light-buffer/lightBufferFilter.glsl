@@ -13,7 +13,7 @@ struct FarolReader {
   vec3 normalVS;
   float object;
   vec2 size; // of the light buffer, texels
-  float reach; // how far off the tangent plane a texel may lie: two texels' width there, m
+  float reach; // how far off the tangent plane a texel may lie: the width of two texels there (m)
   int stride; // 2 for a stippled layer: every second texel
   ivec2 corner; // of the stipple
   ivec2 last; // last place of the stride
@@ -27,7 +27,7 @@ ivec2 farol_texelAt(const in FarolReader reader, const in ivec2 place) {
   return clamp(place, ivec2(0), reader.last) * reader.stride + reader.corner;
 }
 
-// x: how well a texel stands for the surface, 0 (another object or depth) to 1; y: how badly, for lack of a better one
+// x: how well a texel stands for the surface, 0 (another object or depth) to 1; y: its badness, to choose a fallback by
 vec2 farol_agreement(const in FarolReader reader, const in ivec2 texel) {
   vec4 thin = texelFetch(farol_thinSurface, texel, 0);
   vec3 there = farol_thinPosition(texel, reader.size);

@@ -46,7 +46,7 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
     diffuseColor = farol_extensionDiffuse(light.extension);
     specularColor = farol_extensionSpecular(light.extension);
     vec3 ambient = farol_extensionAmbient(light.extension) * light.attenuation;
-    // with F90 below 1 there is no room: the ambient part then loses F0 of itself
+    // with F90 below 1 the rest is in use: the ambient part goes to the diffuse sum, and loses F0 there
     if (lobe.physical && !lobe.splitsDiffuse) sums.rest += ambient;
     else sums.diffuse += ambient;
   }

@@ -4,7 +4,7 @@
 #include "storedDistance"
 #include "unproject"
 uniform highp sampler2D farol_thinSurface;
-uniform highp sampler2D farol_thinDepth; // or, stored, distances
+uniform highp sampler2D farol_thinDepth; // depths, or stored distances (farol_thinStored)
 uniform highp int farol_thinStored; // 0; distances are stored: 1 in perspective, 2 orthographic
 
 // texel of a buffer of the given size

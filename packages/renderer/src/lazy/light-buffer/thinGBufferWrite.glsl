@@ -1,4 +1,4 @@
-// Writes what lights need to know of a lit material of three: normal, specular lobe, object (thinGBufferLayout.ts).
+// Writes a lit material of three into the thin G-buffer: normal, specular lobe, object (thinGBufferLayout.ts).
 // Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5); Cigolle et al. 2014 (normals)
 #include "octahedralNormal"
 #include "roundToHalf"
@@ -15,7 +15,7 @@ varying highp vec2 farol_object; // number of the object; corner of the stipple 
 #define FAROL_WRITE_THIN farol_outDistance = farol_packDistance(vViewPosition.z, isOrthographic); \
   gl_FragColor = vec4(farol_roundToHalf(farol_encodeNormal(normal)), FAROL_LOBE, \
   floor(farol_object.x + 0.5) * (receiveShadow ? 1.0 : -1.0));
-// one texel of each two by two is left to a transparent layer, and nothing of it where it is not seen
+// a transparent layer writes one texel of each two by two, and none where it is not seen
 #define FAROL_STIPPLE { \
   ivec2 farol_corner = ivec2(gl_FragCoord.xy) & 1; \
   if (farol_corner.x + 2 * farol_corner.y != int(farol_object.y + 0.5) || gl_FragColor.a < 0.004) discard; \

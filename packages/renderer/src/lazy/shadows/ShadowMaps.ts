@@ -12,6 +12,8 @@ import type { DataTable } from '../../gpu/DataTable';
 import type { MaskUniforms } from '../../lighting/maskUniforms';
 import { cookieOf } from '../../lighting/lightCookie';
 import type { LightMasks } from '../../lighting/LightRecords';
+import { shadowedLights } from '../../lighting/shadowedLights';
+import { hasShadowMap } from '../../lights/classifyLight';
 import type { PictureSize } from '../../lights/PictureSize';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { ShadowAtlases } from './atlas/ShadowAtlases';
@@ -252,12 +254,8 @@ export class ShadowMaps implements LightMasks {
 
   /** Adds a light of the frame to the slots; one that only keeps to layers needs none. */
   private collect(light: Light, root: Object3D, camera: Camera): void {
-    const { isPointLight, isDirectionalLight } = light as Light & {
-      isPointLight?: boolean;
-      isDirectionalLight?: boolean;
-    };
-    // three has no variance shadow maps of point lights
-    const casts = light.castShadow && this.webgl.shadowMap.enabled && !(this.isVariance && isPointLight === true);
+    const { isDirectionalLight } = light as Light & { isDirectionalLight?: boolean };
+    const casts = hasShadowMap(light, shadowedLights(this.webgl));
     const image = cookieOf(light);
     if (!casts && image === null) {
       this.masks.addLayered(light);

@@ -4,7 +4,7 @@ import { WordTable } from '../../gpu/WordTable';
 import type { LightLists } from './LightLists';
 import type { Pass, Resource } from '../../frame/Pass';
 
-/** What is sent when there are no lights to list: a texture must be bound all the same. */
+/** Sent when there are no lights to list: a texture must be bound all the same. */
 const NO_WORDS = new Uint32Array(4);
 const PLAIN: LightLists = { loop: 'lightLoopClustered', defines: {} };
 const WITH_TILES: LightLists = { loop: 'lightLoopClustered', defines: { FAROL_TILE_SHADOWS: '' } };
@@ -46,7 +46,7 @@ export class LightGridPass implements Pass {
     sizes[1] = grid.tilesY;
     sizes[2] = bounded > 0 ? grid.deepWords : 0;
     sizes[3] = firstBounded;
-    // the start goes as the float whose bits it is, which no float of its value could hold
+    // the start is sent as the float whose bits it is: as a value it would be rounded
     bits[0] = grid.depthStart;
     const depth = uniforms.farol_gridDepth.value;
     depth[0] = grid.depthShift;

@@ -7,7 +7,7 @@ import { TILE_SHIFT } from './tileUniforms';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { wordTarget } from '../../gpu/wordTarget';
 
-/** What a tile's list may know of the depths in it: nothing, nearest and farthest, or also which of 32 slices hold any. */
+/** Depths that lists are cut by: none, a tile's nearest and farthest, or also which of 32 slices between hold surfaces. */
 export type TileDepthUse = 'none' | 'bounds' | 'slices';
 
 /** Texels a row of a list texture; WebGL 2's least MAX_TEXTURE_SIZE. */
@@ -32,8 +32,8 @@ interface Step {
 
 /**
  * Light lists of the screen's tiles, one bit a light, made on the GPU without compute: blocks of 4 × 4 tiles test all
- * lights, tiles test what their block kept, and a summary says which quads of 128 lights are not empty. No cap: a list has
- * room for every light.
+ * lights, tiles test what their block kept, and a summary says which quads of 128 lights are not empty. No cap: a list
+ * has room for every light.
  * @see Olsson and Assarsson 2011, Tiled Shading; Harada 2012, A 2.5D Culling for Forward+
  */
 export class LightTilesPass implements Pass {
@@ -126,7 +126,7 @@ export class LightTilesPass implements Pass {
     own.farol_sceneDepth.value = this.use === 'none' ? null : frame.resources.get('scene-depth');
   }
 
-  /** A list that is not made this frame is bound all the same, so its texture must be there; also after a lost context. */
+  /** A list that is not made in a frame is bound all the same: its texture must exist, also after a lost context. */
   private giveStorage(frame: Frame): void {
     for (const { target } of [this.fine, this.summary]) {
       const { __webglTexture } = frame.webgl.properties.get(target.texture) as { __webglTexture?: WebGLTexture };
@@ -161,7 +161,7 @@ function setSize(target: WebGLRenderTarget, width: number, height: number): void
   if (target.width !== width || target.height !== height) target.setSize(width, height);
 }
 
-/** Gives a target room for so many texels, more than it needs when it grows, and draws to those alone. */
+/** Gives a target room for a number of texels, some more when it grows, and limits drawing to that number. */
 function fit(target: WebGLRenderTarget, texels: number): void {
   const rows = Math.ceil(texels / ROW);
   if (target.width !== ROW || target.height < rows) target.setSize(ROW, Math.ceil(rows * 1.25) + 4);

@@ -18,7 +18,7 @@ int farol_lowestBit(const in uint bits) {
   return (floatBitsToInt(float(bits & (~bits + 1u))) >> 23) - 127;
 }
 
-// the bits of the word of lights start to start + 31 that lie in first to last
+// of a word that stands for lights start to start + 31: the bits of lights first to last
 uint farol_bitsFrom(const in int start, const in int first, const in int last) {
   int low = max(first - start, 0);
   int high = min(last - start, 31);

@@ -7,11 +7,11 @@ uniform vec2 farol_size;
 // bits of nearest and farthest (m), slices, 1 where a pixel is empty
 layout(location = 0) out highp uvec4 farol_tileDepthOut;
 
-// depth: as the blocks have it; steps: of its rounding, to be taken off or added
+// depth: of a block, reversed depth negative; steps: of its rounding, added to it
 float farol_viewDistance(const in float depth, const in float steps) {
   if (farol_depthMode.x > 0.0) return -farol_viewZ(-depth);
   float distanceVS = -farol_viewZ(farol_depthMode.y > 0.0 ? depth : min(depth + steps * 6e-8, 1.0));
-  // or too far for depth to tell
+  // 1e15: too far for depth to tell
   return distanceVS < 1e15 && (distanceVS > 0.0 || farol_perspective == 0.0) ? distanceVS : 1e15;
 }
 //# main

@@ -8,7 +8,7 @@
 uniform highp usampler2D farol_coarseMask;
 uniform highp usampler2D farol_tileDepth;
 uniform vec2 farol_size;
-// distance (m) from which what is drawn may look like nothing, -1e30: depths tell no distances
+// distance (m) from which on surfaces may have the depth of empty pixels; -1e30: depths tell no distances
 uniform highp float farol_beyond;
 layout(location = 0) out highp uvec4 farol_mask;
 
@@ -16,10 +16,10 @@ struct FarolTile {
   vec4 slopes; // x and y of the low sides, then of the high sides, at distance 1 (or everywhere: orthographic)
   vec4 scales; // one over the length of each side's normal
   vec2 range; // nearest and farthest distance (m)
-  vec3 low; // box round what lies between
+  vec3 low; // box round the surfaces, view space; to high
   vec3 high;
   uint slices;
-  float beyond; // from here on (m) there may be more
+  float beyond; // from here on (m) there may be surfaces that depths do not tell
 };
 
 FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
@@ -34,7 +34,7 @@ FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
   t.beyond = 1e38;
 #ifdef FAROL_DEPTH
   uvec4 depths = texelFetch(farol_tileDepth, tile, 0);
-  // a little wider, for the rounding of positions
+  // a little wider: positions are rounded
   t.range = uintBitsToFloat(depths.xy) * vec2(0.9999, 1.0001);
   t.slices = depths.z;
   if (depths.w != 0u || farol_beyond < -1e29) t.beyond = farol_beyond;

@@ -26,8 +26,8 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
 }
 
 #if defined( FAROL_HAS_MASKS ) && defined( FAROL_TILE_SHADOWS )
-// of tiles of 8 pixels, two words of lights a texel: those that light all, those that light none of it; both: that
-// light all, and are point lights of three
+// marks of tiles of 8 pixels, for two words of lights a texel: bits of lights that light all of the tile, and bits of
+// lights that light none of it; both bits: a masked point light that lights all of it
 uniform highp usampler2D farol_tileShadows;
 uniform highp int farol_tileShadowWords; // of a tile; 0 while nothing is known
 
@@ -59,7 +59,7 @@ uvec2 farol_tileMarks(const in int word) {
 #define FAROL_END_LISTED }}
 
 // where lights have masks there may be no plain one; elsewhere the question costs more than it saves (0.3 ms in
-// PERFORMANCE.md: "no loop over plain lights where there are none")
+// docs/performance.md: "no loop over plain lights where there are none")
 bool farol_mayHavePlain() {
 #ifdef FAROL_HAS_MASKS
   return farol_lightCounts.z > farol_lightCounts.w;

@@ -21,7 +21,7 @@
   #define FAROL_SAVE_SHEEN
   #define FAROL_SCALE_SHEEN
 #endif
-// what gets nothing of a light is not shaded; three's toon shading takes derivatives, which all pixels must come by
+// surfaces that a light gives nothing are not shaded, but by three's toon shading: all pixels must take its derivatives
 #if defined( TOON ) && ! defined( FAROL_TOON )
   #define FAROL_IS_LIT(light) true
 #else
@@ -34,7 +34,7 @@
   #define FAROL_DIRECT(light) RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, \
     geometryClearcoatNormal, material, reflectedLight);
 #endif
-// along the normal of the geometry, as three has it from the vertices, a shadow map is looked up some way off
+// shadow maps are looked up some way off along this normal: the geometry's, which three has from the vertices
 #if defined( FAROL_VERTEX_NORMAL ) && !defined( FLAT_SHADED )
   #define FAROL_SHADOW_NORMAL vNormal
 #else

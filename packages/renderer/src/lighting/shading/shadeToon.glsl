@@ -1,8 +1,8 @@
-// three's toon shading in a loop that may differ from pixel to pixel, where derivatives mean nothing: taken before it.
+// three's toon shading in a loop that may differ from pixel to pixel: its derivatives are taken before the loop.
 // three.js r187's gradientmap_pars_fragment; derivatives: OpenGL ES Shading Language 3.00, 8.9
 #include "incidentLight"
 #define FAROL_TOON
-// of the four pixels whose differences dFdx and dFdy are: left, right, below, above
+// normals of the pixels whose differences are dFdx (left, right) and dFdy (below, above)
 vec3 farol_toonNormals[4];
 vec3 farol_toonSteps[4]; // to their positions, from this one's
 

@@ -15,12 +15,12 @@ struct FarolShading {
   float alphaSquared; // physical: alpha²; Blinn-Phong: shininess
   float lambdaV; // of the height-correlated Smith term
   float diffuse0; // 1 - F at normal incidence, of the layer over the diffuse one
-  float diffuse90; // what Schlick's fifth power takes from that
+  float diffuse90; // of diffuse0, lost at grazing angles: times Schlick's fifth power
   vec3 diffuse; // sum of c N·L (1 - F)
   vec3 specular; // sum of c N·L V D
   vec3 grazing; // sum of c N·L V D f, f: Schlick's fifth power
 #ifdef FAROL_VERTEX_NORMAL
-  vec3 shadowNormalVS; // along which shadow maps are looked up some way off
+  vec3 shadowNormalVS; // shadow maps are looked up some way off along it
 #endif
 };
 
@@ -45,14 +45,14 @@ void farol_setPhysical(inout FarolShading s, const in float roughness, const in 
   s.diffuse90 = f90 - f0;
 }
 
-// direction: to the light, unit; colours: what arrives at a surface that faces it
+// direction: to the light, unit length; colours: irradiance of a surface that faces the light
 void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3 diffuseColor,
   const in vec3 specularColor) {
   float dotNLRaw = dot(s.normalVS, direction);
-  if (!(dotNLRaw > 0.0)) return; // nor without a normal
+  if (!(dotNLRaw > 0.0)) return; // also for NaN, of a surface without a normal
   float dotNL = min(dotNLRaw, 1.0);
 #ifdef STANDARD
-  // as three has it: narrow lobes magnify its last bits
+  // in three's order of operations: narrow lobes magnify differences in the last bits
   vec3 halfDirVS = normalize(direction + s.viewDirVS);
   float dotNH = clamp(dot(s.normalVS, halfDirVS), 0.0, 1.0);
   float dotVH = clamp(dot(s.viewDirVS, halfDirVS), 0.0, 1.0);
@@ -81,9 +81,9 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
     specularScale = farol_extensionSpecular(light.extension);
     s.diffuse += farol_extensionAmbient(light.extension) * light.attenuation;
   }
-  if (dot(s.normalVS, light.direction) <= 0.0) return; // masks cost more than the light
+  if (dot(s.normalVS, light.direction) <= 0.0) return; // before the mask, which costs more than the light
 #ifdef FAROL_UNBOUNDED_MASKS
-  // a call of its own, so that nothing has to wait for the shadow before it is needed
+  // farol_addLight is called twice in the text, so that lights without a mask do not wait for a shadow
   if (light.mask > 0) {
     vec3 color = light.color * FAROL_MASK(light.mask, false, light.direction * light.distance, FAROL_LOOKUP_OF(s));
     farol_addLight(s, light.direction, color * diffuseScale, color * specularScale);

@@ -14,7 +14,7 @@ import type { Frame } from '../../frame/Frame';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { PassMaterial } from '../../gpu/PassMaterial';
 
-/** 12 segments, 8 rings, 6 vertices a quad; the same numbers as in lightVolumeSphere.glsl. */
+/** 12 segments, 8 rings, 6 vertices a quad, as lightVolumeSphere.glsl has them. */
 const SPHERE_VERTICES = 576;
 /** 12 segments of a side and a cap, 3 vertices each. */
 const CONE_VERTICES = 72;
@@ -25,7 +25,10 @@ const ADDITIVE = {
   blendSrc: OneFactor,
   blendDst: OneFactor,
 } as const;
-/** Back faces behind the surface: right with the camera inside the volume, and nothing to do where the volume floats before it. */
+/**
+ * Back faces that lie behind the surface: right also with the camera inside; a volume wholly before the surface shades
+ * nothing.
+ */
 const VOLUME = { ...ADDITIVE, side: BackSide, depthTest: true, depthFunc: GreaterEqualDepth } as const;
 
 interface Materials {
@@ -65,7 +68,7 @@ export class LightVolumeDraws {
     const materials = isCountView(frame.view)
       ? (this.counting ??= this.make(frame, true))
       : (this.shading ??= this.make(frame, false));
-    // the volumes' own depth is not logarithmic, or too coarse: then the distance to the light alone says what they reach
+    // volumes are drawn with linear depth: where depths are logarithmic or too coarse, the range alone limits the light
     const depthTest = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance;
     materials.sphere.depthTest = materials.cone.depthTest = depthTest;
     if (lights.directional + lights.unbounded > 0) materials.global.draw(frame);
@@ -119,7 +122,7 @@ export class LightVolumeDraws {
       sphere: volume('light spheres', 'lightVolumeSphere'),
       cone: volume('light cones', 'lightVolumeCone'),
     };
-    // a kind of light that comes later finds its program
+    // so that the first light of a kind need not wait for its program
     materials.global.compile(frame);
     frame.compileMesh(this.spheres, materials.sphere);
     frame.compileMesh(this.cones, materials.cone);

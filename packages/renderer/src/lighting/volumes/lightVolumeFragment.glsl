@@ -1,4 +1,4 @@
-// One light over the pixels of its volume, added up; how a pixel is lit, the chunk before says (volumeLighting).
+// One light over the pixels of its volume, added up; the chunk before (volumeLighting) lights a pixel.
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
 #include "lightTable"
 #include "unproject"

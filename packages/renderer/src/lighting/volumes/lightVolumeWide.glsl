@@ -1,4 +1,4 @@
-// What light volumes do at the ends of the view: too wide to be clipped in 32-bit floats, or beyond the far plane.
+// Light volumes at the ends of the view: too wide to be clipped in 32-bit floats, or beyond the far plane.
 // Farol
 #include "depthMode"
 uniform highp mat4 projectionMatrix;
@@ -11,8 +11,8 @@ bool farol_isTooWide(const in vec4 sphere) {
   return sphere.w > 1e5 * near && -sphere.z - sphere.w * 1.1 < near;
 }
 
-// clip-space z of a vertex: what reaches beyond the far plane lies on it with all vertices, else depths between them
-// would be too near
+// clip-space z of a vertex: all vertices of a volume that reaches beyond the far plane lie on that plane, else depths
+// between vertices would be too near
 float farol_volumeZ(const in vec4 clip, const in vec4 sphere) {
   vec4 end = projectionMatrix * vec4(sphere.xy, sphere.z - sphere.w * 1.1, 1.0);
   bool beyond = farol_depthMode.x > 0.0 ? end.z < 0.0 : end.z > end.w;

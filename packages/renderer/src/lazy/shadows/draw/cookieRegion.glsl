@@ -1,4 +1,4 @@
-// Copies an image that a light throws into its region of the atlas; of a cube (FAROL_CUBE) the six faces, each with a border.
+// Copies an image that a light throws into its region of the atlas; of a cube (FAROL_CUBE) six faces with borders.
 // Farol; the faces lie as farol_cubeFace in lightShadow.glsl has them
 #ifdef FAROL_CUBE
 uniform highp samplerCube farol_cookieImage;

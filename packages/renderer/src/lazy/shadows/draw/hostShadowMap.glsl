@@ -1,11 +1,12 @@
-// Copies a light's region of the shadow atlas into `shadow.map`: depths, and colours as three's MeshDepthMaterial gives them.
+// Copies a light's region of the shadow atlas into `shadow.map`: depths, and colours as of three's MeshDepthMaterial.
 // three.js r187, WebGLShadowMap and ShaderLib.depth
 uniform highp sampler2D farol_hostMapAtlas;
 uniform highp vec4 farol_hostMapRegion; // corner (texels), texels of the region for one of the map
 uniform highp float farol_hostMapFar; // depth where nothing is
 layout(location = 0) out highp vec4 farol_hostMap;
 //# main
-vec4 texel = texelFetch(farol_hostMapAtlas, ivec2(gl_FragCoord.xy * farol_hostMapRegion.zw + farol_hostMapRegion.xy), 0);
+ivec2 at = ivec2(gl_FragCoord.xy * farol_hostMapRegion.zw + farol_hostMapRegion.xy);
+vec4 texel = texelFetch(farol_hostMapAtlas, at, 0);
 #ifdef FAROL_MOMENTS
 farol_hostMap = texel;
 #else

@@ -6,6 +6,7 @@ in vec4 position; // own space of the caster (m), number of the caster
 //# main
 int farol_row = int(position.w) * 3;
 vec4 farol_corner = vec4(position.xyz, 1.0);
-vec3 farol_moved = vec3(dot(farol_casterRows[farol_row], farol_corner), dot(farol_casterRows[farol_row + 1], farol_corner),
+vec3 farol_moved = vec3(dot(farol_casterRows[farol_row], farol_corner),
+  dot(farol_casterRows[farol_row + 1], farol_corner),
   dot(farol_casterRows[farol_row + 2], farol_corner));
 gl_Position = farol_clipFromOrigin * vec4(farol_moved, 1.0);
