@@ -46,7 +46,7 @@ export class LightGridPass implements Pass {
     sizes[1] = grid.tilesY;
     sizes[2] = bounded > 0 ? grid.deepWords : 0;
     sizes[3] = firstBounded;
-    // the start goes as the float whose bits it is, which no float of its value could hold
+    // the start is an integer beyond what floats hold exactly: its bits are sent as those of a float
     bits[0] = grid.depthStart;
     const depth = uniforms.farol_gridDepth.value;
     depth[0] = grid.depthShift;
