@@ -3,9 +3,16 @@ import { defineConfig } from 'vite';
 import { libraryConfig } from '../tools/libraryConfig.mjs';
 
 const source = fileURLToPath(new URL('src/', import.meta.url));
-/** Folders of what the main entry does not need at start: other entries, and what is fetched when it is first needed. */
-const apart = /^(?:adapters|authoring|effects|lazy|microshaders\/xml)\/|^index\.ts$|commented/;
-const isCore = (id: string): boolean => id.startsWith(source) && !apart.test(id.slice(source.length));
+/** What the main entry does not need at start: other entries, code that is fetched on demand, and files of these alone. */
+const apart = [
+  ...['adapters/', 'authoring/', 'effects/', 'lazy/', 'microshaders/xml/', 'index.ts'],
+  ...['frame/RecentlyUsed.ts', 'materials/overdrawTwin.ts', 'microshaders/formatMicroShader.ts', 'three/readPixels.ts'],
+];
+
+function isCore(id: string): boolean {
+  const path = id.startsWith(source) ? id.slice(source.length) : 'index.ts';
+  return !path.includes('commented') && !apart.some((each) => path.startsWith(each));
+}
 
 /**
  * The published bundle: an ES module for each of the package's exports, what they share in chunks, the peers left to the

@@ -1,8 +1,7 @@
-import { type ArrayCamera, type Camera, DoubleSide, Object3D, type Scene, type WebGLRenderer } from 'three';
+import { type ArrayCamera, type Camera, Object3D, type Scene, type WebGLRenderer } from 'three';
 import { adoptDepth } from './three/adoptDepth';
-import { clearValue } from './three/clearValue';
 import { checkDevice } from './gpu/checkDevice';
-import { type View, isSurfaceView, views } from './frame/views';
+import { type View, views } from './frame/views';
 import { unknownName } from './errors';
 import { NO_EFFECTS } from './frame/ActiveEffects';
 import { EffectList } from './frame/EffectList';
@@ -16,17 +15,14 @@ import { LazyViews } from './frame/LazyViews';
 import { LightFinder } from './frame/LightFinder';
 import { FrameLights } from './lighting/FrameLights';
 import type { LightOrder } from './lighting/LightTable';
-import { forwardTwins } from './forward/forwardTwin';
 import { resetLayers } from './materials/layersAttribute';
-import { plainBack } from './forward/plainTwins';
 import { TwinCache } from './materials/TwinCache';
 import type { MicroShaderRegistry } from './microshaders';
 import { addMicroShaders } from './microshaders/addMicroShaders';
 import { createRegistry } from './createRegistry';
-import { drawEarly } from './forward/drawEarly';
-import { drawPasses } from './frame/drawPasses';
 import { refuseXR } from './three/refuseXR';
 import { renderArray } from './three/renderArray';
+import { SceneDraws } from './SceneDraws';
 import { SceneView } from './three/SceneView';
 import type { ShadowMaps } from './lazy/shadows/ShadowMaps';
 import type { ShadowMapCalls } from './lazy/shadows/draw/ShadowMapCalls';
@@ -35,12 +31,12 @@ import type { Technique } from './techniques/Technique';
 import { TechniquePicker } from './techniques/TechniquePicker';
 import { TechniqueSet } from './techniques/TechniqueSet';
 
-/** As three calls those of a Scene. */
+/** `onBeforeRender` and `onAfterRender` with the arguments that three passes them of a Scene. */
 type SceneCallback = (webgl: WebGLRenderer, scene: Scene, camera: Camera, target?: unknown) => void;
 
 const NO_CALLBACK = Object3D.prototype.onBeforeRender;
 
-/** As three does. */
+/** Brings a camera without a parent up to date, as three does. */
 function updateCamera(camera: Camera): void {
   if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
 }
@@ -80,21 +76,17 @@ export class FarolRenderer {
   private readonly twins: TwinCache;
   private readonly recorder: InfoRecorder;
   private readonly sceneViews = new WeakMap<Object3D, SceneView>();
-  /** What is seen through transmissive things is drawn at another size than the lists are for. */
-  private readonly transmittedTwins = forwardTwins('lightLoopAll');
   private readonly views: LazyViews;
   private readonly finder: LightFinder;
   private readonly set: TechniqueSet;
   private readonly picker: TechniquePicker;
   private viewName: View = 'final';
-  private sceneView!: SceneView;
   private disposed = false;
-  /** While it draws: what a callback of the host's draws by it then, three draws. */
-  private draws = false;
+  /** Within `render`: what a callback of the host's draws by this renderer then, three draws. */
+  private isDrawing = false;
   private readonly shadowAtlasSize: number | null;
   private readonly effectList: EffectList;
-  private activeEffects = NO_EFFECTS;
-  private readonly draw = (backs: boolean) => (backs ? this.drawTransmittedBacks() : this.drawFrame());
+  private readonly draws: SceneDraws;
   private readonly pick = () => this.pickTechnique();
   private readonly begun = () => this.frame.takeOutputBuffer();
   private readonly shadowDraws = {
@@ -127,6 +119,8 @@ export class FarolRenderer {
     });
     this.frame = new Frame(webgl, this.lights.table, this.twins, uniforms, this.microshaders);
     this.recorder = new InfoRecorder(webgl);
+    const { frame, recorder, views, set, picker } = this;
+    this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
     this.shadowAtlasSize = options.shadowAtlasSize === undefined ? null : Math.max(512, options.shadowAtlasSize);
     this.timing = options.timing ?? false;
     this.lightLayers = options.lightLayers ?? false;
@@ -208,7 +202,7 @@ export class FarolRenderer {
 
   /**
    * Draws to the current render target, viewport and scissor of the WebGLRenderer, as its own `render` would.
-   * Called while it draws (by a callback of the host's), it has three draw.
+   * Called by a callback of the host's while this renderer draws, it has three draw.
    * @param scene a Scene, or any object
    * @param camera perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no parent
    * @throws Error while an XR session presents
@@ -217,9 +211,9 @@ export class FarolRenderer {
     if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
     const { webgl } = this;
     if (webgl.getContext().isContextLost()) return;
-    if (this.draws) return webgl.render(scene, camera);
+    if (this.isDrawing) return webgl.render(scene, camera);
     refuseXR(webgl);
-    this.draws = true;
+    this.isDrawing = true;
     try {
       const callbacks = (scene as Scene).isScene === true ? (scene as Scene) : null;
       // else matrices are brought up to date while lights are looked for
@@ -234,7 +228,7 @@ export class FarolRenderer {
       else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true));
       if (callbacks !== null) (callbacks.onAfterRender as unknown as SceneCallback)(webgl, callbacks, camera);
     } finally {
-      this.draws = false;
+      this.isDrawing = false;
       // called by a callback of the host's
       if (this.disposed) this.end();
     }
@@ -248,7 +242,7 @@ export class FarolRenderer {
     this.finder.find(scene, camera, this.lightLayers, update, byThree);
     if (updatesCamera) updateCamera(camera);
     adoptDepth(this.webgl, camera);
-    const { finder, frame, picker, webgl } = this;
+    const { draws, finder, frame, picker, webgl } = this;
     const { shadows } = finder;
     frame.begin(scene, camera, this.views.available(this.viewName));
     if (frame.view === 'grid') frame.quarter();
@@ -256,20 +250,18 @@ export class FarolRenderer {
     const { toneMapping } = webgl;
     let done = false;
     const effects = frame.view === 'final' ? this.effectList.of(target) : NO_EFFECTS;
-    this.activeEffects = effects;
-    frame.adapters = effects.adapters;
-    frame.gbufferExtras = effects.attachments;
+    const sceneView = this.viewOf(scene);
+    draws.begin(sceneView, effects);
     try {
       for (const effect of effects.all) effect.begin?.(frame);
-      this.sceneView = this.viewOf(scene);
       this.lights.update(scene, frame, finder, this, this.pick);
       const { fills = 'behind' } = this.set.known[picker.active];
-      this.sceneView.render(
+      sceneView.render(
         frame.camera,
         finder.found.nested,
         finder.found.rest,
         frame.queue,
-        this.draw,
+        draws.draw,
         frame.ownsTarget() ? fills : null,
         shadows && this.shadowDraws,
       );
@@ -336,7 +328,7 @@ export class FarolRenderer {
     if (this.disposed) return;
     this.disposed = true;
     this.webgl.getContext().canvas.removeEventListener('webglcontextlost', this.free);
-    if (!this.draws) this.end();
+    if (!this.isDrawing) this.end();
   }
 
   private end(): void {
@@ -362,9 +354,10 @@ export class FarolRenderer {
   /** Called when the lights that the camera sees are known. @returns the order in which the technique wants them */
   private pickTechnique(): LightOrder {
     const { frame, picker } = this;
-    picker.pick(this.sceneView.chooser, frame, frame.lights, this.activeEffects);
+    const { sceneView, effects } = this.draws;
+    picker.pick(sceneView.chooser, frame, frame.lights, effects);
     const technique = this.set.known[picker.active];
-    for (const effect of this.activeEffects.all) effect.picked?.(frame, technique);
+    for (const effect of effects.all) effect.picked?.(frame, technique);
     return technique.lightOrder;
   }
 
@@ -372,69 +365,11 @@ export class FarolRenderer {
     const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
     this.shadowDraws.proxies = shadows.proxies;
     this.shadowDraws.calls = new code.ShadowMapCalls(this.webgl, () => {
-      if (shadows.hasWork) this.run('shadow maps', () => shadows.render());
+      if (shadows.hasWork) this.draws.run('shadow maps', () => shadows.render());
     });
     this.frame.findTileShadows = (gbuffer) => shadows.tiles.render(this.frame, gbuffer, shadows.bounds.target);
     this.frame.queue.shadowMasks = code.shadowMasks;
     return shadows;
-  }
-
-  /** Called inside three's render, for the host's target, and before that for three's transmission target if needed. */
-  private drawFrame(): void {
-    const { frame, picker } = this;
-    if (this.webgl.getRenderTarget() !== frame.target) {
-      for (const item of frame.queue.opaque) frame.drawForward(item, this.transmittedTwins('final'));
-      // those of nodes: they are yet to be drawn into the target
-      for (const item of frame.queue.opaque) item.drawn = false;
-      return;
-    }
-    this.sceneView.dropTransmissive();
-    this.setBackground();
-    if (isSurfaceView(frame.view)) {
-      this.showSurface();
-      frame.bindTarget();
-      return;
-    }
-    const overdraw = frame.view === 'overdraw' ? this.views.passes!.overdraw : null;
-    if (overdraw !== null) this.run('overdraw', () => overdraw.render(frame, this.set.drawsDepthFirst(picker.active)));
-    drawEarly(frame, this.transmittedTwins('final'));
-    drawPasses(frame, picker.active, this.set.passesOf(picker.active), this.activeEffects.all, this.recorder);
-    if (overdraw !== null && !this.set.showsOverdraw(picker.active)) overdraw.show(frame);
-    if (frame.view === 'grid') this.showSurface();
-    picker.warmUp(this.sceneView.chooser, frame, this.activeEffects);
-    frame.bindTarget();
-  }
-
-  /** Called inside three's render after that, for its transmission target: what transmits is seen through its own back faces. */
-  private drawTransmittedBacks(): void {
-    const { frame } = this;
-    const { back } = this.transmittedTwins('final');
-    let drawn = false;
-    for (const item of frame.queue.transmissive) {
-      if (item.material.side !== DoubleSide) continue;
-      frame.drawTwin(item, item.lit ? back : plainBack);
-      drawn = true;
-    }
-    if (drawn) frame.resolveTransmission();
-  }
-
-  /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */
-  private setBackground(): void {
-    const { frame } = this;
-    const background = this.lights.uniforms.values.farol_background.value;
-    frame.fills = this.sceneView.uncleared;
-    if (frame.fills !== null) clearValue(this.webgl, frame.scene, frame.premultiplied, background);
-    else background.w = -1;
-  }
-
-  private showSurface(): void {
-    this.run('view', () => this.views.passes!.surfaceView.render(this.frame));
-  }
-
-  private run(name: string, render: () => void): void {
-    this.recorder.beginPass(name);
-    render();
-    this.recorder.endPass();
   }
 
   private viewOf(scene: Object3D): SceneView {

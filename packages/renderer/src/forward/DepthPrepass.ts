@@ -18,7 +18,7 @@ export class DepthPrepass implements Pass {
   readonly writes = ['scene-depth', 'target'] as const;
   /** Depth of the opaque items, as a texture of the picture's size. */
   private readonly target = new PassTarget({ depthTexture: true });
-  /** In its place where the viewport does not begin at the corner: elsewhere, vertices might be rounded to other places. */
+  /** Drawn to first where the viewport does not begin at the corner: at another place, vertices may be rounded otherwise. */
   private readonly shifted = new PassTarget({ depthTexture: true });
   private readonly toTarget = new FullscreenPass({
     program: 'depth',
@@ -58,7 +58,7 @@ export class DepthPrepass implements Pass {
     for (const held of [this.target, this.shifted, this.toTarget]) held.dispose();
   }
 
-  /** Draws where the host's target is drawn to. */
+  /** Binds a target with the host's viewport. @returns the target */
   private bindShifted(frame: Frame): WebGLRenderTarget {
     const { viewport } = frame;
     const { width = 1, height = 1 } = this.shifted.current ?? {};

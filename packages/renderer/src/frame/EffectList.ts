@@ -13,7 +13,7 @@ export class EffectList {
   private several = false;
   private active: ActiveEffects = NO_EFFECTS;
   private readonly told = new WeakSet<FarolEffect>();
-  /** All that were ever asked for: those that are left out of the list stay the host's, which may use them again. */
+  /** All effects that were ever in the list: the host may put those that it has taken out back in. */
   private met: WeakRef<FarolEffect>[] = [];
 
   constructor(private readonly webgl: WebGLRenderer) {}
@@ -47,7 +47,7 @@ export class EffectList {
     return this.active;
   }
 
-  /** Has all that were met free what they hold; they make it anew when they are drawn again. */
+  /** Frees the GPU resources of all effects that were ever in the list; a later frame makes them anew. */
   dispose(): void {
     for (const reference of this.met) reference.deref()?.dispose();
   }

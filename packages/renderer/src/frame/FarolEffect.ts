@@ -28,13 +28,13 @@ export interface FarolEffect {
   /** True if it works on a G-buffer: the technique 'auto' then picks one that has it. Default false. */
   readonly needsSurfaces?: boolean;
   /**
-   * What "this device" does not do or have that the effect needs, such as 'draws to no float colour buffers'; null if nothing.
-   * An effect that lacks something is left out, with one warning. Default null.
+   * The end of the sentence "this device …" for a device that the effect cannot draw on, such as 'draws to no float colour
+   * buffers'; null for others. The effect is left out there, with one warning. Default null.
    */
   lacks?(webgl: WebGLRenderer): string | null;
-  /** True if the frame is drawn to a picture of the effect's: it is left out in targets with several textures. Default false. */
+  /** True if `begin` has the frame drawn to a target of the effect: targets with several textures then go without. Default false. */
   readonly takesPicture?: boolean;
-  /** Bytes of the targets that it holds. */
+  /** Bytes of the effect's targets. */
   readonly bytes: number;
   /**
    * Called before anything is drawn and before three's traversal; may set `frame.camera` (a view of the host's, such as a
@@ -55,6 +55,6 @@ export interface FarolEffect {
   render?(frame: Frame, pass: Pass): void;
   /** Called inside three's `render` after all passes; has figures in `FarolInfo.passes` unless there is `after`. */
   end?(frame: Frame): void;
-  /** Frees its GPU resources; it makes them anew when it is used again. */
+  /** Frees the GPU resources; a later frame makes them anew. */
   dispose(): void;
 }

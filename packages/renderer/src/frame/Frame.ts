@@ -66,18 +66,20 @@ interface Textures {
 const TRANSPARENT = new Vector4(0, 0, 0, 0);
 const size = new Vector2();
 
-/** What the passes of one frame see: the scene, the target, the lists, the lights, and how to draw. Made once. */
+/** A frame as passes and effects see it: scene, target, queue, lights, resources, and how to draw. One a FarolRenderer. */
 export class Frame {
   readonly gl: WebGL2RenderingContext;
   readonly queue = new RenderQueue();
-  /** What the passes of this frame have handed over so far. */
+  /** Resources that the passes of this frame have handed over so far. */
   readonly resources = new ResourceTable();
   scene!: Scene;
   camera!: Camera;
   view: View = 'final';
-  /** The host's render target, null for the canvas, and the part of it that is drawn to (pixels: x, y, width, height). */
+  /** The host's render target, null for the canvas. */
   target: WebGLRenderTarget | null = null;
+  /** The part of the target that is drawn to: x, y, width, height (pixels). */
   readonly viewport = new Vector4();
+  /** Size of the viewport (pixels), 1 at least. */
   width = 1;
   height = 1;
   /** Bytes that passes have sent in this frame. */
@@ -91,7 +93,7 @@ export class Frame {
   shadowMapsDrawn = 0;
   /** Finds which lights light all, or none, of tiles of a G-buffer; null while no light casts a shadow. */
   findTileShadows: ((gbuffer: GBuffer) => void) | null = null;
-  /** What gives other kinds of twins to draw items with, each what the one before gave. */
+  /** Give the kinds of twins that items are drawn with, in order: each gets what the one before gave. */
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
   gbufferExtras: readonly GBufferAttachment[] = [];
@@ -103,7 +105,7 @@ export class Frame {
   /** Whether the canvas's colours are multiplied by alpha. */
   readonly premultiplied: boolean;
   private readonly canvasSamples: number;
-  /** Whether the host's target has several textures; effects may take its place only where it has one. */
+  /** Whether the host's target has several textures; then no effect replaces the target. */
   private several = false;
   private nodes: NodeDraws | null = null;
   /** three's `renderBufferDirect`. */
@@ -158,7 +160,7 @@ export class Frame {
     this.queue.watchFar(camera, farthestTold(elements, reversed, logarithmic, coarse));
   }
 
-  /** In place of the canvas, three draws to a buffer of its own where it was made with an `outputBufferType`. */
+  /** Takes the buffer that three draws to in place of the canvas when it was made with an `outputBufferType`. */
   takeOutputBuffer(): void {
     const { webgl } = this;
     if (this.target !== null) return;
@@ -228,7 +230,7 @@ export class Frame {
 
   /**
    * Whether depth of pixels is not enough of what was drawn elsewhere: the target is multisampled, and something is to be
-   * drawn over it. Only where nothing else has depth in the target yet.
+   * drawn over the target. False where something else has depth in the target already.
    */
   get wantsSampleDepths(): boolean {
     const { webgl, queue, scene, view } = this;
@@ -360,7 +362,7 @@ export class Frame {
     gl.drawBuffers((drawBuffers[count] ??= Array.from({ length: count }, (_, i) => gl.COLOR_ATTACHMENT0 + i)));
   }
 
-  /** Draws an item with a material as it is, and calls what the host wants to be called. */
+  /** Draws an item with a material, and calls the host's `onBeforeRender` and `onAfterRender` of both. */
   drawItem(item: RenderItem, material: Material): void {
     const { object, geometry, group } = item;
     const { webgl, scene, camera } = this;

@@ -21,7 +21,7 @@ export class InfoRecorder {
     targetBytes: 0,
     uploadBytes: 0,
   };
-  /** Fetched when timing is first asked for. */
+  /** Null until timing is asked for and its code is there. */
   private timer: GpuTimer | null = null;
   private readonly known = new Map<string, PassInfo>();
   private timing = false;

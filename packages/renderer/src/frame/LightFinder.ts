@@ -13,14 +13,14 @@ const UNIFORMS_PER_LIGHT = 7;
 
 type ShadowCode = typeof import('../lazy/shadows');
 
-/** Finds the lights of a frame, and asks for what masks them when one casts a shadow or throws an image. */
+/** Finds the lights of a frame, and fetches the code of shadow maps when one casts a shadow or throws a cookie. */
 export class LightFinder {
   readonly found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0 };
-  /** What three goes on drawing itself. */
+  /** Which lights three goes on drawing: those with shadows, those with cookies, or all of them. */
   readonly left = { shadows: false, cookies: true, all: false };
-  /** Null until a scene has asked for what masks lights, and its code is there. */
+  /** Null until a scene needs shadow maps, cookies or light layers, and their code is there. */
   shadows: ShadowMaps | null = null;
-  /** Whether the last scene has what masks lights; not looked at once `shadows` are there. */
+  /** Whether the last scene needs them; not looked at once `shadows` are there. */
   asksForShadows = false;
 
   private warned = false;
@@ -31,7 +31,7 @@ export class LightFinder {
   ) {}
 
   /**
-   * @param layers whether lights reach only objects of their layers, which takes masks too
+   * @param layers whether lights reach only objects of their layers
    * @param update brings the world matrices of the scene up to date. Default false
    * @param byThree whether three is to draw all lights. Default false
    */

@@ -22,16 +22,16 @@ export class GBufferTarget {
 
   /** Binds the G-buffer of a frame, sized and cleared. @throws Error when the device has too few draw buffers for it */
   begin(frame: Frame): GBuffer {
-    // what stores distances goes on to: cameras may take turns
+    // a G-buffer that stores distances keeps them: cameras may take turns
     const stores = this.keepsDistance && (frame.storesDistance || this.made?.storesDistance === true);
     if (this.made !== null && !this.fits(this.made, frame, stores)) this.dispose();
     const gbuffer = (this.made ??= new GBuffer(frame.webgl, frame.gbufferExtras, stores));
     gbuffer.setSize(frame.width, frame.height);
     gbuffer.accumulation = gbuffer.emissive;
     frame.bind(gbuffer.target);
-    // where nothing is drawn, depth 1 says so: what the other attachments hold there is never shown, and a clear costs as much as a draw
+    // depth 1 says that nothing is drawn there: other attachments need no clear, which costs as much as a draw
     frame.clear(0, true);
-    // but what is drawn as far off: there flags say so
+    // a surface at depth 1 is told from nothing by its flags, beside the albedo
     if (frame.queue.reachesFar) frame.clearOne(attachmentIndex.albedo);
     return gbuffer;
   }

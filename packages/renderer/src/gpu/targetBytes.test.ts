@@ -26,7 +26,7 @@ it('is held by a pass: made and sized when asked for, made anew after it was fre
   const first = held.of(4, 2);
   expect(held.of(8, 2)).toBe(first);
   expect(held.bytes).toBe(16 * 8);
-  const freed = vi.fn();
+  const freed = vi.fn<() => void>();
   first.addEventListener('dispose', freed);
   first.depthTexture!.addEventListener('dispose', freed);
   held.dispose();

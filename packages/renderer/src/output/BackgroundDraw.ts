@@ -1,7 +1,7 @@
 import { LessEqualDepth } from 'three';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 
-/** Writes the colour that three would have cleared the target to behind all that is drawn: only where depth is still 1. */
+/** Writes the colour that three would have cleared the target to, where depth is still 1: behind all that is drawn. */
 export class BackgroundDraw extends FullscreenPass {
   constructor() {
     super({
@@ -10,7 +10,7 @@ export class BackgroundDraw extends FullscreenPass {
       fragment: 'background',
       shared: 'all',
       depthTest: true,
-      // of 1 where it is 1: three's usual state stays as it is
+      // writes depth 1 where depth is 1: three's depth state need not change
       depthWrite: true,
       depthFunc: LessEqualDepth,
     });

@@ -99,7 +99,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
     const height = gridTexels(frame.height, scale);
     this.scaleUniform.value = scale;
     gridFit(frame.width, frame.height, scale, this.fit);
-    // what stores distances goes on to: cameras may take turns
+    // a buffer that stores distances keeps them: cameras may take turns
     if (frame.storesDistance && this.made?.textures.length === 1) this.dispose();
     const target = (this.made ??= makeTarget(frame.storesDistance));
     if (target.width !== width || target.height !== height) target.setSize(width, height);

@@ -20,14 +20,14 @@ export class WaitingPrograms {
     return this.programs.length;
   }
 
-  /** Adds one while the others are blocked. */
+  /** Adds a program while the others are blocked. */
   add(program: Program, stop: () => never): void {
     this.programs.push(program);
     this.getters.push(program.getUniforms);
     program.getUniforms = stop;
   }
 
-  /** Has three stop where it would wait for one of them. */
+  /** Has three's calls for the uniforms of waiting programs throw: they would wait for the link. */
   block(stop: () => never): void {
     for (const program of this.programs) program.getUniforms = stop;
   }
@@ -36,7 +36,7 @@ export class WaitingPrograms {
     for (let i = 0; i < this.programs.length; i++) this.programs[i].getUniforms = this.getters[i];
   }
 
-  /** Has three ask for uniforms and attributes of the first of them if the device is done with it, as its first draw would. */
+  /** Has three ask for uniforms and attributes of the first program, as its first draw would, once the device has linked it. */
   finishOne(): void {
     const { programs, getters } = this;
     if (programs.length === 0) return;
@@ -53,7 +53,7 @@ export class WaitingPrograms {
 
 const lists = new WeakMap<ProgramList, WaitingPrograms>();
 
-/** Those of one WebGLRenderer, until its context is lost. */
+/** The waiting programs of one WebGLRenderer, until its context is lost. */
 export function waitingPrograms(programs: ProgramList): WaitingPrograms {
   let waiting = lists.get(programs);
   if (waiting === undefined) lists.set(programs, (waiting = new WaitingPrograms()));

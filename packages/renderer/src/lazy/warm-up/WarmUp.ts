@@ -22,10 +22,10 @@ const stop = (): never => {
  * program a frame, then one a frame that the device is done with is given its uniforms, so that no frame is long.
  */
 export class WarmUp implements Preparation {
-  /** True when all programs that the technique needs for the scene as it was then can be drawn with at once. */
+  /** True when all programs that the technique needs for the scene, as of the last `step`, are linked. */
   ready = false;
   private readonly dry: Frame;
-  /** What was tried of each material: geometries, or objects where the object too says what the shader is like. */
+  /** Of each material the geometries that were tried; the objects where the shader depends on the object too. */
   private readonly seen = new Map<Material, Set<object>>();
   private programs: ProgramList | null = null;
   private waiting!: WaitingPrograms;
@@ -47,12 +47,12 @@ export class WarmUp implements Preparation {
       copyDepth() {},
       drawNodes() {},
       drawItem: (item: RenderItem, material: Material) => {
-        // drawn as it is, it has just been drawn
+        // a material that needs no twin has just been drawn
         if (material !== item.material) this.tryDraw(item.object, item, material, item.materialVariant > 0);
       },
       drawMesh: (mesh: Mesh, material: Material) =>
         this.tryDraw(mesh, { geometry: mesh.geometry, group: null }, material),
-      // what a pass has compiled in advance it does so once
+      // a pass compiles ahead once: each such call is tried, whatever is left
       compileMesh: (mesh: Mesh, material: Material) => {
         const { left } = this;
         this.left = 1;
