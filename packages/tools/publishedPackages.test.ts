@@ -36,7 +36,8 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
       license: 'MIT',
       author: 'The Farol authors',
       type: 'module',
-      sideEffects: false,
+      // the built-in components register themselves
+      sideEffects: folder === 'packages/engine' ? ['./src/components/index.ts', './dist/components/index.js'] : false,
       homepage: `${home}/tree/main/${folder}#readme`,
       repository: { type: 'git', url: `git+${home}.git`, directory: folder },
       bugs: { url: `${home}/issues` },
