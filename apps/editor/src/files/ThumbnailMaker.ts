@@ -1,6 +1,6 @@
 import { Scene as EngineScene } from '@farol/engine';
 import { instantiatePrefab, type Prefab } from '@farol/engine/prefabs';
-import { readPixels } from '@farol/renderer/authoring';
+import { readPixels } from '@farol/renderer/read-pixels';
 import {
   Box3,
   DataUtils,

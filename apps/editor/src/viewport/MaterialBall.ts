@@ -1,4 +1,4 @@
-import { readPixels } from '@farol/renderer/authoring';
+import { readPixels } from '@farol/renderer/read-pixels';
 import {
   AmbientLight,
   BackSide,

@@ -2,7 +2,8 @@ import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { builtinMicroShaders } from '../builtinMicroShaders';
 import { type MicroShader, parseMicroShader } from '../microshaders';
-import { formatMicroShaderXML, microShaderSources, parseMicroShaderXML } from '.';
+import { formatMicroShaderXML, parseMicroShaderXML } from '.';
+import { microShaderSources } from './microShaderSources';
 
 const content = ({ headerLine: _h, mainLine: _m, ...chunk }: MicroShader): Partial<MicroShader> => chunk;
 
@@ -20,6 +21,5 @@ it('writes XML that is read as the same chunks', () => {
 
 it('has every built-in chunk as it was written', () => {
   expect(Object.keys(microShaderSources).toSorted()).toEqual(builtinMicroShaders.map(({ name }) => name).toSorted());
-  for (const chunk of builtinMicroShaders)
-    expect(parseMicroShader(chunk.name, microShaderSources[chunk.name])).toEqual(chunk);
+  for (const chunk of builtinMicroShaders) expect(parseMicroShader(chunk.name, microShaderSources[chunk.name])).toEqual(chunk);
 });

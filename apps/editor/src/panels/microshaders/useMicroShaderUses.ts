@@ -1,4 +1,4 @@
-import { microShaderSources } from '@farol/renderer/authoring';
+import { microShaderSources } from '@farol/renderer/microshader-sources';
 import { useEffect } from 'react';
 import type { EditorApi } from '../../api/EditorApi';
 import { MicroShaderUses } from '../../microshaders/MicroShaderUses';
