@@ -6,16 +6,12 @@ const files = import.meta.glob<string>('../**/*.glsl', {
   import: 'default',
   eager: true,
 });
-const written = new Map(Object.entries(files).map(([path, text]) => [nameOf(path), text]));
+const builtin = new Set(builtinMicroShaders.map(({ name }) => name));
+const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1, -'.glsl'.length);
 
-/**
- * The text of each built-in microshader as it was written, comments and all, by name; line for line that which is drawn with.
- * Those that are made from tables have no file: their text is that which is drawn with.
- */
+/** The text of each built-in microshader as it was written, comments and all, by name; line for line that which is drawn with. */
 export const microShaderSources: Readonly<Record<string, string>> = Object.fromEntries(
-  builtinMicroShaders.map(({ name, header }) => [name, written.get(name) ?? header]),
+  Object.entries(files)
+    .map(([path, text]) => [nameOf(path), text] as const)
+    .filter(([name]) => builtin.has(name)),
 );
-
-function nameOf(path: string): string {
-  return path.slice(path.lastIndexOf('/') + 1, -'.glsl'.length);
-}

@@ -1,6 +1,6 @@
 // The microshaders of this folder, by name.
-export { gbufferTexturesChunk as gbufferTextures } from './gbufferNames';
-export { surfaceFlagsChunk as surfaceFlags } from './surfaceFlags';
+export { default as gbufferTextures } from './gbufferTextures.glsl?raw';
+export { default as surfaceFlags } from './surfaceFlags.glsl?raw';
 export { default as gbufferRead } from './gbufferRead.glsl?raw';
 export { default as gbufferWrite } from './gbufferWrite.glsl?raw';
 export { default as octahedralNormal } from './octahedralNormal.glsl?raw';

@@ -13,8 +13,8 @@ export interface GBufferAttachment {
 
 /**
  * The G-buffer, 20 bytes a pixel and 32-bit float depth. Position is rebuilt from depth. Four attachments, WebGL2's
- * least. Outputs, uniforms and the microshader `gbufferTextures` are made from these rows (gbufferNames.ts); the
- * encoding is in gbufferWrite.glsl and gbufferRead.glsl.
+ * least. Outputs and uniforms (gbufferNames.ts) and gbufferTextures.glsl are made from these rows; the encoding is in
+ * gbufferWrite.glsl and gbufferRead.glsl.
  */
 export const gbufferLayout = [
   // rgb: emissive, ambient, environment, light maps (linear); a: Phong shininess

@@ -34,21 +34,3 @@ export function attachmentOutputs(layout: readonly GBufferAttachment[] = gbuffer
     `layout(location = ${from + i}) out highp vec4 farol_out${capital(name)};\n`;
   return layout.slice(from).map(line).join('');
 }
-
-const samplers = gbufferLayout.map(({ name, ...row }: GBufferAttachment) => {
-  const texture = `farol_g${capital(name)}`;
-  return (
-    `uniform ${row.precision ?? 'highp'} sampler2D ${texture};\n` +
-    `vec4 ${texture}At(ivec2 pixel) { return texelFetch(${texture}, pixel, 0); }\n`
-  );
-});
-
-/**
- * The microshader `gbufferTextures`: a sampler for each attachment and depth, and a function that reads a pixel of
- * each.
- */
-export const gbufferTexturesChunk = `// Reads the attachments of the G-buffer, and its depth.
-// Farol; made from the rows of gbuffer/gbufferLayout.ts
-${samplers.join('')}uniform highp sampler2D farol_gDepth;
-float farol_gDepthAt(ivec2 pixel) { return texelFetch(farol_gDepth, pixel, 0).r; }
-`;

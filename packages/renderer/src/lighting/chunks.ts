@@ -4,5 +4,5 @@ export { default as globalLightsFragment } from './globalLightsFragment.glsl?raw
 export { default as incidentLight } from './incidentLight.glsl?raw';
 export { default as lightAttenuation } from './lightAttenuation.glsl?raw';
 export { default as lightMask } from './lightMask.glsl?raw';
-export { lightRecordChunk as lightRecord } from './lightRecordChunk';
+export { default as lightRecord } from './lightRecord.glsl?raw';
 export { default as lightTable } from './lightTable.glsl?raw';

@@ -1,7 +1,21 @@
 import { describe, expect, it } from 'vitest';
-import { EXTENSION, FLOATS_PER_RECORD, extensionRecord, LIGHT, lightRecord } from '../lights/lightRecord';
+import {
+  EXTENSION,
+  FLOATS_PER_RECORD,
+  extensionRecord,
+  LIGHT,
+  lightRecord,
+  RECORDS_PER_ROW,
+  TEXELS_PER_RECORD,
+} from '../lights/lightRecord';
 import { texelOffsets } from '../lights/recordLayout';
 import { recordGetters } from './recordGetters';
+
+const sources = import.meta.glob<string>(['../**/*.glsl', '!./lightRecord.glsl'], {
+  query: '?raw',
+  import: 'default',
+  eager: true,
+});
 
 describe('the getters of a record', () => {
   it('read a value of a record by one fetch, or of a texel that was fetched', () => {
@@ -27,10 +41,33 @@ describe('the getters of a record', () => {
     );
   });
 
+  // after a change of the tables: npx vitest run --config packages/vitest.config.ts recordGetters -u
+  it('make lightRecord.glsl: those that a shader asks for', async () => {
+    const shaders = Object.values(sources).join('\n');
+    const getters = `${recordGetters('light', lightRecord)}\n${recordGetters('extension', extensionRecord)}`.split(
+      '\n',
+    );
+    // shaders call a texel by its name in the table
+    const texels = new Set([...Object.keys(lightRecord), ...Object.keys(extensionRecord)]);
+    const used = getters.filter((line) => {
+      const [, name, kind] = /(farol_\w+)\((\w+)/.exec(line)!;
+      const calls = [...shaders.matchAll(new RegExp(`\\b${name}\\((\\w+)`, 'g'))];
+      return calls.some(([, argument]) => texels.has(argument) === (kind === 'vec4'));
+    });
+    await expect(`// Reads the records of the light table.
+// Farol; made from the tables in lights/lightRecord.ts by lighting/recordGetters.test.ts
+uniform highp sampler2D farol_lightTable;
+vec4 farol_lightTexel(const in int record, const in int texel) {
+  ivec2 at = ivec2((record & ${RECORDS_PER_ROW - 1}) * ${TEXELS_PER_RECORD} + texel, record >> ${Math.log2(RECORDS_PER_ROW)});
+  return texelFetch(farol_lightTable, at, 0);
+}
+${used.join('\n')}
+`).toMatchFileSnapshot('./lightRecord.glsl');
+  });
+
   it('lie where TypeScript writes, in one record', () => {
-    expect(texelOffsets(lightRecord)).toEqual({ sphere: 0, emission: 4, cone: 8, details: 12 });
     for (const [offsets, layout] of [[LIGHT, lightRecord] as const, [EXTENSION, extensionRecord] as const]) {
-      expect(Object.keys(offsets)).toEqual(Object.keys(layout));
+      expect(offsets).toEqual(texelOffsets(layout));
       expect(Math.max(...Object.values(offsets))).toBeLessThan(FLOATS_PER_RECORD);
     }
   });

@@ -1,11 +1,14 @@
-import { texelOffsets, type RecordLayout } from './recordLayout';
+import type { RecordLayout } from './recordLayout';
+
+type Offsets<Layout extends RecordLayout> = { readonly [texel in keyof Layout]: number };
 
 /**
  * The light table: a texture of RGBA32F texels, `TEXELS_PER_RECORD` a record, `RECORDS_PER_ROW` records a row. A light
  * is one record; what few lights need lies in records of their own, behind all lights: a mask (`masks/maskRecord.ts`:
  * the light's shadow map and cookie) and an extension (what only a light of the thesis has).
  *
- * Offsets for TypeScript and getters for GLSL (microshader `lightRecord`) are made from the tables below.
+ * The offsets for TypeScript below, and lightRecord.glsl with its getters, are made from the two tables:
+ * recordGetters.test.ts.
  */
 export const TEXELS_PER_RECORD = 4;
 export const RECORDS_PER_ROW = 256;
@@ -81,9 +84,14 @@ export const extensionRecord = {
   },
 } as const satisfies RecordLayout;
 
-/** Where the texels of a record begin (floats). */
-export const LIGHT = texelOffsets(lightRecord);
-export const EXTENSION = texelOffsets(extensionRecord);
+/** Where the texels of a record begin (floats); the tables themselves are no part of what a page loads. */
+export const LIGHT = { sphere: 0, emission: 4, cone: 8, details: 12 } as const satisfies Offsets<typeof lightRecord>;
+export const EXTENSION = {
+  diffuse: 0,
+  specular: 4,
+  ambient: 8,
+  falloff: 12,
+} as const satisfies Offsets<typeof extensionRecord>;
 
 /** What the fourth number of `emission` holds of a local light. @param decay as three has it */
 export function emissionDecay(decay: number, isPlain: boolean): number {

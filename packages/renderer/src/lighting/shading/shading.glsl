@@ -189,8 +189,8 @@ void farol_addPoint(inout FarolShading s, const in int record) {
   float ratio = distanceSquared / (range * range);
   vec4 emission = farol_lightEmission(record);
   if (ratio >= 1.0 || !farol_lightIsPlain(emission)) return;
-  vec3 color = farol_lightColor(emission)
-    * farol_boundedAttenuation(distanceSquared, ratio, farol_lightPlainDecay(emission));
+  vec3 color = farol_lightColor(emission);
+  color *= farol_boundedAttenuation(distanceSquared, ratio, farol_lightPlainDecay(emission));
   farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color, color);
 }
 

@@ -1,0 +1,40 @@
+// Reads the records of the light table.
+// Farol; made from the tables in lights/lightRecord.ts by lighting/recordGetters.test.ts
+uniform highp sampler2D farol_lightTable;
+vec4 farol_lightTexel(const in int record, const in int texel) {
+  ivec2 at = ivec2((record & 255) * 4 + texel, record >> 8);
+  return texelFetch(farol_lightTable, at, 0);
+}
+vec4 farol_lightSphere(int record) { return farol_lightTexel(record, 0); }
+vec3 farol_lightDirection(int record) { return farol_lightTexel(record, 0).xyz; }
+vec3 farol_lightPosition(vec4 t) { return t.xyz; }
+float farol_lightRange(vec4 t) { return t.w; }
+vec4 farol_lightEmission(int record) { return farol_lightTexel(record, 1); }
+vec3 farol_lightColor(vec4 t) { return t.rgb; }
+bool farol_lightIsPlain(vec4 t) { return t.w >= 0.0; }
+bool farol_lightIsPlain(int record) { return farol_lightTexel(record, 1).w >= 0.0; }
+float farol_lightPlainDecay(vec4 t) { return t.w; }
+float farol_lightOtherDecay(vec4 t) { return -1.0 - t.w; }
+float farol_lightDecay(vec4 t) { return t.w >= 0.0 ? t.w : -1.0 - t.w; }
+bool farol_lightHasDetails(vec4 t) { return t.w != 0.0; }
+vec4 farol_lightCone(int record) { return farol_lightTexel(record, 2); }
+vec3 farol_lightAxis(vec4 t) { return t.xyz; }
+float farol_lightCutoff(vec4 t) { return t.w; }
+bool farol_lightIsCone(vec4 t) { return t.w > -1.0; }
+vec4 farol_lightDetails(int record) { return farol_lightTexel(record, 3); }
+float farol_lightPenumbra(vec4 t) { return t.x; }
+float farol_lightExponent(vec4 t) { return t.y; }
+int farol_lightMaskRecord(vec4 t) { return int(t.z); }
+int farol_lightExtensionRecord(vec4 t) { return int(t.w); }
+bool farol_lightIsSpot(vec4 t) { return t.x >= -1.0; }
+bool farol_lightIsMasked(vec4 t) { return t.z > 0.0; }
+bool farol_lightIsMaskedPoint(vec4 t) { return t.x < -1.0 && t.w == 0.0; }
+vec3 farol_extensionDiffuse(int record) { return farol_lightTexel(record, 0).rgb; }
+vec3 farol_extensionSpecular(int record) { return farol_lightTexel(record, 1).rgb; }
+vec3 farol_extensionAmbient(int record) { return farol_lightTexel(record, 2).rgb; }
+vec4 farol_extensionFalloff(int record) { return farol_lightTexel(record, 3); }
+float farol_extensionNear(vec4 t) { return t.x; }
+float farol_extensionFar(vec4 t) { return t.y; }
+vec3 farol_extensionFactors(vec4 t) { return t.xyz; }
+bool farol_extensionIsNearFar(vec4 t) { return t.w == 1.0; }
+bool farol_extensionIsPolynomial(vec4 t) { return t.w == 2.0; }
