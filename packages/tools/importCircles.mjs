@@ -7,7 +7,7 @@ import { parseSync } from 'vite';
  * Numbers go down, never up.
  */
 export const circleLimits = [
-  { folder: 'packages/renderer', static: 7, fetched: 29 },
+  { folder: 'packages/renderer', static: 0, fetched: 0 },
   { folder: 'packages/engine', static: 0, fetched: 0 },
   { folder: 'packages/attach', static: 0, fetched: 0 },
   { folder: 'packages', static: 0, fetched: 0 },
