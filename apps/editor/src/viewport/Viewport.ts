@@ -9,6 +9,7 @@ import {
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName, type View } from '@farol/renderer';
 import { type Box2, type Camera, type Material, Vector2, type WebGLRenderer } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
+import type { Registry } from '../model/Registry';
 import { boundsOf } from './boundsOf';
 import { BoxSelect } from './BoxSelect';
 import { CameraPreview } from './CameraPreview';
@@ -21,7 +22,7 @@ import { hitPoint, pick } from './pick';
 import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
 import { PointerPicker } from './PointerPicker';
-import { type EffectChoice, ViewportEffects } from './ViewportEffects';
+import { type AddedEffect, type EffectChoice, ViewportEffects } from './ViewportEffects';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
 const ICON_REACH = 0.4;
@@ -266,6 +267,11 @@ export class Viewport {
   /** Sets what takes part in the picture beside the technique. */
   setEffects(choice: EffectChoice): void {
     this.effects.choice = choice;
+  }
+
+  /** Effects of plugins. */
+  get addedEffects(): Registry<AddedEffect> {
+    return this.effects.added;
   }
 
   /** Draws now. */
