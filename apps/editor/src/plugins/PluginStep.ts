@@ -1,4 +1,4 @@
-import type { Command } from '../model/Command';
+import type { Command } from '@farol/editing';
 
 /** An edit of components that goes with a plugin which comes or goes. */
 export class PluginStep implements Command {

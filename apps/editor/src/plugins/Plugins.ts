@@ -3,7 +3,7 @@ import { makeUnknownComponent, restoreComponent, serializeObject, UnknownCompone
 import type { EditorApi } from '../api/EditorApi';
 import type { EditorPlugin } from '../api/EditorPlugin';
 import { type ComponentSwap, SwapComponents } from '../model/commands/SwapComponents';
-import { Signal } from '../model/Signal';
+import { Signal } from '@farol/editing';
 import { installPlugin } from './installPlugin';
 import { PluginStep } from './PluginStep';
 import { takenNames } from './takenNames';

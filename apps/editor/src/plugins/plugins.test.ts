@@ -15,7 +15,7 @@ import { addComponent, addObject, deleteObjects, setValues } from '../model/edit
 import { EditorDocument } from '../model/EditorDocument';
 import { Notices } from '../model/Notices';
 import { Registry } from '../model/Registry';
-import { Signal } from '../model/Signal';
+import { Signal } from '@farol/editing';
 import { panels } from '../panels';
 import { ViewportEffects } from '../viewport/ViewportEffects';
 import { Plugins } from './Plugins';
