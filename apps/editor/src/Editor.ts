@@ -6,12 +6,7 @@ import {
   ComponentRegistry,
   type Scene,
 } from '@farol/engine';
-import {
-  FileError,
-  type ForeignAddress,
-  sizesText,
-  type UnpackQuestion,
-} from '@farol/engine/files';
+import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
 import { registerSceneAssets, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
 import { actions } from './actions';
