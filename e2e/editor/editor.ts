@@ -27,7 +27,10 @@ export interface EditorHandle {
     name: string;
     actions?: { id: string; label: string; run(): void }[];
     techniques?: Readonly<Record<string, object>>;
+    microshaders?: Readonly<Record<string, string>>;
   }): void;
+  removePlugin(name: string): void;
+  readonly plugins: { readonly list: readonly { readonly name: string }[] };
   readonly viewport: {
     readonly canvas: HTMLCanvasElement;
     readonly camera: GameObject['object3D'];

@@ -61,6 +61,75 @@ test('a plugin brings a panel, a component with a field of its own, a technique 
   await expect(panel).toContainText('Flickering: Point light');
   const known = await page.evaluate(() => Object.keys(window.editor.viewport.farol.techniques));
   expect(known).toContain('vignette');
+
+  // switched off, it goes with all that it brought; its component stays as data, and undo brings the plugin back
+  const before = await serialized(page);
+  const lantern = async (): Promise<void> => {
+    await page.keyboard.press('Control+k');
+    await page.getByRole('combobox', { name: 'Search commands' }).fill('lantern example');
+    await page.keyboard.press('Enter');
+  };
+  await lantern();
+  await expect(page.getByText(/The plugin Lantern is removed: 1 Flicker kept as data/)).toBeVisible();
+  await expect(page.getByRole('tab', { name: 'Lantern' })).toHaveCount(0);
+  expect(await serialized(page)).toBe(before);
+  await page.evaluate(() => {
+    const { document } = window.editor;
+    document.selection.set([document.scene.find('Point light')!.id]);
+  });
+  await page.getByRole('tab', { name: 'Inspector' }).click();
+  await expect(flicker).toContainText('Depth');
+  await expect(flicker.getByRole('slider')).toHaveCount(0);
+  expect(await axeProblems(page)).toEqual([]);
+  expect(await page.evaluate(() => 'vignette' in window.editor.viewport.farol.techniques)).toBe(false);
+  await page.keyboard.press('Control+z');
+  await expect(page.getByRole('tab', { name: 'Lantern' })).toBeVisible();
+  await expect(flicker.getByRole('slider', { name: 'Depth' })).toBeVisible();
+  expect(await serialized(page)).toBe(before);
+});
+
+test('two editors on one page each have plugins of their own, on renderers of their own', async ({ page }) => {
+  await openEditor(page, 'empty');
+  const states = await page.evaluate(async () => {
+    const first = window.editor;
+    const Editor = first.constructor as new (canvas: HTMLCanvasElement, options: object) => typeof first;
+    const second = new Editor(document.createElement('canvas'), { scene: 'empty', storage: 'second' });
+    await second.ready;
+    const bell = {
+      name: 'Bell',
+      actions: [{ id: 'bell.ring', label: 'Ring', run() {} }],
+      techniques: { bell: { ...first.viewport.farol.techniques.deferred, label: 'Bell' } },
+      microshaders: { bell: '// How loud the bell is.\n// Farol\nfloat farol_bell() {\n  return 1.0;\n}\n' },
+    };
+    const states: boolean[][] = [];
+    const note = (): unknown =>
+      states.push(
+        [first, second].flatMap(({ viewport: { farol }, plugins }) => [
+          plugins.list.length === 1,
+          'bell' in farol.techniques,
+          farol.microshaders.has('bell'),
+        ]),
+      );
+    first.addPlugin(bell);
+    first.viewport.farol.technique = 'bell' as never;
+    first.viewport.renderNow();
+    note();
+    second.addPlugin(bell);
+    note();
+    first.removePlugin('Bell');
+    first.viewport.renderNow();
+    note();
+    return { states, technique: first.viewport.technique };
+  });
+  const [has, lacks] = [Array<boolean>(3).fill(true), Array<boolean>(3).fill(false)];
+  expect(states).toEqual({
+    states: [
+      [...has, ...lacks],
+      [...has, ...has],
+      [...lacks, ...has],
+    ],
+    technique: 'auto',
+  });
 });
 
 test('a plugin whose names are taken is refused as a whole', async ({ page }) => {

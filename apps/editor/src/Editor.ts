@@ -29,7 +29,8 @@ import { Notices } from './model/Notices';
 import { Registry } from './model/Registry';
 import { panels } from './panels';
 import { Viewport } from './viewport/Viewport';
-import { addPlugin } from './plugins/addPlugin';
+import { Plugins } from './plugins/Plugins';
+import { unknownTypes } from './model/unknownTypes';
 import { withProgress } from './files/withProgress';
 import { watchErrors } from './watchErrors';
 
@@ -66,13 +67,14 @@ export interface EditorOptions {
  * - `document`: scene, selection, simulation, and `commands`, the history
  * - `viewport`: canvas, camera, gizmo, FarolRenderer (`viewport.farol`), `renderNow()`, `pick(point)`
  * - `commands`: the same as `document.commands`
- * - `addPlugin(plugin)`: adds panels, components, kinds of fields, techniques and commands
+ * - `addPlugin(plugin)`: adds panels, components, types of fields, techniques, effects, microshaders and commands;
+ *   `removePlugin(name)` takes all of them out
  * - `serialize()`: the scene as the text of a file
  */
 export class Editor implements EditorApi {
   readonly actions = new Registry('an action', actions);
   readonly panels = new PanelRegistry(panels);
-  readonly components = new ComponentRegistry(builtinComponents.types.values());
+  readonly components = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
   readonly fieldEditors = new Registry<CustomFieldEditor>('a type of fields', []);
   readonly keys: KeyBindings<Action>;
   readonly layout: PanelLayout;
@@ -88,6 +90,7 @@ export class Editor implements EditorApi {
   readonly drafts = new Drafts();
   readonly renameRequested = new Signal();
   readonly fileChanged = new Signal();
+  readonly plugins: Plugins = new Plugins(this);
   readonly samples = scenes;
   readonly ready: Promise<void>;
   autosave: DraftKeeper | null = null;
@@ -234,7 +237,11 @@ export class Editor implements EditorApi {
   }
 
   addPlugin(plugin: EditorPlugin): void {
-    addPlugin(this, plugin);
+    this.plugins.add(plugin);
+  }
+
+  removePlugin(name: string): void {
+    this.plugins.remove(name);
   }
 
   openMicroShader(chunk: string, line = 0): void {
@@ -247,6 +254,10 @@ export class Editor implements EditorApi {
     this.openFile = file;
     this.fileChanged.emit();
     this.viewport.renderNow();
+    const unknown = unknownTypes(scene);
+    if (unknown.length === 0) return;
+    const text = `What brings these components is not here, so they are kept as data: ${unknown.join(', ')}`;
+    this.notices.show('warning', `${text}. Add the plugin that they belong to.`, 'plugin');
   }
 
   private watchPreferences(): void {

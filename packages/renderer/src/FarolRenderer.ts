@@ -155,6 +155,15 @@ export class FarolRenderer {
   }
 
   /**
+   * Takes a technique out that was added, and gives back what its passes hold. Where it is in use, 'auto' takes its place.
+   * @throws Error when none was added by that name
+   */
+  removeTechnique(name: string): void {
+    this.set.remove(name);
+    if (this.technique === name) this.technique = 'auto';
+  }
+
+  /**
    * What takes part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the like,
    * from entries of the package of their own. Takes effect on the next frame; effects that are left out stay the host's to
    * dispose, those in the list are disposed with this renderer. Default none.

@@ -77,6 +77,8 @@ export interface EditorApi {
   /** Controls of the types of fields that plugins brought. */
   readonly fieldEditors: Registry<CustomFieldEditor>;
   readonly preferences: PreferenceStore;
+  /** What was added by `addPlugin`; `changed` emits when a plugin comes or goes. */
+  readonly plugins: { readonly changed: Signal; readonly list: readonly EditorPlugin[] };
 
   /** Emits when the user asks to rename the selected object. */
   readonly renameRequested: Signal;
@@ -116,8 +118,17 @@ export interface EditorApi {
   mayLoseChanges(): Promise<boolean>;
   /** Runs something; what it throws becomes a message, save where the user turned back from choosing a file. */
   attempt(run: () => unknown): void;
-  /** Adds all that a plugin brings, or nothing. @throws Error naming what there is already */
+  /**
+   * Adds all that a plugin brings, or nothing. Components of the scene that were kept as data are themselves again.
+   * @throws Error naming what there is already
+   */
   addPlugin(plugin: EditorPlugin): void;
+  /**
+   * Takes out all that a plugin brought. Its components stay in the scene as data, which are kept and saved; undo brings
+   * the plugin back.
+   * @throws Error when there is no plugin of that name
+   */
+  removePlugin(name: string): void;
   /** Shows a microshader in its panel, at a line (from 1) if one is given. */
   openMicroShader(chunk: string, line?: number): void;
   /** Edits another scene, with an empty history. */

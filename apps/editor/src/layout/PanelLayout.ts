@@ -106,6 +106,13 @@ export class PanelLayout {
     this.store.setState({ stored: null, known: [], maximised: null });
   }
 
+  /** Treats a panel as one that has never been there: it opens when it comes again. */
+  forget(panel: string): void {
+    const { known, maximised } = this.store.getState();
+    if (maximised === panel) this.maximise(null);
+    this.store.setState({ known: known.filter((id) => id !== panel) });
+  }
+
   private set(layout: LayoutNode): void {
     const { known } = this.store.getState();
     const ids = this.panels.list.map(({ id }) => id);

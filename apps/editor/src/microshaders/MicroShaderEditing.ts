@@ -26,6 +26,23 @@ function problemOf(error: unknown): MicroShaderProblemText {
   return { message, entries: error instanceof MicroShaderCompileError ? error.entries : [] };
 }
 
+/** Takes chunks out of a registry; one may have to wait for another that depends on it. @returns those that are needed */
+function takeOut(registry: MicroShaderRegistry, names: readonly string[]): string[] {
+  let left = names.filter((name) => registry.has(name));
+  for (let before = Infinity; left.length < before;) {
+    before = left.length;
+    left = left.filter((name) => {
+      try {
+        registry.remove(name);
+        return false;
+      } catch {
+        return true;
+      }
+    });
+  }
+  return left;
+}
+
 /** What a new chunk begins with. */
 const TEMPLATE = `// What it is for.
 // Where it comes from.
@@ -41,6 +58,8 @@ export class MicroShaderEditing {
   /** Texts of the built-in chunks as they were written; what is drawn with may have lost its comments. */
   sources: Readonly<Record<string, string>> = {};
 
+  /** Chunks of plugins. */
+  private readonly added: Readonly<Record<string, string>>[] = [];
   private readonly overrides: MicroShaderOverrides[];
   private readonly drafts = new Map<string, string>();
   private readonly problems = new Map<string, MicroShaderProblemText>();
@@ -162,10 +181,42 @@ export class MicroShaderEditing {
 
   /** Has another renderer draw with the scene's microshaders too. @returns a function that ends it */
   addRegistry(registry: MicroShaderRegistry): () => void {
+    for (const texts of this.added) for (const name of Object.keys(texts)) registry.loadGLSL(name, texts[name]);
     const overrides = new MicroShaderOverrides(registry);
     overrides.apply(this.document.scene.microShaders.texts);
     this.overrides.push(overrides);
     return () => this.overrides.splice(this.overrides.indexOf(overrides), 1);
+  }
+
+  /**
+   * Adds chunks to every renderer of the editor, those of plugins.
+   * @param texts - in the form of a `.glsl` file, by name
+   * @returns a function that takes them out, and gives the names of those that stay, since something needs them
+   */
+  addChunks(texts: Readonly<Record<string, string>>): () => string[] {
+    const names = Object.keys(texts);
+    this.withoutScene((registry) => {
+      for (const name of names) registry.loadGLSL(name, texts[name]);
+    });
+    this.added.push(texts);
+    return () => {
+      this.added.splice(this.added.indexOf(texts), 1);
+      const kept = new Set<string>();
+      this.withoutScene((registry) => {
+        for (const name of takeOut(registry, names)) kept.add(name);
+      });
+      return [...kept];
+    };
+  }
+
+  /** Changes each registry while it holds nothing of the scene's. */
+  private withoutScene(change: (registry: MicroShaderRegistry) => void): void {
+    this.finish();
+    for (const overrides of this.overrides) {
+      overrides.apply(new Map());
+      change(overrides.registry);
+    }
+    this.apply();
   }
 
   private run(label: string, edits: readonly MicroShaderEdit[]): void {

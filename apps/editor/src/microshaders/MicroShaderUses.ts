@@ -65,12 +65,12 @@ export class MicroShaderUses {
 
   /** Techniques that draw with a chunk, 'auto' left out. */
   techniquesOf(name: string): TechniqueName[] {
-    return [...this.byTechnique].filter(([, chunks]) => chunks.has(name)).map(([technique]) => technique);
+    return this.drawn.filter(([, chunks]) => chunks.has(name)).map(([technique]) => technique);
   }
 
   /** Views, besides the final picture, that draw with a chunk. */
   viewsOf(name: string): View[] {
-    const common = this.techniquesOf(name).length === this.byTechnique.size;
+    const common = this.techniquesOf(name).length === this.drawn.length;
     return common ? [] : [...this.byView].filter(([, chunks]) => chunks.has(name)).map(([view]) => view);
   }
 
@@ -79,6 +79,11 @@ export class MicroShaderUses {
     return this.programs()
       .filter(({ chunks }) => chunks.has(name))
       .map((program) => program.name);
+  }
+
+  /** What each technique draws with, as far as that is known; those that were removed since are left out. */
+  private get drawn(): (readonly [TechniqueName, ReadonlySet<string>])[] {
+    return [...this.byTechnique].filter(([name]) => Object.hasOwn(this.farol.techniques, name));
   }
 
   private programs(): { name: string; chunks: Set<string> }[] {

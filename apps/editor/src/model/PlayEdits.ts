@@ -1,8 +1,7 @@
-import { type Command, SetFields, Signal } from '@farol/editing';
-import type { SceneChange, SceneSettings, Component } from '@farol/engine';
+import { type Command, type CommandStack, SetFields, Signal } from '@farol/editing';
+import type { Component, Scene, SceneChange, SceneSettings } from '@farol/engine';
 import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { CommandList } from './commands/CommandList';
-import type { EditorDocument } from './EditorDocument';
 
 /** A value that was edited while the scene played. */
 export interface PlayChange {
@@ -34,7 +33,7 @@ export class PlayEdits {
   private all: readonly Command[] = [];
   private last: Command | null = null;
 
-  constructor(private readonly document: EditorDocument) {}
+  constructor(private readonly document: { readonly commands: CommandStack; readonly scene: Scene }) {}
 
   /** Values that can be kept. */
   get changes(): readonly PlayChange[] {

@@ -1,4 +1,13 @@
-import { App, AssetLibrary, followEffects, KeyController, MouseController, type Scene } from '@farol/engine';
+import {
+  App,
+  AssetLibrary,
+  builtinComponents,
+  ComponentRegistry,
+  followEffects,
+  KeyController,
+  MouseController,
+  type Scene,
+} from '@farol/engine';
 import { deserialize, FileError, type ForeignAddress, readSceneFile } from '@farol/engine/files';
 import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -15,6 +24,9 @@ const ownScript = document.currentScript;
 
 const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
+/** What plugins of the editor brought is not here: the rest of the scene plays. */
+const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
+
 async function readScene(renderer: WebGLRenderer): Promise<Scene> {
   const element = document.getElementById('farol-scene');
   const dragon = (element ?? ownScript)?.dataset.dragon;
@@ -22,7 +34,7 @@ async function readScene(renderer: WebGLRenderer): Promise<Scene> {
   if (element) {
     const { text, fileOf } = await readSceneFile(bytesOf(element.textContent.trim()));
     // the page's own policy names the hosts that its author was content with
-    return deserialize(text, { assets, fileOf, mayFetch: () => true });
+    return deserialize(text, { assets, registry, fileOf, mayFetch: () => true });
   }
   const mayFetch = async (addresses: readonly ForeignAddress[]): Promise<readonly string[]> => {
     const hosts = await askForHosts(addresses);
@@ -30,7 +42,7 @@ async function readScene(renderer: WebGLRenderer): Promise<Scene> {
     return hosts;
   };
   assets.onChange((change) => change.error && say(change.error.message));
-  return deserialize(await decodeLink(location.hash), { assets, mayFetch });
+  return deserialize(await decodeLink(location.hash), { assets, registry, mayFetch });
 }
 
 /** Shows a message over the picture, below those that are there. */

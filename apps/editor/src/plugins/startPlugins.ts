@@ -1,40 +1,42 @@
-import { persist } from 'zustand/middleware';
 import { createStore } from 'zustand';
+import { persist } from 'zustand/middleware';
 import type { EditorApi } from '../api/EditorApi';
+import type { EditorPlugin } from '../api/EditorPlugin';
 import { knownPlugins } from '.';
 
 /**
- * Loads the plugins that the user has chosen, and makes a command of each that there is.
+ * Loads the plugins that the user has chosen, and makes a command of each that there is, which adds it or removes it.
  * @param storage - key under which the names of those chosen are kept in the browser
  */
 export async function startPlugins(editor: EditorApi, storage = 'farol-editor-plugins'): Promise<void> {
   const store = createStore<{ chosen: readonly string[] }>()(
     persist((): { chosen: readonly string[] } => ({ chosen: [] }), { name: storage }),
   );
-  const isChosen = (name: string): boolean => store.getState().chosen.includes(name);
-  const loaded = new Set<string>();
-  const load = async (name: string): Promise<void> => {
-    if (loaded.has(name)) return;
-    loaded.add(name);
-    editor.addPlugin(await knownPlugins[name].load());
+  const loaded = new Map<string, EditorPlugin>();
+  const added = (name: string): EditorPlugin | undefined =>
+    editor.plugins.list.find((plugin) => plugin === loaded.get(name));
+  const add = async (name: string): Promise<void> => {
+    const plugin = loaded.get(name) ?? (await knownPlugins[name].load());
+    loaded.set(name, plugin);
+    editor.addPlugin(plugin);
   };
   for (const [name, { label }] of Object.entries(knownPlugins)) {
     editor.actions.add({
       id: `plugins.${name}`,
       label,
       icon: 'object',
-      checked: () => isChosen(name),
+      checked: () => added(name) !== undefined,
       async run() {
-        const { chosen } = store.getState();
-        if (isChosen(name)) {
-          store.setState({ chosen: chosen.filter((each) => each !== name) });
-          editor.notices.show('info', `${label}: gone once the page is reloaded`, 'plugin');
-          return;
-        }
-        await load(name);
-        store.setState({ chosen: [...chosen, name] });
+        const plugin = added(name);
+        if (plugin) editor.removePlugin(plugin.name);
+        else await add(name);
       },
     });
   }
-  for (const name of store.getState().chosen) if (Object.hasOwn(knownPlugins, name)) await load(name);
+  const { chosen } = store.getState();
+  for (const name of chosen) if (Object.hasOwn(knownPlugins, name)) await add(name);
+  // undo adds and removes too
+  editor.plugins.changed.subscribe(() => {
+    store.setState({ chosen: Object.keys(knownPlugins).filter((name) => added(name) !== undefined) });
+  });
 }

@@ -1,5 +1,5 @@
 import { Box2, Vector2 } from 'three';
-import type { Viewport } from './Viewport';
+import type { PickSurface } from './PickSurface';
 
 /** A press that moves farther than this (CSS pixels) draws a box. */
 const REACH = 4;
@@ -15,7 +15,7 @@ export class BoxSelect {
   private pointer: number | null = null;
   private isOpen = false;
 
-  constructor(private readonly viewport: Viewport) {
+  constructor(private readonly viewport: PickSurface) {
     this.element.className = 'select-box';
     this.element.hidden = true;
     const { canvas } = viewport;

@@ -1,6 +1,6 @@
 import type { GameObject } from '@farol/engine';
 import { Vector2 } from 'three';
-import type { Viewport } from './Viewport';
+import type { PickSurface } from './PickSurface';
 
 /** A press that moves farther than this (CSS pixels) is a drag, not a click. */
 const CLICK_REACH = 4;
@@ -11,7 +11,7 @@ export class PointerPicker {
   private readonly point = new Vector2();
   private pointer: number | null = null;
 
-  constructor(private readonly viewport: Viewport) {
+  constructor(private readonly viewport: PickSurface) {
     const { canvas } = viewport;
     canvas.addEventListener('pointerdown', this.pointerDown);
     canvas.addEventListener('pointerup', this.pointerUp);

@@ -1,44 +1,45 @@
 import { Signal } from '@farol/editing';
 import {
-  Camera as CameraComponent,
+  type Camera as CameraComponent,
   createWebGLRenderer,
   followEffects,
   type GameObject,
   InputRouter,
 } from '@farol/engine';
-import { FarolRenderer, type MicroShaderRegistry, type TechniqueName, type View } from '@farol/renderer';
-import { type Box2, type Camera, type Material, Vector2, type WebGLRenderer } from 'three';
+import { FarolRenderer, type MicroShaderRegistry } from '@farol/renderer';
+import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
-import { boundsOf } from './boundsOf';
+import type { Registry } from '../model/Registry';
 import { BoxSelect } from './BoxSelect';
 import { CameraPreview } from './CameraPreview';
+import { CanvasPlace } from './CanvasPlace';
 import { EditorCamera } from './EditorCamera';
+import { FrameLoop } from './FrameLoop';
 import { FrameStatistics } from './FrameStatistics';
-import { Gizmo, type GizmoMode, type GizmoSpace } from './Gizmo';
+import { Gizmo } from './Gizmo';
 import { Helpers } from './Helpers';
 import { MaterialBall } from './MaterialBall';
-import { hitPoint, pick } from './pick';
+import { pick } from './pick';
 import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
+import type { PickSurface } from './PickSurface';
+import { PictureCamera } from './PictureCamera';
 import { PointerPicker } from './PointerPicker';
-import { type EffectChoice, ViewportEffects } from './ViewportEffects';
+import { type AddedEffect, type EffectChoice, ViewportEffects } from './ViewportEffects';
+import { ViewportSettings } from './ViewportSettings';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
 const ICON_REACH = 0.4;
-
-const middle = new Vector2();
 
 /**
  * The picture of the document: canvas, camera, gizmo, picking, loop. It draws when something changed, each frame while
  * the scene plays, and always when `continuous` is set. It knows nothing of React.
  */
-export class Viewport {
+export class Viewport extends ViewportSettings implements PickSurface {
   /** Takes what goes wrong while a frame is drawn. */
   onError: (error: unknown) => void = () => {};
   /** Brings the scene's microshaders into another renderer that draws the scene. */
   shareMicroShaders: (registry: MicroShaderRegistry) => void = () => {};
-  /** Emits when one of the settings below changes. */
-  readonly changed = new Signal();
   /** Emits after each frame that was drawn. */
   readonly drawn = new Signal();
   /** GPU times of the last frame have come, after it: they are in `farol.info`. */
@@ -58,24 +59,25 @@ export class Viewport {
   private readonly input: InputRouter;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
-  private hasStatistics = false;
   private assetChanges = 0;
   private readonly endings: (() => void)[] = [];
-  private readonly resizer = new ResizeObserver(() => this.resize());
-  private through: CameraComponent | null = null;
+  private readonly pictureCamera: PictureCamera;
+  private readonly place: CanvasPlace;
+  protected readonly loop: FrameLoop;
   private ownPainter: Painter | null = null;
-  private always = false;
-  private pending = 1;
-  private request = 0;
-  private last = 0;
-  private width = 1;
-  private height = 1;
 
   /** @throws Error when the browser has no WebGL 2 */
   constructor(
     readonly document: EditorDocument,
     readonly canvas: HTMLCanvasElement,
   ) {
+    super();
+    this.loop = new FrameLoop({
+      advance: (seconds) => this.advance(seconds),
+      draw: () => this.renderNow(),
+      failed: (error) => this.onError(error),
+      rest: () => this.farol.updateTimes() && this.timed.emit(),
+    });
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
     canvas.setAttribute('aria-label', 'Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
@@ -84,12 +86,14 @@ export class Viewport {
     this.farol = new FarolRenderer(this.webgl, { timing: true });
     this.effects = new ViewportEffects(this.farol, this.redraw, (error) => this.onError(error));
     const dragged = (isDragging: boolean): void => {
-      this.editorCamera.enabled = !isDragging && this.through === null;
+      this.editorCamera.enabled = !isDragging && this.lookThrough === null;
     };
     // the handles hear of the pointer before the camera does, so that a handle is taken and the camera stays
     const loaded = (): void => this.editorCamera.listenLast();
     this.gizmo = new Gizmo(document, canvas, dragged, this.redraw, loaded);
     this.editorCamera = new EditorCamera(canvas);
+    this.pictureCamera = new PictureCamera(document, this.editorCamera);
+    this.place = new CanvasPlace(canvas, () => this.resize());
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);
     this.boxSelect = new BoxSelect(this);
@@ -110,32 +114,7 @@ export class Viewport {
     );
     this.endings.push(document.structure.subscribe(() => this.checkCamera()));
     canvas.addEventListener('webglcontextrestored', this.redraw);
-    this.request = requestAnimationFrame(this.frame);
-  }
-
-  get technique(): TechniqueName {
-    return this.farol.technique;
-  }
-
-  /** @throws Error naming what the device lacks */
-  set technique(technique: TechniqueName) {
-    this.farol.technique = technique;
-    this.changed.emit();
-  }
-
-  get view(): View {
-    return this.farol.view;
-  }
-
-  set view(view: View) {
-    this.farol.view = view;
-    this.changed.emit();
-  }
-
-  /** Lights, or draws, a pixel that the views of counts show hottest. */
-  setHeatMapMaximum(maximum: number): void {
-    this.farol.heatMapMaximum = maximum;
-    this.changed.emit();
+    this.loop.start();
   }
 
   /** What draws the picture in place of `farol` alone; null for nothing. It is disposed when another one comes. */
@@ -151,116 +130,40 @@ export class Viewport {
     this.changed.emit();
   }
 
-  get mode(): GizmoMode {
-    return this.gizmo.mode;
-  }
-
-  set mode(mode: GizmoMode) {
-    this.gizmo.mode = mode;
-    this.changed.emit();
-  }
-
-  get space(): GizmoSpace {
-    return this.gizmo.space;
-  }
-
-  set space(space: GizmoSpace) {
-    this.gizmo.space = space;
-    this.changed.emit();
-  }
-
-  get snapping(): boolean {
-    return this.gizmo.snapping;
-  }
-
-  set snapping(snapping: boolean) {
-    this.gizmo.snapping = snapping;
-    this.changed.emit();
-  }
-
-  get showGrid(): boolean {
-    return this.helpers.showGrid;
-  }
-
-  set showGrid(show: boolean) {
-    this.helpers.showGrid = show;
-    this.changed.emit();
-  }
-
-  get showIcons(): boolean {
-    return this.helpers.showIcons;
-  }
-
-  set showIcons(show: boolean) {
-    this.helpers.showIcons = show;
-    this.changed.emit();
-  }
-
-  /** Whether the ranges of all lights are drawn; else those of selected ones. */
-  get showRanges(): boolean {
-    return this.helpers.showRanges;
-  }
-
-  set showRanges(show: boolean) {
-    this.helpers.showRanges = show;
-    this.changed.emit();
-  }
-
-  /** Whether every frame is drawn, changed or not: to see frame rates. */
-  get continuous(): boolean {
-    return this.always;
-  }
-
-  set continuous(continuous: boolean) {
-    this.always = continuous;
-    this.changed.emit();
-  }
-
-  /** Whether figures of the frames lie over the picture. */
-  get showStatistics(): boolean {
-    return this.hasStatistics;
-  }
-
-  set showStatistics(show: boolean) {
-    this.hasStatistics = show;
-    this.changed.emit();
-  }
-
   /** The selected camera, of which a small picture lies over the large one; null when there is none. */
   get previewed(): CameraComponent | null {
-    const camera = this.document.selectedObjects.at(-1)?.getComponent(CameraComponent) ?? null;
-    return camera === this.through ? null : camera;
+    return this.pictureCamera.selected;
   }
 
   /** The camera of the scene that is looked through; null for the editor's own. Only then does input go to the scene. */
   get lookThrough(): CameraComponent | null {
-    return this.through;
+    return this.pictureCamera.lookThrough;
   }
 
   set lookThrough(camera: CameraComponent | null) {
-    this.through = camera;
-    this.editorCamera.enabled = camera === null;
+    this.pictureCamera.lookThrough = camera;
     this.changed.emit();
   }
 
   /** Whether pointer and keys go to the scene's own components. */
   get sceneListens(): boolean {
-    return this.through !== null && this.document.simulation.isPlaying;
+    return this.lookThrough !== null && this.document.simulation.isPlaying;
   }
 
   /** The three camera of the picture. */
   get camera(): Camera {
-    return this.through?.isAttached ? this.through.three : this.editorCamera.camera;
+    return this.pictureCamera.current;
   }
 
   /** Size of the picture in CSS pixels. */
   get size(): { width: number; height: number } {
-    return { width: this.width, height: this.height };
+    const { width, height } = this.place;
+    return { width, height };
   }
 
   /** Has the next frame drawn, and those that an effect gathers. */
   invalidate(): void {
-    this.pending = this.effects.frames;
+    this.loop.ask(this.effects.frames);
   }
 
   /** Sets what takes part in the picture beside the technique. */
@@ -268,20 +171,26 @@ export class Viewport {
     this.effects.choice = choice;
   }
 
+  /** Effects of plugins. */
+  get addedEffects(): Registry<AddedEffect> {
+    return this.effects.added;
+  }
+
   /** Draws now. */
   renderNow(): void {
-    this.through?.setViewport(this.width, this.height);
+    const { width, height } = this.place;
+    this.lookThrough?.setViewport(width, height);
     followEffects(this.farol, this.document.scene, this.redraw);
     (this.painter ?? this.farol).render(this.document.scene.three, this.camera);
     this.gizmo.update(this.camera);
     if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
-      this.helpers.render(this.webgl, this.camera, this.through, this.gizmo.isDragging);
+      this.helpers.render(this.webgl, this.camera, this.lookThrough, this.gizmo.isDragging);
     const { previewed } = this;
     if (previewed) {
       this.preview ??= this.makePreview();
       const { scene, edited } = this.document;
       const key = `${edited.revision} ${scene.time} ${this.assetChanges}`;
-      this.preview.render(scene, previewed, this.width, this.height, key);
+      this.preview.render(scene, previewed, width, height, key);
     }
     this.effects.update();
     this.statistics.add(performance.now());
@@ -294,7 +203,7 @@ export class Viewport {
    */
   pick(point: Vector2): GameObject | null {
     const mesh = pick(this.document.scene, this.camera, point);
-    const icon = this.helpers.pickIcon(this.camera, point, this.width, this.height);
+    const icon = this.helpers.pickIcon(this.camera, point, this.place.width, this.place.height);
     if (icon && (!mesh || icon.distance < mesh.distance + ICON_REACH)) return icon.object;
     return mesh?.object ?? null;
   }
@@ -312,27 +221,22 @@ export class Viewport {
 
   /** Looks at the selection, or at everything. */
   focus(): void {
-    const { selectedObjects, scene } = this.document;
-    const box = boundsOf(selectedObjects.length > 0 ? selectedObjects : scene.roots);
-    if (!box.isEmpty()) this.editorCamera.focus(box);
+    this.pictureCamera.focus();
   }
 
   /** Puts the canvas into an element, whose size it follows. */
   attach(parent: HTMLElement): void {
-    parent.append(this.canvas);
-    this.resizer.observe(parent);
-    this.resize();
+    this.place.attach(parent);
   }
 
   /** Takes the canvas out of where it is. */
   detach(): void {
-    this.resizer.disconnect();
-    this.canvas.remove();
+    this.place.detach();
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.request);
-    this.resizer.disconnect();
+    this.loop.stop();
+    this.place.dispose();
     for (const end of this.endings) end();
     this.picker.dispose();
     this.boxSelect.dispose();
@@ -356,27 +260,19 @@ export class Viewport {
 
   private sceneOpened(): void {
     this.lookThrough = null;
-    const { scene } = this.document;
-    const { activeCamera } = scene;
-    scene.three.updateMatrixWorld();
-    if (!activeCamera) return this.editorCamera.focus(boundsOf(scene.roots), false);
-    this.editorCamera.matchCamera(activeCamera, (camera) => hitPoint(scene, camera, middle)?.distance ?? null);
+    this.pictureCamera.showScene();
   }
 
   /** A camera that was taken out cannot be looked through. */
   private checkCamera(): void {
-    if (this.through && !this.document.scene.componentsOf(CameraComponent).includes(this.through))
-      this.lookThrough = null;
+    if (this.pictureCamera.isLost) this.lookThrough = null;
   }
 
   private resize(): void {
-    const parent = this.canvas.parentElement;
-    if (!parent) return;
-    this.width = Math.max(1, parent.clientWidth);
-    this.height = Math.max(1, parent.clientHeight);
+    const { width, height } = this.place;
     this.webgl.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.webgl.setSize(this.width, this.height);
-    this.editorCamera.resize(this.width, this.height);
+    this.webgl.setSize(width, height);
+    this.editorCamera.resize(width, height);
     this.resized.emit();
     // a canvas that was resized is empty until it is drawn
     this.renderNow();
@@ -384,22 +280,11 @@ export class Viewport {
 
   private readonly redraw = (): void => this.invalidate();
 
-  private readonly frame = (now: number): void => {
-    this.request = requestAnimationFrame(this.frame);
-    const elapsed = this.last === 0 ? 0 : (now - this.last) / 1000;
-    this.last = now;
+  /** @returns whether a frame is to be drawn for what moves by itself */
+  private advance(seconds: number): boolean {
     const { simulation } = this.document;
-    simulation.advance(elapsed);
-    if (this.editorCamera.update(Math.min(elapsed, 0.1))) this.invalidate();
-    if (!simulation.isPlaying && !this.always && this.pending === 0) {
-      if (this.farol.updateTimes()) this.timed.emit();
-      return;
-    }
-    this.pending = Math.max(0, this.pending - 1);
-    try {
-      this.renderNow();
-    } catch (error) {
-      this.onError(error);
-    }
-  };
+    simulation.advance(seconds);
+    if (this.editorCamera.update(Math.min(seconds, 0.1))) this.invalidate();
+    return simulation.isPlaying;
+  }
 }

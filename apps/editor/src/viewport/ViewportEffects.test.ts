@@ -50,4 +50,21 @@ describe('ViewportEffects', () => {
     effects.choice = { antialiasing: 'none', on: ['ambient-occlusion'] };
     expect(farol.effects[1]).toBe(occlusion);
   });
+
+  it('takes effects of plugins before those that smooth edges, and gives them back when the plugin goes', async () => {
+    const farol = renderer('opaque');
+    const effects = new ViewportEffects(farol, vi.fn<() => void>(), failed);
+    effects.choice = { antialiasing: 'smaa', on: ['haze', 'unheard of'] };
+    await vi.waitFor(() => expect(names(farol)).toEqual(['SMAA']));
+    const dispose = vi.fn<() => void>();
+    const make = (): FarolEffect => ({ name: 'Haze', dispose }) as unknown as FarolEffect;
+    const takeOut = effects.added.add({ id: 'haze', label: 'Haze', help: 'Far things fade.', make });
+    expect(names(farol)).toEqual(['Haze', 'SMAA']);
+    takeOut();
+    expect(names(farol)).toEqual(['SMAA']);
+    expect(dispose).toHaveBeenCalledTimes(1);
+    effects.added.add({ id: 'haze', label: 'Haze', help: 'Far things fade.', make });
+    expect(names(farol)).toEqual(['Haze', 'SMAA']);
+    expect(dispose).toHaveBeenCalledTimes(1);
+  });
 });

@@ -1,5 +1,6 @@
 import type { FarolEffect, FarolInfo, FarolRenderer } from '@farol/renderer';
 import type { EffectName } from '@farol/renderer/effects';
+import { Registry } from '../model/Registry';
 
 /** Effects that are switched by themselves, in their order in a frame; decals come with the scene. */
 export const switchedEffects = ['ambient-occlusion', 'order-independent-transparency'] as const;
@@ -12,7 +13,18 @@ export type Antialiasing = (typeof antialiasings)[number];
 /** What is chosen for the viewport's picture. */
 export interface EffectChoice {
   readonly antialiasing: Antialiasing;
-  readonly on: readonly SwitchedEffect[];
+  /** Keys of those that are on, those of plugins included; one that is not known has no effect. */
+  readonly on: readonly string[];
+}
+
+/** An effect of a plugin, as the Frame panel shows it. */
+export interface AddedEffect {
+  readonly id: string;
+  readonly label: string;
+  /** One line. */
+  readonly help: string;
+  /** A new effect, made when it is first switched on. */
+  make(): FarolEffect;
 }
 
 /** Still frames after which the picture of TAA changes no more. */
@@ -20,11 +32,14 @@ const SETTLED = 40;
 
 /** Keeps `FarolRenderer.effects` at what is chosen; their code is fetched when the first of them is on. */
 export class ViewportEffects {
+  /** Effects of plugins: they come before those that smooth edges. */
+  readonly added = new Registry<AddedEffect>('an effect', []);
+
   private chosen: EffectChoice = { antialiasing: 'auto', on: [] };
   private isSuspended = false;
   private code: typeof import('@farol/renderer/effects') | null = null;
   private asked = false;
-  private readonly made = new Map<EffectName, FarolEffect>();
+  private readonly made = new Map<string, FarolEffect>();
   private current = '';
 
   /**
@@ -35,7 +50,9 @@ export class ViewportEffects {
     private readonly farol: FarolRenderer,
     private readonly redraw: () => void,
     private readonly failed: (error: unknown) => void,
-  ) {}
+  ) {
+    this.added.changed.subscribe(() => this.addedChanged());
+  }
 
   get choice(): EffectChoice {
     return this.chosen;
@@ -79,18 +96,30 @@ export class ViewportEffects {
     for (const effect of this.made.values()) effect.dispose();
   }
 
-  private wanted({ passes }: FarolInfo): EffectName[] {
+  private addedChanged(): void {
+    this.update();
+    for (const [name, effect] of this.made) {
+      if (name in (this.code?.effects ?? {}) || this.added.get(name)) continue;
+      effect.dispose();
+      this.made.delete(name);
+    }
+  }
+
+  private wanted({ passes }: FarolInfo): string[] {
     const { antialiasing, on } = this.chosen;
     if (this.isSuspended) return [];
-    const names: EffectName[] = switchedEffects.filter((name) => on.includes(name));
+    const names: string[] = [...switchedEffects, ...this.added.list.map(({ id }) => id)].filter((name) =>
+      on.includes(name),
+    );
     if (antialiasing !== 'auto' && antialiasing !== 'none') names.push(antialiasing);
     if (antialiasing === 'auto' && passes.some(({ name }) => name === 'g-buffer')) names.push('smaa');
     return names;
   }
 
-  private make(name: EffectName, { effects }: typeof import('@farol/renderer/effects')): FarolEffect {
+  private make(name: string, { effects }: typeof import('@farol/renderer/effects')): FarolEffect {
     let effect = this.made.get(name);
-    if (effect === undefined) this.made.set(name, (effect = effects[name].make()));
+    if (effect === undefined)
+      this.made.set(name, (effect = (this.added.get(name) ?? effects[name as EffectName]).make()));
     return effect;
   }
 

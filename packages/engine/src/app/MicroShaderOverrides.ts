@@ -16,7 +16,7 @@ export class MicroShaderOverrides {
   /** What the registry itself had, not its parent, where a scene's text took its place: chunks of effects, such as shadows. */
   private readonly replaced = new Map<string, MicroShader>();
 
-  constructor(private readonly registry: MicroShaderRegistry) {}
+  constructor(readonly registry: MicroShaderRegistry) {}
 
   /**
    * Has the registry hold these texts, and its own chunks for all other names.

@@ -9,6 +9,7 @@ export { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 export { makeObjects } from './makeObjects';
 export { parseFile, type ParseOptions } from './parseFile';
 export { preloadFileCode } from './preloadFileCode';
+export { restoreComponent } from './restoreComponent';
 export { readSceneFile, type SceneFile } from './readSceneFile';
 export { serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
 export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';

@@ -20,6 +20,15 @@ export class TechniqueSet {
     this.known[name] = technique;
   }
 
+  /** Takes an added technique out, and gives back what its passes hold. @throws Error when none was added by that name */
+  remove(name: string): void {
+    if (!Object.hasOwn(this.known, name) || Object.hasOwn(techniques, name))
+      throw new Error(`Farol: no technique "${name}" was added; only added ones can be removed.`);
+    for (const pass of this.lists.get(name) ?? []) pass.dispose();
+    this.lists.delete(name);
+    delete this.known[name];
+  }
+
   /** @throws Error when there is none of that name */
   get(name: string): Technique {
     if (!Object.hasOwn(this.known, name)) throw unknownName('technique', name, Object.keys(this.known));

@@ -1,7 +1,7 @@
 import type { ReactNode } from 'react';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
 import { Toggle } from '../../ui/Toggle';
-import { useEditor } from '../../ui/EditorContext';
+import { useEditor, useSignal } from '../../ui/EditorContext';
 import { usePreferences } from '../../ui/usePreferences';
 import type { Antialiasing, EffectChoice, SwitchedEffect } from '../../viewport/ViewportEffects';
 import { Section } from '../inspector/Section';
@@ -14,14 +14,14 @@ const antialiasings: readonly SelectOption<Antialiasing>[] = [
   { value: 'taa', label: 'TAA', help: 'Gathers frames, each drawn a part of a pixel off.' },
 ];
 
-const switches: readonly { name: SwitchedEffect; label: string; help: string }[] = [
+const switches: readonly { id: SwitchedEffect; label: string; help: string }[] = [
   {
-    name: 'ambient-occlusion',
+    id: 'ambient-occlusion',
     label: 'Ambient occlusion',
     help: 'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.',
   },
   {
-    name: 'order-independent-transparency',
+    id: 'order-independent-transparency',
     label: 'Unsorted transparency',
     help: 'Transparent layers are averaged, not sorted: they may pass through one another.',
   },
@@ -29,7 +29,9 @@ const switches: readonly { name: SwitchedEffect; label: string; help: string }[]
 
 /** What takes part in the picture beside the technique. */
 export function EffectsSection(): ReactNode {
-  const { preferences } = useEditor();
+  const { preferences, viewport } = useEditor();
+  const { addedEffects } = viewport;
+  useSignal(addedEffects.changed);
   const { antialiasing, on } = usePreferences(({ effects }) => effects);
   const choose = (change: Partial<EffectChoice>): void => {
     preferences.setState({ effects: { antialiasing, on, ...change } });
@@ -50,14 +52,14 @@ export function EffectsSection(): ReactNode {
           onChange={(value) => choose({ antialiasing: value })}
         />
       </div>
-      {switches.map(({ name, label, help }) => (
-        <div key={name} className="field">
+      {[...switches, ...addedEffects.list].map(({ id, label, help }) => (
+        <div key={id} className="field">
           <span className="field-label">{label}</span>
           <Toggle
-            value={on.includes(name)}
+            value={on.includes(id)}
             label={label}
             description={help}
-            onChange={(isOn) => choose({ on: isOn ? [...on, name] : on.filter((each) => each !== name) })}
+            onChange={(isOn) => choose({ on: isOn ? [...on, id] : on.filter((each) => each !== id) })}
           />
         </div>
       ))}

@@ -22,6 +22,16 @@ function sharedComponents(objects: readonly GameObject[]): (readonly Component[]
   });
 }
 
+const keys = new WeakMap<Component, number>();
+let count = 0;
+
+/** Tells one component from another that came to its place with the same id. */
+function keyOf(component: Component): number {
+  let key = keys.get(component);
+  if (key === undefined) keys.set(component, (key = count++));
+  return key;
+}
+
 /** The selected GameObjects: name, whether they are active, and their components. @param props.ids - at least one */
 export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: readonly string[] }): ReactNode {
   const editor = useEditor();
@@ -75,7 +85,7 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
       </div>
       {isOne && first.prefabLink && <PrefabBar object={first} />}
       {groups.map((components) => (
-        <ComponentSection key={components.map(({ id }) => id).join()} components={components} />
+        <ComponentSection key={components.map(keyOf).join()} components={components} />
       ))}
       <div className="add-component">
         <SearchMenu label="Add component" icon="add" className="button wide" items={items} onChoose={add} />

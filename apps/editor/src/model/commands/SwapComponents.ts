@@ -1,0 +1,39 @@
+import type { Component, Scene } from '@farol/engine';
+import { StructuralCommand } from './StructuralCommand';
+
+/** A component of an object, and what comes to its place. */
+export interface ComponentSwap {
+  readonly before: Component;
+  readonly after: Component;
+}
+
+/** Puts components in the place of others: same object, same place among its components, same id, on or off as they were. */
+export class SwapComponents extends StructuralCommand {
+  constructor(
+    label: string,
+    scene: Scene,
+    private readonly swaps: readonly ComponentSwap[],
+  ) {
+    super(label, scene);
+  }
+
+  forget(isDone: boolean): void {
+    for (const { before, after } of this.swaps) (isDone ? before : after).dispose();
+  }
+
+  protected override apply(): void {
+    for (const { before, after } of this.swaps) swap(before, after);
+  }
+
+  protected override revert(): void {
+    for (const { before, after } of this.swaps.toReversed()) swap(after, before);
+  }
+}
+
+function swap(component: Component, other: Component): void {
+  const { gameObject, id, enabled } = component;
+  const index = gameObject.components.indexOf(component);
+  gameObject.removeComponent(component);
+  other.enabled = enabled;
+  gameObject.addComponent(other, {}, { index, id, enabled });
+}

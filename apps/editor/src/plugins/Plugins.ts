@@ -1,0 +1,134 @@
+import type { Component, ComponentClass } from '@farol/engine';
+import { makeUnknownComponent, restoreComponent, serializeObject, UnknownComponent } from '@farol/engine/files';
+import type { EditorApi } from '../api/EditorApi';
+import type { EditorPlugin } from '../api/EditorPlugin';
+import { type ComponentSwap, SwapComponents } from '../model/commands/SwapComponents';
+import { Signal } from '@farol/editing';
+import { installPlugin } from './installPlugin';
+import { PluginStep } from './PluginStep';
+import { takenNames } from './takenNames';
+
+/** '3 Flicker, 1 Beacon'. */
+function countsOf(components: readonly Component[]): string {
+  const counts = new Map<string, number>();
+  for (const { typeName } of components) counts.set(typeName, (counts.get(typeName) ?? 0) + 1);
+  return [...counts].map(([type, count]) => `${count} ${type}`).join(', ');
+}
+
+/** A component of the scene as the data that its file holds. */
+function asUnknown(component: Component): UnknownComponent {
+  const { components } = serializeObject(component.gameObject);
+  return makeUnknownComponent(components.find(({ id }) => id === component.id)!);
+}
+
+/** The plugins of one editor. */
+export class Plugins {
+  /** Emits when a plugin comes or goes, by a step of the history too. */
+  readonly changed = new Signal();
+
+  private readonly installed = new Map<EditorPlugin, () => void>();
+
+  constructor(private readonly editor: EditorApi) {}
+
+  /** In the order in which they came. */
+  get list(): readonly EditorPlugin[] {
+    return [...this.installed.keys()];
+  }
+
+  /**
+   * Adds all of a plugin, or nothing. Components of the scene that were kept as data, since their class was not there, are
+   * themselves again: a step of the history.
+   * @throws Error naming what there is already
+   */
+  add(plugin: EditorPlugin): void {
+    const { document, log } = this.editor;
+    const taken = takenNames(this.editor, this.list, plugin);
+    if (taken.length > 0) {
+      throw new Error(
+        `The plugin '${plugin.name}' cannot be added: there is ${taken.join(', ')} already. Choose other names.`,
+      );
+    }
+    this.install(plugin);
+    const swaps = this.restored(plugin);
+    if (swaps.length > 0) {
+      const label = `Bring back ${countsOf(swaps.map(({ after }) => after))}`;
+      const step = new SwapComponents(label, document.scene, swaps);
+      document.commands.run(new PluginStep(step, { do: () => this.install(plugin) }));
+    }
+    log.add('info', 'plugin', `Added the plugin ${plugin.name}`);
+  }
+
+  /**
+   * Takes all of a plugin out. Its components stay in the scene as data that are kept and saved: a step of the history,
+   * which brings the plugin back when it is undone. A scene that plays is stopped.
+   * @throws Error when there is no plugin of that name
+   */
+  remove(name: string): void {
+    const plugin = this.list.find((each) => each.name === name);
+    if (!plugin) throw new Error(`There is no plugin '${name}' to remove.`);
+    const { document, notices } = this.editor;
+    const { commands } = document;
+    document.simulation.stop();
+    const components = this.inScene((component) => hasType(plugin, component));
+    const isInHistory = commands.history.length > 0 || commands.future.length > 0;
+    // steps of the history may hold components of the plugin: they are undone only where the plugin is
+    if (components.length > 0 || (isInHistory && (plugin.components?.length ?? 0) > 0)) {
+      const swaps = components.map((before) => ({ before, after: asUnknown(before) }));
+      const step = new SwapComponents(`Remove plugin ${name}`, document.scene, swaps);
+      commands.run(new PluginStep(step, { do: () => this.uninstall(plugin), undo: () => this.install(plugin) }));
+    } else this.uninstall(plugin);
+    const kept =
+      components.length === 0 ? '' : `: ${countsOf(components)} kept as data until the plugin is there again`;
+    notices.show('info', `The plugin ${name} is removed${kept}`, 'plugin');
+  }
+
+  private install(plugin: EditorPlugin): void {
+    if (this.installed.has(plugin)) return;
+    this.installed.set(plugin, installPlugin(this.editor, plugin));
+    this.emit();
+  }
+
+  private uninstall(plugin: EditorPlugin): void {
+    const withdraw = this.installed.get(plugin);
+    if (!withdraw) return;
+    this.installed.delete(plugin);
+    withdraw();
+    this.emit();
+  }
+
+  private emit(): void {
+    const { viewport, document } = this.editor;
+    viewport.changed.emit();
+    document.structure.emit();
+    this.changed.emit();
+  }
+
+  private inScene(isWanted: (component: Component) => boolean): Component[] {
+    const found: Component[] = [];
+    this.editor.document.scene.traverse(({ components }) => found.push(...components.filter(isWanted)));
+    return found;
+  }
+
+  /** Components of the scene that are data, with what they become by the plugin's classes; data that cannot be read stay. */
+  private restored(plugin: EditorPlugin): ComponentSwap[] {
+    const { components, notices } = this.editor;
+    const types = new Set(plugin.components?.map(({ typeName }) => typeName));
+    return this.inScene((each) => each instanceof UnknownComponent && types.has(each.typeName)).flatMap((before) => {
+      const { typeName: type, componentClass } = before;
+      try {
+        const after = restoreComponent(
+          { type, version: componentClass.version, values: before.authoredValues() },
+          components,
+        );
+        return { before, after };
+      } catch (error) {
+        const { name } = before.gameObject;
+        notices.show('error', `The ${type} of ${name} stays as data: ${(error as Error).message}`, 'plugin');
+        return [];
+      }
+    });
+  }
+}
+
+const hasType = ({ components }: EditorPlugin, { componentClass }: Component): boolean =>
+  components?.includes(componentClass as ComponentClass) ?? false;

@@ -1,0 +1,52 @@
+import type { EditorApi } from '../api/EditorApi';
+import type { EditorPlugin } from '../api/EditorPlugin';
+
+/** Puts all parts of a plugin, whose names are free, into the editor. @returns a function that takes all of them out */
+export function installPlugin(editor: EditorApi, plugin: EditorPlugin): () => void {
+  const { actions, panels, layout, components, fieldEditors, microShaders, viewport, notices } = editor;
+  const { farol } = viewport;
+  /** What takes each part out; called from the last one on. */
+  const endings: (() => void)[] = [];
+  if (plugin.microshaders) {
+    const takeOut = microShaders.addChunks(plugin.microshaders);
+    endings.push(() => {
+      const kept = takeOut();
+      if (kept.length === 0) return;
+      notices.show(
+        'warning',
+        `Microshaders of ${plugin.name} stay, since others need them: ${kept.join(', ')}`,
+        'plugin',
+      );
+    });
+  }
+  for (const type of plugin.components ?? []) {
+    components.register(type);
+    endings.push(() => components.unregister(type));
+  }
+  for (const { name, editor: control } of plugin.fieldTypes ?? [])
+    endings.push(fieldEditors.add({ id: name, editor: control }));
+  for (const [name, technique] of Object.entries(plugin.techniques ?? {})) {
+    farol.addTechnique(name, technique);
+    endings.push(() => {
+      // what compares techniques has renderers of its own, which know this one
+      viewport.painter = null;
+      farol.removeTechnique(name);
+    });
+  }
+  for (const [id, effect] of Object.entries(plugin.effects ?? {}))
+    endings.push(viewport.addedEffects.add({ id, label: effect.label, help: effect.help, make: () => effect.make() }));
+  for (const action of plugin.actions ?? []) endings.push(actions.add(action));
+  for (const panel of plugin.panels ?? []) {
+    const takeOut = panels.add(panel);
+    endings.push(() => {
+      // a panel that is open opens again when it comes back
+      if (layout.isOpen(panel.id)) layout.forget(panel.id);
+      takeOut();
+    });
+  }
+  const end = plugin.setUp?.(editor);
+  if (end) endings.push(end);
+  return () => {
+    for (const ending of endings.toReversed()) ending();
+  };
+}

@@ -1,0 +1,27 @@
+import type { EditorApi } from '../api/EditorApi';
+import type { EditorPlugin } from '../api/EditorPlugin';
+
+/** What of a plugin has a name that something else in the editor has, or another part of the plugin: 'the panel 'notes''. */
+export function takenNames(editor: EditorApi, plugins: readonly EditorPlugin[], plugin: EditorPlugin): string[] {
+  const { actions, panels, components, fieldEditors, microShaders, viewport } = editor;
+  const { techniques } = viewport.farol;
+  const names: readonly [noun: string, names: readonly string[], isTaken: (name: string) => boolean][] = [
+    ['plugin', [plugin.name], (name) => plugins.some((each) => each.name === name)],
+    ['panel', idsOf(plugin.panels), (id) => panels.get(id) !== undefined],
+    ['action', idsOf(plugin.actions), (id) => actions.get(id) !== undefined],
+    ['component', (plugin.components ?? []).map(({ typeName }) => typeName), (type) => components.types.has(type)],
+    [
+      'type of fields',
+      (plugin.fieldTypes ?? []).map(({ name }) => name),
+      (name) => fieldEditors.get(name) !== undefined,
+    ],
+    ['technique', Object.keys(plugin.techniques ?? {}), (name) => Object.hasOwn(techniques, name)],
+    ['effect', Object.keys(plugin.effects ?? {}), (name) => viewport.addedEffects.get(name) !== undefined],
+    ['microshader', Object.keys(plugin.microshaders ?? {}), (name) => microShaders.registry.has(name)],
+  ];
+  return names.flatMap(([noun, all, isTaken]) =>
+    all.filter((name, i) => isTaken(name) || all.indexOf(name) < i).map((name) => `the ${noun} '${name}'`),
+  );
+}
+
+const idsOf = (items: readonly { readonly id: string }[] = []): string[] => items.map(({ id }) => id);

@@ -1,0 +1,21 @@
+import type { GameObject } from '@farol/engine';
+import type { Box2, Vector2 } from 'three';
+import type { Selection } from '../model/Selection';
+import type { EditorCamera } from './EditorCamera';
+import type { GizmoMode } from './Gizmo';
+
+/** What selecting by the pointer needs of the viewport. */
+export interface PickSurface {
+  readonly canvas: HTMLCanvasElement;
+  readonly document: { readonly selection: Selection };
+  readonly editorCamera: EditorCamera;
+  /** `isHot`: whether the pointer is over a handle. */
+  readonly gizmo: { readonly isHot: boolean };
+  readonly mode: GizmoMode;
+  /** Not null while the picture is that of a camera of the scene. */
+  readonly lookThrough: object | null;
+  /** The GameObject that is seen at a point. @param point - normalised device coordinates */
+  pick(point: Vector2): GameObject | null;
+  /** The GameObjects within a box (normalised device coordinates). */
+  pickBox(box: Box2): GameObject[];
+}

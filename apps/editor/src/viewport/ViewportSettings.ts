@@ -1,0 +1,117 @@
+import type { FarolRenderer, TechniqueName, View } from '@farol/renderer';
+import { Signal } from '@farol/editing';
+import type { FrameLoop } from './FrameLoop';
+import type { Gizmo, GizmoMode, GizmoSpace } from './Gizmo';
+import type { Helpers } from './Helpers';
+
+/** What the user chooses of the picture and its handles; each change is told. */
+export abstract class ViewportSettings {
+  /** Emits when one of the settings changes, those of the viewport included. */
+  readonly changed = new Signal();
+
+  abstract readonly farol: FarolRenderer;
+  abstract readonly gizmo: Gizmo;
+  abstract readonly helpers: Helpers;
+  protected abstract readonly loop: FrameLoop;
+  private hasStatistics = false;
+
+  get technique(): TechniqueName {
+    return this.farol.technique;
+  }
+
+  /** @throws Error naming what the device lacks */
+  set technique(technique: TechniqueName) {
+    this.farol.technique = technique;
+    this.changed.emit();
+  }
+
+  get view(): View {
+    return this.farol.view;
+  }
+
+  set view(view: View) {
+    this.farol.view = view;
+    this.changed.emit();
+  }
+
+  /** Lights, or draws, a pixel that the views of counts show hottest. */
+  setHeatMapMaximum(maximum: number): void {
+    this.farol.heatMapMaximum = maximum;
+    this.changed.emit();
+  }
+
+  get mode(): GizmoMode {
+    return this.gizmo.mode;
+  }
+
+  set mode(mode: GizmoMode) {
+    this.gizmo.mode = mode;
+    this.changed.emit();
+  }
+
+  get space(): GizmoSpace {
+    return this.gizmo.space;
+  }
+
+  set space(space: GizmoSpace) {
+    this.gizmo.space = space;
+    this.changed.emit();
+  }
+
+  get snapping(): boolean {
+    return this.gizmo.snapping;
+  }
+
+  set snapping(snapping: boolean) {
+    this.gizmo.snapping = snapping;
+    this.changed.emit();
+  }
+
+  get showGrid(): boolean {
+    return this.helpers.showGrid;
+  }
+
+  set showGrid(show: boolean) {
+    this.helpers.showGrid = show;
+    this.changed.emit();
+  }
+
+  get showIcons(): boolean {
+    return this.helpers.showIcons;
+  }
+
+  set showIcons(show: boolean) {
+    this.helpers.showIcons = show;
+    this.changed.emit();
+  }
+
+  /** Whether the ranges of all lights are drawn; else those of selected ones. */
+  get showRanges(): boolean {
+    return this.helpers.showRanges;
+  }
+
+  set showRanges(show: boolean) {
+    this.helpers.showRanges = show;
+    this.changed.emit();
+  }
+
+  /** Whether every frame is drawn, changed or not: to see frame rates. */
+  get continuous(): boolean {
+    return this.loop.continuous;
+  }
+
+  set continuous(continuous: boolean) {
+    this.loop.continuous = continuous;
+    this.changed.emit();
+  }
+
+  /** Whether figures of the frames lie over the picture. */
+  get showStatistics(): boolean {
+    return this.hasStatistics;
+  }
+
+  set showStatistics(show: boolean) {
+    this.hasStatistics = show;
+    this.changed.emit();
+  }
+}

@@ -1,0 +1,15 @@
+import type { Component, ComponentData, ComponentRegistry } from '../core/SceneGraph';
+import { ProblemList } from './ProblemList';
+import { readComponent } from './readComponent';
+
+/**
+ * A component on no object from data whose class has come to be known: checked, and brought up to the class's version.
+ * @throws FileError listing what is wrong with the data; Error for a type that the registry does not know
+ */
+export function restoreComponent(data: ComponentData, registry: ComponentRegistry): Component {
+  const { typeName } = registry.get(data.type);
+  const problems = new ProblemList();
+  const read = readComponent({ ...data, id: typeName }, typeName, registry, problems);
+  problems.throwIfAny();
+  return registry.create(typeName, read!.values);
+}
