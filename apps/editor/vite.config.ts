@@ -37,7 +37,12 @@ export default defineConfig(({ command }) => ({
         codeSplitting: {
           groups: [
             { name: 'three', tags: ['$initial'], test: /[\\/]node_modules[\\/]three[\\/]/, priority: 1 },
-            { name: 'authoring', test: /[\\/]authoring[\\/]/, priority: 2, includeDependenciesRecursively: false },
+            {
+              name: 'microShaderSources',
+              test: /microShaderSources/,
+              priority: 2,
+              includeDependenciesRecursively: false,
+            },
             { name: 'initial', tags: ['$initial'] },
           ],
         },
