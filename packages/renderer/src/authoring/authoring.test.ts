@@ -21,5 +21,6 @@ it('writes XML that is read as the same chunks', () => {
 
 it('has every built-in chunk as it was written', () => {
   expect(Object.keys(microShaderSources).toSorted()).toEqual(builtinMicroShaders.map(({ name }) => name).toSorted());
-  for (const chunk of builtinMicroShaders) expect(parseMicroShader(chunk.name, microShaderSources[chunk.name])).toEqual(chunk);
+  for (const chunk of builtinMicroShaders)
+    expect(parseMicroShader(chunk.name, microShaderSources[chunk.name])).toEqual(chunk);
 });
