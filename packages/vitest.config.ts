@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
+import { otherThree } from './tools/otherThree.mjs';
 import { serverSourceConditions } from './tools/sourceConditions.mjs';
 
 const include = ['packages/*/**/*.test.ts', 'apps/*/src/**/*.test.{ts,tsx}', 'e2e/support/*.test.ts'];
@@ -11,10 +12,11 @@ const alone = [
   'packages/engine/src/components/Decal.test.ts',
 ];
 
-/** One run over the unit tests of all workspaces, in Node. */
+/** One run over the unit tests of all workspaces, in Node; with the three of the folder FAROL_THREE, if there is one. */
 export default defineConfig({
   root: fileURLToPath(new URL('..', import.meta.url)),
   ssr: { resolve: { conditions: serverSourceConditions } },
+  plugins: process.env.FAROL_THREE ? [otherThree(process.env.FAROL_THREE)] : [],
   test: {
     environment: 'node',
     // a process for each file costs more than a thread for each

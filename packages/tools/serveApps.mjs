@@ -12,7 +12,8 @@ export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', pages:
  *
  * @param {object} options
  * @param {Partial<Record<AppName, number>>} options.ports which apps, and on which port; 0 picks a free one
- * @param {boolean} [options.built] serve what `npm run build` made, not the sources; default false
+ * @param {boolean} [options.built] serve what `npm run build` made, or what lies in the folder that FAROL_BUILT names, not the
+ *   sources; default false
  * @param {boolean} [options.watch] follow edits of the sources (hot reload); default true
  * @returns {Promise<{ urls: Partial<Record<AppName, string>>, close(): Promise<void> }>} URLs end in a slash
  * @throws {Error} when a port is taken
@@ -28,7 +29,8 @@ export async function serveApps({ ports, built = false, watch = true }) {
       const folder = join(root, appFolders[name]);
       const port = ports[name];
       if (built) {
-        const { url, close: stop } = await serveFolder(join(folder, 'dist'), { isolated: false, port });
+        const dist = process.env.FAROL_BUILT ? join(process.env.FAROL_BUILT, name) : join(folder, 'dist');
+        const { url, close: stop } = await serveFolder(dist, { isolated: false, port });
         closers.push(stop);
         urls[name] = url;
         continue;

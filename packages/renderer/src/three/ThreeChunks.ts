@@ -1,4 +1,4 @@
-import { ShaderChunk, ShaderLib } from 'three';
+import { REVISION, ShaderChunk, ShaderLib } from 'three';
 import { hashText } from '../microshaders/hashText';
 
 const chunks = ShaderChunk as Record<string, string>;
@@ -7,9 +7,18 @@ const LIGHTS = ['lights_pars_begin', 'lights_fragment_begin'];
 const LIT = ['lambert', 'phong', 'toon', 'standard'] as const;
 const CASTERS = ['depth', 'distance'] as const;
 
-/** The texts of three 0.187, as a hash each: see `textHash`. */
-const PRISTINE = { lights: '1oj3hyjbe93', shadows: 'b2r542dls3', shading: 'crgjazpsyq' };
-export type ChunkGroup = keyof typeof PRISTINE;
+export type ChunkGroup = 'lights' | 'shadows' | 'shading';
+
+/** The texts of each minor of three, by `REVISION`, as a hash each: see `textHash`. */
+const PRISTINE: Record<string, Record<ChunkGroup, string>> = {
+  183: { lights: '1k59at7avjp', shadows: '1o1sro0e27z', shading: '2213fmfhd82' },
+  184: { lights: 'n4mgpaf0sj', shadows: '1r0z7m8m9gy', shading: 'vt2xr9h6x' },
+  185: { lights: 'y3mupo1zap', shadows: '1m9wpp7kd0s', shading: '1l5da9lgljp' },
+  186: { lights: 'macnamkbog', shadows: '7p7krnri95', shading: '22u55yhnzdz' },
+  187: { lights: '1oj3hyjbe93', shadows: 'b2r542dls3', shading: 'crgjazpsyq' },
+};
+/** Those of the page's three; none of a three that Farol does not know, which then counts as changed. */
+const pristine: Partial<Record<ChunkGroup, string>> = PRISTINE[REVISION] ?? {};
 
 /** A hash of a text without its comments and spaces, which builds of three leave out. */
 export function textHash(text: string): string {
@@ -49,9 +58,9 @@ export class ThreeChunks {
     for (let i = 0; i < LIT.length; i++) if (ShaderLib[LIT[i]].fragmentShader !== texts[names.length + i]) same = false;
     if (same) return false;
     const hashes = this.hashes();
-    this.lights = hashes.lights !== PRISTINE.lights;
-    this.shadows = hashes.shadows !== PRISTINE.shadows;
-    this.shading = hashes.shading !== PRISTINE.shading;
+    this.lights = hashes.lights !== pristine.lights;
+    this.shadows = hashes.shadows !== pristine.shadows;
+    this.shading = hashes.shading !== pristine.shading;
     this.revision++;
     return true;
   }
