@@ -13,10 +13,12 @@ export interface RenderList {
     groupOrder: number,
     z: number,
     group: GeometryGroup | null,
-    camera: Camera,
+    /** Since three 0.186. */
+    camera?: Camera,
   ): void;
   init(): void;
-  sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null): void;
+  /** @param reversed whether depth is reversed, and so the lists: until three 0.185, which hands `push` no camera */
+  sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed?: boolean): void;
   finish(): void;
 }
 

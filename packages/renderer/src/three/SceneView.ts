@@ -228,7 +228,7 @@ export class SceneView {
     list.push = (object, geometry, material, groupOrder, z, group, camera) => {
       if ((object as Object3D & { isFarolProxy?: boolean }).isFarolProxy === true) return;
       const override = this.view.overrideMaterial ?? null;
-      if (camera.reversedDepth === true) z = -z;
+      if (camera?.reversedDepth === true) z = -z;
       this.queue?.push(object, geometry, material, groupOrder, z, group, override);
       if (this.transmits || !(((material as Material & { transmission?: number }).transmission ?? 0) > 0)) return;
       this.transmits = true;
@@ -247,9 +247,9 @@ export class SceneView {
       push(driver, driver.geometry, driver.material as Material, 0, 0, null, this.anyCamera);
       finish();
     };
-    list.sort = (opaque, transparent) => {
+    list.sort = (opaque, transparent, reversed = false) => {
       try {
-        this.queue?.sort(opaque, transparent);
+        this.queue?.sort(opaque, transparent, reversed);
       } catch (error) {
         this.fail(error);
       }
