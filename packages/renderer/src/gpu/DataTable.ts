@@ -1,4 +1,5 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat, type WebGLRenderer } from 'three';
+import { unpackAsIs } from '../three/unpackAsIs';
 
 /** Textures in turn: one that the GPU may still read for an earlier frame is not written to. */
 const TURNS = 3;
@@ -108,9 +109,7 @@ export class DataTable {
       const texels = rows > 1 ? this.width : ((slot.lastChanged % rowFloats) >> 2) - left + 1;
       const start = first * rowFloats + left * 4;
       state.bindTexture(gl.TEXTURE_2D, properties.__webglTexture);
-      state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-      state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-      state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+      unpackAsIs(webgl, gl);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, left, first, texels, rows, gl.RGBA, gl.FLOAT, this.data, start);
       state.unbindTexture();
       this.uploadedBytes = rows * texels * 16;

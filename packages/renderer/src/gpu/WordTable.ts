@@ -6,6 +6,7 @@ import {
   UnsignedIntType,
   type WebGLRenderer,
 } from 'three';
+import { unpackAsIs } from '../three/unpackAsIs';
 
 /**
  * A texture of unsigned 32-bit words, filled from an array that belongs to somebody else. Grows; uploads what is in use, and
@@ -54,9 +55,7 @@ export class WordTable {
     const gl = webgl.getContext() as WebGL2RenderingContext;
     const { state } = webgl;
     state.bindTexture(gl.TEXTURE_2D, held().__webglTexture!);
-    state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+    unpackAsIs(webgl, gl);
     const format = this.channels === 1 ? gl.RED_INTEGER : gl.RGBA_INTEGER;
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, format, gl.UNSIGNED_INT, words, 0);
     state.unbindTexture();
