@@ -1,12 +1,12 @@
 import { ShaderChunk } from 'three';
 import { afterEach, expect, test } from 'vitest';
-import { textHash, ThreeChunks } from './ThreeChunks';
+import { sumsLights, textHash, ThreeChunks } from './ThreeChunks';
 
 const original = { ...ShaderChunk };
 afterEach(() => void Object.assign(ShaderChunk, original));
 
 const groups = ({ lights, shadows, shading }: ThreeChunks) => ({ lights, shadows, shading });
-const NONE = { lights: false, shadows: false, shading: false };
+const NONE = { lights: false, shadows: false, shading: !sumsLights };
 
 test("knows three's own texts", () => {
   const chunks = new ThreeChunks();
@@ -47,7 +47,7 @@ test('a changed project_vertex is one of both', () => {
   ShaderChunk.project_vertex += '\ngl_Position.x *= 2.0;';
   const chunks = new ThreeChunks();
   chunks.follow();
-  expect(groups(chunks)).toEqual({ lights: false, shadows: true, shading: true });
+  expect(groups(chunks)).toEqual({ ...NONE, shadows: true, shading: true });
 });
 
 test('chunks of other names and the texts that three has already copied count for nothing', () => {

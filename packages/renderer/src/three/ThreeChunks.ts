@@ -9,16 +9,23 @@ const CASTERS = ['depth', 'distance'] as const;
 
 export type ChunkGroup = 'lights' | 'shadows' | 'shading';
 
-/** The texts of each minor of three, by `REVISION`, as a hash each: see `textHash`. */
-const PRISTINE: Record<string, Record<ChunkGroup, string>> = {
-  183: { lights: '1k59at7avjp', shadows: '1o1sro0e27z', shading: '2213fmfhd82' },
-  184: { lights: 'n4mgpaf0sj', shadows: '1r0z7m8m9gy', shading: 'vt2xr9h6x' },
-  185: { lights: 'y3mupo1zap', shadows: '1m9wpp7kd0s', shading: '1l5da9lgljp' },
+/**
+ * The texts of each minor of three, by `REVISION`, as a hash each: see `textHash`. Until 0.185 three compensated multiple
+ * scattering for each light by look-ups at its direction, which has no sum over lights: shading counts as changed there, so
+ * that lit materials are drawn forward, by three's own functions.
+ */
+const PRISTINE: Record<string, Partial<Record<ChunkGroup, string>>> = {
+  183: { lights: '1k59at7avjp', shadows: '1o1sro0e27z' },
+  184: { lights: 'n4mgpaf0sj', shadows: '1r0z7m8m9gy' },
+  185: { lights: 'y3mupo1zap', shadows: '1m9wpp7kd0s' },
   186: { lights: 'macnamkbog', shadows: '7p7krnri95', shading: '22u55yhnzdz' },
   187: { lights: '1oj3hyjbe93', shadows: 'b2r542dls3', shading: 'crgjazpsyq' },
 };
 /** Those of the page's three; none of a three that Farol does not know, which then counts as changed. */
-const pristine: Partial<Record<ChunkGroup, string>> = PRISTINE[REVISION] ?? {};
+const pristine = PRISTINE[REVISION] ?? {};
+
+/** Whether this three's shading of a light is a sum that buffers can hold: since 0.186. */
+export const sumsLights = Number(REVISION) >= 186;
 
 /** A hash of a text without its comments and spaces, which builds of three leave out. */
 export function textHash(text: string): string {

@@ -1,7 +1,9 @@
 import { ShaderChunk } from 'three';
 import { replacePart } from './replaceChunk';
+import { sumsLights } from './ThreeChunks';
 import { TwinRefusal } from './TwinRefusal';
 
+/** Since three 0.186; before, three looked the compensation up for each light. */
 const MULTISCATTERING_GATE =
   '#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )';
 const FIRST_LOOP = '#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )';
@@ -27,7 +29,8 @@ FAROL_FOR_EACH_LIGHT(geometryPosition)
  */
 export function lightsFragmentBegin(withThreeLights: boolean): string {
   // the compensation is also needed when only Farol's lights are there
-  let text = replacePart(ShaderChunk.lights_fragment_begin, MULTISCATTERING_GATE, '#if 1');
+  let text: string = ShaderChunk.lights_fragment_begin;
+  if (sumsLights) text = replacePart(text, MULTISCATTERING_GATE, '#if 1');
   text = replacePart(text, AMBIENT, `${AMBIENT}\nirradiance += farol_ambientIrradiance(geometryNormal);`);
   const start = text.indexOf(FIRST_LOOP);
   const end = text.indexOf(INDIRECT);
