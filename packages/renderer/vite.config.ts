@@ -7,6 +7,8 @@ const source = fileURLToPath(new URL('src/', import.meta.url));
 const apart = [
   ...['adapters/', 'authoring/', 'effects/', 'lazy/', 'microshaders/xml/', 'index.ts'],
   ...['frame/RecentlyUsed.ts', 'materials/overdrawTwin.ts', 'microshaders/formatMicroShader.ts', 'three/readPixels.ts'],
+  ...['three/WaitingPrograms.ts', 'three/batchTextures.ts', 'three/contextLists.ts', 'three/drawnAsCanvas.ts'],
+  'three/shadowFrustum.ts',
 ];
 
 function isCore(id: string): boolean {

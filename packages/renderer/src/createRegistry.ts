@@ -1,8 +1,8 @@
 import type { WebGLRenderer } from 'three';
 import { builtinMicroShaders } from './builtinMicroShaders';
-import { checkLiveEdit } from './microshaders/checkLiveEdit';
 import { MicroShaderRegistry } from './microshaders/MicroShaderRegistry';
 import { WebGLShaderCompiler } from './microshaders/WebGLShaderCompiler';
+import { checkLiveEdit } from './three/checkLiveEdit';
 
 /** The registry of one FarolRenderer, with the built-in microshaders as its parent. */
 export function createRegistry(webgl: WebGLRenderer): MicroShaderRegistry {

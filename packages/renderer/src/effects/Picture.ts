@@ -26,6 +26,7 @@ import { FullscreenPass } from '../gpu/FullscreenPass';
 import { targetBytes } from '../gpu/targetBytes';
 import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from './displayTransfer.glsl?raw';
+import { setDrawnAsCanvas } from '../three/drawnAsCanvas';
 
 const pictures = new WeakMap<Frame, Picture>();
 
@@ -167,8 +168,7 @@ export class Picture {
         ),
       });
       target.texture.name = 'Farol picture';
-      // three's mark of a target that is drawn to as the canvas is: tone mapped, in the colour space of its texture
-      if (host === null) Object.assign(target, { isXRRenderTarget: true });
+      if (host === null) setDrawnAsCanvas(target, true);
       this.targets.push(target);
     }
     return target;

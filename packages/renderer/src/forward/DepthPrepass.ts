@@ -5,6 +5,7 @@ import { FullscreenPass } from '../gpu/FullscreenPass';
 import { PassTarget } from '../gpu/PassTarget';
 import type { Pass } from '../frame/Pass';
 import { setDepthMode } from '../gpu/unprojectUniforms';
+import { setViewport } from '../three/state';
 
 /**
  * Draws the depth of the opaque lit items first: into a texture for the light lists, and from there into the host's target,
@@ -67,7 +68,7 @@ export class DepthPrepass implements Pass {
       Math.max(height, viewport.y + frame.height),
     );
     frame.bind(target);
-    frame.webgl.state.viewport(viewport);
+    setViewport(frame.webgl, viewport);
     return target;
   }
 

@@ -35,15 +35,18 @@ import { hasOwnShader, RenderQueue } from './RenderQueue';
 import { ResourceTable } from './Resources';
 import type { SharedUniforms } from './sharedUniforms';
 import type { TwinAdapter } from './TwinAdapter';
+import { directDraw, type DirectDraw } from '../three/directDraw';
+import { framebufferHandle, multisampledFramebufferHandle, textureHandle } from '../three/handles';
+import {
+  bindFramebuffer,
+  bindTexture,
+  isDepthReversed,
+  setViewport,
+  unbindTexture,
+  unmaskColour,
+  unmaskDepth,
+} from '../three/state';
 
-type Draw = (
-  camera: Camera,
-  scene: Scene,
-  geometry: BufferGeometry,
-  material: Material,
-  object: Object3D,
-  group: GeometryGroup | null,
-) => void;
 type MaterialCallback = (
   r: WebGLRenderer,
   s: Scene,
@@ -52,16 +55,6 @@ type MaterialCallback = (
   o: Object3D,
   p: GeometryGroup | null,
 ) => void;
-
-/** Of a target, as three keeps them. */
-interface Framebuffers {
-  readonly __webglFramebuffer: WebGLFramebuffer;
-  readonly __webglMultisampledFramebuffer: WebGLFramebuffer;
-}
-
-interface Textures {
-  readonly __webglTexture: WebGLTexture;
-}
 
 const TRANSPARENT = new Vector4(0, 0, 0, 0);
 const size = new Vector2();
@@ -108,8 +101,8 @@ export class Frame {
   /** Whether the host's target has several textures; then no effect replaces the target. */
   private several = false;
   private nodes: NodeDraws | null = null;
-  /** three's `renderBufferDirect`. */
-  readonly draw: Draw;
+  /** Draws one object with one material, inside three's `render`. */
+  readonly draw: DirectDraw;
 
   constructor(
     readonly webgl: WebGLRenderer,
@@ -122,7 +115,7 @@ export class Frame {
     const attributes = this.gl.getContextAttributes();
     this.canvasStencil = attributes?.stencil !== false;
     this.premultiplied = attributes?.premultipliedAlpha !== false;
-    this.draw = webgl.renderBufferDirect as unknown as Draw;
+    this.draw = directDraw(webgl);
     this.canvasSamples = attributes?.antialias ? 4 : 0;
   }
 
@@ -153,7 +146,7 @@ export class Frame {
     webgl.getCurrentViewport(this.viewport);
     this.resize();
     const { elements } = camera.projectionMatrix;
-    const reversed = webgl.state.buffers.depth.getReversed();
+    const reversed = isDepthReversed(webgl);
     const logarithmic = logarithmicFar(camera, webgl);
     this.storesDistance = needsStoredDistance(elements, reversed || logarithmic > 0);
     const coarse = this.target?.depthTexture?.type === UnsignedShortType;
@@ -184,8 +177,7 @@ export class Frame {
   /** True if a pass that writes every pixel of the viewport leaves nothing of the target out. */
   ownsTarget(): boolean {
     const { webgl, target, viewport, view } = this;
-    if (view !== 'final' || this.level !== 0 || this.samples > 0 || webgl.state.buffers.depth.getReversed())
-      return false;
+    if (view !== 'final' || this.level !== 0 || this.samples > 0 || isDepthReversed(webgl)) return false;
     if (target === null) {
       webgl.getDrawingBufferSize(size);
       if (this.canvasStencil || webgl.getScissorTest()) return false;
@@ -199,7 +191,7 @@ export class Frame {
   /** Draws to the host's target from here on. */
   bindTarget(): void {
     this.webgl.setRenderTarget(this.target, this.face, this.level);
-    this.webgl.state.viewport(this.viewport);
+    setViewport(this.webgl, this.viewport);
   }
 
   /** Draws to a target of Farol's own from here on. */
@@ -210,20 +202,19 @@ export class Frame {
   /** Clears attachments of the bound target to a value and its depth to the farthest, without touching the host's clear colour. */
   clear(attachments: number, depth: boolean, value: Vector4 = TRANSPARENT): void {
     const { gl, webgl } = this;
-    webgl.state.buffers.color.setMask(true);
+    unmaskColour(webgl);
     value.toArray(clearColor);
     for (let i = 0; i < attachments; i++) gl.clearBufferfv(gl.COLOR, i, clearColor);
     if (depth) {
-      webgl.state.buffers.depth.setTest(true);
-      webgl.state.buffers.depth.setMask(true);
-      farDepth[0] = webgl.state.buffers.depth.getReversed() ? 0 : 1;
+      unmaskDepth(webgl);
+      farDepth[0] = isDepthReversed(webgl) ? 0 : 1;
       gl.clearBufferfv(gl.DEPTH, 0, farDepth);
     }
   }
 
   /** Clears one attachment of the bound target to zeros. */
   clearOne(attachment: number): void {
-    this.webgl.state.buffers.color.setMask(true);
+    unmaskColour(this.webgl);
     TRANSPARENT.toArray(clearColor);
     this.gl.clearBufferfv(this.gl.COLOR, attachment, clearColor);
   }
@@ -259,18 +250,18 @@ export class Frame {
 
   /** Brings the samples of a multisampled target into its textures, depth by one of them. */
   resolve(target: WebGLRenderTarget): void {
-    const { gl } = this;
-    this.copy(target, '__webglMultisampledFramebuffer', target, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const { gl, webgl } = this;
+    this.copy(multisampledFramebufferHandle(webgl, target)!, target, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
   /** Brings what was drawn to three's transmission target, which is bound, into its texture and mipmaps once more. */
   resolveTransmission(): void {
     const { gl, webgl } = this;
     const target = webgl.getRenderTarget() as WebGLRenderTarget;
-    this.copy(target, '__webglMultisampledFramebuffer', target, gl.COLOR_BUFFER_BIT);
-    webgl.state.bindTexture(gl.TEXTURE_2D, (webgl.properties.get(target.texture) as Textures).__webglTexture);
+    this.copy(multisampledFramebufferHandle(webgl, target)!, target, gl.COLOR_BUFFER_BIT);
+    bindTexture(webgl, gl.TEXTURE_2D, textureHandle(webgl, target.texture)!);
     gl.generateMipmap(gl.TEXTURE_2D);
-    webgl.state.unbindTexture();
+    unbindTexture(webgl);
   }
 
   /**
@@ -278,26 +269,18 @@ export class Frame {
    * @param x first pixel of what is copied, with y
    */
   copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget, x = 0, y = 0): void {
-    this.copy(from, '__webglFramebuffer', to, this.gl.DEPTH_BUFFER_BIT, x, y);
+    this.copy(framebufferHandle(this.webgl, from)!, to, this.gl.DEPTH_BUFFER_BIT, x, y);
   }
 
   /** @param x first pixel of what is copied, of `from`, with y */
-  private copy(
-    from: WebGLRenderTarget,
-    name: keyof Framebuffers,
-    to: WebGLRenderTarget,
-    bits: number,
-    x = 0,
-    y = 0,
-  ): void {
+  private copy(from: WebGLFramebuffer, to: WebGLRenderTarget, bits: number, x = 0, y = 0): void {
     const { gl, webgl } = this;
-    const { properties, state } = webgl;
     const { width, height } = to;
-    const written = (properties.get(to) as Framebuffers).__webglFramebuffer;
-    state.bindFramebuffer(gl.READ_FRAMEBUFFER, (properties.get(from) as Framebuffers)[name]);
-    state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, written);
+    const written = framebufferHandle(webgl, to)!;
+    bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, from);
+    bindFramebuffer(webgl, gl.DRAW_FRAMEBUFFER, written);
     gl.blitFramebuffer(x, y, x + width, y + height, 0, 0, width, height, bits, gl.NEAREST);
-    state.bindFramebuffer(gl.READ_FRAMEBUFFER, written);
+    bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, written);
   }
 
   /** The kind that effects have an item drawn with. */

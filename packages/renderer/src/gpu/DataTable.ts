@@ -1,5 +1,7 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat, type WebGLRenderer } from 'three';
 import { unpackAsIs } from '../three/unpackAsIs';
+import { textureHandle } from '../three/handles';
+import { bindTexture, unbindTexture } from '../three/state';
 
 /** Textures in turn: one that the GPU may still read for an earlier frame is not written to. */
 const TURNS = 3;
@@ -94,9 +96,9 @@ export class DataTable {
   }
 
   private send(webgl: WebGLRenderer, slot: Slot): void {
-    const properties = webgl.properties.get(slot.texture) as { __webglTexture?: WebGLTexture };
+    const handle = textureHandle(webgl, slot.texture);
     const rowFloats = this.width * 4;
-    if (slot.fresh || properties.__webglTexture === undefined) {
+    if (slot.fresh || handle === undefined) {
       webgl.initTexture(slot.texture);
       slot.fresh = false;
       this.uploadedBytes = this.data.byteLength;
@@ -104,14 +106,13 @@ export class DataTable {
       const first = Math.floor(slot.firstChanged / rowFloats);
       const rows = Math.floor(slot.lastChanged / rowFloats) - first + 1;
       const gl = webgl.getContext() as WebGL2RenderingContext;
-      const { state } = webgl;
       const left = rows > 1 ? 0 : (slot.firstChanged % rowFloats) >> 2;
       const texels = rows > 1 ? this.width : ((slot.lastChanged % rowFloats) >> 2) - left + 1;
       const start = first * rowFloats + left * 4;
-      state.bindTexture(gl.TEXTURE_2D, properties.__webglTexture);
+      bindTexture(webgl, gl.TEXTURE_2D, handle);
       unpackAsIs(webgl, gl);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, left, first, texels, rows, gl.RGBA, gl.FLOAT, this.data, start);
-      state.unbindTexture();
+      unbindTexture(webgl);
       this.uploadedBytes = rows * texels * 16;
     }
     slot.firstChanged = Infinity;

@@ -7,6 +7,8 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { unpackAsIs } from '../three/unpackAsIs';
+import { textureHandle } from '../three/handles';
+import { bindTexture, unbindTexture } from '../three/state';
 
 /**
  * A texture of unsigned 32-bit words, filled from an array that belongs to somebody else. Grows; uploads what is in use, and
@@ -43,9 +45,8 @@ export class WordTable {
       this.texture = this.make(width, Math.ceil(rows * 1.25) + 1);
       this.fresh = true;
     }
-    const held = () => webgl.properties.get(this.texture) as { __webglTexture?: WebGLTexture };
     // three forgets its textures when a lost context is restored
-    if (this.fresh || held().__webglTexture === undefined) {
+    if (this.fresh || textureHandle(webgl, this.texture) === undefined) {
       webgl.initTexture(this.texture);
       this.fresh = false;
       this.stale = true;
@@ -53,12 +54,11 @@ export class WordTable {
     this.uploadedBytes = 0;
     if (!this.differs(words, width * rows * this.channels)) return;
     const gl = webgl.getContext() as WebGL2RenderingContext;
-    const { state } = webgl;
-    state.bindTexture(gl.TEXTURE_2D, held().__webglTexture!);
+    bindTexture(webgl, gl.TEXTURE_2D, textureHandle(webgl, this.texture)!);
     unpackAsIs(webgl, gl);
     const format = this.channels === 1 ? gl.RED_INTEGER : gl.RGBA_INTEGER;
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, format, gl.UNSIGNED_INT, words, 0);
-    state.unbindTexture();
+    unbindTexture(webgl);
     this.uploadedBytes = width * rows * this.channels * 4;
   }
 

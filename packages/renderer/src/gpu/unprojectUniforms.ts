@@ -1,4 +1,5 @@
 import { Vector2, Vector4, type Camera, type IUniform, type PerspectiveCamera, type WebGLRenderer } from 'three';
+import { isDepthReversed } from '../three/state';
 
 /** Uniforms of unproject.glsl. */
 export interface UnprojectUniforms extends Record<string, IUniform> {
@@ -25,7 +26,7 @@ export function logarithmicFar(camera: Camera, webgl: WebGLRenderer): number {
 
 /** Sets the uniform of depthMode.glsl. */
 export function setDepthMode({ value }: IUniform<Vector2>, camera: Camera, webgl: WebGLRenderer): void {
-  value.set(webgl.state.buffers.depth.getReversed() ? 1 : 0, Math.log2(logarithmicFar(camera, webgl) + 1));
+  value.set(isDepthReversed(webgl) ? 1 : 0, Math.log2(logarithmicFar(camera, webgl) + 1));
 }
 
 /** Takes the camera's projection, rounded as the GPU sees it, and how the renderer stores depth. */

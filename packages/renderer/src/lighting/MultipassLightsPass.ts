@@ -22,6 +22,7 @@ import { projectedSphereBounds } from '../lights/projectedSphereBounds';
 import { additiveTwin, baseTwin, lightMark } from './multipassTwins';
 import type { RenderItem } from '../frame/RenderItem';
 import type { Pass } from '../frame/Pass';
+import { setScissor, testScissor, unmaskStencil } from '../three/state';
 
 const rectangle = new Float64Array(4);
 const scissor = new Vector4();
@@ -86,14 +87,14 @@ export class MultipassLightsPass implements Pass {
     this.findSpheres(frame);
     const { lights } = frame;
     for (let i = 0; i < lights.directional + lights.unbounded; i++) this.drawLight(frame, i, -1);
-    const { state } = frame.webgl;
+    const { webgl } = frame;
     for (let k = 0; k < lights.bounded; k++) {
-      if (!this.setScissor(frame, lights.rank[k])) continue;
-      state.scissor(scissor);
-      state.setScissorTest(true);
+      if (!this.cutTo(frame, lights.rank[k])) continue;
+      setScissor(webgl, scissor);
+      testScissor(webgl, true);
       this.drawLight(frame, lights.firstBounded + k, lights.rank[k]);
     }
-    state.setScissorTest(false);
+    testScissor(webgl, false);
   }
 
   /** True for a material that three would tone map and fog as the output pass does all pixels. */
@@ -125,26 +126,26 @@ export class MultipassLightsPass implements Pass {
   /** Forgets which light was added to which pixel. */
   private unmark(frame: Frame): void {
     lightMark.value = 1;
-    frame.webgl.state.buffers.stencil.setMask(255);
+    unmaskStencil(frame.webgl);
     frame.gl.clearBufferiv(frame.gl.STENCIL, 0, NO_MARK);
   }
 
   /** Draws new objects with the additive twin over no pixels, so that the first light to reach one compiles nothing. */
   private compile(frame: Frame): void {
-    const { state } = frame.webgl;
+    const { webgl } = frame;
     let scissored = false;
     for (const item of this.items) {
       if (this.compiled.get(item.object) === item.material) continue;
       this.compiled.set(item.object, item.material);
       if (!scissored) {
-        state.scissor(scissor.set(0, 0, 0, 0));
-        state.setScissorTest(true);
+        setScissor(webgl, scissor.set(0, 0, 0, 0));
+        testScissor(webgl, true);
         scissored = true;
       }
       frame.drawTwin(item, additiveTwin(frame.view, this.slot, this.fogged));
     }
     if (!scissored) return;
-    state.setScissorTest(false);
+    testScissor(webgl, false);
     this.turn();
   }
 
@@ -198,7 +199,7 @@ export class MultipassLightsPass implements Pass {
   }
 
   /** Puts the rectangle of a light into `scissor`. @returns false if it covers no pixel */
-  private setScissor(frame: Frame, k: number): boolean {
+  private cutTo(frame: Frame, k: number): boolean {
     const { bounds } = frame.lights;
     const { camera, width, height } = frame;
     const b = k * 4;

@@ -1,9 +1,10 @@
 import type { Camera, PerspectiveCamera, WebGLRenderer } from 'three';
+import { setReversedDepth } from './reversedDepth';
+import { isDepthReversed } from './state';
 
 /** Gives a camera the renderer's way to store depth, as three does where it first draws with it. */
 export function adoptDepth(webgl: WebGLRenderer, camera: Camera): void {
-  if (!webgl.state.buffers.depth.getReversed() || camera.reversedDepth) return;
-  const own = camera as PerspectiveCamera & { _reversedDepth: boolean };
-  own._reversedDepth = true;
-  own.updateProjectionMatrix();
+  if (!isDepthReversed(webgl) || camera.reversedDepth) return;
+  setReversedDepth(camera, true);
+  (camera as PerspectiveCamera).updateProjectionMatrix();
 }

@@ -1,30 +1,51 @@
-import type { RenderTarget, Texture, WebGLRenderer } from 'three';
+import type { Light, Material, RenderTarget, Texture, WebGLRenderer } from 'three';
 
-/** What three keeps of a texture, by `WebGLProperties`. */
+// What three's WebGLProperties keeps of textures, targets and materials. All of it is gone once a lost context is restored.
+
 interface TextureProperties {
   readonly __webglTexture?: WebGLTexture;
 }
 
-/** What three keeps of a target, by `WebGLProperties`. */
 interface TargetProperties {
   readonly __webglFramebuffer?: WebGLFramebuffer;
   readonly __webglMultisampledFramebuffer?: WebGLFramebuffer;
 }
 
-/** three's WebGL texture; undefined until it is first used, and again once a lost context is restored. */
+interface MaterialProperties {
+  readonly __version?: number;
+  readonly currentProgram?: { readonly program: WebGLProgram };
+  light?: Light;
+}
+
+/** The WebGL texture; undefined until three first uses the texture. */
 export function textureHandle(webgl: WebGLRenderer, texture: Texture): WebGLTexture | undefined {
   return (webgl.properties.get(texture) as TextureProperties).__webglTexture;
 }
 
-/** three's framebuffer of a target that is no cube, the one that holds single samples; undefined until it is first used. */
+/** The framebuffer of a target that is no cube, of several samples a pixel the one they are resolved to; undefined until it is used. */
 export function framebufferHandle(webgl: WebGLRenderer, target: RenderTarget): WebGLFramebuffer | undefined {
   return (webgl.properties.get(target) as TargetProperties).__webglFramebuffer;
 }
 
-/** three's framebuffer of several samples a pixel; undefined where the target has none. */
+/** The framebuffer of several samples a pixel; undefined where the target has none. */
 export function multisampledFramebufferHandle(
   webgl: WebGLRenderer,
   target: RenderTarget,
 ): WebGLFramebuffer | undefined {
   return (webgl.properties.get(target) as TargetProperties).__webglMultisampledFramebuffer;
+}
+
+/** Whether three has a program of a material's present version. */
+export function isCompiled(webgl: WebGLRenderer, material: Material): boolean {
+  return (webgl.properties.get(material) as MaterialProperties).__version === material.version;
+}
+
+/** The program that a material was last drawn with. */
+export function programHandle(webgl: WebGLRenderer, material: Material): WebGLProgram {
+  return (webgl.properties.get(material) as MaterialProperties).currentProgram!.program;
+}
+
+/** Tells three's MeshDistanceMaterial which light its distances are from. */
+export function setLightOf(webgl: WebGLRenderer, material: Material, light: Light): void {
+  (webgl.properties.get(material) as MaterialProperties).light = light;
 }

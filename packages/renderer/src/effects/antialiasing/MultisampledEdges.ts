@@ -13,6 +13,9 @@ import edgeColor from './edgeColor.glsl?raw';
 import edgeResolve from './edgeResolve.glsl?raw';
 import { edgeTwin } from './edgeTwin';
 import { hasMotionTwin } from './motionTwin';
+import { isDrawnAsCanvas, setDrawnAsCanvas } from '../../three/drawnAsCanvas';
+import { framebufferHandle, multisampledFramebufferHandle } from '../../three/handles';
+import { bindFramebuffer, isDepthReversed } from '../../three/state';
 
 const SAMPLES = 4;
 
@@ -85,7 +88,7 @@ export class MultisampledEdges implements FarolEffect {
     const target = this.targetLike(picture.target);
     this.picture.value = picture.texture;
     this.depth.value = picture.target.depthTexture;
-    background.uniforms.farol_farthest.value = frame.webgl.state.buffers.depth.getReversed() ? 0 : 1;
+    background.uniforms.farol_farthest.value = isDepthReversed(frame.webgl) ? 0 : 1;
     resolve.uniforms.farol_samples.value = target.texture;
     this.setReuse(frame);
     frame.bind(target);
@@ -139,8 +142,7 @@ export class MultisampledEdges implements FarolEffect {
         minFilter: NearestFilter,
         magFilter: NearestFilter,
       });
-      const { isXRRenderTarget = false } = picture as { isXRRenderTarget?: boolean };
-      Object.assign(this.target, { isXRRenderTarget });
+      setDrawnAsCanvas(this.target, isDrawnAsCanvas(picture));
     }
     const target = this.target!;
     if (target.width !== width || target.height !== height) target.setSize(width, height);
@@ -149,11 +151,10 @@ export class MultisampledEdges implements FarolEffect {
 }
 
 /** Brings the mean of a multisampled target's samples into its texture. */
-function average({ gl, webgl: { properties, state } }: Frame, target: WebGLRenderTarget): void {
-  const buffers = properties.get(target) as Record<string, WebGLFramebuffer>;
+function average({ gl, webgl }: Frame, target: WebGLRenderTarget): void {
   const { width, height } = target;
-  state.bindFramebuffer(gl.READ_FRAMEBUFFER, buffers.__webglMultisampledFramebuffer);
-  state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, buffers.__webglFramebuffer);
+  bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, multisampledFramebufferHandle(webgl, target)!);
+  bindFramebuffer(webgl, gl.DRAW_FRAMEBUFFER, framebufferHandle(webgl, target)!);
   gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-  state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+  bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, null);
 }

@@ -9,6 +9,7 @@ import {
   RGBAFormat,
   type SkinnedMesh,
 } from 'three';
+import { batchMatrices } from '../../three/batchTextures';
 
 /** Instance matrices in a row of a texture, each four texels. */
 const INSTANCES_PER_ROW = 512;
@@ -141,15 +142,12 @@ function multiply(a: Matrix4, b: Matrix4, out: Float64Array): void {
   }
 }
 
-/** three's texture of a batch's matrices. */
-type Batch = BatchedMesh & { _matricesTexture: DataTexture };
-
 function instancesOf(object: Object3D): Float32Array | null {
   if ((object as InstancedMesh).isInstancedMesh === true) {
     return (object as InstancedMesh).instanceMatrix.array as Float32Array;
   }
   if ((object as BatchedMesh).isBatchedMesh === true) {
-    return (object as Batch)._matricesTexture.image.data as unknown as Float32Array;
+    return batchMatrices(object as BatchedMesh).image.data as unknown as Float32Array;
   }
   return null;
 }
@@ -157,7 +155,7 @@ function instancesOf(object: Object3D): Float32Array | null {
 function versionOf(object: Object3D): number {
   return (object as InstancedMesh).isInstancedMesh === true
     ? (object as InstancedMesh).instanceMatrix.version
-    : (object as Batch)._matricesTexture.version;
+    : batchMatrices(object as BatchedMesh).version;
 }
 
 function matrixTexture(data: Float32Array<ArrayBuffer>, width: number): DataTexture {

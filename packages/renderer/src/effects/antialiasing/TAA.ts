@@ -17,6 +17,7 @@ import taaNear from './taaNear.glsl?raw';
 import taaPicture from './taaPicture.glsl?raw';
 import taaResolve from './taaResolve.glsl?raw';
 import { TemporalHistory } from './TemporalHistory';
+import { contextLists } from '../../three/contextLists';
 
 /** Places in the pixel that the frames take in turns. */
 const SAMPLES = 32;
@@ -136,9 +137,9 @@ export class TAA implements FarolEffect {
 
   begin(frame: Frame): void {
     // what the targets hold is of a frame that broke, or gone with a lost context: three then makes its lists anew
-    if (this.open || this.contextLists !== frame.webgl.renderLists) this.reset();
+    if (this.open || this.contextLists !== contextLists(frame.webgl)) this.reset();
     this.open = true;
-    this.contextLists = frame.webgl.renderLists;
+    this.contextLists = contextLists(frame.webgl);
     this.shared = Picture.of(frame);
     this.shared.begin(frame);
     const { camera, width, height } = frame;

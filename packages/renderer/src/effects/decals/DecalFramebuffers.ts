@@ -2,6 +2,8 @@ import type { Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { gbufferLayout } from '../../gbuffer/gbufferLayout';
 import type { GBuffer } from '../../gbuffer/GBuffer';
+import { textureHandle } from '../../three/handles';
+import { bindFramebuffer } from '../../three/state';
 
 /** Framebuffers over a G-buffer's attachments without its depth, so that depth may be read while they are drawn to. */
 export class DecalFramebuffers {
@@ -11,9 +13,8 @@ export class DecalFramebuffers {
 
   /** Brings them up to the G-buffer as it is now. */
   follow(frame: Frame, gbuffer: GBuffer): void {
-    const { gl } = frame;
-    const { properties, state } = frame.webgl;
-    const handle = (texture: Texture) => (properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture;
+    const { gl, webgl } = frame;
+    const handle = (texture: Texture) => textureHandle(webgl, texture)!;
     // what effects add to the layout is light
     const light = [gbuffer.emissive, ...gbuffer.target.textures.slice(gbufferLayout.length)];
     const groups = [light.map(handle), [gbuffer.albedo, gbuffer.normal, gbuffer.material].map(handle)];
@@ -24,7 +25,7 @@ export class DecalFramebuffers {
     this.attached = all;
     this.framebuffers = groups.map((textures) => {
       const framebuffer = gl.createFramebuffer();
-      state.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+      bindFramebuffer(webgl, gl.FRAMEBUFFER, framebuffer);
       textures.forEach((texture, i) =>
         gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, 0),
       );
@@ -35,12 +36,12 @@ export class DecalFramebuffers {
 
   /** Draws to accumulation (and indirect light) from here on. */
   bindLight(frame: Frame): void {
-    frame.webgl.state.bindFramebuffer(frame.gl.FRAMEBUFFER, this.framebuffers[0]);
+    bindFramebuffer(frame.webgl, frame.gl.FRAMEBUFFER, this.framebuffers[0]);
   }
 
   /** Draws to albedo, normal and material from here on. */
   bindSurface(frame: Frame): void {
-    frame.webgl.state.bindFramebuffer(frame.gl.FRAMEBUFFER, this.framebuffers[1]);
+    bindFramebuffer(frame.webgl, frame.gl.FRAMEBUFFER, this.framebuffers[1]);
   }
 
   dispose(): void {

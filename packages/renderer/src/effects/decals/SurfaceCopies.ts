@@ -3,6 +3,8 @@ import type { Frame } from '../../frame/Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 import { PassTarget } from '../../gpu/PassTarget';
 import { boxRectangle } from './boxRectangle';
+import { framebufferHandle } from '../../three/handles';
+import { bindFramebuffer } from '../../three/state';
 
 /** Copies of a G-buffer's normals and albedo, which are read while the G-buffer itself is written. */
 export class SurfaceCopies {
@@ -83,14 +85,11 @@ function copyAttachment(
   { x, y, z, w }: Vector4,
 ): void {
   if (z === 0 || w === 0) return;
-  const { gl } = frame;
-  const { properties, state } = frame.webgl;
-  const framebuffer = (target: WebGLRenderTarget) =>
-    (properties.get(target) as { __webglFramebuffer: WebGLFramebuffer }).__webglFramebuffer;
-  state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, framebuffer(to));
-  state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer(from));
+  const { gl, webgl } = frame;
+  bindFramebuffer(webgl, gl.DRAW_FRAMEBUFFER, framebufferHandle(webgl, to)!);
+  bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, framebufferHandle(webgl, from)!);
   gl.readBuffer(gl.COLOR_ATTACHMENT0 + attachment);
   gl.blitFramebuffer(x, y, x + z, y + w, x, y, x + z, y + w, gl.COLOR_BUFFER_BIT, gl.NEAREST);
   gl.readBuffer(gl.COLOR_ATTACHMENT0);
-  state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+  bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, null);
 }

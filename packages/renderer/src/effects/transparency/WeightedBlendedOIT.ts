@@ -19,6 +19,7 @@ import type { Pass } from '../../frame/Pass';
 import { Picture } from '../Picture';
 import { isWeighted, weightedTwin } from './weightedTwin';
 import weightedResolve from './weightedResolve.glsl?raw';
+import { isDrawnAsCanvas, setDrawnAsCanvas } from '../../three/drawnAsCanvas';
 
 const CLEAR = new Vector4(0, 0, 0, 1);
 
@@ -131,10 +132,7 @@ export class WeightedBlendedOIT implements FarolEffect {
         stencilBuffer: picture.stencilBuffer,
         depthTexture: picture.depthTexture!,
       });
-      // drawn to as the picture is
-      Object.assign(this.target, {
-        isXRRenderTarget: (picture as { isXRRenderTarget?: boolean }).isXRRenderTarget ?? false,
-      });
+      setDrawnAsCanvas(this.target, isDrawnAsCanvas(picture));
     }
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     return this.target;

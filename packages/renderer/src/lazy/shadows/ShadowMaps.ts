@@ -34,6 +34,7 @@ import type { CookieSlot } from './slots/CookieSlot';
 import { LightSlots } from './slots/LightSlots';
 import type { ShadowLight } from './slots/ShadowLight';
 import type { ShadowSlot } from './slots/ShadowSlot';
+import { isDepthReversed } from '../../three/state';
 
 /** Frames between two rebalancings of a full atlas. */
 const REBALANCE = 60;
@@ -390,7 +391,7 @@ export class ShadowMaps implements LightMasks {
   }
 
   private isDepthReversed(): boolean {
-    return this.webgl.state.buffers.depth.getReversed();
+    return isDepthReversed(this.webgl);
   }
 }
 

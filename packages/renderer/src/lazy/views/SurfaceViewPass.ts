@@ -8,6 +8,7 @@ import { gbufferUniforms, setGBufferUniforms } from '../../gbuffer/gbufferUnifor
 import { litViewTwin, unlitViewTwin } from './gbufferViewTwins';
 import type { RenderItem } from '../../frame/RenderItem';
 import type { TwinKind } from '../../materials/TwinKind';
+import { setViewport } from '../../three/state';
 
 /** `farol_view` of surfaceView.glsl. */
 const CODES: Partial<Record<View, number>> = {
@@ -96,7 +97,7 @@ export class SurfaceViewPass {
   }
 
   private draw(frame: Frame, code: number, viewport: Vector4): void {
-    frame.webgl.state.viewport(viewport);
+    setViewport(frame.webgl, viewport);
     const { uniforms } = this.surface;
     uniforms.farol_view.value = code;
     uniforms.farol_offset.value.set(viewport.x, viewport.y);

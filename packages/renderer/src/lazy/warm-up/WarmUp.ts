@@ -6,7 +6,14 @@ import type { Pass } from '../../frame/Pass';
 import type { RenderItem } from '../../frame/RenderItem';
 import type { Fills } from '../../frame/Fills';
 import type { Preparation } from '../../techniques/TechniqueChooser';
-import { waitingPrograms, type Program, type ProgramList, type WaitingPrograms } from './WaitingPrograms';
+import {
+  programsOf,
+  stopUsingPrograms,
+  waitingPrograms,
+  watchNewPrograms,
+  type ProgramList,
+  type WaitingPrograms,
+} from '../../three/WaitingPrograms';
 
 /** Draws that are tried in one frame at most: some tenths of a millisecond. */
 const DRAWS = 128;
@@ -64,7 +71,7 @@ export class WarmUp implements Preparation {
 
   /** To be called inside three's `render`, when all is drawn; the target may be another one after it. */
   step(effects: readonly FarolEffect[]): void {
-    const programs = this.frame.webgl.info.programs as unknown as ProgramList;
+    const programs = programsOf(this.frame.webgl);
     if (programs !== this.programs) {
       // also after a lost context
       this.programs = programs;
@@ -80,20 +87,17 @@ export class WarmUp implements Preparation {
   private run(effects: readonly FarolEffect[]): void {
     const { frame, dry, waiting, programs } = this;
     const { queue } = frame;
-    const { state } = frame.webgl;
-    const { useProgram } = state;
     for (let i = queue.early; i < queue.opaque.length; i++) queue.opaque[i].drawn = false;
     dry.fills = frame.fills && (this.technique.fills ?? 'behind');
     dry.resources.begin();
     this.left = DRAWS;
     this.cut = false;
-    state.useProgram = stop;
+    const resume = stopUsingPrograms(frame.webgl, stop);
     waiting.block(stop);
-    programs!.push = (program: Program) => {
+    const unwatch = watchNewPrograms(programs!, (program) => {
       this.left = 0;
       waiting.add(program, stop);
-      return Array.prototype.push.call(programs, program);
-    };
+    });
     try {
       for (const pass of this.passes) {
         if (this.cut) break;
@@ -103,9 +107,9 @@ export class WarmUp implements Preparation {
         else pass.render(dry);
       }
     } finally {
-      Reflect.deleteProperty(programs!, 'push');
+      unwatch();
       waiting.unblock();
-      state.useProgram = useProgram;
+      resume();
     }
   }
 

@@ -1,4 +1,5 @@
 import { type Camera, type Object3D, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import { programsOf } from '../../three/WaitingPrograms';
 
 /** A FarolRenderer. */
 interface Renderer {
@@ -6,16 +7,10 @@ interface Renderer {
   render(scene: Object3D, camera: Camera): void;
 }
 
-/** Programs as `WebGLRenderer.info.programs` lists them. */
-interface Program {
-  isReady?(): boolean;
-}
-
 /** Draws one pixel, which starts the compilation of everything the scene needs, then waits until the device is done. */
 export async function compileByDrawing(farol: Renderer, scene: Object3D, camera: Camera): Promise<void> {
   drawOnePixel(farol, scene, camera);
-  const programs = (farol.webgl.info.programs ?? []) as unknown as Program[];
-  while (!programs.every((program) => program.isReady?.() ?? true)) {
+  while (!programsOf(farol.webgl).every((program) => program.isReady())) {
     await new Promise((resolve) => setTimeout(resolve, 4));
   }
 }

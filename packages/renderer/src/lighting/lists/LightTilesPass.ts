@@ -6,6 +6,7 @@ import type { Pass, Resource } from '../../frame/Pass';
 import { TILE_SHIFT } from './tileUniforms';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { wordTarget } from '../../gpu/wordTarget';
+import { textureHandle } from '../../three/handles';
 
 /** Depths that lists are cut by: none, a tile's nearest and farthest, or also which of 32 slices between hold surfaces. */
 export type TileDepthUse = 'none' | 'bounds' | 'slices';
@@ -129,8 +130,7 @@ export class LightTilesPass implements Pass {
   /** A list that is not made in a frame is bound all the same: its texture must exist, also after a lost context. */
   private giveStorage(frame: Frame): void {
     for (const { target } of [this.fine, this.summary]) {
-      const { __webglTexture } = frame.webgl.properties.get(target.texture) as { __webglTexture?: WebGLTexture };
-      if (__webglTexture !== undefined) continue;
+      if (textureHandle(frame.webgl, target.texture) !== undefined) continue;
       fit(target, 1);
       frame.bind(target);
     }

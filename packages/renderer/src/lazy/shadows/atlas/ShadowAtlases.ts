@@ -3,6 +3,7 @@ import { lacksFloatTargets } from '../../../gpu/checkDevice';
 import { colourTarget } from './colourTarget';
 import { depthTarget } from './depthTarget';
 import { TextureAtlas } from './TextureAtlas';
+import { textureHandle } from '../../../three/handles';
 
 /** Texels a side of the atlas of colours at most. */
 const LARGEST_COLOURS = 4096;
@@ -49,8 +50,7 @@ export class ShadowAtlases {
 
   /** Whether an atlas has a target whose texture is not on the GPU. */
   lacksTexture({ texture }: TextureAtlas): boolean {
-    if (texture === null) return false;
-    return (this.webgl.properties.get(texture) as { __webglTexture?: WebGLTexture }).__webglTexture === undefined;
+    return texture !== null && textureHandle(this.webgl, texture) === undefined;
   }
 
   dispose(): void {

@@ -13,6 +13,7 @@ import {
   type Side,
   type WebGLRenderer,
 } from 'three';
+import { setLightOf } from '../../../three/handles';
 
 const SHADOW_SIDES: Record<Side, Side> = { [FrontSide]: BackSide, [BackSide]: FrontSide, [DoubleSide]: DoubleSide };
 
@@ -70,9 +71,7 @@ export class CasterMaterials {
     result.displacementBias = m.displacementBias;
     result.wireframeLinewidth = m.wireframeLinewidth;
     (result as AnyMaterial & { linewidth: number }).linewidth = (m as AnyMaterial & { linewidth: number }).linewidth;
-    if (isPoint && result.isMeshDistanceMaterial === true) {
-      (this.webgl.properties.get(result) as { light?: Light }).light = light;
-    }
+    if (isPoint && result.isMeshDistanceMaterial === true) setLightOf(this.webgl, result, light);
     return result;
   }
 

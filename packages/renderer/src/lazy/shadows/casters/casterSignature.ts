@@ -13,10 +13,10 @@ import type {
 } from 'three';
 import { Object3D as AnyObject } from 'three';
 import { attributeVersion } from './attributeVersion';
+import { batchIndices, batchMatrices, batchVisibilityChanged } from '../../../three/batchTextures';
 
 type Caster = Mesh & Partial<InstancedMesh> & Partial<BatchedMesh> & { isSkinnedMesh?: boolean };
 type CasterMaterial = Material & Partial<MeshStandardMaterial>;
-type Batch = BatchedMesh & { _matricesTexture: Texture; _indirectTexture: Texture; _visibilityChanged: boolean };
 
 /** Name of the attribute by a texture's channel. */
 const UVS = ['uv', 'uv1', 'uv2', 'uv3'];
@@ -110,10 +110,10 @@ export function casterSignature(object: Object3D): number {
     mix(caster.morphTexture?.version ?? 0);
   }
   if (caster.isBatchedMesh) {
-    const batch = object as Batch;
-    mix(batch._matricesTexture.version);
-    mix(batch._indirectTexture.version);
-    mix(batch._visibilityChanged ? 1 : 0);
+    const batch = object as BatchedMesh;
+    mix(batchMatrices(batch).version);
+    mix(batchIndices(batch).version);
+    mix(batchVisibilityChanged(batch) ? 1 : 0);
   }
   return hash;
 }

@@ -23,6 +23,7 @@ import { comparesDepths } from '../atlas/comparesDepths';
 import type { RegionDrawer } from './RegionDrawer';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
+import { isDepthReversed, unmaskColour, unmaskDepth } from '../../../three/state';
 
 const WHITE = [1, 1, 1, 1];
 const BLACK = [0, 0, 0, 0];
@@ -127,7 +128,7 @@ export class HostShadowMaps {
   /** Gives a light its `shadow.map`, with a copy where that is wanted. Call inside three's `render`, once the maps are drawn. */
   render(slot: ShadowSlot, atlas: TextureAtlas, type: number): void {
     const { shadow } = slot;
-    const reversed = this.webgl.state.buffers.depth.getReversed();
+    const reversed = isDepthReversed(this.webgl);
     let { map } = shadow;
     let state = map === null ? undefined : watched.get(map);
     if (map === null || (state === undefined ? !isOfType(map, type) : state.type !== type)) {
@@ -164,9 +165,8 @@ export class HostShadowMaps {
     const { webgl } = this;
     const gl = webgl.getContext() as WebGL2RenderingContext;
     webgl.setRenderTarget(map as WebGLRenderTarget);
-    webgl.state.buffers.color.setMask(true);
-    webgl.state.buffers.depth.setTest(true);
-    webgl.state.buffers.depth.setMask(true);
+    unmaskColour(webgl);
+    unmaskDepth(webgl);
     gl.clearBufferfv(gl.COLOR, 0, reversed ? BLACK : WHITE);
     gl.clearBufferfv(gl.DEPTH, 0, [reversed ? 0 : 1]);
   }

@@ -9,7 +9,8 @@ import {
 } from 'three';
 import type { FullscreenPass, MeshDrawer } from '../../../gpu/FullscreenPass';
 import type { MicroShaderRegistry } from '../../../microshaders';
-import type { DirectDraw } from '../DirectDraw';
+import { directDraw, type DirectDraw } from '../../../three/directDraw';
+import { setViewport } from '../../../three/state';
 
 const camera = new OrthographicCamera(); // where depth is reversed, three updates its projection
 const rectangle = new Vector4();
@@ -23,7 +24,7 @@ export class RegionDrawer implements MeshDrawer {
     private readonly webgl: WebGLRenderer,
     readonly microshaders: MicroShaderRegistry,
   ) {
-    this.draw = webgl.renderBufferDirect as unknown as DirectDraw;
+    this.draw = directDraw(webgl);
   }
 
   bind(target: WebGLRenderTarget): void {
@@ -44,7 +45,7 @@ export class RegionDrawer implements MeshDrawer {
 
   /** Draws a pass to a part of the bound target (texels). */
   drawPart(pass: FullscreenPass, x: number, y: number, width: number, height: number): void {
-    this.webgl.state.viewport(rectangle.set(x, y, width, height));
+    setViewport(this.webgl, rectangle.set(x, y, width, height));
     pass.draw(this);
   }
 }

@@ -18,10 +18,11 @@ import { VisibleReceivers } from '../receivers';
 import type { Caster } from '../casters/Caster';
 import { isInFace, isInMap } from '../casters/isInMap';
 import type { ShadowCasters } from '../casters/ShadowCasters';
-import type { DirectDraw } from '../DirectDraw';
 import type { ShadowFace } from '../slots/ShadowFace';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
+import { directDraw, type DirectDraw } from '../../../three/directDraw';
+import { isDepthReversed, setScissor, setViewport, testScissor, unmaskDepth } from '../../../three/state';
 
 type ShadowCallback = (
   renderer: WebGLRenderer,
@@ -65,7 +66,7 @@ export class ShadowMapDraws {
     private readonly microshaders: MicroShaderRegistry,
   ) {
     this.materials = new CasterMaterials(webgl);
-    this.draw = webgl.renderBufferDirect as unknown as DirectDraw;
+    this.draw = directDraw(webgl);
     this.gl = webgl.getContext() as WebGL2RenderingContext;
   }
 
@@ -137,7 +138,7 @@ export class ShadowMapDraws {
   /** Has the sampler of an atlas of depths compare in the direction of the depth buffer, reversed or not. */
   setComparison(atlas: TextureAtlas): void {
     const texture = atlas.target?.depthTexture;
-    const wanted = this.webgl.state.buffers.depth.getReversed() ? GreaterEqualCompare : LessEqualCompare;
+    const wanted = isDepthReversed(this.webgl) ? GreaterEqualCompare : LessEqualCompare;
     if (texture && texture.compareFunction !== wanted) texture.compareFunction = wanted;
   }
 
@@ -145,7 +146,7 @@ export class ShadowMapDraws {
   drawMaps(slots: readonly ShadowSlot[]): void {
     this.beginFaces();
     for (const slot of slots) for (const face of slot.faces) this.drawFace(slot, face, face.x, face.y);
-    this.webgl.state.setScissorTest(false);
+    testScissor(this.webgl, false);
   }
 
   /** Draws one face at the origin of the bound target. */
@@ -153,7 +154,7 @@ export class ShadowMapDraws {
     this.beginFaces();
     this.mergedCasters?.interrupt(); // the blur was drawn since the last face
     this.drawFace(slot, face, 0, 0);
-    this.webgl.state.setScissorTest(false);
+    testScissor(this.webgl, false);
   }
 
   /** Lets go of the casters of a scene. */
@@ -199,33 +200,26 @@ export class ShadowMapDraws {
   }
 
   private beginFaces(): void {
-    const { state } = this.webgl;
-    state.setScissorTest(true);
-    this.prepareDepth();
-    depth[0] = state.buffers.depth.getReversed() ? 0 : 1;
+    const { webgl } = this;
+    testScissor(webgl, true);
+    unmaskDepth(webgl);
+    depth[0] = isDepthReversed(webgl) ? 0 : 1;
   }
 
   /** Clears the drawn part of a face, then draws the face's casters. */
   private drawFace(slot: ShadowSlot, face: ShadowFace, x: number, y: number): void {
     if (face.texels === 0) return;
-    const { gl, mergedCasters } = this;
-    const { state } = this.webgl;
+    const { gl, mergedCasters, webgl } = this;
     const { left, bottom, right, top } = face.drawn;
-    state.viewport(rectangle.set(x, y, face.width, face.height));
-    state.scissor(rectangle.set(x + left, y + bottom, right - left, top - bottom));
+    setViewport(webgl, rectangle.set(x, y, face.width, face.height));
+    setScissor(webgl, rectangle.set(x + left, y + bottom, right - left, top - bottom));
     gl.clearBufferfv(gl.DEPTH, 0, depth);
     mergedCasters?.draw(face);
     if (face.casters.length === 0) return;
     mergedCasters?.interrupt();
     for (const caster of face.casters) this.drawCaster(caster, slot, face);
-    this.prepareDepth();
-  }
-
-  /** Has clears write depths, whatever the materials of the last casters have set. */
-  private prepareDepth(): void {
-    const { depth } = this.webgl.state.buffers;
-    depth.setTest(true);
-    depth.setMask(true);
+    // the materials of casters may have masked it
+    unmaskDepth(webgl);
   }
 
   private drawCaster({ object }: Caster, slot: ShadowSlot, face: ShadowFace): void {

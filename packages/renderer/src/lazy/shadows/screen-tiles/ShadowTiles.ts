@@ -5,6 +5,7 @@ import { FullscreenPass } from '../../../gpu/FullscreenPass';
 import { gbufferUniforms, setGBufferUniforms } from '../../../gbuffer/gbufferUniforms';
 import { wordTarget } from '../../../gpu/wordTarget';
 import type { MaskUniforms } from '../../../lighting/maskUniforms';
+import { textureHandle } from '../../../three/handles';
 
 /** Pixels a side of a tile; lightLoopClustered.glsl has the number too. A tile of the light grid holds a whole number of these. */
 const TILE = 8;
@@ -79,9 +80,7 @@ export class ShadowTiles {
 
   /** Has three make the texture of marks, which shaders bind though nothing is marked; also after a lost context. */
   private giveStorage(frame: Frame): void {
-    const { properties } = frame.webgl;
-    const { __webglTexture } = properties.get(this.marks.texture) as { __webglTexture?: WebGLTexture };
-    if (__webglTexture === undefined) frame.bind(this.marks);
+    if (textureHandle(frame.webgl, this.marks.texture) === undefined) frame.bind(this.marks);
   }
 
   private make(program: string, fragment: string): FullscreenPass {

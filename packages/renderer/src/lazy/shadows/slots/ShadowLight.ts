@@ -1,6 +1,5 @@
 import type {
   DirectionalLight,
-  Frustum,
   LightShadow,
   OrthographicCamera,
   PerspectiveCamera,
@@ -14,8 +13,8 @@ export type ShadowLight = (PointLight | SpotLight | DirectionalLight) & {
   isSpotLight?: boolean;
 };
 
-/** The camera of a light's shadow, of either kind, with what three keeps private. */
-export type ShadowCamera = PerspectiveCamera & OrthographicCamera & { _reversedDepth: boolean };
+/** The camera of a light's shadow, of either kind. */
+export type ShadowCamera = PerspectiveCamera & OrthographicCamera;
 
 /** three's LightShadow with what its types lack. */
-export type PrivateLightShadow = LightShadow & { updateMatrices(light: ShadowLight): void; _frustum: Frustum };
+export type PrivateLightShadow = LightShadow & { updateMatrices(light: ShadowLight): void };

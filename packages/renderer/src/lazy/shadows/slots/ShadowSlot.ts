@@ -23,6 +23,8 @@ import { isBeyond, makeReach, setReach } from './reach';
 import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { PrivateLightShadow, ShadowCamera, ShadowLight } from './ShadowLight';
 import { MATTERING_RANGE } from './sufficientDetail';
+import { setReversedDepth } from '../../../three/reversedDepth';
+import { SHADOW_FRUSTUM } from '../../../three/shadowFrustum';
 
 /** How far across a face a sample of the filter lies at most (radii): the disk is slanted at the face's corners. */
 const FARTHEST = 1.17;
@@ -120,7 +122,7 @@ export class ShadowSlot implements AtlasTenant {
     (camera as unknown as ShadowCamera).updateProjectionMatrix();
     this.define('camera', camera);
     this.define('matrix', this.matrix);
-    this.define('_frustum', new Frustum());
+    this.define(SHADOW_FRUSTUM, new Frustum());
     this.faces = this.isCube ? makeCubeFaces() : [new ShadowFace(camera)];
     this.cascades = Math.max(0, cascades - 1);
     this.side = cascades > 1 ? 2 : 1;
@@ -287,8 +289,8 @@ export class ShadowSlot implements AtlasTenant {
     const { light, own } = this;
     const camera = own.camera as unknown as ShadowCamera;
     const host = light.shadow.camera as unknown as ShadowCamera;
-    let changed = camera._reversedDepth !== reversedDepth;
-    camera._reversedDepth = reversedDepth;
+    let changed = camera.reversedDepth !== reversedDepth;
+    setReversedDepth(camera, reversedDepth);
     for (const name of CAMERA_NUMBERS) {
       if (camera[name] === host[name]) continue;
       camera[name] = host[name];
@@ -329,7 +331,7 @@ export class ShadowSlot implements AtlasTenant {
     this.far = rangeOf((light as PointLight).distance) || host.far;
     position.setFromMatrixPosition(light.matrixWorld);
     matrix.makeTranslation(-position.x, -position.y, -position.z);
-    for (const face of this.faces) (face.camera as unknown as ShadowCamera)._reversedDepth = reversedDepth;
+    for (const face of this.faces) setReversedDepth(face.camera, reversedDepth);
   }
 
   private aimFaces(): void {

@@ -1,5 +1,6 @@
 import { type Camera, type OrthographicCamera, type PerspectiveCamera, Vector3 } from 'three';
 import type { ShadowFace } from './ShadowFace';
+import { setReversedDepth } from '../../../three/reversedDepth';
 
 /** Each cascade reaches this many times as far as the one before. */
 const STEP = 4;
@@ -35,8 +36,8 @@ export function fitCascade(
   const texelY = (2 * radius) / height;
   const x = Math.floor(centre.x / texelX) * texelX;
   const y = Math.floor(centre.y / texelY) * texelY;
-  const camera = face.camera as OrthographicCamera & { _reversedDepth: boolean };
-  camera._reversedDepth = whole.reversedDepth;
+  const camera = face.camera as OrthographicCamera;
+  setReversedDepth(camera, whole.reversedDepth);
   camera.left = x - radius;
   camera.right = x + radius;
   camera.bottom = y - radius;

@@ -1,5 +1,7 @@
 import { Vector3 } from 'three';
 import type { PrivateLightShadow, ShadowCamera, ShadowLight } from './ShadowLight';
+import { setReversedDepth } from '../../../three/reversedDepth';
+import { copyShadowFrustum } from '../../../three/shadowFrustum';
 
 const ahead = new Vector3();
 
@@ -17,7 +19,7 @@ export function placeShadowCamera(
 ): void {
   const shadow = light.shadow as unknown as PrivateLightShadow;
   const camera = shadow.camera as unknown as ShadowCamera;
-  camera._reversedDepth = reversedDepth;
+  setReversedDepth(camera, reversedDepth);
   camera.far = far;
   if (light.isPointLight === true) {
     camera.updateProjectionMatrix();
@@ -41,5 +43,5 @@ export function placeShadowCamera(
   camera.projectionMatrix.copy(from.projectionMatrix);
   camera.projectionMatrixInverse.copy(from.projectionMatrixInverse);
   shadow.matrix.copy(proxy.matrix);
-  shadow._frustum.copy(proxy._frustum);
+  copyShadowFrustum(proxy, shadow);
 }

@@ -21,7 +21,6 @@ import { shadowSideOf } from '../CasterMaterials';
 import { cubeFacesOf } from '../../slots/cubeFacesOf';
 import { moveBox } from '../moveBox';
 import { isBeyond } from '../../slots/reach';
-import type { DirectDraw } from '../../DirectDraw';
 import type { Caster, MergedCaster } from '../Caster';
 import type { ShadowCasters } from '../ShadowCasters';
 import type { ShadowFace } from '../../slots/ShadowFace';
@@ -33,6 +32,8 @@ import { CLUSTERS_PER_GROUP } from './ClusterOrder';
 import { uniteBoxes } from '../uniteBoxes';
 import { isMergeable } from './isMergeable';
 import { MergedMesh } from './MergedMesh';
+import { directDraw, type DirectDraw } from '../../../../three/directDraw';
+import { isCompiled, programHandle } from '../../../../three/handles';
 
 /** Walks for which a caster whose signature has changed is not merged. */
 const SETTLED = 30;
@@ -46,12 +47,6 @@ const FEW_GONE = 65_536;
 const SWEEP = 256;
 /** Spacing of the origins that matrices count from (m): positions near the origin keep more of their digits. */
 const GRID = 128;
-
-/** What three keeps of a material. */
-interface MaterialState {
-  __version?: number;
-  currentProgram?: { program: WebGLProgram };
-}
 
 const clipFromWorld = new Matrix4();
 const anyCamera = new PerspectiveCamera(); // three changes its projection where depth is reversed
@@ -84,6 +79,7 @@ export class MergedCasters {
   private readonly queue: Caster[] = [];
   private readonly origin = new Vector3();
   private readonly gl: WebGL2RenderingContext;
+  private readonly drawDirect: DirectDraw;
   private multiDraw: WEBGL_multi_draw | null = null;
   private readonly matrixFloats = new Float32Array(16);
   private matrixLocation: WebGLUniformLocation | null = null;
@@ -98,6 +94,7 @@ export class MergedCasters {
     registry: MicroShaderRegistry,
   ) {
     this.gl = webgl.getContext() as WebGL2RenderingContext;
+    this.drawDirect = directDraw(webgl);
     this.capacity = CasterMatrices.capacity(webgl);
     this.material = new PassMaterial(registry, {
       name: 'Farol shadow casters',
@@ -194,16 +191,15 @@ export class MergedCasters {
 
   /** Sends the matrices, and compiles the program where that is needed. */
   prepare(): void {
-    const { gl, pages, material } = this;
-    const state = this.webgl.properties.get(material) as MaterialState;
-    if (state.__version !== material.version) {
+    const { gl, pages, material, webgl } = this;
+    if (!isCompiled(webgl, material)) {
       // the program is new, was edited, or has gone with a lost context
       for (const { matrices } of pages) matrices.lose();
       this.show(pages[0].mesh, NO_DRAW);
-      const { extensions } = this.webgl;
+      const { extensions } = webgl;
       const name = 'WEBGL_multi_draw';
       this.multiDraw = extensions.has(name) ? (extensions.get(name) as unknown as WEBGL_multi_draw) : null;
-      const { program } = state.currentProgram!;
+      const program = programHandle(webgl, material);
       pages[0].matrices.attach(program);
       this.matrixLocation = gl.getUniformLocation(program, 'farol_clipFromOrigin');
     }
@@ -265,7 +261,7 @@ export class MergedCasters {
   }
 
   private show({ mesh }: MergedMesh, part: GeometryGroup): void {
-    (this.webgl.renderBufferDirect as unknown as DirectDraw)(anyCamera, null, mesh.geometry, this.material, mesh, part);
+    this.drawDirect(anyCamera, null, mesh.geometry, this.material, mesh, part);
   }
 
   private addPage(): Page {

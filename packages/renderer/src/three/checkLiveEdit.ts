@@ -1,6 +1,6 @@
 import { ShaderChunk, type WebGLRenderer } from 'three';
-import { MicroShaderCompileError } from './MicroShaderCompileError';
-import type { MicroShaderRegistry } from './MicroShaderRegistry';
+import { MicroShaderCompileError } from '../microshaders/MicroShaderCompileError';
+import type { MicroShaderRegistry } from '../microshaders/MicroShaderRegistry';
 
 /** Programs as `WebGLRenderer.info.programs` lists them. */
 interface Program {

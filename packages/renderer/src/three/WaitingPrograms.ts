@@ -1,3 +1,5 @@
+import type { WebGLRenderer } from 'three';
+
 /** three's WebGLProgram as far as it is used here. */
 export interface Program {
   /** Undefined once it is deleted. */
@@ -58,4 +60,25 @@ export function waitingPrograms(programs: ProgramList): WaitingPrograms {
   let waiting = lists.get(programs);
   if (waiting === undefined) lists.set(programs, (waiting = new WaitingPrograms()));
   return waiting;
+}
+
+/** three's list of what it has compiled: another one once a lost context is restored. */
+export function programsOf(webgl: WebGLRenderer): ProgramList {
+  return webgl.info.programs as unknown as ProgramList;
+}
+
+/** Has a function called with each program that three sets to compile. @returns ends that */
+export function watchNewPrograms(programs: ProgramList, tell: (program: Program) => void): () => void {
+  programs.push = (program: Program) => {
+    tell(program);
+    return Array.prototype.push.call(programs, program);
+  };
+  return () => void Reflect.deleteProperty(programs, 'push');
+}
+
+/** Has three's draws end, by an exception, where they would first use their program. @returns lets them go on */
+export function stopUsingPrograms({ state }: WebGLRenderer, stop: () => never): () => void {
+  const { useProgram } = state;
+  state.useProgram = stop;
+  return () => void (state.useProgram = useProgram);
 }

@@ -1,0 +1,23 @@
+import type { BatchedMesh, DataTexture } from 'three';
+
+/** What a BatchedMesh keeps of its instances. */
+interface Batch {
+  readonly _matricesTexture: DataTexture;
+  readonly _indirectTexture: DataTexture;
+  readonly _visibilityChanged: boolean;
+}
+
+/** The matrices of a batch's instances, 16 floats each. */
+export function batchMatrices(mesh: BatchedMesh): DataTexture {
+  return (mesh as unknown as Batch)._matricesTexture;
+}
+
+/** Which instance each draw of a batch is of. */
+export function batchIndices(mesh: BatchedMesh): DataTexture {
+  return (mesh as unknown as Batch)._indirectTexture;
+}
+
+/** Whether instances were shown or hidden since the batch was last drawn. */
+export function batchVisibilityChanged(mesh: BatchedMesh): boolean {
+  return (mesh as unknown as Batch)._visibilityChanged;
+}

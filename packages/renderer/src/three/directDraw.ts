@@ -1,0 +1,17 @@
+import type { BufferGeometry, Camera, Material, Object3D, Scene, WebGLRenderer } from 'three';
+import type { GeometryGroup } from '../frame/RenderItem';
+
+/** three's `renderBufferDirect`, which draws without a scene and without groups too. */
+export type DirectDraw = (
+  camera: Camera,
+  scene: Scene | null,
+  geometry: BufferGeometry,
+  material: Material,
+  object: Object3D,
+  group: GeometryGroup | null,
+) => void;
+
+/** How a renderer draws one object with one material, inside its own `render`. */
+export function directDraw(webgl: WebGLRenderer): DirectDraw {
+  return webgl.renderBufferDirect as unknown as DirectDraw;
+}

@@ -1,0 +1,15 @@
+import type { RenderTarget } from 'three';
+
+/** three's mark of a target that is drawn to as the canvas is: tone mapped, in the colour space of its texture. */
+interface Marked {
+  isXRRenderTarget?: boolean;
+}
+
+export function isDrawnAsCanvas(target: RenderTarget): boolean {
+  return (target as Marked).isXRRenderTarget ?? false;
+}
+
+/** Has three draw to a target of Farol's as to the canvas. */
+export function setDrawnAsCanvas(target: RenderTarget, does: boolean): void {
+  (target as Marked).isXRRenderTarget = does;
+}

@@ -1,0 +1,11 @@
+import type { Camera } from 'three';
+
+/** What `Camera.reversedDepth` reads. */
+interface DepthOfCamera {
+  _reversedDepth: boolean;
+}
+
+/** Says whether depths of a camera's projection are reversed, from its next `updateProjectionMatrix` on. */
+export function setReversedDepth(camera: Camera, reversed: boolean): void {
+  (camera as unknown as DepthOfCamera)._reversedDepth = reversed;
+}
