@@ -285,7 +285,7 @@ test('lists all that is wrong with a broken file, and keeps the scene', async ({
   };
   file.objects[0].components[0].values.position = ['a', 0, 0];
   file.objects[1].parent = 'nobody';
-  file.objects.at(-1)!.components[1].type = 'Teleporter';
+  file.objects.at(-1)!.components[1].values.mesh = 7;
   const path = info.outputPath('broken.json');
   await writeFile(path, JSON.stringify(file));
 
@@ -297,10 +297,21 @@ test('lists all that is wrong with a broken file, and keeps the scene', async ({
   await expect(dialog.getByRole('listitem')).toHaveCount(3);
   await expect(dialog).toContainText('objects[0].components[0].values.position');
   await expect(dialog).toContainText('nobody');
-  await expect(dialog).toContainText('Teleporter');
+  await expect(dialog).toContainText('components[1].values.mesh');
   await dialog.getByRole('button', { name: 'Close' }).click();
   expect(await serialized(page)).toBe(before);
   expect(await history(page)).toEqual(['Add Box']);
+
+  // a component whose plugin is not there is kept as data, and told of
+  const strange = JSON.parse(before) as typeof file;
+  Object.assign(strange.objects.at(-1)!.components[1], { type: 'Teleporter', values: { to: 'the moon' } });
+  await writeFile(path, JSON.stringify(strange));
+  const again = page.waitForEvent('filechooser');
+  await page.keyboard.press('Control+o');
+  await page.getByRole('button', { name: 'Discard changes' }).click();
+  await (await again).setFiles(path);
+  await expect(page.locator('.notices')).toContainText('kept as data: Teleporter. Add the plugin');
+  expect(JSON.parse(await serialized(page))).toEqual(strange);
 });
 
 test('switches technique and view', async ({ page }) => {
