@@ -8,7 +8,7 @@ const apart = [
   ...['adapters/', 'authoring/', 'effects/', 'lazy/', 'microshaders/xml/', 'index.ts'],
   ...['frame/RecentlyUsed.ts', 'materials/overdrawTwin.ts', 'microshaders/formatMicroShader.ts', 'three/readPixels.ts'],
   ...['three/WaitingPrograms.ts', 'three/batchTextures.ts', 'three/contextLists.ts', 'three/drawnAsCanvas.ts'],
-  'three/shadowFrustum.ts',
+  ...['three/shadowFrustum.ts', 'lighting/recordGetters.ts', 'lights/recordLayout.ts'],
 ];
 
 function isCore(id: string): boolean {
