@@ -6,7 +6,8 @@ import { defineConfig } from '@playwright/test';
  * Browser tests. The servers start in support/globalSetup.ts on free ports, from source, or from the built apps with
  * FAROL_E2E=built (as `npm test` does). FAROL_GPU=1 leaves the software rasteriser out.
  *
- * A page of the project `editor` resolves `page.goto('./')` to the editor, of `viewer` and `render` to the viewer.
+ * A page of the project `editor` resolves `page.goto('./')` to the editor, of `lab` to the Lab, of the others to
+ * the viewer.
  */
 const browser = findBrowser();
 if (!browser) throw new Error('No Chromium found: run npm test once, which installs one, or set CHROMIUM_PATH.');
@@ -40,6 +41,11 @@ export default defineConfig({
       // its figures are of smoothness, against sample positions of the software rasteriser: no agreement with stock three
       testIgnore: process.env.FAROL_AGREE ? ['**/antialiasing.spec.ts'] : [],
       use: { baseURL: process.env.FAROL_VIEWER_URL },
+    },
+    {
+      name: 'lab',
+      testDir: './lab',
+      use: { baseURL: process.env.FAROL_LAB_URL, viewport: { width: 1280, height: 720 } },
     },
     { name: 'examples', testDir: './examples', use: { baseURL: process.env.FAROL_VIEWER_URL } },
     { name: 'perf', testDir: './perf', use: { baseURL: process.env.FAROL_VIEWER_URL } },

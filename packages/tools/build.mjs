@@ -14,7 +14,7 @@ import { runTool } from './runTool.mjs';
 
 ensureInstalled();
 const packages = publishedPackages();
-const folders = [...packages.map(({ folder }) => folder), 'apps/viewer', 'apps/editor'];
+const folders = [...packages.map(({ folder }) => folder), 'apps/viewer', 'apps/editor', 'apps/lab'];
 if (process.argv.includes('--tests')) {
   folders.push('e2e/pages');
   process.env.FAROL_STANFORD_DRAGON ??= '1';

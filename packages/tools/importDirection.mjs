@@ -73,6 +73,7 @@ export const importRules = [
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine', '@farol/editing'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
+  { from: 'apps/lab', may: ['apps/lab', '*'] },
   ...editorRules,
   { from: 'apps/editor', may: ['apps/editor', '*'] },
   { from: 'e2e', may: ['e2e', '*'] },

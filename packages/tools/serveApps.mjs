@@ -3,7 +3,7 @@ import { serveFolder } from './benchServe.mjs';
 import { root } from './root.mjs';
 
 /** Folders of what can be served. `pages` holds the browser tests' own pages. */
-export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', pages: 'e2e/pages' };
+export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', lab: 'apps/lab', pages: 'e2e/pages' };
 
 /** @typedef {keyof typeof appFolders} AppName */
 

@@ -1,23 +1,23 @@
 /**
- * `npm start`: installs what is missing, serves the editor and the viewer from source, opens the editor.
+ * `npm start`: installs what is missing, serves the editor, the viewer and the Lab from source, opens the editor.
  *
- * The editor is on port 5173, or FAROL_PORT; the viewer on the next one.
+ * The editor is on port 5173, or FAROL_PORT; the viewer on the next one, the Lab on the one after.
  */
 import { spawn } from 'node:child_process';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { serveApps } from './serveApps.mjs';
 
 const port = Number(process.env.FAROL_PORT || 5173);
-if (!Number.isInteger(port) || port < 1 || port > 65534) {
-  console.error(`FAROL_PORT is ${process.env.FAROL_PORT}: give a whole number from 1 to 65534.`);
+if (!Number.isInteger(port) || port < 1 || port > 65533) {
+  console.error(`FAROL_PORT is ${process.env.FAROL_PORT}: give a whole number from 1 to 65533.`);
   process.exit(1);
 }
 
 ensureInstalled();
 try {
-  const { urls } = await serveApps({ ports: { editor: port, viewer: port + 1 } });
+  const { urls } = await serveApps({ ports: { editor: port, viewer: port + 1, lab: port + 2 } });
   console.log(
-    `\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n  Examples      ${urls.viewer}examples/\n\n  Ctrl+C stops both.\n`,
+    `\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n  Examples      ${urls.viewer}examples/\n  Farol Lab     ${urls.lab}\n\n  Ctrl+C stops them.\n`,
   );
   if (urls.editor) openBrowser(urls.editor);
 } catch (error) {
@@ -25,7 +25,7 @@ try {
   const taken = /port (\d+) is already in use/i.exec(message);
   console.error(
     taken
-      ? `Port ${taken[1]} is taken by another program (another npm start?). Stop it, or choose two free ports in a row, for example: FAROL_PORT=5300 npm start`
+      ? `Port ${taken[1]} is taken by another program (another npm start?). Stop it, or choose three free ports in a row, for example: FAROL_PORT=5300 npm start`
       : message,
   );
   process.exit(1);

@@ -1,0 +1,45 @@
+import type { StageScene } from '../stage/StageScene';
+
+/** A competitor as it draws one case. */
+export interface Drawing {
+  /** The context whose frames are waited for and timed; null with WebGPU. */
+  readonly gl: WebGL2RenderingContext | null;
+  /** Draws the scene as it is into the canvas. */
+  render(): void;
+  /** Waits until what was drawn is done, where that is not the reading of a pixel of `gl`. */
+  finish?(): Promise<void>;
+  /** Called after lights were added to or removed from `StageScene.lights`. */
+  lightsChanged?(): void;
+  /** Called before a frame whose lights moved (positions in `StageScene.lights`), inside the timed call. */
+  lightsMoved?(): void;
+  /** Lights that are left out. */
+  dropped?(): number;
+  technique?(): { name: string; reason: string };
+  targetBytes?(): number;
+  /** Times of the passes of the last frames (ms). */
+  passes?(): { kind: 'gpu' | 'cpu'; passes: { name: string; ms: number }[] } | null;
+  /** Switches the times of the passes on or off: they cost timer queries. */
+  setPassTimes?(on: boolean): void;
+  dispose(): void;
+}
+
+/** Who can draw a case. */
+export interface Competitor {
+  /** Key, also in files and links. */
+  readonly name: string;
+  readonly label: string;
+  /** What it is and when it wins, a sentence. */
+  readonly help: string;
+  /** `farol`: by FarolRenderer; `three`: three's own renderers; `rival`: other engines, installed on demand. */
+  readonly kind: 'farol' | 'three' | 'rival';
+  /** Why it cannot draw here, as a sentence; null when it can. */
+  unavailable(): Promise<string | null>;
+  /**
+   * Why it cannot draw a case, as a sentence (too many lights for its uniforms, shadows it has not); null when it can.
+   */
+  refuses(scene: { lights: number; shadows: number }): string | null;
+  /**
+   * @throws Error that names what failed
+   */
+  open(canvas: HTMLCanvasElement, scene: StageScene, signal: AbortSignal): Promise<Drawing>;
+}

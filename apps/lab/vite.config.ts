@@ -1,0 +1,22 @@
+import { securePages } from '@farol/tools/contentSecurityPolicy';
+import { sourceConditions } from '@farol/tools/sourceConditions';
+import { stanfordDragon } from '@farol/tools/stanfordDragon';
+import { defineConfig } from 'vite';
+
+export default defineConfig(({ command }) => ({
+  base: './',
+  publicDir: false,
+  assetsInclude: ['**/*.ply.gz'],
+  plugins: [stanfordDragon(), securePages()],
+  oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
+  resolve: {
+    dedupe: ['three'],
+    ...(command === 'serve' ? { conditions: sourceConditions } : {}),
+  },
+  optimizeDeps: { entries: ['index.html', 'stage.html'], include: ['three/webgpu'] },
+  build: {
+    target: 'es2022',
+    chunkSizeWarningLimit: 2000,
+    rolldownOptions: { input: ['index.html', 'stage.html'] },
+  },
+}));
