@@ -42,8 +42,10 @@ export interface Effort {
   readonly turn: number;
   /** Measure first frames, the frame after ten lights more, and the frame after the technique changed. */
   readonly changes: boolean;
-  /** A competitor whose first frame is predicted to take longer than this (ms) is left out, and says so. */
-  readonly longestFirst: number;
+  /** A competitor is left out, and says so, where its first frame or an ordinary one would take longer than this (ms). */
+  readonly longestFrame: number;
+  /** Time for the whole run (ms): turns become shorter so that it ends by then. Null for none. */
+  readonly limit: number | null;
 }
 
 /** What a run measures: series of cases, each by every competitor. */

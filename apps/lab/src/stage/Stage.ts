@@ -35,7 +35,7 @@ export interface Stage {
    * @param competitor key in `competitors`
    * @throws Error (as a rejection) that names what the device, the browser or the competitor cannot do
    */
-  open(competitor: string, labCase: LabCase, options: { signal: AbortSignal }): Promise<Opened>;
+  open(competitor: string, labCase: LabCase, options: { signal: AbortSignal; longestFrame: number }): Promise<Opened>;
   /** Draws frames whose lights move, for about `ms` (ms), 3 of each kind at least. */
   turn(competitor: string, ms: number): Promise<Turn>;
   /** Draws, programs and bytes of one frame, once the turns are over. */
@@ -44,6 +44,8 @@ export interface Stage {
   passes(competitor: string): Promise<PassTimes | null>;
   /** The frame after ten lights more, waited for; the lights go again. */
   addLights(competitor: string): Promise<Change>;
+  /** The frame after another technique was chosen and the competitor's own again, waited for; null where it has none. */
+  changeTechnique(competitor: string): Promise<Change | null>;
   /** Frees the competitor's context and memory. */
   close(competitor: string): void;
   /** Whether the browser and the device have what the competitor needs; a sentence when not. */

@@ -1,0 +1,91 @@
+import type { Configuration, SeriesChoice } from './Configuration';
+import type { LabCase, LabPlan, LabSeries } from './LabPlan';
+import { presets } from './presets';
+import { axisWords, sceneWords } from './sceneWords';
+
+/** Most competitors' contexts that a browser keeps alive at once; it ends the oldest beyond 16, phones beyond 8. */
+export const MOST_CONTEXTS = { desktop: 12, phone: 6 };
+
+/** Time (ms) to open and close a competitor for a case on an ordinary desktop, and for the frames after changes. */
+const OPEN = 350;
+const CHANGES = 150;
+
+/**
+ * The cases of a configuration.
+ *
+ * @throws Error that names a scene, an axis or values that are unknown or out of bounds
+ */
+export function planOf(configuration: Configuration): LabPlan {
+  const { preset, competitors, effort } = configuration;
+  if (competitors.length === 0) throw new Error('Nothing would be measured: choose a competitor at least.');
+  const names = new Map<string, number>();
+  const series = configuration.series.map((choice) => {
+    const made = seriesOf(choice, configuration);
+    const again = names.get(made.name) ?? 0;
+    names.set(made.name, again + 1);
+    return again === 0 ? made : { ...made, name: `${made.name}-${again + 1}` };
+  });
+  const label = presets[preset]?.label ?? 'Custom';
+  return { preset, label, series, competitors, effort };
+}
+
+/** Time that a plan takes on an ordinary desktop (ms); a slow competitor or device takes longer. */
+export function estimate({ series, competitors, effort }: LabPlan): number {
+  const cases = series.reduce((sum, { cases }) => sum + cases.length, 0);
+  const each = OPEN + effort.rounds * effort.turn + (effort.changes ? CHANGES : 0);
+  const whole = cases * competitors.length * each;
+  return effort.limit === null ? whole : Math.min(whole, effort.limit);
+}
+
+function seriesOf(choice: SeriesChoice, size: { width: number; height: number }): LabSeries {
+  const { scene, axis } = choice;
+  const words = sceneWords[scene];
+  if (!words) throw new Error(`Unknown scene ${scene}: known are ${Object.keys(sceneWords).join(', ')}.`);
+  if (!words.axes.includes(axis)) {
+    throw new Error(`${words.label} cannot be measured over ${axis}: its axes are ${words.axes.join(', ')}.`);
+  }
+  const made = [...choice.values].sort((a, b) => a - b).map((value) => caseOf(choice, size, value));
+  if (made.length === 0) throw new Error(`${words.label}: give a value at least, as in 10, 100, 1000.`);
+  const fixed = axis === 'lights' || scene === 'own' ? '' : `, ${lightsText(choice)}`;
+  const planes = scene === 'benchmarkLights' && axis !== 'objects' ? ` ${choice.n} × ${choice.n}` : '';
+  const label = `${words.label}${planes} over ${axisWords[axis].label.toLowerCase()}${fixed}`;
+  const name = `${scene === 'benchmarkLights' ? 'planes' : scene}-${axis}`;
+  return { name, label, axis, cases: made.map((each) => each.labCase), values: made.map((each) => each.value) };
+}
+
+function lightsText({ lights }: SeriesChoice): string {
+  return lights === 'objects' ? 'as many lights as planes' : `${lights} lights`;
+}
+
+/** One case and its value along the axis: planes and their lights come in squares, pixels by the sides' ratio. */
+function caseOf(choice: SeriesChoice, size: { width: number; height: number }, value: number) {
+  const { scene, axis } = choice;
+  if (!Number.isFinite(value) || value < 0 || value > 1e6) {
+    throw new Error(`${value} is no value for ${axis}: numbers from 0 to 1,000,000 are.`);
+  }
+  const square = scene === 'benchmarkLights';
+  const side = (count: number, least: number): number => Math.max(least, Math.round(Math.sqrt(count)));
+  const n = axis === 'objects' ? Math.min(100, side(value, 1)) : choice.n;
+  const asked = axis === 'lights' ? value : choice.lights === 'objects' ? n * n : choice.lights;
+  const lights = square ? side(asked, asked === 0 ? 0 : 1) ** 2 : Math.round(asked);
+  const scale = axis === 'pixels' ? Math.sqrt((value * 1000) / (size.width * size.height)) : 1;
+  const width = Math.max(1, Math.round(size.width * scale));
+  const height = Math.max(1, Math.round(size.height * scale));
+  if (width > 8192 || height > 8192) throw new Error(`${width} × ${height} pixels are too many: 8192 a side at most.`);
+  const labCase: LabCase = {
+    scene: { name: scene, parameters: square ? { n } : {} },
+    lights: scene === 'own' ? null : lights,
+    shadows: axis === 'shadows' ? Math.min(Math.round(value), lights) : 0,
+    overdraw: axis === 'overdraw' ? Math.round(value) : 0,
+    width,
+    height,
+  };
+  const along = {
+    lights,
+    objects: n * n,
+    pixels: width * height,
+    overdraw: labCase.overdraw,
+    shadows: labCase.shadows,
+  };
+  return { labCase, value: along[axis] };
+}

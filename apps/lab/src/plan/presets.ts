@@ -1,0 +1,74 @@
+import { competitorNames } from '../competitors/competitorNames';
+import type { Configuration, SeriesChoice } from './Configuration';
+import type { Effort } from './LabPlan';
+
+/** A configuration to begin with. */
+export interface Preset {
+  readonly label: string;
+  readonly help: string;
+  readonly configuration: Configuration;
+}
+
+/** All but the other engines, which are installed on demand. */
+export const ordinaryCompetitors: readonly string[] = Object.entries(competitorNames)
+  .filter(([, { kind }]) => kind !== 'rival')
+  .map(([name]) => name);
+
+const thorough: Effort = { rounds: 3, turn: 400, changes: false, longestFrame: 10_000, limit: null };
+
+/** Series over lights in a scene. */
+const overLights = (scene: string, values: readonly number[], n = 1): SeriesChoice => ({
+  ...{ scene, n, axis: 'lights', values, lights: 0 },
+});
+
+function preset(label: string, help: string, series: readonly SeriesChoice[], changes: Partial<Configuration> = {}) {
+  const size = { width: 1280, height: 720 };
+  return (name: string): Preset => ({
+    label,
+    help,
+    configuration: { preset: name, series, ...size, competitors: ordinaryCompetitors, effort: thorough, ...changes },
+  });
+}
+
+const recipes: Record<string, (name: string) => Preset> = {
+  quick: preset(
+    'Quick',
+    'Planes and the atrium, from few lights to a thousand, by every technique.',
+    [overLights('sponza', [10, 50, 200, 1000]), overLights('benchmarkLights', [4, 100])],
+    { effort: { rounds: 3, turn: 150, changes: true, longestFrame: 2000, limit: 80_000 } },
+  ),
+  thesis: preset('The thesis', 'The three tables of chapter 4, row by row.', [
+    overLights('benchmarkLights', [1, 4, 25, 100, 225]),
+    { scene: 'benchmarkLights', n: 1, axis: 'objects', values: [4, 25, 100, 225], lights: 'objects' },
+    overLights('sponza', [10, 20, 50, 100, 200, 500]),
+    overLights('temple', [10, 20, 50, 100, 200, 500]),
+  ]),
+  lights: preset('Lights', 'From ten lights to ten thousand, in the atrium and the temple.', [
+    overLights('sponza', [10, 30, 100, 300, 1000, 3000, 10_000]),
+    overLights('temple', [10, 100, 1000]),
+  ]),
+  objects: preset('Objects', 'One plane to 2,500 under 100 lights.', [
+    { scene: 'benchmarkLights', n: 1, axis: 'objects', values: [1, 25, 100, 400, 900, 2500], lights: 100 },
+  ]),
+  resolution: preset('Resolution', 'The atrium from 640 × 360 to 3840 × 2160, with few and with many lights.', [
+    { scene: 'sponza', n: 1, axis: 'pixels', values: [230, 922, 2074, 8294], lights: 20 },
+    { scene: 'sponza', n: 1, axis: 'pixels', values: [230, 922, 2074, 8294], lights: 500 },
+  ]),
+  overdraw: preset('Overdraw', 'Layers one behind the other, from back to front, under 100 lights.', [
+    { scene: 'benchmarkLights', n: 1, axis: 'overdraw', values: [1, 2, 4, 8, 16], lights: 100 },
+  ]),
+  shadows: preset('Shadows', 'The atrium with 64 lights, of which more and more cast shadows.', [
+    { scene: 'sponza', n: 1, axis: 'shadows', values: [0, 1, 4, 16, 64], lights: 64 },
+  ]),
+  changes: preset(
+    'What a change costs',
+    'First frames, ten lights more, another technique: the longest frame, and what is compiled in it.',
+    [overLights('sponza', [10, 100, 1000])],
+    { effort: { rounds: 1, turn: 150, changes: true, longestFrame: 20_000, limit: null } },
+  ),
+};
+
+/** Configurations to begin with, by key. */
+export const presets: Readonly<Record<string, Preset>> = Object.fromEntries(
+  Object.entries(recipes).map(([name, make]) => [name, make(name)]),
+);

@@ -1,0 +1,39 @@
+import type { Axis } from './LabPlan';
+
+/** A scene that the builder offers. */
+export interface SceneWords {
+  readonly label: string;
+  readonly help: string;
+  readonly axes: readonly Axis[];
+}
+
+const lit = ['lights', 'pixels', 'overdraw', 'shadows'] as const;
+
+/** Scenes by key in `@farol/engine/scenes`; `own` is the scene that the editor or the viewer handed over. */
+export const sceneWords: Readonly<Record<string, SceneWords>> = {
+  benchmarkLights: {
+    label: 'Planes',
+    help: 'N × N planes that make a floor of 30 m × 30 m, lights just above it.',
+    axes: ['lights', 'objects', 'pixels', 'overdraw'],
+  },
+  sponza: {
+    label: 'Atrium',
+    help: 'A hall of the scale of the Sponza palace: 100 meshes, 260,000 triangles.',
+    axes: lit,
+  },
+  temple: {
+    label: 'Temple',
+    help: 'A Doric temple on a green plane, with six spot lights beside the moving lights.',
+    axes: lit,
+  },
+  own: { label: 'Your scene', help: 'The scene that the editor or the viewer handed over.', axes: ['pixels'] },
+};
+
+/** What stands under the x axis of a chart. */
+export const axisWords: Readonly<Record<Axis, { label: string; unit: string }>> = {
+  lights: { label: 'Point lights', unit: 'lights' },
+  objects: { label: 'Objects', unit: 'objects' },
+  pixels: { label: 'Pixels of the picture', unit: 'pixels' },
+  overdraw: { label: 'Layers one behind the other', unit: 'layers' },
+  shadows: { label: 'Lights that cast shadows', unit: 'shadowed lights' },
+};
