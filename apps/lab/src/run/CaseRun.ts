@@ -1,0 +1,233 @@
+import { psnr } from '../measure/likeness';
+import { spreadOf } from '../measure/spread';
+import type { LabCase, LabPlan, LabSeries } from '../plan/LabPlan';
+import type { LabRow } from '../results/LabRun';
+import type { Stage, Turn } from '../stage/Stage';
+import type { Forecast } from './Forecast';
+import { spoiled } from './spoiled';
+import type { StageFrames } from './StageFrames';
+
+/** Who draws the reference of a case: the first of them that can. */
+const references = ['stock', 'forward', 'multipass'];
+
+/** A turn that takes so much longer than it was given is a competitor's last in the case. */
+const OVERLONG = 8;
+
+/** What one case needs of its run. */
+export interface CaseWorld {
+  readonly plan: LabPlan;
+  readonly series: LabSeries;
+  readonly labCase: LabCase;
+  readonly index: number;
+  readonly frames: StageFrames;
+  /** Rows of the run, which the case adds to. */
+  readonly rows: LabRow[];
+  readonly forecast: Forecast;
+  /** Length of a turn (ms). */
+  readonly turn: number;
+  readonly signal: AbortSignal;
+  readonly now: () => number;
+  step(competitor: string | null, picture?: ImageData): void;
+  /** A picture as a data URL. */
+  thumbnailOf(picture: ImageData): string;
+}
+
+/** A competitor that is open, and its samples (ms) by turn. */
+interface Open {
+  readonly name: string;
+  readonly stage: Stage;
+  readonly row: LabRow;
+  readonly frame: number[][];
+  readonly cpu: number[][];
+  readonly gpu: number[][];
+  /** No more turns. */
+  over: boolean;
+}
+
+/** One case: every competitor opened, measured in turns, compared, closed. */
+export class CaseRun {
+  private readonly pictures = new Map<string, ImageData>();
+  private readonly own: LabRow[] = [];
+
+  constructor(private readonly world: CaseWorld) {}
+
+  /** Measures some competitors in turns, and closes them. */
+  async measure(competitors: readonly string[]): Promise<void> {
+    const { plan, signal, turn } = this.world;
+    const open: Open[] = [];
+    try {
+      for (const name of competitors) {
+        if (signal.aborted) return;
+        const opened = await this.open(name);
+        if (opened) open.push(opened);
+      }
+      for (let round = 0; round < plan.effort.rounds; round++) {
+        for (const each of open) {
+          if (signal.aborted) break;
+          this.world.step(each.name);
+          if (!each.over) await attempt(each, () => this.takeTurn(each, turn));
+        }
+      }
+      for (const each of open) {
+        if (signal.aborted) break;
+        this.world.step(each.name);
+        if (each.row.problem === null) await attempt(each, () => this.takeRest(each));
+      }
+    } finally {
+      for (const { stage, name, row } of open) {
+        stage.close(name);
+        if (!row.frame) row.problem ??= 'Cancelled before it was measured.';
+      }
+    }
+  }
+
+  /** Adds a row for each competitor that says why the case is not measured. */
+  leaveOut(problem: string): void {
+    const { plan, series, index, rows } = this.world;
+    for (const name of plan.competitors) rows.push({ ...emptyRow(name, series.name, index), problem });
+  }
+
+  /** Compares the pictures, once all competitors have been measured. */
+  async end(): Promise<void> {
+    if (this.pictures.size === 0) return;
+    const reference = references.find((name) => this.pictures.has(name)) ?? (await this.drawReference());
+    const picture = reference === null ? undefined : this.pictures.get(reference);
+    if (reference === null || !picture) return;
+    for (const row of this.own) {
+      const drawn = this.pictures.get(row.competitor);
+      if (drawn) row.likeness = { reference, psnr: psnr(drawn, picture), thumbnail: this.world.thumbnailOf(drawn) };
+    }
+    this.pictures.clear();
+  }
+
+  private async open(name: string): Promise<Open | null> {
+    const { series, labCase, index, frames, rows, forecast, signal, plan } = this.world;
+    const row = emptyRow(name, series.name, index);
+    rows.push(row);
+    this.own.push(row);
+    this.world.step(name);
+    try {
+      const value = series.values[index];
+      row.problem = forecast.refuses(series.name, name, value);
+      if (row.problem !== null) return null;
+      const stage = await frames.stageOf(name);
+      row.problem = await stage.unavailable(name);
+      if (row.problem !== null) return null;
+      const { longestFrame } = plan.effort;
+      const { firstMs, dropped, technique, reason, picture } = await stage.open(name, labCase, {
+        signal,
+        longestFrame,
+      });
+      forecast.note(series.name, name, 'first', value, firstMs);
+      Object.assign(row, { firstMs, dropped, technique, reason });
+      if (dropped > 0) row.warnings.push(`${dropped} lights are left out of its picture.`);
+      this.pictures.set(name, picture);
+      this.world.step(name, picture);
+      return { name, stage, row, frame: [], cpu: [], gpu: [], over: false };
+    } catch (error) {
+      row.problem = signal.aborted ? 'Cancelled.' : sentence(error);
+      return null;
+    }
+  }
+
+  private async takeTurn(each: Open, length: number): Promise<void> {
+    const { series, index, forecast, now } = this.world;
+    const { row, stage, name } = each;
+    const begin = now();
+    const samples = await visibleTurn(stage, name, length, row.warnings);
+    each.frame.push(samples.frame);
+    each.cpu.push(samples.cpu);
+    if (samples.gpu) each.gpu.push(samples.gpu);
+    row.frame = spreadOf(each.frame);
+    row.cpu = spreadOf(each.cpu);
+    row.gpu = spreadOf(each.gpu);
+    const last = each.frame.length === this.world.plan.effort.rounds;
+    if (now() - begin > Math.max(OVERLONG * length, 1000) && !last) {
+      each.over = true;
+      row.warnings.push(`${each.frame.length} of ${this.world.plan.effort.rounds} turns: its frames are long.`);
+    }
+    if ((last || each.over) && row.frame) {
+      forecast.note(series.name, name, 'frame', series.values[index], row.frame.median);
+      row.warnings.push(...spoiled(each));
+    }
+  }
+
+  /** Counts and passes, then frames after changes. */
+  private async takeRest({ row, stage, name }: Open): Promise<void> {
+    row.counts = await stage.count(name);
+    row.passes = await stage.passes(name);
+    if (!this.world.plan.effort.changes) return;
+    if (this.world.labCase.lights !== null) row.added = await stage.addLights(name);
+    row.changed = await stage.changeTechnique(name);
+  }
+
+  /** Draws the reference by a competitor that is not in the plan. Gives its key, or null when none can. */
+  private async drawReference(): Promise<string | null> {
+    const { frames, labCase, signal, plan } = this.world;
+    for (const name of references) {
+      if (signal.aborted || plan.competitors.includes(name)) continue;
+      try {
+        const stage = await frames.stageOf(name);
+        if ((await stage.unavailable(name)) !== null) continue;
+        const { picture } = await stage.open(name, labCase, { signal, longestFrame: plan.effort.longestFrame });
+        this.pictures.set(name, picture);
+        stage.close(name);
+        return name;
+      } catch {
+        // the next one may be able to
+      }
+    }
+    return null;
+  }
+}
+
+/** A turn taken while the tab is seen: browsers slow what is hidden. A turn that was disturbed is taken again, once. */
+async function visibleTurn(stage: Stage, name: string, length: number, warnings: string[]): Promise<Turn> {
+  for (let tried = 0; ; tried++) {
+    await seen();
+    let hidden = false;
+    const onChange = (): void => void (hidden ||= document.hidden);
+    globalThis.document?.addEventListener('visibilitychange', onChange);
+    const samples = await stage.turn(name, length);
+    globalThis.document?.removeEventListener('visibilitychange', onChange);
+    if (!hidden) return samples;
+    if (tried > 0) {
+      warnings.push('The tab was hidden while this was measured: keep it in front.');
+      return samples;
+    }
+  }
+}
+
+/** Waits until the tab is in front. */
+function seen(): Promise<void> {
+  if (!globalThis.document?.hidden) return Promise.resolve();
+  return new Promise((resolve) => {
+    const onChange = (): void => {
+      if (document.hidden) return;
+      document.removeEventListener('visibilitychange', onChange);
+      resolve();
+    };
+    document.addEventListener('visibilitychange', onChange);
+  });
+}
+
+/** What fails becomes the row's problem; its figures so far stay. */
+async function attempt(open: Open, work: () => Promise<void>): Promise<void> {
+  try {
+    await work();
+  } catch (error) {
+    open.over = true;
+    if (open.row.frame) open.row.warnings.push(sentence(error));
+    else open.row.problem = sentence(error);
+  }
+}
+
+const sentence = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+function emptyRow(competitor: string, series: string, index: number): LabRow {
+  return {
+    ...{ competitor, series, index, frame: null, cpu: null, gpu: null, firstMs: null, added: null, changed: null },
+    ...{ counts: null, passes: null, likeness: null, dropped: 0, technique: null, reason: null, problem: null },
+    warnings: [],
+  };
+}

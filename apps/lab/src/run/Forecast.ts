@@ -1,0 +1,58 @@
+/** Times of one competitor in one series, in the order of the cases. */
+interface Seen {
+  value: number;
+  ms: number;
+}
+
+/** Steepest growth that is believed: time by the square of lights, as compilers have it. */
+const STEEPEST = 2;
+
+/**
+ * Foretells how long a competitor's frame will take in the next case of a series, so that nobody waits for minutes: by
+ * the growth between its last two cases, or in proportion after one.
+ */
+export class Forecast {
+  private readonly seen = new Map<string, Seen[]>();
+
+  /** @param longest time (ms) beyond which a case is left out */
+  constructor(private readonly longest: number) {}
+
+  /**
+   * @param kind `first` or `frame`
+   * @param value along the series' axis
+   * @param ms that it took
+   */
+  note(series: string, competitor: string, kind: 'first' | 'frame', value: number, ms: number): void {
+    const key = `${series} ${competitor} ${kind}`;
+    const list = this.seen.get(key) ?? [];
+    list.push({ value, ms });
+    this.seen.set(key, list);
+  }
+
+  /** Why a case is left out, as a sentence; null when it is not. */
+  refuses(series: string, competitor: string, value: number): string | null {
+    for (const kind of ['first', 'frame'] as const) {
+      const ms = this.foretold(`${series} ${competitor} ${kind}`, value);
+      if (ms > this.longest) {
+        const what = kind === 'first' ? 'its first frame' : 'a frame';
+        return `Left out: ${what} would take about ${seconds(ms)}, by its growth so far (limit ${seconds(this.longest)}).`;
+      }
+    }
+    return null;
+  }
+
+  private foretold(key: string, value: number): number {
+    const list = this.seen.get(key);
+    const last = list?.at(-1);
+    if (!list || !last) return 0;
+    const before = list.at(-2);
+    const slope =
+      before && before.value > 0 && last.value > before.value && before.ms > 0
+        ? Math.log(last.ms / before.ms) / Math.log(last.value / before.value)
+        : 1;
+    const growth = last.value > 0 ? Math.max(1, value / last.value) : 1;
+    return last.ms * growth ** Math.min(STEEPEST, Math.max(0, slope));
+  }
+}
+
+const seconds = (ms: number): string => `${ms < 9950 ? (ms / 1000).toFixed(1) : Math.round(ms / 1000)} s`;

@@ -1,0 +1,74 @@
+import type { CompetitorName } from '../competitors/competitorNames';
+import type { Stage } from '../stage/Stage';
+
+/** Competitors whose code is a realm of its own; the others share one. */
+const own: readonly string[] = ['three-webgpu', 'playcanvas', 'babylon'] satisfies CompetitorName[];
+
+/** How long `stage.html` may take until it offers its stage (ms). */
+const LONGEST_LOAD = 30_000;
+
+/** Frames of `stage.html`, made when a competitor is first asked for. */
+export interface StageFrames {
+  /**
+   * The stage that draws a competitor.
+   *
+   * @throws Error (as a rejection) when the frame does not load
+   */
+  stageOf(competitor: string): Promise<Stage>;
+  /** Takes all frames out of the page, with all they hold. */
+  close(): void;
+}
+
+/**
+ * Frames inside a page.
+ *
+ * @param parent element that holds the frames; they have no size on the page
+ * @param url of `stage.html`
+ */
+export function createStageFrames(parent: HTMLElement, url = './stage.html'): StageFrames {
+  const frames = new Map<string, { element: HTMLIFrameElement; stage: Promise<Stage> }>();
+  return {
+    stageOf(competitor) {
+      const realm = own.includes(competitor) ? competitor : 'webgl';
+      const there = frames.get(realm);
+      if (there) return there.stage;
+      const element = document.createElement('iframe');
+      element.title = 'Competitors that are measured';
+      element.tabIndex = -1;
+      element.setAttribute('aria-hidden', 'true');
+      // not display: none, in which some browsers do not lay out or draw
+      element.style.cssText = 'position:fixed;left:-64px;top:0;width:32px;height:32px;border:0;visibility:hidden';
+      const stage = loadStage(element, new URL(url, location.href).href);
+      stage.catch(() => {
+        if (frames.get(realm)?.element === element) frames.delete(realm);
+        element.remove();
+      });
+      frames.set(realm, { element, stage });
+      parent.append(element);
+      return stage;
+    },
+    close() {
+      for (const { element } of frames.values()) element.remove();
+      frames.clear();
+    },
+  };
+}
+
+function loadStage(element: HTMLIFrameElement, url: string): Promise<Stage> {
+  return new Promise((resolve, reject) => {
+    const failed = (why: string): void => {
+      clearTimeout(timer);
+      reject(new Error(`The frame that is measured did not open (${why}): reload the page, or see its console.`));
+    };
+    const timer = setTimeout(() => failed(`no answer in ${LONGEST_LOAD / 1000} s`), LONGEST_LOAD);
+    element.addEventListener('error', () => failed('it cannot be fetched'));
+    // module scripts run before the load event
+    element.addEventListener('load', () => {
+      const stage = element.contentWindow?.stage;
+      if (!stage) return failed('its script did not run');
+      clearTimeout(timer);
+      resolve(stage);
+    });
+    element.src = url;
+  });
+}

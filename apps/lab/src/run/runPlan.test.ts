@@ -1,0 +1,194 @@
+import { describe, expect, it } from 'vitest';
+import type { LabPlan } from '../plan/LabPlan';
+import { planOf } from '../plan/planOf';
+import { presets } from '../plan/presets';
+import type { LabSurroundings } from '../results/LabRun';
+import type { Stage } from '../stage/Stage';
+import { runPlan } from './runPlan';
+
+const surroundings: LabSurroundings = {
+  ...{ date: '2026-01-02T03:04:05.000Z', device: 'a device', browser: 'a browser', system: 'a system', cores: 2 },
+  ...{ build: '', versions: {}, command: null, warnings: [] },
+};
+
+/** A stage whose competitors take a fixed time (ms) a frame, and which writes down what is asked of it. */
+function fakeStage(times: Record<string, number>, said: string[]) {
+  let clock = 0;
+  const alive = new Set<string>();
+  let most = 0;
+  const spend = (ms: number): number => (clock += ms);
+  const picture = (shade: number) =>
+    ({ width: 2, height: 1, data: new Uint8ClampedArray([shade, 0, 0, 255, 9, 9, 9, 255]) }) as ImageData;
+  const stage: Stage = {
+    async open(name, { lights }) {
+      said.push(`open ${name} ${lights}`);
+      if (!(name in times)) throw new Error(`${name} cannot be opened.`);
+      alive.add(name);
+      most = Math.max(most, alive.size);
+      spend(times[name] * 10);
+      return {
+        ...{ firstMs: times[name] * 10, dropped: name === 'babylon' ? 3 : 0, technique: null, reason: null },
+        picture: picture(name === 'deferred' ? 101 : 100),
+      };
+    },
+    async turn(name, ms) {
+      said.push(`turn ${name}`);
+      spend(Math.max(ms, 3 * times[name]));
+      return { frame: [times[name], times[name]], cpu: [1], gpu: null };
+    },
+    count: async () => ({ draws: 1, triangles: 1, programs: 1, targetBytes: 1, uploadBytes: 1 }),
+    passes: async () => null,
+    addLights: async () => ({ ms: 5, programs: 0 }),
+    changeTechnique: async () => null,
+    close: (name) => void (said.push(`close ${name}`), alive.delete(name)),
+    unavailable: async (name) => (name === 'three-webgpu' ? 'No WebGPU here.' : null),
+    setOwnScene: async () => {},
+    device: async () => ({ renderer: 'a device', timer: false, software: false, webgpu: null }),
+  };
+  const frames = { stageOf: async () => stage, close: () => {} };
+  return { frames, now: () => clock, most: () => most, alive };
+}
+
+function smallPlan(competitors: string[], changes: Partial<LabPlan['effort']> = {}): LabPlan {
+  const { configuration } = presets.lights;
+  const effort = { ...configuration.effort, rounds: 2, turn: 100, ...changes };
+  const series = [{ ...configuration.series[0], values: [10, 100] }];
+  return planOf({ ...configuration, series, competitors, effort });
+}
+
+const options = (stage: ReturnType<typeof fakeStage>) => ({
+  ...{ frames: stage.frames, now: stage.now, surroundings, signal: new AbortController().signal },
+  thumbnailOf: () => '',
+});
+
+describe('runPlan', () => {
+  it('gives competitors turns one after the other, and closes them all', async () => {
+    const said: string[] = [];
+    const stage = fakeStage({ stock: 1, deferred: 2 }, said);
+    const run = await runPlan(smallPlan(['stock', 'deferred']), options(stage));
+    expect(said.slice(0, 8)).toEqual([
+      ...['open stock 10', 'open deferred 10', 'turn stock', 'turn deferred', 'turn stock', 'turn deferred'],
+      ...['close stock', 'close deferred'],
+    ]);
+    expect(stage.alive.size).toBe(0);
+    expect(run.complete).toBe(true);
+    expect(run.rows.map(({ competitor, index, frame }) => [competitor, index, frame?.median])).toEqual([
+      ...[['stock', 0, 1] as const, ['deferred', 0, 2] as const],
+      ...[['stock', 1, 1] as const, ['deferred', 1, 2] as const],
+    ]);
+    expect(run.rows[0].frame?.samples).toBe(4);
+  });
+
+  it('compares pictures with stock three’s', async () => {
+    const stage = fakeStage({ stock: 1, deferred: 2, forward: 2 }, []);
+    const { rows } = await runPlan(smallPlan(['deferred', 'forward', 'stock']), options(stage));
+    expect(rows[0].likeness).toMatchObject({ reference: 'stock', psnr: expect.closeTo(10 * Math.log10(255 ** 2 * 6)) });
+    expect(rows[1].likeness).toMatchObject({ reference: 'stock', psnr: null });
+  });
+
+  it('draws the reference by a competitor that is not measured, and closes it', async () => {
+    const said: string[] = [];
+    const stage = fakeStage({ stock: 1, deferred: 2 }, said);
+    const { rows } = await runPlan(smallPlan(['deferred']), options(stage));
+    expect(rows).toHaveLength(2);
+    expect(rows[0].likeness?.reference).toBe('stock');
+    expect(said).toContain('close stock');
+    expect(said).not.toContain('turn stock');
+  });
+
+  it('names what cannot be measured, and measures the rest', async () => {
+    const stage = fakeStage({ deferred: 2, babylon: 4 }, []);
+    const run = await runPlan(smallPlan(['stock', 'three-webgpu', 'deferred', 'babylon']), options(stage));
+    const [stock, webgpu, deferred, babylon] = run.rows;
+    expect(stock.problem).toBe('stock cannot be opened.');
+    expect(webgpu.problem).toBe('No WebGPU here.');
+    expect(deferred.frame?.median).toBe(2);
+    expect(babylon.dropped).toBe(3);
+    expect(babylon.warnings.join()).toContain('3 lights are left out');
+  });
+
+  it('leaves out what would take too long, by its growth', async () => {
+    const stage = fakeStage({ stock: 400, deferred: 2 }, []);
+    const run = await runPlan(smallPlan(['stock', 'deferred'], { longestFrame: 3000 }), options(stage));
+    const [, , stock, deferred] = run.rows;
+    expect(stock.problem).toMatch(/^Left out: its first frame would take about 40 s/);
+    expect(deferred.problem).toBeNull();
+  });
+
+  it('ends within its limit by shorter turns, and says what it left out', async () => {
+    const stage = fakeStage({ stock: 100, deferred: 100 }, []);
+    const plan = smallPlan(['stock', 'deferred'], { limit: 3000 });
+    const run = await runPlan(plan, options(stage));
+    expect(run.complete).toBe(false);
+    expect(run.rows.at(-1)?.problem).toMatch(/may take 3 s/);
+  });
+
+  it('keeps what is there when it is cancelled', async () => {
+    const stage = fakeStage({ stock: 1, deferred: 2 }, []);
+    const cancel = new AbortController();
+    let steps = 0;
+    const run = await runPlan(smallPlan(['stock', 'deferred']), {
+      ...options(stage),
+      signal: cancel.signal,
+      onProgress: () => void (++steps === 6 && cancel.abort()),
+    });
+    expect(run.complete).toBe(false);
+    expect(run.rows).toHaveLength(2);
+    expect(run.rows[0].frame?.median).toBe(1);
+    expect(stage.alive.size).toBe(0);
+  });
+
+  it('keeps no more contexts than a browser does', async () => {
+    const stage = fakeStage({ a: 1, b: 1, c: 1, d: 1, stock: 1 }, []);
+    const run = await runPlan(smallPlan(['a', 'b', 'c', 'd']), { ...options(stage), mostContexts: 3 });
+    expect(stage.most()).toBe(2);
+    expect(run.rows.filter(({ frame }) => frame)).toHaveLength(8);
+  });
+
+  it('warns of a competitor that becomes slower from turn to turn', async () => {
+    const times = { stock: 1, deferred: 1 };
+    const stage = fakeStage(times, []);
+    const run = await runPlan(smallPlan(['deferred']), {
+      ...options(stage),
+      onProgress: ({ done }) => void (times.deferred = 1 + done / 4),
+    });
+    expect(run.rows[0].warnings.join()).toContain('slower than the first');
+  });
+});
+
+describe('planOf', () => {
+  it('makes the rows of the thesis’s three tables', () => {
+    const { series } = planOf(presets.thesis.configuration);
+    const rows = series.flatMap(({ cases }) =>
+      cases.map(({ scene, lights }) => [scene.name, scene.parameters.n, lights]),
+    );
+    expect(rows).toHaveLength(21);
+    expect(rows.slice(0, 9)).toEqual([
+      ...[1, 4, 25, 100, 225].map((lights) => ['benchmarkLights', 1, lights]),
+      ...[2, 5, 10, 15].map((n) => ['benchmarkLights', n, n * n]),
+    ]);
+  });
+
+  it('names what it does not know', () => {
+    const { configuration } = presets.quick;
+    const wrong = (changes: object) => () =>
+      planOf({ ...configuration, series: [{ ...configuration.series[0], ...changes }] });
+    expect(wrong({ scene: 'nowhere' })).toThrow('Unknown scene nowhere: known are benchmarkLights, sponza');
+    expect(wrong({ axis: 'objects' })).toThrow('Atrium cannot be measured over objects');
+    expect(wrong({ values: [Number.NaN] })).toThrow('NaN is no value for lights');
+    expect(() => planOf({ ...configuration, competitors: [] })).toThrow('choose a competitor');
+  });
+
+  it('keeps the sides’ ratio over pixels, and sorts values', () => {
+    const { configuration } = presets.resolution;
+    const [{ cases, values }] = planOf({
+      ...configuration,
+      series: [{ ...configuration.series[0], values: [922, 230] }],
+    }).series;
+    expect(cases.map(({ width, height }) => [width, height])).toEqual([
+      [639, 360],
+      [1280, 720],
+    ]);
+    expect(values).toEqual([639 * 360, 1280 * 720]);
+  });
+});
