@@ -76,7 +76,10 @@ export class MultipassLightsPass implements Pass {
   private drawLights(frame: Frame): void {
     const { items } = this;
     const base = baseTwin(frame.view, this.fogged);
-    for (const item of frame.queue.opaque) {
+    const { opaque } = frame.queue;
+    // by index: an iterator allocates until the loop is compiled
+    for (let i = 0; i < opaque.length; i++) {
+      const item = opaque[i];
       if (!item.splits || !this.sums(item.material, frame)) continue;
       frame.drawTwin(item, base);
       item.drawn = true;
@@ -134,7 +137,8 @@ export class MultipassLightsPass implements Pass {
   private compile(frame: Frame): void {
     const { webgl } = frame;
     let scissored = false;
-    for (const item of this.items) {
+    for (let i = 0; i < this.items.length; i++) {
+      const item = this.items[i];
       if (this.compiled.get(item.object) === item.material) continue;
       this.compiled.set(item.object, item.material);
       if (!scissored) {
@@ -167,29 +171,13 @@ export class MultipassLightsPass implements Pass {
     for (let i = items.length - 1; i >= 0; i--) {
       if (bounded >= 0 && spheres[i * 4 + 3] !== Infinity) {
         const { bounds, axes } = lights;
-        const dx = spheres[i * 4] - bounds[b];
-        const dy = spheres[i * 4 + 1] - bounds[b + 1];
-        const dz = spheres[i * 4 + 2] - bounds[b + 2];
-        const reach = spheres[i * 4 + 3] + bounds[b + 3];
+        const at = i * 4;
+        const dx = spheres[at] - bounds[b];
+        const dy = spheres[at + 1] - bounds[b + 1];
+        const dz = spheres[at + 2] - bounds[b + 2];
+        const reach = spheres[at + 3] + bounds[b + 3];
         if (dx * dx + dy * dy + dz * dz > reach * reach) continue;
-        if (
-          axes[b + 3] > -1 &&
-          !coneIntersectsSphere(
-            bounds[b],
-            bounds[b + 1],
-            bounds[b + 2],
-            -axes[b],
-            -axes[b + 1],
-            -axes[b + 2],
-            bounds[b + 3],
-            Math.acos(axes[b + 3]),
-            spheres[i * 4],
-            spheres[i * 4 + 1],
-            spheres[i * 4 + 2],
-            spheres[i * 4 + 3],
-          )
-        )
-          continue;
+        if (axes[b + 3] > -1 && !coneIntersectsSphere(bounds, axes, b, spheres, at)) continue;
       }
       frame.drawTwin(items[i], kind);
       drawn = true;
@@ -202,18 +190,7 @@ export class MultipassLightsPass implements Pass {
   private cutTo(frame: Frame, k: number): boolean {
     const { bounds } = frame.lights;
     const { camera, width, height } = frame;
-    const b = k * 4;
-    if (
-      !projectedSphereBounds(
-        bounds[b],
-        bounds[b + 1],
-        bounds[b + 2],
-        bounds[b + 3],
-        camera.projectionMatrix.elements,
-        rectangle,
-      )
-    )
-      return false;
+    if (!projectedSphereBounds(bounds, k * 4, camera.projectionMatrix.elements, rectangle)) return false;
     const x0 = Math.max(0, Math.floor((rectangle[0] * 0.5 + 0.5) * width));
     const y0 = Math.max(0, Math.floor((rectangle[1] * 0.5 + 0.5) * height));
     const x1 = Math.min(width, Math.ceil((rectangle[2] * 0.5 + 0.5) * width));

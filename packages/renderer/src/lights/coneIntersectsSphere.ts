@@ -1,36 +1,30 @@
 /**
- * Whether a cone with a spherical cap and a sphere touch; exact.
- * @param x apex (m), with y and z
- * @param dx unit axis from the apex into the cone, with dy and dz
- * @param range length of the sides, and radius of the cap (m)
- * @param angle half the opening (rad), 0 to π/2
- * @param sx centre of the sphere (m), with sy, sz and radius
+ * Whether a cone with a spherical cap and a sphere touch; exact. The arrays and places in them spare the engine twelve
+ * boxed numbers a call.
+ * @param apexes apex (m) and length of the sides, which is also the radius of the cap (m): 4 numbers at `cone`
+ * @param axes unit axis from the cone to its apex, and cosine of half the opening (0 to π/2): 4 numbers at `cone`
+ * @param spheres centre and radius (m): 4 numbers at `sphere`
  * @see Quilez, 3D SDF primitives (solid angle), https://iquilezles.org/articles/distfunctions/
  */
 export function coneIntersectsSphere(
-  x: number,
-  y: number,
-  z: number,
-  dx: number,
-  dy: number,
-  dz: number,
-  range: number,
-  angle: number,
-  sx: number,
-  sy: number,
-  sz: number,
-  radius: number,
+  apexes: ArrayLike<number>,
+  axes: ArrayLike<number>,
+  cone: number,
+  spheres: ArrayLike<number>,
+  sphere: number,
 ): boolean {
-  const vx = sx - x;
-  const vy = sy - y;
-  const vz = sz - z;
+  const range = apexes[cone + 3];
+  const radius = spheres[sphere + 3];
+  const cosine = axes[cone + 3];
+  const sine = Math.sqrt(Math.max(0, 1 - cosine * cosine));
+  const vx = spheres[sphere] - apexes[cone];
+  const vy = spheres[sphere + 1] - apexes[cone + 1];
+  const vz = spheres[sphere + 2] - apexes[cone + 2];
   const squared = vx * vx + vy * vy + vz * vz;
   if (squared > (range + radius) * (range + radius)) return false;
   // in the plane of axis and centre
-  const along = vx * dx + vy * dy + vz * dz;
+  const along = -(vx * axes[cone] + vy * axes[cone + 1] + vz * axes[cone + 2]);
   const across = Math.sqrt(Math.max(0, squared - along * along));
-  const cosine = Math.cos(angle);
-  const sine = Math.sin(angle);
   if (across * cosine <= along * sine) return true;
   // beside the cone: the distance to its side
   const t = Math.min(range, Math.max(0, across * sine + along * cosine));

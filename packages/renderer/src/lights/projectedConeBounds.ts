@@ -38,8 +38,12 @@ export function projectedConeBounds(
   const farthest = -z + coneSupport(-dz, range, angle);
   if (!(farthest >= near && nearest <= projectionFar(m))) return false;
   coneBoundingSphere(x, y, z, dx, dy, dz, range, angle, sphere);
-  if (!projectedSphereBounds(sphere[0], sphere[1], sphere[2], sphere[3], m, rectangle)) return false;
-  if (!projectedSphereBounds(x, y, z, range, m, out)) return false;
+  if (!projectedSphereBounds(sphere, 0, m, rectangle)) return false;
+  sphere[0] = x;
+  sphere[1] = y;
+  sphere[2] = z;
+  sphere[3] = range;
+  if (!projectedSphereBounds(sphere, 0, m, out)) return false;
   if (m[11] === 0) {
     intersect(
       0,

@@ -51,7 +51,7 @@ describe.each(testCameras)('the rectangle of a sphere, $name', (camera) => {
     let points = 0;
     for (let i = 0; i < spheres.length; i += 4) {
       const [x, y, z, r] = spheres.subarray(i, i + 4);
-      const visible = projectedSphereBounds(x, y, z, r, projection, bounds);
+      const visible = projectedSphereBounds([x, y, z, r], 0, projection, bounds);
       for (let k = 0; k < 100; k++) {
         const [dx, dy, dz] = randomDirection(random);
         const length = r * Math.cbrt(random());
@@ -79,7 +79,7 @@ describe.each(testCameras)('the rectangle of a sphere, $name', (camera) => {
       const [x, y, z, r] = spheres.subarray(i, i + 4);
       const sampled = sampledBounds(x, y, z, r, projection, near, far);
       const onScreen = sampled[0] <= 1 && sampled[1] <= 1 && sampled[2] >= -1 && sampled[3] >= -1;
-      const visible = projectedSphereBounds(x, y, z, r, projection, bounds);
+      const visible = projectedSphereBounds([x, y, z, r], 0, projection, bounds);
       if (onScreen) expect(visible, `sphere ${[x, y, z, r].join()}`).toBe(true);
       if (!visible) continue;
       compared++;
@@ -105,16 +105,16 @@ describe('projectedSphereBounds', () => {
     ['beside the frustum', [12, 0, -10, 1]],
     ['above the frustum', [0, -12, -10, 1]],
   ])('is false %s', (_, [x, y, z, r]) => {
-    expect(projectedSphereBounds(x, y, z, r, m, bounds)).toBe(false);
+    expect(projectedSphereBounds([x, y, z, r], 0, m, bounds)).toBe(false);
   });
 
   it('covers the screen when the camera is inside', () => {
-    expect(projectedSphereBounds(0.5, 0, 1, 2, m, bounds)).toBe(true);
+    expect(projectedSphereBounds([0.5, 0, 1, 2], 0, m, bounds)).toBe(true);
     for (const side of bounds) expect(Math.abs(side)).toBeGreaterThan(1);
   });
 
   it('takes an infinite radius', () => {
-    expect(projectedSphereBounds(0, 0, 0, Infinity, m, bounds)).toBe(true);
+    expect(projectedSphereBounds([0, 0, 0, Infinity], 0, m, bounds)).toBe(true);
     expect([...bounds]).toEqual([-Infinity, -Infinity, Infinity, Infinity]);
   });
 
@@ -122,9 +122,9 @@ describe('projectedSphereBounds', () => {
     // row 2 as Reflector makes it: a clip plane through (0, -1, -4) that leans
     const oblique = [...m];
     [oblique[2], oblique[6], oblique[10], oblique[14]] = [0.3, 1.2, -0.5, 1.1];
-    projectedSphereBounds(0.2, -0.5, -3, 1, oblique, bounds);
+    projectedSphereBounds([0.2, -0.5, -3, 1], 0, oblique, bounds);
     const found = [...bounds];
-    projectedSphereBounds(0.2, -0.5, -3, 1, m, bounds);
+    projectedSphereBounds([0.2, -0.5, -3, 1], 0, m, bounds);
     for (const side of [0, 1]) expect(found[side]).toBeLessThanOrEqual(bounds[side] + 1e-9);
     for (const side of [2, 3]) expect(found[side]).toBeGreaterThanOrEqual(bounds[side] - 1e-9);
   });
