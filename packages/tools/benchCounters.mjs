@@ -7,6 +7,7 @@
  *
  * @typedef {object} Counters
  * @property {number} programs linked since the page opened
+ * @property {(gl: WebGL2RenderingContext) => number} programsOf linked by a context since the page opened
  * @property {(work: () => void) => FrameCounts} count counts while `work` runs; otherwise nothing is slowed
  */
 
@@ -17,10 +18,13 @@
 export function installCounters() {
   const prototype = WebGL2RenderingContext.prototype;
   const { linkProgram } = prototype;
+  /** @type {WeakMap<WebGL2RenderingContext, number>} */
+  const linked = new WeakMap();
   const counts = { draws: 0, triangles: 0, programs: 0, uploadBytes: 0 };
   /** @type {Counters} */
   const counters = {
     programs: 0,
+    programsOf: (gl) => linked.get(gl) ?? 0,
     count(work) {
       Object.assign(counts, { draws: 0, triangles: 0, uploadBytes: 0 });
       const before = counters.programs;
@@ -45,6 +49,7 @@ export function installCounters() {
   };
   prototype.linkProgram = function (program) {
     counters.programs++;
+    linked.set(this, counters.programsOf(this) + 1);
     return linkProgram.call(this, program);
   };
 

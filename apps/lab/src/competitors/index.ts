@@ -1,0 +1,27 @@
+import type { Competitor } from './Competitor';
+import type { CompetitorName } from './competitorNames';
+import { techniques, type TechniqueName } from '@farol/renderer';
+import { farol } from './farol';
+import { multipass } from './multipass';
+import { stock } from './stock';
+
+/** Fetches a competitor's code. */
+type Fetch = () => Promise<Competitor>;
+
+const ofFarol = Object.fromEntries(
+  Object.keys(techniques).map((name) => [name, async () => farol(name as TechniqueName)]),
+) as Record<TechniqueName, Fetch>;
+
+/** All competitors by key; what is large is fetched when it is chosen. A new one is a file and a line here. */
+export const competitors: Readonly<Partial<Record<CompetitorName, Fetch>>> = {
+  ...ofFarol,
+  stock: async () => stock,
+  multipass: async () => multipass,
+};
+
+/** @throws Error (as a rejection) when there is none of that name */
+export async function loadCompetitor(name: string): Promise<Competitor> {
+  const load = Object.hasOwn(competitors, name) ? competitors[name as CompetitorName] : undefined;
+  if (!load) throw new Error(`There is no competitor ‘${name}’: choose one of ${Object.keys(competitors).join(', ')}.`);
+  return load();
+}

@@ -1,0 +1,147 @@
+import {
+  AddEquation,
+  CustomBlending,
+  HalfFloatType,
+  InstancedMesh,
+  LessEqualDepth,
+  type Material,
+  Mesh,
+  MeshBasicMaterial,
+  NearestFilter,
+  OneFactor,
+  OrthographicCamera,
+  PlaneGeometry,
+  PointLight,
+  Scene,
+  SrcAlphaFactor,
+  WebGLRenderTarget,
+} from 'three';
+import type { StageScene } from '../stage/StageScene';
+import type { Competitor, Drawing } from './Competitor';
+import { competitorNames } from './competitorNames';
+import { createWebGL } from './createWebGL';
+
+/**
+ * three's renderer as one would first think of many lights: all but the moving lights in a base pass, then the whole scene
+ * once more for each of them, added up in linear half floats.
+ */
+export const multipass: Competitor = {
+  ...{ name: 'multipass', label: competitorNames.multipass.label, help: competitorNames.multipass.help, kind: 'three' },
+  unavailable: async () => null,
+  refuses: () => null,
+  async open(canvas, scene): Promise<Drawing> {
+    const { renderer, gl, check, dispose } = createWebGL(canvas, scene);
+    const { three, camera, lights, width, height } = scene;
+    const filter = { minFilter: NearestFilter, magFilter: NearestFilter };
+    const target = new WebGLRenderTarget(width, height, { type: HalfFloatType, ...filter });
+    const added = new AddedLights(scene);
+    const screen = fullScreen(target);
+    const flat = new OrthographicCamera(-1, 1, 1, -1, 0, 1);
+    renderer.autoClear = false;
+    return {
+      gl,
+      check,
+      render() {
+        for (let i = 0; i < lights.length; i++) lights[i].visible = false;
+        renderer.setRenderTarget(target);
+        renderer.clear();
+        renderer.render(three, camera);
+        for (let i = 0; i < lights.length; i++) {
+          added.light(lights[i]);
+          renderer.render(added.scene, camera);
+          lights[i].visible = true;
+        }
+        renderer.setRenderTarget(null);
+        renderer.render(screen, flat);
+      },
+      targetBytes: () => width * height * (8 + 4),
+      dispose() {
+        added.dispose();
+        screen.traverse((object) => {
+          if (!(object instanceof Mesh)) return;
+          object.geometry.dispose();
+          object.material.dispose();
+        });
+        target.dispose();
+        dispose();
+      },
+    };
+  },
+};
+
+/** What is drawn over the base pass for a light: the lit meshes, with materials that only add. */
+class AddedLights {
+  readonly scene = new Scene();
+  private readonly lamp = new PointLight();
+  private readonly caster = new PointLight();
+  private readonly materials = new Map<Material, Material>();
+
+  constructor({ three, lights }: StageScene) {
+    this.scene.add(this.lamp, this.caster);
+    this.caster.castShadow = true;
+    const casting = lights.find(({ castShadow }) => castShadow);
+    if (casting) this.caster.shadow.copy(casting.shadow);
+    if (three.fog) {
+      this.scene.fog = three.fog.clone();
+      this.scene.fog.color.set(0);
+    }
+    for (const object of three.children) {
+      const { material } = object as Mesh;
+      if (!material) continue;
+      const copy = object.clone(false) as Mesh;
+      // where the base pass has it, at any time
+      copy.matrix = object.matrix;
+      copy.matrixWorld = object.matrixWorld;
+      if (object instanceof InstancedMesh) (copy as InstancedMesh).instanceMatrix = object.instanceMatrix;
+      copy.material = Array.isArray(material) ? material.map((each) => this.additive(each)) : this.additive(material);
+      this.scene.add(copy);
+    }
+  }
+
+  /** Takes the place, colour and reach of a light. */
+  light(source: PointLight): void {
+    const used = source.castShadow ? this.caster : this.lamp;
+    this.lamp.visible = !source.castShadow;
+    this.caster.visible = source.castShadow;
+    used.position.copy(source.position);
+    used.color.copy(source.color);
+    used.intensity = source.intensity;
+    used.distance = source.distance;
+    used.decay = source.decay;
+  }
+
+  dispose(): void {
+    for (const material of this.materials.values()) material.dispose();
+    this.lamp.dispose();
+    this.caster.dispose();
+  }
+
+  private additive(source: Material): Material {
+    let copy = this.materials.get(source);
+    if (copy) return copy;
+    copy = source.clone();
+    this.materials.set(source, copy);
+    const { lights, emissive } = copy as Material & { lights?: boolean; emissive?: { set(value: number): void } };
+    copy.visible = source.visible && (lights === true || 'lightMap' in copy) && !(copy instanceof MeshBasicMaterial);
+    // what the base pass has drawn already
+    emissive?.set(0);
+    for (const map of ['emissiveMap', 'envMap', 'lightMap', 'aoMap']) {
+      if (map in copy) (copy as unknown as Record<string, unknown>)[map] = null;
+    }
+    Object.assign(copy, {
+      blending: CustomBlending,
+      blendEquation: AddEquation,
+      blendSrc: source.transparent ? SrcAlphaFactor : OneFactor,
+      blendDst: OneFactor,
+      depthWrite: false,
+      depthFunc: LessEqualDepth,
+    });
+    return copy;
+  }
+}
+
+/** A quad that shows the sum as sRGB. */
+function fullScreen(target: WebGLRenderTarget): Scene {
+  const material = new MeshBasicMaterial({ map: target.texture, depthTest: false, depthWrite: false });
+  return new Scene().add(new Mesh(new PlaneGeometry(2, 2), material));
+}

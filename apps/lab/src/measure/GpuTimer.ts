@@ -1,0 +1,58 @@
+import { nextTask } from './nextTask';
+
+/** EXT_disjoint_timer_query_webgl2, which TypeScript's library does not know. */
+interface TimerExtension {
+  readonly TIME_ELAPSED_EXT: number;
+  readonly GPU_DISJOINT_EXT: number;
+}
+
+/** Longest wait for the time of a frame (ms). */
+const LONGEST = 5000;
+
+/** Times frames on the GPU. */
+export class GpuTimer {
+  private readonly queries: WebGLQuery[] = [];
+
+  private constructor(
+    private readonly gl: WebGL2RenderingContext,
+    private readonly extension: TimerExtension,
+  ) {}
+
+  /** A timer of a context; null where the device has none. */
+  static of(gl: WebGL2RenderingContext): GpuTimer | null {
+    const extension = gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
+    return extension && new GpuTimer(gl, extension);
+  }
+
+  /**
+   * GPU times (ms) of frames that are drawn one right after the other. Fewer than `count`, or none, when the device says
+   * that its clock was disturbed, or does not answer.
+   */
+  async time(count: number, frame: () => void): Promise<number[]> {
+    const { gl, extension, queries } = this;
+    while (queries.length < count) queries.push(gl.createQuery() as WebGLQuery);
+    gl.getParameter(extension.GPU_DISJOINT_EXT); // asking clears it
+    for (let i = 0; i < count; i++) {
+      gl.beginQuery(extension.TIME_ELAPSED_EXT, queries[i]);
+      frame();
+      gl.endQuery(extension.TIME_ELAPSED_EXT);
+    }
+    gl.flush();
+    const end = performance.now() + LONGEST;
+    while (!this.isThere(queries[count - 1]) && performance.now() < end && !gl.isContextLost()) await nextTask();
+    if (gl.getParameter(extension.GPU_DISJOINT_EXT) as boolean) return [];
+    const times: number[] = [];
+    for (let i = 0; i < count; i++) {
+      if (this.isThere(queries[i])) times.push((gl.getQueryParameter(queries[i], gl.QUERY_RESULT) as number) / 1e6);
+    }
+    return times;
+  }
+
+  dispose(): void {
+    for (const query of this.queries.splice(0)) this.gl.deleteQuery(query);
+  }
+
+  private isThere(query: WebGLQuery): boolean {
+    return this.gl.getQueryParameter(query, this.gl.QUERY_RESULT_AVAILABLE) as boolean;
+  }
+}

@@ -1,0 +1,111 @@
+import { type Counters, installCounters } from '@farol/tools/benchCounters';
+import { loadCompetitor } from '../competitors';
+import { saltShaders } from '../measure/saltShaders';
+import type { LabCase } from '../plan/LabPlan';
+import type { Change, Counts, PassTimes } from '../results/LabRun';
+import { deviceLimits, isSoftware } from './deviceLimits';
+import { OpenCompetitor } from './OpenCompetitor';
+import type { Opened, Stage, Turn } from './Stage';
+import { StageScenes, type StageScenesOptions } from './StageScenes';
+
+/** Competitors of one realm, each with a canvas outside of the document. */
+export class LabStage implements Stage {
+  private readonly scenes: StageScenes;
+  private readonly entered = new Map<string, OpenCompetitor>();
+  private readonly counters: Counters;
+
+  constructor(options: StageScenesOptions = {}) {
+    this.scenes = new StageScenes(options);
+    installCounters();
+    this.counters = (window as unknown as { farolCounters: Counters }).farolCounters;
+  }
+
+  async open(
+    name: string,
+    labCase: LabCase,
+    { signal }: { signal: AbortSignal; longestFrame: number },
+  ): Promise<Opened> {
+    this.close(name);
+    const competitor = await loadCompetitor(name);
+    const problem = await competitor.unavailable();
+    if (problem !== null) throw new Error(problem);
+    signal.throwIfAborted();
+    const scene = await this.scenes.build(labCase);
+    const canvas = document.createElement('canvas');
+    let opened: OpenCompetitor | null = null;
+    try {
+      const all = [...scene.lights, ...scene.still];
+      const refused = competitor.refuses({
+        lights: all.length,
+        shadows: all.filter(({ castShadow }) => castShadow).length,
+      });
+      if (refused !== null) throw new Error(refused);
+      signal.throwIfAborted();
+      Object.assign(canvas, { width: labCase.width, height: labCase.height });
+      saltShaders(canvas);
+      const drawing = await competitor.open(canvas, scene, signal);
+      opened = new OpenCompetitor(competitor, canvas, scene, drawing, this.counters);
+      const result = await opened.drawFirst(signal);
+      this.entered.set(name, opened);
+      return result;
+    } catch (error) {
+      if (opened) opened.close();
+      else scene.dispose();
+      throw error;
+    }
+  }
+
+  turn(name: string, ms: number): Promise<Turn> {
+    return this.get(name).turn(ms);
+  }
+
+  async count(name: string): Promise<Counts> {
+    return this.get(name).count();
+  }
+
+  passes(name: string): Promise<PassTimes | null> {
+    return this.get(name).passes();
+  }
+
+  addLights(name: string): Promise<Change> {
+    return this.get(name).addLights();
+  }
+
+  changeTechnique(name: string): Promise<Change | null> {
+    return this.get(name).changeTechnique();
+  }
+
+  close(name: string): void {
+    const open = this.entered.get(name);
+    this.entered.delete(name);
+    open?.close();
+  }
+
+  async unavailable(name: string): Promise<string | null> {
+    return (await loadCompetitor(name)).unavailable();
+  }
+
+  async setOwnScene(file: Uint8Array): Promise<void> {
+    this.scenes.setOwn(file);
+  }
+
+  async device(): ReturnType<Stage['device']> {
+    const { renderer, timer } = deviceLimits();
+    return { renderer, timer, software: isSoftware(renderer), webgpu: await webgpuName() };
+  }
+
+  private get(name: string): OpenCompetitor {
+    const open = this.entered.get(name);
+    if (!open) throw new Error(`The competitor ‘${name}’ is not open: open it for a case first.`);
+    return open;
+  }
+}
+
+/** Name of the adapter that WebGPU draws with; null where there is none. */
+async function webgpuName(): Promise<string | null> {
+  const { gpu } = navigator as { gpu?: { requestAdapter(): Promise<{ info?: Record<string, string> } | null> } };
+  const adapter = await gpu?.requestAdapter().catch(() => null);
+  if (!adapter) return null;
+  const { vendor, architecture, device, description } = adapter.info ?? {};
+  return [vendor, architecture, device, description].filter((part) => part).join(' ') || 'a WebGPU adapter';
+}

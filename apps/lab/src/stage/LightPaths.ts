@@ -1,0 +1,53 @@
+import { createRandom } from '@farol/engine';
+import type { Vector3 } from 'three';
+
+/** Where a light is put, and how it moves from there. */
+export interface LightPath {
+  /** World position at time 0 (m). */
+  readonly place: readonly [number, number, number];
+  /** How far it goes from its place along each axis (m); 0 for none. */
+  readonly extent: readonly [number, number, number];
+  /** Greatest speed along an axis (m/s). */
+  readonly speed: number;
+  /** Another number, another path. */
+  readonly seed: number;
+}
+
+/** Numbers that are kept of each axis: place, two amplitudes (m), two angular speeds (rad/s). */
+const STRIDE = 5;
+/** Shares of the two waves; together 1, so that a light stays within its extent. */
+const SHARES = [0.65, 0.35];
+
+/** Places of lights at any time in closed form: along each axis the sum of two sines. */
+export class LightPaths {
+  /** Shape [lights, 3 axes, STRIDE]. */
+  private readonly numbers: Float64Array;
+
+  constructor(paths: readonly LightPath[]) {
+    this.numbers = new Float64Array(paths.length * 3 * STRIDE);
+    paths.forEach(({ place, extent, speed, seed }, i) => {
+      const random = createRandom(seed);
+      for (let axis = 0; axis < 3; axis++) {
+        const rate = (): number =>
+          ((random() < 0.5 ? -1 : 1) * (0.45 + 0.55 * random()) * speed) / Math.max(extent[axis], 1e-6);
+        const values = [place[axis], extent[axis] * SHARES[0], rate(), extent[axis] * SHARES[1], rate()];
+        this.numbers.set(values, (i * 3 + axis) * STRIDE);
+      }
+    });
+  }
+
+  /** Writes where light `index` is at a time (s). */
+  place(index: number, seconds: number, position: Vector3): void {
+    const at = index * 3 * STRIDE;
+    position.set(this.along(at, seconds), this.along(at + STRIDE, seconds), this.along(at + 2 * STRIDE, seconds));
+  }
+
+  private along(at: number, seconds: number): number {
+    const { numbers } = this;
+    return (
+      numbers[at] +
+      numbers[at + 1] * Math.sin(numbers[at + 2] * seconds) +
+      numbers[at + 3] * Math.sin(numbers[at + 4] * seconds)
+    );
+  }
+}

@@ -1,0 +1,219 @@
+import type { Counters } from '@farol/tools/benchCounters';
+import type { Competitor, Drawing } from '../competitors/Competitor';
+import { GpuTimer } from '../measure/GpuTimer';
+import { measureTurn } from '../measure/measureTurn';
+import { median } from '../measure/spread';
+import { nextTask } from '../measure/nextTask';
+import { readPicture } from '../measure/readPicture';
+import { waitForPixel } from '../measure/waitForPixel';
+import type { Change, Counts, PassTimes } from '../results/LabRun';
+import { loseContext } from './loseContext';
+import type { Opened, Turn } from './Stage';
+import type { OwnedScene } from './StageScenes';
+
+/** Time between two frames of the scene (s). */
+const STEP = 1 / 60;
+/** Time at which pictures are compared (s). */
+const PICTURE_TIME = 1;
+/** How long a competitor that prepares programs meanwhile may draw by something else (ms). */
+const SETTLING = 500;
+/** Frames whose passes are timed, and those before the first times come. */
+const TIMED = 9;
+const BEFORE_TIMES = 12;
+/** Lights that are added to see what that costs. */
+const ADDED = 10;
+
+/** A competitor that draws a case, with its canvas and its scene. */
+export class OpenCompetitor {
+  private drawn = 0;
+  private timer: GpuTimer | null | undefined;
+
+  constructor(
+    private readonly competitor: Competitor,
+    private readonly canvas: HTMLCanvasElement,
+    private readonly scene: OwnedScene,
+    private readonly drawing: Drawing,
+    private readonly counters: Counters,
+  ) {}
+
+  /** Draws the first frame, which is timed, and the picture that is compared. */
+  async drawFirst(signal: AbortSignal): Promise<Opened> {
+    const { drawing, scene } = this;
+    scene.setTime(0);
+    await nextTask();
+    signal.throwIfAborted();
+    const begin = performance.now();
+    drawing.lightsMoved?.();
+    if (drawing.drawFirst) await drawing.drawFirst();
+    else drawing.render();
+    await this.finish();
+    const firstMs = performance.now() - begin;
+    this.check();
+    await this.settle(signal);
+    scene.setTime(PICTURE_TIME);
+    drawing.lightsMoved?.();
+    drawing.render();
+    if (!drawing.gl) await this.finish();
+    const picture = readPicture(this.canvas);
+    this.check();
+    const { name = null, reason = null } = drawing.technique?.() ?? {};
+    return { firstMs, dropped: drawing.dropped?.() ?? 0, technique: name, reason, picture };
+  }
+
+  /** Samples of about `ms` (ms). */
+  async turn(ms: number): Promise<Turn> {
+    const { drawing } = this;
+    if (this.timer === undefined) this.timer = drawing.gl && GpuTimer.of(drawing.gl);
+    const turn = await measureTurn(
+      { frame: this.frame, finish: this.finish, timer: this.timer, now: () => performance.now() },
+      ms,
+    );
+    this.check();
+    return turn;
+  }
+
+  count(): Counts {
+    const { drawing, counters } = this;
+    const targetBytes = drawing.targetBytes?.() ?? null;
+    const { gl } = drawing;
+    if (!gl) return { draws: null, triangles: null, programs: null, targetBytes, uploadBytes: null };
+    const { draws, triangles, uploadBytes } = counters.count(this.frame);
+    this.check();
+    const counted = { draws, triangles: Math.round(triangles), targetBytes, uploadBytes };
+    return { ...counted, programs: counters.programsOf(gl) };
+  }
+
+  /** Medians of the passes' times over some frames; null where the competitor does not tell them. */
+  async passes(): Promise<PassTimes | null> {
+    const { drawing } = this;
+    if (!drawing.passes || !drawing.setPassTimes) return null;
+    drawing.setPassTimes(true);
+    const times = new Map<string, { gpu: number[]; cpu: number[] }>();
+    for (let i = 0; i < BEFORE_TIMES + TIMED; i++) {
+      this.frame();
+      await this.finish();
+      await nextTask();
+      const seen = i < BEFORE_TIMES ? null : drawing.passes();
+      for (const { name, ms } of seen?.passes ?? []) {
+        const list = times.get(name) ?? { gpu: [], cpu: [] };
+        times.set(name, list);
+        if (seen) list[seen.kind].push(ms);
+      }
+    }
+    drawing.setPassTimes(false);
+    this.check();
+    const lists = [...times];
+    if (lists.length === 0) return null;
+    const kind = lists.some(([, { gpu }]) => gpu.length > 0) ? 'gpu' : 'cpu';
+    const passes = lists.map(([name, list]) => ({ name, ms: list[kind].length > 0 ? median(list[kind]) : 0 }));
+    return { kind, passes };
+  }
+
+  async addLights(): Promise<Change> {
+    const { scene, drawing } = this;
+    let remove: (() => void) | null = null;
+    try {
+      return await this.change(() => {
+        remove = scene.addLights(ADDED);
+        drawing.lightsChanged?.();
+      });
+    } finally {
+      (remove as (() => void) | null)?.();
+      drawing.lightsChanged?.();
+    }
+  }
+
+  /** The frame after another technique was chosen and this one again; null where there is none. */
+  async changeTechnique(): Promise<Change | null> {
+    const { drawing } = this;
+    if (!drawing.leaveTechnique) return null;
+    const comeBack = drawing.leaveTechnique();
+    try {
+      this.frame();
+      await this.finish();
+    } catch (error) {
+      comeBack();
+      throw error;
+    }
+    return this.change(comeBack);
+  }
+
+  close(): void {
+    const { drawing, scene } = this;
+    this.timer?.dispose();
+    drawing.dispose();
+    scene.dispose();
+    if (drawing.gl) loseContext(drawing.gl);
+    this.canvas.width = this.canvas.height = 1;
+  }
+
+  /** Moves the lights by a step and draws. @returns time inside the call that draws (ms) */
+  private readonly frame = (): number => {
+    const { drawing } = this;
+    this.scene.setTime(++this.drawn * STEP);
+    drawing.lightsMoved?.();
+    const begin = performance.now();
+    drawing.render();
+    return performance.now() - begin;
+  };
+
+  private readonly finish = (): void | Promise<void> => {
+    const { drawing } = this;
+    if (drawing.finish) return drawing.finish();
+    if (drawing.gl) waitForPixel(drawing.gl);
+  };
+
+  /** Draws until a competitor that prepares programs meanwhile draws by the technique that it chose. */
+  private async settle(signal: AbortSignal): Promise<void> {
+    const { drawing } = this;
+    if (!drawing.isSettled) return;
+    const end = performance.now() + SETTLING;
+    while (!drawing.isSettled() && performance.now() < end) {
+      this.frame();
+      await this.finish();
+      await nextTask();
+      signal.throwIfAborted();
+    }
+  }
+
+  /** A frame after a change, waited for. */
+  private async change(change: () => void): Promise<Change> {
+    const { gl } = this.drawing;
+    const { counters } = this;
+    this.frame();
+    await this.finish();
+    await nextTask();
+    const before = gl && counters.programsOf(gl);
+    const begin = performance.now();
+    change();
+    this.frame();
+    await this.finish();
+    const ms = performance.now() - begin;
+    this.check();
+    return { ms, programs: gl && before !== null ? counters.programsOf(gl) - before : null };
+  }
+
+  /** @throws Error when the context is lost, a shader does not compile or WebGL has an error */
+  private check(): void {
+    const { competitor, drawing } = this;
+    drawing.check?.();
+    const { gl } = drawing;
+    if (!gl) return;
+    if (gl.isContextLost()) {
+      throw new Error(
+        `${competitor.label}: the browser took its WebGL context away. Close other tabs, or ask for less.`,
+      );
+    }
+    const error = gl.getError();
+    if (error !== 0)
+      throw new Error(`${competitor.label}: WebGL error 0x${error.toString(16)} (${errorNames[error]}).`);
+  }
+}
+
+const errorNames: Readonly<Record<number, string>> = {
+  0x500: 'invalid enum',
+  0x501: 'invalid value',
+  0x502: 'invalid operation',
+  0x505: 'out of memory',
+  0x506: 'invalid framebuffer operation',
+};

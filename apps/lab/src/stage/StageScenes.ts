@@ -1,0 +1,77 @@
+import { AssetLibrary, type Scene } from '@farol/engine';
+import { deserialize, readSceneFile } from '@farol/engine/files';
+import { scenes } from '@farol/engine/scenes';
+import type { LabCase } from '../plan/LabPlan';
+import { buildStageScene } from './buildStageScene';
+import { lightParameters } from './lightChoice';
+import type { StageScene } from './StageScene';
+import { type StageTemplate, takeApart } from './StageTemplate';
+
+/** A competitor's scene, which holds memory of the GPU until it is disposed. */
+export type OwnedScene = StageScene & { dispose(): void };
+
+export interface StageScenesOptions {
+  /** Address of a mesh in place of the dragon that is made in code; null for none. */
+  readonly dragon?: string | null;
+}
+
+/** Makes the scenes of cases. Meshes and textures are made once, and the scene of the last case is kept. */
+export class StageScenes {
+  private readonly assets: AssetLibrary;
+  private own: Uint8Array | null = null;
+  private last: { readonly key: string; readonly template: Promise<StageTemplate> } | null = null;
+
+  constructor({ dragon = null }: StageScenesOptions = {}) {
+    this.assets = new AssetLibrary(dragon === null ? {} : { urls: { dragon } });
+  }
+
+  /** Takes the scene `own`: a scene file of the engine, as bytes. */
+  setOwn(file: Uint8Array): void {
+    this.own = file;
+    if (this.last?.key.startsWith('own ')) this.last = null;
+  }
+
+  /**
+   * A competitor's own scene of a case, the same for all of them.
+   *
+   * @throws Error (as a rejection) that names an unknown scene, a parameter out of range, or what is wrong with `own`
+   */
+  async build(labCase: LabCase): Promise<OwnedScene> {
+    return buildStageScene(labCase, await this.templateOf(labCase));
+  }
+
+  private templateOf(labCase: LabCase): Promise<StageTemplate> {
+    const { scene, lights, width, height } = labCase;
+    const key = `${scene.name} ${JSON.stringify([scene.parameters, lights, width, height])}`;
+    if (this.last?.key === key) return this.last.template;
+    const template = this.makeTemplate(labCase);
+    this.last = { key, template };
+    template.catch(() => {
+      if (this.last?.key === key) this.last = null;
+    });
+    return template;
+  }
+
+  private async makeTemplate({ scene, lights, width, height }: LabCase): Promise<StageTemplate> {
+    const moves = scene.name !== 'own';
+    const made = moves ? await this.demoScene(scene, lights ?? 0) : await this.ownScene();
+    return takeApart(made, { width, height }, moves);
+  }
+
+  private async demoScene({ name, parameters }: LabCase['scene'], lights: number): Promise<Scene> {
+    const definition = scenes[name];
+    if (!definition) {
+      throw new Error(`There is no scene ‘${name}’: choose one of ${Object.keys(scenes).join(', ')} or own.`);
+    }
+    const known = Object.keys(definition.parameters);
+    return definition.build({ ...parameters, ...lightParameters(known, lights) }, this.assets);
+  }
+
+  private async ownScene(): Promise<Scene> {
+    if (!this.own) {
+      throw new Error('No scene was handed over: choose “Measure this scene” in the editor or the viewer.');
+    }
+    const { text, fileOf } = await readSceneFile(this.own, () => true);
+    return deserialize(text, { fileOf, mayFetch: () => false });
+  }
+}

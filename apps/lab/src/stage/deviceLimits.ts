@@ -1,0 +1,42 @@
+import { loseContext } from './loseContext';
+
+/** What a graphics device is and can. */
+export interface DeviceLimits {
+  /** Name by WEBGL_debug_renderer_info. */
+  readonly renderer: string;
+  /** Whether GPU times can be asked for. */
+  readonly timer: boolean;
+  /** Uniform vectors of a fragment shader. */
+  readonly fragmentUniforms: number;
+  /** Textures of a fragment shader. */
+  readonly textures: number;
+}
+
+let known: DeviceLimits | null = null;
+
+/**
+ * Asks the device once, by a context that is given back.
+ *
+ * @throws Error when the browser gives no WebGL 2
+ */
+export function deviceLimits(): DeviceLimits {
+  if (known) return known;
+  const canvas = document.createElement('canvas');
+  const gl = canvas.getContext('webgl2', { powerPreference: 'high-performance' });
+  if (!gl) {
+    throw new Error('This browser gives no WebGL 2: switch hardware acceleration on in its settings, or update it.');
+  }
+  const debug = gl.getExtension('WEBGL_debug_renderer_info');
+  known = {
+    renderer: String(gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER)),
+    timer: gl.getExtension('EXT_disjoint_timer_query_webgl2') !== null,
+    fragmentUniforms: gl.getParameter(gl.MAX_FRAGMENT_UNIFORM_VECTORS) as number,
+    textures: gl.getParameter(gl.MAX_TEXTURE_IMAGE_UNITS) as number,
+  };
+  loseContext(gl);
+  return known;
+}
+
+/** Whether a device is a program that draws on the processor, by its name. */
+export const isSoftware = (renderer: string): boolean =>
+  /swiftshader|llvmpipe|softpipe|software|basic render|warp/i.test(renderer);
