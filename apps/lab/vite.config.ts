@@ -1,4 +1,5 @@
 import { securePages } from '@farol/tools/contentSecurityPolicy';
+import { labBuild } from '@farol/tools/labBuild';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
@@ -6,6 +7,7 @@ import { defineConfig } from 'vite';
 export default defineConfig(({ command }) => ({
   base: './',
   publicDir: false,
+  define: labBuild(),
   assetsInclude: ['**/*.ply.gz'],
   plugins: [stanfordDragon(), securePages()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },

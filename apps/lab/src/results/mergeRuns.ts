@@ -7,21 +7,39 @@ export function caseKey({ scene, lights, shadows, overdraw, width, height }: Lab
   return JSON.stringify([scene.name, parameters, lights, shadows, overdraw, width, height]);
 }
 
-/** The cases of which a competitor has no row yet, each with all competitors, so that they are measured in turns. */
-export function remainingPlan(plan: LabPlan, rows: readonly LabRow[]): LabPlan {
-  const there = new Set(rows.map(({ competitor, series, index }) => `${competitor} ${series} ${index}`));
+/** Problems of rows that a run gives when it is cancelled or its time is over: the case is to be measured yet. */
+const unfinished = /^(Cancelled|Not measured)/;
+
+/**
+ * What is left to measure of a run: cases of which a competitor has no row or one that was cut off, and the case that was
+ * at work when the run ended early. Each has all competitors, so that they are measured in turns.
+ */
+export function remainingPlan({ plan, rows, complete }: Pick<LabRun, 'plan' | 'rows' | 'complete'>): LabPlan {
+  const there = new Set(
+    rows
+      .filter(({ problem }) => !unfinished.test(problem ?? ''))
+      .map((row) => placeOf(row.series, row.index, row.competitor)),
+  );
+  const begun = new Set(rows.map(({ series, index }) => `${series} ${index}`));
+  const last = plan.series
+    .flatMap(({ name, cases }) => cases.map((_, index) => `${name} ${index}`))
+    .findLast((each) => begun.has(each));
   const series = plan.series.map((each) => {
-    const open = each.cases.map((_, index) =>
-      plan.competitors.some((name) => !there.has(`${name} ${each.name} ${index}`)),
+    const isOpen = each.cases.map(
+      (_, index) =>
+        (!complete && last === `${each.name} ${index}`) ||
+        plan.competitors.some((competitor) => !there.has(placeOf(each.name, index, competitor))),
     );
     return {
       ...each,
-      cases: each.cases.filter((_, index) => open[index]),
-      values: each.values.filter((_, index) => open[index]),
+      cases: each.cases.filter((_, index) => isOpen[index]),
+      values: each.values.filter((_, index) => isOpen[index]),
     };
   });
   return { ...plan, series: series.filter(({ cases }) => cases.length > 0) };
 }
+
+const placeOf = (series: string, index: number, competitor: string): string => `${series} ${index} ${competitor}`;
 
 /**
  * Parts of one run as one: rows of later parts stand in place of those of earlier ones. Cases are found by series and
@@ -53,11 +71,11 @@ export function mergeRuns(plan: LabPlan, parts: readonly LabRun[]): LabRun {
           `The parts are of different plans: ${row.competitor} in case ${row.index} of ${row.series} is not asked for.`,
         );
       }
-      rows.set(`${row.series} ${index} ${row.competitor}`, { ...row, index });
+      rows.set(placeOf(row.series, index, row.competitor), { ...row, index });
     }
   }
   const ordered = plan.series.flatMap(({ name, cases }) =>
-    cases.flatMap((_, index) => plan.competitors.flatMap((each) => rows.get(`${name} ${index} ${each}`) ?? [])),
+    cases.flatMap((_, index) => plan.competitors.flatMap((each) => rows.get(placeOf(name, index, each)) ?? [])),
   );
   const warnings = [...new Set(parts.flatMap(({ surroundings }) => surroundings.warnings))];
   return {
@@ -67,7 +85,7 @@ export function mergeRuns(plan: LabPlan, parts: readonly LabRun[]): LabRun {
     surroundings: { ...last.surroundings, date: parts[0].surroundings.date, warnings },
     plan,
     rows: ordered,
-    complete: remainingPlan(plan, ordered).series.length === 0,
+    complete: last.complete && remainingPlan({ plan, rows: ordered, complete: true }).series.length === 0,
     duration: parts.reduce((sum, { duration }) => sum + duration, 0),
   };
 }
