@@ -1,5 +1,6 @@
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { labBuild } from '@farol/tools/labBuild';
+import { runInfo } from '@farol/tools/runInfo';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
@@ -9,7 +10,7 @@ export default defineConfig(({ command }) => ({
   publicDir: false,
   define: labBuild(),
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), securePages()],
+  plugins: [stanfordDragon(), runInfo(), securePages()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   resolve: {
     dedupe: ['three'],

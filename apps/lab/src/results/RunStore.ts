@@ -90,6 +90,11 @@ export class RunStore {
     return infos.sort((a, b) => b.date.localeCompare(a.date));
   }
 
+  async has(id: string): Promise<boolean> {
+    const info: unknown = await this.#try('The kept runs cannot be read', () => get(infoKey(id), this.#store));
+    return info !== undefined;
+  }
+
   /**
    * @throws FormatError where the run is of another version of the Lab
    */
