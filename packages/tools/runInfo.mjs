@@ -17,10 +17,8 @@ export function runInfo() {
       const run = JSON.parse(readFileSync(id.slice(0, -QUERY.length), 'utf8'));
       const { date, device, browser, build } = run.surroundings;
       const { id: runId, name, plan, complete, rows } = run;
-      // Vite's own plugin makes a module of it
-      return JSON.stringify({
-        ...{ id: runId, name, label: plan.label, date, device, browser, build, complete, rows: rows.length },
-      });
+      const info = { id: runId, name, label: plan.label, date, device, browser, build, complete, rows: rows.length };
+      return { code: `export default ${JSON.stringify(info)};`, moduleType: 'js' };
     },
   };
 }

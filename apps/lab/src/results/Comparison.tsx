@@ -61,7 +61,9 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
                   <th scope="col">Competitor</th>
                   <th scope="col">Cases</th>
                   <th scope="col">First ÷ second</th>
-                  <th scope="col">In words</th>
+                  <th scope="col" class="text">
+                    In words
+                  </th>
                 </tr>
               </thead>
               <tbody>
@@ -94,11 +96,15 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
         <thead>
           <tr>
             <th scope="col">{axisWords[axis].label}</th>
-            <th scope="col">Competitor</th>
+            <th scope="col" class="text">
+              Competitor
+            </th>
             <th scope="col">First (ms)</th>
             <th scope="col">Second (ms)</th>
             <th scope="col">First ÷ second</th>
-            <th scope="col">In words</th>
+            <th scope="col" class="text">
+              In words
+            </th>
           </tr>
         </thead>
         <tbody>

@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { RunInfo } from './RunStore';
 
 interface RunItemProps {
@@ -73,7 +73,11 @@ export function RunItem(props: RunItemProps) {
 function NameField({ name, label, onEnd }: { name: string; label: string; onEnd(name: string | null): void }) {
   const field = useRef<HTMLInputElement>(null);
   const isOver = useRef(false);
-  useEffect(() => field.current?.select(), []);
+  // before the next key
+  useLayoutEffect(() => {
+    field.current?.focus();
+    field.current?.select();
+  }, []);
   const end = (value: string | null): void => {
     if (isOver.current) return;
     isOver.current = true;
