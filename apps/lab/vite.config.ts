@@ -1,4 +1,6 @@
 import { securePages } from '@farol/tools/contentSecurityPolicy';
+import { labBuild } from '@farol/tools/labBuild';
+import { runInfo } from '@farol/tools/runInfo';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
@@ -6,8 +8,9 @@ import { defineConfig } from 'vite';
 export default defineConfig(({ command }) => ({
   base: './',
   publicDir: false,
+  define: labBuild(),
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), securePages()],
+  plugins: [stanfordDragon(), runInfo(), securePages()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   resolve: {
     dedupe: ['three'],

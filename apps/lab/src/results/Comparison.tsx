@@ -1,0 +1,146 @@
+import { useMemo, useState } from 'preact/hooks';
+import { competitorNames, type CompetitorName } from '../competitors/competitorNames';
+import { axisWords } from '../plan/sceneWords';
+import { compareRuns, type ComparedRow } from './compareRuns';
+import { digits } from './digits';
+import type { LabRun, Metric } from './LabRun';
+import './results.css';
+
+const metrics: Readonly<Record<Metric, string>> = {
+  gpu: 'GPU time',
+  frame: 'Time of a frame',
+  cpu: 'CPU time in the call that draws',
+};
+
+/** Ratios nearer to one than this are told as the same. */
+const SAME = 0.03;
+
+/** Two runs side by side: what they differ in, a mean for each competitor, and every case that both have. */
+export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
+  const [wanted, setWanted] = useState<Metric | null>(null);
+  const compared = useMemo(() => compareRuns(a, b, wanted ?? undefined), [a, b, wanted]);
+  const { metric, rows, competitors, differences } = compared;
+  const series = [...new Set(rows.map((row) => row.series))];
+  return (
+    <section class="comparison" aria-labelledby="comparison-title">
+      <h2 id="comparison-title">Two runs side by side</h2>
+      <dl class="comparison-runs">
+        <dt>First</dt>
+        <dd>{runWords(a)}</dd>
+        <dt>Second</dt>
+        <dd>{runWords(b)}</dd>
+      </dl>
+      {differences.length > 0 && (
+        <ul class="comparison-differences" aria-label="What the runs differ in">
+          {differences.map((each) => (
+            <li key={each}>{each}</li>
+          ))}
+        </ul>
+      )}
+      {rows.length > 0 && (
+        <>
+          <p class="inline-field">
+            <label for="comparison-metric">Compare</label>
+            <select
+              id="comparison-metric"
+              value={metric}
+              onChange={({ currentTarget }) => setWanted(currentTarget.value as Metric)}
+            >
+              {Object.entries(metrics).map(([key, label]) => (
+                <option key={key} value={key}>
+                  {label}
+                </option>
+              ))}
+            </select>
+          </p>
+          <div class="table-scroll" tabIndex={0} role="region" aria-label="Means by competitor">
+            <table class="rows">
+              <caption>Geometric mean of the ratios over the cases that both runs have</caption>
+              <thead>
+                <tr>
+                  <th scope="col">Competitor</th>
+                  <th scope="col">Cases</th>
+                  <th scope="col">First ÷ second</th>
+                  <th scope="col" class="text">
+                    In words
+                  </th>
+                </tr>
+              </thead>
+              <tbody>
+                {competitors.map(({ competitor, cases, ratio }) => (
+                  <tr key={competitor}>
+                    <th scope="row">{labelOf(competitor)}</th>
+                    <td>{cases}</td>
+                    <td>{digits(ratio)}</td>
+                    <td class={`text ${kindOf(ratio)}`}>{ratioWords(ratio)}</td>
+                  </tr>
+                ))}
+              </tbody>
+            </table>
+          </div>
+          {series.map((each) => (
+            <SeriesTable key={each.name} rows={rows.filter((row) => row.series === each)} />
+          ))}
+        </>
+      )}
+    </section>
+  );
+}
+
+function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
+  const { label, axis } = rows[0].series;
+  return (
+    <div class="table-scroll" tabIndex={0} role="region" aria-label={label}>
+      <table class="rows">
+        <caption>{label}</caption>
+        <thead>
+          <tr>
+            <th scope="col">{axisWords[axis].label}</th>
+            <th scope="col" class="text">
+              Competitor
+            </th>
+            <th scope="col">First (ms)</th>
+            <th scope="col">Second (ms)</th>
+            <th scope="col">First ÷ second</th>
+            <th scope="col" class="text">
+              In words
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map(({ competitor, labCase, value, a, b, ratio }) => (
+            <tr key={`${value} ${competitor}`}>
+              <th scope="row">{axis === 'pixels' ? `${labCase.width} × ${labCase.height}` : digits(value)}</th>
+              <td class="text">{labelOf(competitor)}</td>
+              <td>{digits(a)}</td>
+              <td>{digits(b)}</td>
+              <td>{digits(ratio)}</td>
+              <td class={`text ${kindOf(ratio)}`}>{ratioWords(ratio)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+/** What the second run is to the first. */
+function ratioWords(ratio: number | null): string {
+  if (ratio === null) return 'no figure in one of them';
+  if (kindOf(ratio) === 'same') return 'the same within 3%';
+  return ratio > 1 ? `the second is ${digits(ratio)} × faster` : `the second is ${digits(1 / ratio)} × slower`;
+}
+
+function kindOf(ratio: number | null): 'faster' | 'slower' | 'same' {
+  if (ratio === null || Math.abs(Math.log(ratio)) < Math.log(1 + SAME)) return 'same';
+  return ratio > 1 ? 'faster' : 'slower';
+}
+
+function labelOf(name: string): string {
+  return Object.hasOwn(competitorNames, name) ? competitorNames[name as CompetitorName].label : name;
+}
+
+function runWords({ name, plan, surroundings }: LabRun): string {
+  const { device, browser, system, date } = surroundings;
+  return `${name || plan.label}: ${device}; ${browser}, ${system}; ${date.slice(0, 16).replace('T', ' ')} UTC`;
+}

@@ -1,0 +1,103 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { download, exportFormats, type ExportFormat } from './exportRun';
+import type { LabRun } from './LabRun';
+import { runMarkdown } from './runMarkdown';
+import './results.css';
+
+interface ExportMenuProps {
+  run: LabRun;
+  /** Address that restores the run's configuration; left out where there is none, as for a scene of one's own. */
+  link?: string | null;
+}
+
+/** Takes a run away: as a file, as Markdown by the clipboard, or its configuration as a link. */
+export function ExportMenu({ run, link = null }: ExportMenuProps) {
+  const details = useRef<HTMLDetailsElement>(null);
+  const summary = useRef<HTMLElement>(null);
+  const [said, setSaid] = useState<{ text: string; isProblem: boolean } | null>(null);
+  useEffect(() => {
+    const onPointer = ({ target }: PointerEvent): void => {
+      if (details.current?.open && !details.current.contains(target as Node)) details.current.open = false;
+    };
+    addEventListener('pointerdown', onPointer);
+    return () => removeEventListener('pointerdown', onPointer);
+  }, []);
+  useEffect(() => setSaid(null), [run]);
+
+  const act = async (work: () => Promise<string>): Promise<void> => {
+    setSaid(null);
+    if (details.current) details.current.open = false;
+    summary.current?.focus();
+    try {
+      setSaid({ text: await work(), isProblem: false });
+    } catch (error) {
+      setSaid({ text: error instanceof Error ? error.message : String(error), isProblem: true });
+    }
+  };
+  const save = (format: ExportFormat) =>
+    act(async () => {
+      const file = await format.make(run);
+      download(file);
+      return `${file.name} is made.`;
+    });
+  const copy = (what: string, text: string) =>
+    act(async () => {
+      await navigator.clipboard.writeText(text).catch(() => {
+        throw new Error('The browser gives no access to the clipboard: export a file.');
+      });
+      return `${what} is in the clipboard.`;
+    });
+
+  return (
+    <div class="export">
+      <details
+        ref={details}
+        class="export-menu"
+        onKeyDown={({ key }) => {
+          if (key !== 'Escape' || !details.current?.open) return;
+          details.current.open = false;
+          summary.current?.focus();
+        }}
+      >
+        <summary ref={summary} class="button">
+          Export
+        </summary>
+        <ul>
+          {Object.entries(exportFormats).map(([key, format]) => (
+            <li key={key}>
+              <ExportButton label={format.label} help={format.help} onClick={() => void save(format)} />
+            </li>
+          ))}
+          <li>
+            <ExportButton
+              label="Copy Markdown"
+              help="The same tables, for an issue or a message."
+              onClick={() => void copy('The Markdown', runMarkdown(run))}
+            />
+          </li>
+          {link !== null && (
+            <li>
+              <ExportButton
+                label="Copy link"
+                help="An address that restores what was measured, without the figures."
+                onClick={() => void copy('The link', link)}
+              />
+            </li>
+          )}
+        </ul>
+      </details>
+      <p role={said?.isProblem ? 'alert' : 'status'} class={said?.isProblem ? 'problem' : 'dim'}>
+        {said?.text}
+      </p>
+    </div>
+  );
+}
+
+function ExportButton({ label, help, onClick }: { label: string; help: string; onClick(): void }) {
+  return (
+    <button type="button" class="export-item" onClick={onClick}>
+      <span>{label}</span>
+      <span class="dim">{help}</span>
+    </button>
+  );
+}

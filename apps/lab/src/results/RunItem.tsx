@@ -1,0 +1,102 @@
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import type { RunInfo } from './RunStore';
+
+interface RunItemProps {
+  info: RunInfo;
+  /** Whether the run lies in the repository, and stays as it is. */
+  isReference?: boolean;
+  /** Ids of the runs that are chosen for a comparison, two at most. */
+  chosen: readonly string[];
+  /** Id of the run on show. */
+  current: string | null;
+  onOpen(id: string): Promise<void>;
+  onChoose(id: string, isChosen: boolean): void;
+  onRename?(name: string): Promise<void>;
+  onDelete?(): Promise<void>;
+}
+
+const dateStyle: Intl.DateTimeFormatOptions = { dateStyle: 'medium', timeStyle: 'short' };
+
+/** A run of the library. */
+export function RunItem(props: RunItemProps) {
+  const { info, isReference = false, chosen, current, onOpen, onChoose, onRename, onDelete } = props;
+  const [isNaming, setNaming] = useState(false);
+  const renameButton = useRef<HTMLButtonElement>(null);
+  const title = info.name || info.label;
+  const date = new Date(info.date);
+  const endNaming = (name: string | null): void => {
+    setNaming(false);
+    if (name !== null && name.trim() !== info.name) void onRename?.(name);
+    requestAnimationFrame(() => renameButton.current?.focus());
+  };
+  return (
+    <li class="run" aria-current={current === info.id ? 'true' : undefined}>
+      <input
+        type="checkbox"
+        aria-label={`Compare ${title}`}
+        checked={chosen.includes(info.id)}
+        onChange={({ currentTarget }) => onChoose(info.id, currentTarget.checked)}
+      />
+      <div class="run-words">
+        {isNaming ? (
+          <NameField name={info.name} label={info.label} onEnd={endNaming} />
+        ) : (
+          <button type="button" class="run-open" onClick={() => void onOpen(info.id)}>
+            {title}
+          </button>
+        )}
+        {isReference && <span class="badge">reference</span>}
+        {!info.complete && <span class="badge">not complete</span>}
+        <p class="run-where">
+          {info.name && `${info.label}; `}
+          <time dateTime={info.date}>
+            {Number.isNaN(date.getTime()) ? info.date : date.toLocaleString('en', dateStyle)}
+          </time>
+          ; {info.device}; {info.browser}; Farol {info.build}
+        </p>
+      </div>
+      {!isReference && !isNaming && (
+        <div class="run-buttons">
+          <button ref={renameButton} type="button" aria-label={`Rename ${title}`} onClick={() => setNaming(true)}>
+            Rename
+          </button>
+          <button type="button" aria-label={`Delete ${title}`} onClick={() => void onDelete?.()}>
+            Delete
+          </button>
+        </div>
+      )}
+    </li>
+  );
+}
+
+/** @param onEnd called once with the name, or with null when the user left it */
+function NameField({ name, label, onEnd }: { name: string; label: string; onEnd(name: string | null): void }) {
+  const field = useRef<HTMLInputElement>(null);
+  const isOver = useRef(false);
+  // before the next key
+  useLayoutEffect(() => {
+    field.current?.focus();
+    field.current?.select();
+  }, []);
+  const end = (value: string | null): void => {
+    if (isOver.current) return;
+    isOver.current = true;
+    onEnd(value);
+  };
+  return (
+    <input
+      ref={field}
+      type="text"
+      class="run-name"
+      aria-label="Name of the run"
+      placeholder={label}
+      maxLength={200}
+      defaultValue={name}
+      onBlur={({ currentTarget }) => end(currentTarget.value)}
+      onKeyDown={({ key, currentTarget }) => {
+        if (key === 'Enter') end(currentTarget.value);
+        if (key === 'Escape') end(null);
+      }}
+    />
+  );
+}

@@ -1,0 +1,118 @@
+import type { LabCase, LabSeries } from '../plan/LabPlan';
+import type { LabRow, LabRun, Metric } from './LabRun';
+import { caseKey } from './mergeRuns';
+
+/** A competitor in a case that both runs have. */
+export interface ComparedRow {
+  readonly competitor: string;
+  readonly series: LabSeries;
+  readonly labCase: LabCase;
+  readonly value: number;
+  /** Medians (ms); null where a run has no figure. */
+  readonly a: number | null;
+  readonly b: number | null;
+  /** a / b: over 1 where the second run is faster. Null unless both have a figure. */
+  readonly ratio: number | null;
+}
+
+/** A mean over all cases in which both runs have a figure. */
+export interface ComparedCompetitor {
+  readonly competitor: string;
+  /** Geometric mean of the ratios; null without any. */
+  readonly ratio: number | null;
+  readonly cases: number;
+}
+
+/** Two runs side by side. */
+export interface ComparedRuns {
+  /** What was compared: GPU time where every row of both that has a figure has it too, else throughput. */
+  readonly metric: Metric;
+  readonly rows: readonly ComparedRow[];
+  readonly competitors: readonly ComparedCompetitor[];
+  /** What the runs differ in beside their device, as sentences. */
+  readonly differences: readonly string[];
+}
+
+/** Two runs row by row: cases are the same when they draw the same picture, whatever series they stand in. */
+export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(a, b)): ComparedRuns {
+  const theirs = new Map<string, LabRow>();
+  for (const row of b.rows) {
+    const labCase = caseOf(b, row);
+    if (labCase) theirs.set(`${row.competitor} ${caseKey(labCase)}`, row);
+  }
+  const rows: ComparedRow[] = [];
+  for (const series of a.plan.series) {
+    series.cases.forEach((labCase, index) => {
+      for (const competitor of a.plan.competitors) {
+        const ours = a.rows.find(
+          (row) => row.series === series.name && row.index === index && row.competitor === competitor,
+        );
+        const their = theirs.get(`${competitor} ${caseKey(labCase)}`);
+        if (!ours || !their) continue;
+        const [first, second] = [ours[metric]?.median ?? null, their[metric]?.median ?? null];
+        const ratio = first !== null && second !== null && second > 0 && first > 0 ? first / second : null;
+        rows.push({ competitor, series, labCase, value: series.values[index], a: first, b: second, ratio });
+      }
+    });
+  }
+  const competitors = a.plan.competitors
+    .map((competitor) => meanOf(competitor, rows))
+    .filter(({ competitor }) => rows.some((row) => row.competitor === competitor));
+  return { metric, rows, competitors, differences: differencesOf(a, b, rows.length) };
+}
+
+/** GPU time where all that drew have it in both runs, else the throughput of frames. */
+function commonMetric(a: LabRun, b: LabRun): Metric {
+  const drew = [...a.rows, ...b.rows].filter(({ frame }) => frame !== null);
+  return drew.length > 0 && drew.every(({ gpu }) => gpu !== null) ? 'gpu' : 'frame';
+}
+
+function meanOf(competitor: string, rows: readonly ComparedRow[]): ComparedCompetitor {
+  const ratios = rows.flatMap((row) => (row.competitor === competitor ? (row.ratio ?? []) : []));
+  const logs = ratios.reduce((sum, ratio) => sum + Math.log(ratio), 0);
+  return { competitor, ratio: ratios.length > 0 ? Math.exp(logs / ratios.length) : null, cases: ratios.length };
+}
+
+function differencesOf(a: LabRun, b: LabRun, compared: number): string[] {
+  const found: string[] = [];
+  const cases = (run: LabRun): Set<string> => new Set(run.plan.series.flatMap((each) => each.cases.map(caseKey)));
+  const [ours, theirs] = [cases(a), cases(b)];
+  const onlyOurs = [...ours].filter((each) => !theirs.has(each)).length;
+  const onlyTheirs = [...theirs].filter((each) => !ours.has(each)).length;
+  if (compared === 0) found.push('The runs have no case and competitor in common: measure the same preset on both.');
+  if (onlyOurs > 0)
+    found.push(`${counted(onlyOurs)} of the first run alone ${onlyOurs === 1 ? 'is' : 'are'} left out.`);
+  if (onlyTheirs > 0) {
+    found.push(`${counted(onlyTheirs)} of the second run alone ${onlyTheirs === 1 ? 'is' : 'are'} left out.`);
+  }
+  const lacking = (from: LabRun, to: LabRun): string[] =>
+    from.plan.competitors.filter((name) => !to.plan.competitors.includes(name));
+  const [firstAlone, secondAlone] = [lacking(a, b), lacking(b, a)];
+  if (firstAlone.length > 0) found.push(`Only the first run measured ${firstAlone.join(', ')}.`);
+  if (secondAlone.length > 0) found.push(`Only the second run measured ${secondAlone.join(', ')}.`);
+  const { effort: one } = a.plan;
+  const { effort: two } = b.plan;
+  if (one.rounds !== two.rounds || one.turn !== two.turn) {
+    found.push(`They took ${one.rounds} turns of ${one.turn} ms and ${two.rounds} of ${two.turn} ms.`);
+  }
+  if (a.surroundings.build !== b.surroundings.build) {
+    found.push(`The builds of Farol differ: ${a.surroundings.build} and ${b.surroundings.build}.`);
+  }
+  const names = Object.keys({ ...a.surroundings.versions, ...b.surroundings.versions });
+  for (const name of names) {
+    const [first, second] = [a.surroundings.versions[name], b.surroundings.versions[name]];
+    if (first !== second && first && second) found.push(`They have ${name} ${first} and ${second}.`);
+  }
+  if (a.surroundings.browser !== b.surroundings.browser) {
+    found.push(`The browsers differ: ${a.surroundings.browser} and ${b.surroundings.browser}.`);
+  }
+  if (!a.complete) found.push('The first run ended before every case was measured.');
+  if (!b.complete) found.push('The second run ended before every case was measured.');
+  return found;
+}
+
+const counted = (cases: number): string => (cases === 1 ? 'One case' : `${cases} cases`);
+
+function caseOf(run: LabRun, { series, index }: LabRow): LabCase | undefined {
+  return run.plan.series.find(({ name }) => name === series)?.cases[index];
+}

@@ -1,0 +1,65 @@
+import type { LabRun } from './LabRun';
+import { runCSV } from './runCSV';
+import { runMarkdown } from './runMarkdown';
+
+/** A file made of a run. */
+export interface RunFile {
+  readonly name: string;
+  readonly content: Blob;
+}
+
+/** A form in which a run can be taken away. */
+export interface ExportFormat {
+  readonly label: string;
+  /** What it is good for, a sentence. */
+  readonly help: string;
+  make(run: LabRun): Promise<RunFile>;
+}
+
+function textFormat(
+  label: string,
+  help: string,
+  { extension, type, write }: { extension: string; type: string; write: (run: LabRun) => string },
+): ExportFormat {
+  return {
+    label,
+    help,
+    make: async (run) => ({ name: `${fileName(run)}.${extension}`, content: new Blob([write(run)], { type }) }),
+  };
+}
+
+/** The forms, by key. */
+export const exportFormats: Readonly<Record<string, ExportFormat>> = {
+  json: textFormat('JSON', 'Everything, pictures included: the Lab opens it again, on any machine.', {
+    ...{ extension: 'json', type: 'application/json' },
+    write: (run) => JSON.stringify(run, null, 1),
+  }),
+  csv: textFormat('CSV', 'A row for each case and competitor, for spreadsheets and scripts.', {
+    ...{ extension: 'csv', type: 'text/csv', write: runCSV },
+  }),
+  markdown: textFormat('Markdown', 'Tables as in chapter 4 of the thesis, with all warnings.', {
+    ...{ extension: 'md', type: 'text/markdown', write: runMarkdown },
+  }),
+};
+
+/** The run's name, or its preset, with date and device: letters, digits and hyphens. */
+export function fileName({ name, plan, surroundings }: LabRun): string {
+  const device = surroundings.device.replace(/^ANGLE \([^,]*, |\(.*$/g, '');
+  const parts = ['farol-lab', name || plan.preset, surroundings.date.slice(0, 10), ...(name ? [] : [device])];
+  return parts
+    .join('-')
+    .toLowerCase()
+    .replaceAll(/[^a-z0-9]+/g, '-')
+    .replaceAll(/^-|-$/g, '')
+    .slice(0, 80);
+}
+
+/** Hands a file to the user as a download. */
+export function download({ name, content }: RunFile): void {
+  const link = document.createElement('a');
+  link.download = name;
+  link.href = URL.createObjectURL(content);
+  link.click();
+  // the browser reads it after the click
+  setTimeout(() => URL.revokeObjectURL(link.href), 30_000);
+}

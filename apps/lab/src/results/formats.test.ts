@@ -1,0 +1,82 @@
+import { describe, expect, it } from 'vitest';
+import { csvColumns, runCSV } from './runCSV';
+import { runMarkdown } from './runMarkdown';
+import { testRow, testRun } from './testRun';
+
+/** Reads CSV by RFC 4180, with nothing of the code that wrote it. */
+function readCSV(csv: string): string[][] {
+  const rows: string[][] = [];
+  let cells: string[] = [];
+  const cell = /(?:"((?:[^"]|"")*)"|([^",\r\n]*))(,|\r\n)/gy;
+  for (let match = cell.exec(csv); match; match = cell.exec(csv)) {
+    cells.push(match[1] === undefined ? match[2] : match[1].replaceAll('""', '"'));
+    if (match[3] === ',') continue;
+    rows.push(cells);
+    cells = [];
+  }
+  return rows;
+}
+
+describe('runCSV', () => {
+  it('has a row for each case and competitor, with a heading for each cell', () => {
+    const [heading, ...rows] = readCSV(runCSV(testRun()));
+    expect(heading).toEqual(csvColumns.map(({ name }) => name));
+    expect(rows).toHaveLength(6);
+    const record = Object.fromEntries(heading.map((name, i) => [name, rows[3][i]]));
+    expect(record).toMatchObject({
+      ...{ run: '2026-11-22-k3x9', device: 'ANGLE (Test, "GPU", Vulkan)', series: 'planes-lights', axis: 'lights' },
+      ...{ value: '100', scene: 'benchmarkLights', parameters: 'n=1', lights: '100', width_px: '1280' },
+      ...{ competitor: 'deferred', frame_median_ms: '4', frame_p10_ms: '3.6', gpu_median_ms: '2', psnr_db: '51.5' },
+      ...{ draws: '100', dropped_lights: '0', problem: '' },
+    });
+  });
+
+  it('quotes commas, quotes and line ends, and takes the meaning of a formula from a text', () => {
+    const problem = '=HYPERLINK("http://x","a,\r\nb")';
+    const row = { ...testRow('forward', 'planes-lights', 0, 1), problem, frame: null, likeness: null };
+    const [heading, cells] = readCSV(runCSV(testRun({ rows: [row] })));
+    expect(cells[heading.indexOf('problem')]).toBe(`'${problem}`);
+    expect(cells[heading.indexOf('frame_median_ms')]).toBe('');
+    expect(cells[heading.indexOf('psnr_db')]).toBe('');
+  });
+
+  it('tells an equal picture from one without a figure', () => {
+    const likeness = { reference: 'forward', psnr: null, thumbnail: '' };
+    const row = { ...testRow('forward', 'planes-lights', 0, 1), likeness };
+    const [heading, cells] = readCSV(runCSV(testRun({ rows: [row] })));
+    expect(cells[heading.indexOf('psnr_db')]).toBe('inf');
+  });
+});
+
+describe('runMarkdown', () => {
+  it('has the tables of the thesis: a row a case, a column a competitor, the fastest in bold', () => {
+    const markdown = runMarkdown(testRun());
+    expect(markdown).toMatch(/^# Kitchen laptop\n/);
+    expect(markdown).toContain('| N × N planes | M × M lights | Farol: forward | Farol: deferred |');
+    expect(markdown).toContain('| 1 | 10 | 20 | **4** |');
+    // frames a second
+    expect(markdown).toContain('| 1 | 10 | 50 | 250 |');
+    expect(markdown).toContain('| 640 × 360 | 8 | **3** |');
+    expect(markdown).toContain('- Farol: 0.1.0 (922d2a6); three 0.187.0');
+    // every line of a table has the cells that its heading has
+    for (const table of markdown.split('\n\n').filter((block) => block.startsWith('|'))) {
+      const widths = table
+        .trim()
+        .split('\n')
+        .map((line) => line.split('|').length);
+      expect(new Set(widths).size).toBe(1);
+    }
+  });
+
+  it('says problems, warnings and lights that are left out, without their markup', () => {
+    const row = { ...testRow('forward', 'planes-lights', 1, 9), problem: 'a | b <img src=x>', dropped: 36 };
+    const run = testRun({ rows: [row], complete: false });
+    run.surroundings.warnings.push('A software rasteriser drew.');
+    const markdown = runMarkdown(run);
+    expect(markdown).toContain('- Farol: forward, 100 lights: a \\| b \\<img src=x\\>');
+    expect(markdown).toContain('- Farol: forward, 100 lights: 36 lights are left out.');
+    expect(markdown).toContain('ended before every case was measured');
+    expect(markdown).toMatch(/## Warnings\n\n- A software rasteriser drew\./);
+    expect(markdown).toMatch(/## Atrium over pixels, 20 lights\n\nNothing was measured\./);
+  });
+});

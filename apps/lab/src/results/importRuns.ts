@@ -1,0 +1,27 @@
+import type { LabRun } from './LabRun';
+import { LONGEST_RUN, parseRun } from './parseRun';
+import type { RunStore } from './RunStore';
+
+/** What came of files that were chosen or dropped. */
+export interface Imported {
+  readonly runs: readonly LabRun[];
+  /** What was refused, each a sentence with the file's name. */
+  readonly problems: readonly string[];
+}
+
+/** Reads runs of files, and keeps those that are not kept yet. A run that cannot be kept is given all the same. */
+export async function importRuns(files: Iterable<File>, store: RunStore): Promise<Imported> {
+  const runs: LabRun[] = [];
+  const problems: string[] = [];
+  for (const file of files) {
+    try {
+      if (file.size > 4 * LONGEST_RUN) throw new Error(`it has ${Math.round(file.size / 1e6)} MB, too many for a run.`);
+      const run = parseRun(await file.text());
+      runs.push(run);
+      if (!(await store.has(run.id))) await store.save(run);
+    } catch (error) {
+      problems.push(`${file.name}: ${error instanceof Error ? error.message : String(error)}`);
+    }
+  }
+  return { runs, problems };
+}

@@ -1,0 +1,210 @@
+import { competitorNames } from '../competitors/competitorNames';
+import type { Configuration, SeriesChoice } from '../plan/Configuration';
+import type { Axis } from '../plan/LabPlan';
+import { planOf } from '../plan/planOf';
+import { presets } from '../plan/presets';
+
+/** A configuration as read from an address, and what could not be read of it, as sentences. */
+export interface Linked {
+  configuration: Configuration;
+  problems: string[];
+}
+
+/** What a configuration of one's own starts with: the series stand in the address. */
+const custom = (): Configuration => ({ ...presets.lights.configuration, preset: 'custom' });
+
+const baseOf = (preset: string): Configuration =>
+  Object.hasOwn(presets, preset) ? presets[preset].configuration : custom();
+
+/**
+ * The fragment of an address that restores a configuration, with its `#`. It holds the preset, and of the rest what
+ * differs from it: `#preset=lights&size=1920x1080`, `#preset=custom&series=sponza:lights:10,100`.
+ */
+export function linkOf(configuration: Configuration): string {
+  const base = baseOf(configuration.preset);
+  const parts = [`preset=${encodeURIComponent(configuration.preset)}`];
+  const add = (name: string, own: string, default_: string): void => {
+    if (own !== default_) parts.push(`${name}=${own}`);
+  };
+  const series = configuration.series.map(seriesText);
+  const isCustom = configuration.preset === 'custom';
+  if (isCustom || series.join(' ') !== base.series.map(seriesText).join(' ')) {
+    parts.push(...series.map((text) => `series=${text}`));
+  }
+  add('size', sizeText(configuration), sizeText(base));
+  add('techniques', configuration.competitors.join(','), base.competitors.join(','));
+  for (const [name, { write }] of Object.entries(effortFields)) {
+    add(name, write(configuration.effort), write(base.effort));
+  }
+  return `#${parts.join('&')}`;
+}
+
+/** How `techniques` is read too; the address of the command line's `--techniques`. */
+export const linkNames = ['preset', 'series', 'size', 'techniques', 'rounds', 'turn', 'changes', 'longest', 'seconds'];
+
+/**
+ * The configuration of an address's fragment. What is wrong in it is named, and its default stands in its place.
+ *
+ * @param fragment with or without `#`
+ * @returns null where the address names no preset and no series
+ */
+export function configurationOf(fragment: string): Linked | null {
+  const values = new URLSearchParams(fragment.replace(/^#/, ''));
+  if (!values.has('preset') && !values.has('series')) return null;
+  const problems: string[] = [];
+  const preset = presetOf(values, problems);
+  const base = baseOf(preset);
+  const series = values.getAll('series').flatMap((text) => readSeries(text, base, problems));
+  if (preset === 'custom' && series.length === 0) {
+    problems.push('The address names no series, as in series=sponza:lights:10,100: those of Lights stand in.');
+  }
+  const effort = { ...base.effort };
+  for (const [name, field] of Object.entries(effortFields)) {
+    const text = values.get(name);
+    if (text !== null && !field.read(text, effort)) problems.push(`${name}=${text} is none: give ${field.mend}.`);
+  }
+  const configuration: Configuration = {
+    preset,
+    series: series.length > 0 ? series : base.series,
+    ...readSize(values.get('size'), base, problems),
+    competitors: readCompetitors(values.get('techniques'), base, problems),
+    effort,
+  };
+  for (const name of new Set(values.keys())) {
+    if (!linkNames.includes(name)) problems.push(`The address has a setting ${name}, which the Lab does not know.`);
+  }
+  return { configuration, problems };
+}
+
+function presetOf(values: URLSearchParams, problems: string[]): string {
+  const name = values.get('preset') ?? 'custom';
+  if (name === 'custom' || Object.hasOwn(presets, name)) return name;
+  problems.push(`There is no preset ${name}: Quick stands in. Known are ${Object.keys(presets).join(', ')}.`);
+  return 'quick';
+}
+
+/** `scene:axis:values`, then `n=` and `lights=` where they say anything. */
+function seriesText({ scene, axis, values, n, lights }: SeriesChoice): string {
+  const planes = scene === 'benchmarkLights' && axis !== 'objects' ? [`n=${n}`] : [];
+  const lit = axis === 'lights' || scene === 'own' ? [] : [`lights=${lights}`];
+  return [encodeURIComponent(scene), axis, values.join(','), ...planes, ...lit].join(':');
+}
+
+function readSeries(text: string, base: Configuration, problems: string[]): SeriesChoice[] {
+  const [scene, axis, values = '', ...settings] = text.split(':');
+  const choice = {
+    scene,
+    axis: axis as Axis,
+    values: values.split(',').map(numberOf),
+    n: 1,
+    lights: 0 as number | 'objects',
+  };
+  let problem: string | null = choice.values.some(Number.isNaN) ? 'its values are no numbers' : null;
+  for (const setting of settings) {
+    const [name, value] = setting.split('=');
+    const number = numberOf(value ?? '');
+    if (name === 'n' && Number.isInteger(number) && number >= 1 && number <= 100) choice.n = number;
+    else if (name === 'lights' && value === 'objects') choice.lights = value;
+    else if (name === 'lights' && number >= 0 && number <= 1e6) choice.lights = number;
+    else problem ??= `${setting} is unknown`;
+  }
+  try {
+    if (problem === null) planOf({ ...base, series: [choice] });
+  } catch (error) {
+    problem = error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
+  }
+  if (problem === null) return [choice];
+  problems.push(`series=${text} is left out: ${problem}. A series is scene:axis:values, as in sponza:lights:10,100.`);
+  return [];
+}
+
+const sizeText = ({ width, height }: { width: number; height: number }): string => `${width}x${height}`;
+
+function readSize(text: string | null, { width, height }: Configuration, problems: string[]) {
+  if (text === null) return { width, height };
+  const [, ...sides] = /^(\d{1,5})[x×](\d{1,5})$/.exec(text) ?? [];
+  const [w, h] = sides.map(Number);
+  if (sides.length === 2 && Math.min(w, h) >= 16 && Math.max(w, h) <= 8192) return { width: w, height: h };
+  problems.push(`size=${text} is none: give width x height from 16x16 to 8192x8192, as in 1280x720.`);
+  return { width, height };
+}
+
+function readCompetitors(text: string | null, base: Configuration, problems: string[]): readonly string[] {
+  if (text === null) return base.competitors;
+  const asked = [...new Set(text.split(','))].filter((name) => name !== '');
+  const known = asked.filter((name) => Object.hasOwn(competitorNames, name));
+  const unknown = asked.filter((name) => !known.includes(name));
+  if (unknown.length > 0) {
+    const names = Object.keys(competitorNames).join(', ');
+    problems.push(`techniques=${unknown.join(',')}: there is none of that name. Known are ${names}.`);
+  }
+  if (known.length > 0) return known;
+  if (unknown.length === 0) problems.push('techniques= names none: those of the preset stand in.');
+  return base.competitors;
+}
+
+type Effort = { -readonly [Key in keyof Configuration['effort']]: Configuration['effort'][Key] };
+
+interface EffortField {
+  write(effort: Configuration['effort']): string;
+  /** @returns whether the text says a value */
+  read(text: string, effort: Effort): boolean;
+  /** What a text must be. */
+  mend: string;
+}
+
+function numeric(
+  { least, most, isWhole = false }: { least: number; most: number; isWhole?: boolean },
+  what: string,
+  get: (effort: Configuration['effort']) => number,
+  set: (effort: Effort, value: number) => void,
+): EffortField {
+  return {
+    mend: `${what} from ${least} to ${most}`,
+    write: (effort) => String(get(effort)),
+    read(text, effort) {
+      const value = numberOf(text);
+      if (!(value >= least && value <= most) || (isWhole && !Number.isInteger(value))) return false;
+      set(effort, value);
+      return true;
+    },
+  };
+}
+
+/** Settings of the effort by their names in the address. */
+const effortFields: Readonly<Record<string, EffortField>> = {
+  rounds: numeric(
+    { least: 1, most: 100, isWhole: true },
+    'a whole number of turns',
+    ({ rounds }) => rounds,
+    (effort, value) => (effort.rounds = value),
+  ),
+  turn: numeric(
+    { least: 10, most: 60_000 },
+    'milliseconds a turn',
+    ({ turn }) => turn,
+    (effort, value) => (effort.turn = value),
+  ),
+  changes: {
+    mend: 'yes or no',
+    write: ({ changes }) => (changes ? 'yes' : 'no'),
+    read(text, effort) {
+      effort.changes = text === 'yes' || (text !== 'no' && effort.changes);
+      return text === 'yes' || text === 'no';
+    },
+  },
+  longest: numeric(
+    { least: 10, most: 600_000 },
+    'milliseconds of the longest frame',
+    ({ longestFrame }) => longestFrame,
+    (effort, value) => (effort.longestFrame = value),
+  ),
+  seconds: numeric(
+    { least: 0, most: 86_400 },
+    'seconds for the whole run, 0 for no limit,',
+    ({ limit }) => (limit ?? 0) / 1000,
+    (effort, value) => (effort.limit = value === 0 ? null : value * 1000),
+  ),
+};
+
+const numberOf = (text: string): number => (text.trim() === '' ? Number.NaN : Number(text));

@@ -1,0 +1,91 @@
+import type { LabCase, LabPlan } from '../plan/LabPlan';
+import type { LabRow, LabRun } from './LabRun';
+
+/** The same for cases that draw the same picture. */
+export function caseKey({ scene, lights, shadows, overdraw, width, height }: LabCase): string {
+  const parameters = Object.entries(scene.parameters).sort(([a], [b]) => (a < b ? -1 : 1));
+  return JSON.stringify([scene.name, parameters, lights, shadows, overdraw, width, height]);
+}
+
+/** Problems of rows that a run gives when it is cancelled or its time is over: the case is to be measured yet. */
+const unfinished = /^(Cancelled|Not measured)/;
+
+/**
+ * What is left to measure of a run: cases of which a competitor has no row or one that was cut off, and the case that was
+ * at work when the run ended early. Each has all competitors, so that they are measured in turns.
+ */
+export function remainingPlan({ plan, rows, complete }: Pick<LabRun, 'plan' | 'rows' | 'complete'>): LabPlan {
+  const there = new Set(
+    rows
+      .filter(({ problem }) => !unfinished.test(problem ?? ''))
+      .map((row) => placeOf(row.series, row.index, row.competitor)),
+  );
+  const begun = new Set(rows.map(({ series, index }) => `${series} ${index}`));
+  const last = plan.series
+    .flatMap(({ name, cases }) => cases.map((_, index) => `${name} ${index}`))
+    .findLast((each) => begun.has(each));
+  const series = plan.series.map((each) => {
+    const isOpen = each.cases.map(
+      (_, index) =>
+        (!complete && last === `${each.name} ${index}`) ||
+        plan.competitors.some((competitor) => !there.has(placeOf(each.name, index, competitor))),
+    );
+    return {
+      ...each,
+      cases: each.cases.filter((_, index) => isOpen[index]),
+      values: each.values.filter((_, index) => isOpen[index]),
+    };
+  });
+  return { ...plan, series: series.filter(({ cases }) => cases.length > 0) };
+}
+
+const placeOf = (series: string, index: number, competitor: string): string => `${series} ${index} ${competitor}`;
+
+/**
+ * Parts of one run as one: rows of later parts stand in place of those of earlier ones. Cases are found by series and
+ * what they draw, wherever they stand in their part.
+ *
+ * @param plan of the whole run
+ * @param parts at least one, of one device
+ * @throws Error that names what the parts differ in, where they are no parts of one run
+ */
+export function mergeRuns(plan: LabPlan, parts: readonly LabRun[]): LabRun {
+  const last = parts.at(-1);
+  if (!last) throw new Error('No parts: give a run at least.');
+  const places = new Map(
+    plan.series.flatMap(({ name, cases }) => cases.map((each, index) => [`${name} ${caseKey(each)}`, index])),
+  );
+  const rows = new Map<string, LabRow>();
+  for (const part of parts) {
+    for (const field of ['device', 'browser', 'build'] as const) {
+      const [ours, theirs] = [last.surroundings[field], part.surroundings[field]];
+      if (ours !== theirs) {
+        throw new Error(`The parts are of different runs: ${field} is "${theirs}" and "${ours}". Measure all anew.`);
+      }
+    }
+    for (const row of part.rows) {
+      const labCase = part.plan.series.find(({ name }) => name === row.series)?.cases[row.index];
+      const index = labCase && places.get(`${row.series} ${caseKey(labCase)}`);
+      if (index === undefined || !plan.competitors.includes(row.competitor)) {
+        throw new Error(
+          `The parts are of different plans: ${row.competitor} in case ${row.index} of ${row.series} is not asked for.`,
+        );
+      }
+      rows.set(placeOf(row.series, index, row.competitor), { ...row, index });
+    }
+  }
+  const ordered = plan.series.flatMap(({ name, cases }) =>
+    cases.flatMap((_, index) => plan.competitors.flatMap((each) => rows.get(placeOf(name, index, each)) ?? [])),
+  );
+  const warnings = [...new Set(parts.flatMap(({ surroundings }) => surroundings.warnings))];
+  return {
+    ...last,
+    id: parts[0].id,
+    name: parts.findLast(({ name }) => name !== '')?.name ?? '',
+    surroundings: { ...last.surroundings, date: parts[0].surroundings.date, warnings },
+    plan,
+    rows: ordered,
+    complete: last.complete && remainingPlan({ plan, rows: ordered, complete: true }).series.length === 0,
+    duration: parts.reduce((sum, { duration }) => sum + duration, 0),
+  };
+}

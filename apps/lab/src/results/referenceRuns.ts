@@ -1,0 +1,48 @@
+import type { LabRun } from './LabRun';
+import { parseRun } from './parseRun';
+import type { RunInfo } from './RunStore';
+
+/** A run that lies in the repository: what it is, and how it is read. */
+export interface ReferenceRun {
+  readonly info: RunInfo;
+  /**
+   * Fetches the run, once.
+   *
+   * @throws Error (as a rejection) that says what failed
+   */
+  read(): Promise<LabRun>;
+}
+
+/** Addresses of `apps/lab/reference/*.json`; the files are fetched, and no part of the script. */
+const urls = import.meta.glob<string>('../../reference/*.json', { query: '?url', import: 'default', eager: true });
+
+/** What the list shows of each, so that it need not fetch them. */
+const infos = import.meta.glob<RunInfo>('../../reference/*.json', {
+  query: '?run-info',
+  import: 'default',
+  eager: true,
+});
+
+async function fetchRun(url: string, name: string): Promise<LabRun> {
+  const response = await fetch(url).catch(() => null);
+  if (!response?.ok) throw new Error(`The reference ${name} cannot be fetched: reload the page.`);
+  return parseRun(await response.text());
+}
+
+/** Runs of the repository, the newest first. */
+export const referenceRuns: readonly ReferenceRun[] = Object.keys(urls)
+  .map((path) => {
+    let run: Promise<LabRun> | null = null;
+    const info = infos[path];
+    return {
+      info,
+      read() {
+        run ??= fetchRun(urls[path], info.name || info.label).catch((error: unknown) => {
+          run = null;
+          throw error;
+        });
+        return run;
+      },
+    };
+  })
+  .sort((a, b) => b.info.date.localeCompare(a.info.date));

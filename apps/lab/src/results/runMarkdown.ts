@@ -1,0 +1,143 @@
+import { competitorNames, type CompetitorName } from '../competitors/competitorNames';
+import type { LabCase, LabSeries } from '../plan/LabPlan';
+import { axisWords } from '../plan/sceneWords';
+import { digits } from './digits';
+import type { LabRow, LabRun } from './LabRun';
+
+/** A table of a series: what its cells say of a row, and which of them are numbers that compete. */
+interface Quantity {
+  readonly title: string;
+  readonly cell: (row: LabRow) => string | null;
+  /** The number of which the lowest is set in bold. */
+  readonly lowest?: (row: LabRow) => number | null;
+}
+
+const ms = (title: string, pick: (row: LabRow) => number | null | undefined): Quantity => {
+  const lowest = (row: LabRow): number | null => pick(row) ?? null;
+  return { title, lowest, cell: (row) => (lowest(row) === null ? null : digits(lowest(row))) };
+};
+
+const quantities: readonly Quantity[] = [
+  ms('Milliseconds a frame: median of the turns’ medians, frames in batches', ({ frame }) => frame?.median),
+  { title: 'Frames a second, from the same medians', cell: ({ frame }) => frame && digits(1000 / frame.median) },
+  {
+    title: 'Milliseconds a frame: 10th to 90th percentile of all samples',
+    cell: ({ frame }) => frame && `${digits(frame.low)} to ${digits(frame.high)}`,
+  },
+  ms('GPU milliseconds a frame by timer query: median', ({ gpu }) => gpu?.median),
+  ms('CPU milliseconds in the call that draws: median', ({ cpu }) => cpu?.median),
+  ms('First frame (ms), programs and uploads included', ({ firstMs }) => firstMs),
+  { title: 'The frame after ten lights more (ms; programs linked)', cell: ({ added }) => changeText(added) },
+  { title: 'The frame after the technique changed (ms; programs linked)', cell: ({ changed }) => changeText(changed) },
+  {
+    title: 'Draw calls; programs; MB of render targets and light data',
+    cell: ({ counts }) =>
+      counts && [counts.draws, counts.programs, megabytes(counts.targetBytes)].map(digits).join('; '),
+  },
+  {
+    title: 'Likeness to the reference picture: PSNR (dB); ∞ for an equal picture',
+    cell: ({ likeness }) => likeness && (likeness.psnr === null ? '∞' : digits(likeness.psnr)),
+  },
+  {
+    title: 'Technique that drew',
+    cell: ({ technique, competitor }) => (technique === null || technique === competitor ? null : technique),
+  },
+];
+
+/** A run as Markdown: tables as in chapter 4 of the thesis, then problems, warnings and surroundings. */
+export function runMarkdown(run: LabRun): string {
+  const { plan, surroundings, rows } = run;
+  const lines = [`# ${escaped(run.name || plan.label)}`, '', ...surroundingsLines(run)];
+  for (const series of plan.series) {
+    const own = rows.filter((row) => row.series === series.name);
+    lines.push('', `## ${escaped(series.label)}`);
+    if (own.length === 0) lines.push('', 'Nothing was measured.');
+    for (const quantity of quantities) lines.push(...table(series, plan.competitors, own, quantity));
+    lines.push(...remarks(series, own));
+  }
+  if (surroundings.warnings.length > 0) {
+    lines.push('', '## Warnings', '', ...surroundings.warnings.map((each) => `- ${escaped(each)}`));
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+function surroundingsLines({ surroundings, complete, duration, plan }: LabRun): string[] {
+  const { date, device, browser, system, cores, build, versions, command } = surroundings;
+  const turns = `${plan.effort.rounds} turns of ${digits(plan.effort.turn)} ms each`;
+  const packages = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
+  return [
+    `- Date: ${date}`,
+    `- Device: ${escaped(device)}`,
+    `- Browser: ${escaped(browser)}, ${escaped(system)}${cores === null ? '' : `, ${cores} cores`}`,
+    `- Farol: ${escaped(build)}${packages.length > 0 ? `; ${escaped(packages.join(', '))}` : ''}`,
+    `- Measured in ${digits(duration / 1000)} s, ${turns}${complete ? '' : '; ended before every case was measured'}`,
+    ...(command === null ? [] : [`- Command: \`${command.replaceAll('`', '')}\``]),
+  ];
+}
+
+function table(series: LabSeries, competitors: readonly string[], rows: LabRow[], quantity: Quantity): string[] {
+  const { title, cell, lowest } = quantity;
+  const shown = competitors.filter((name) => rows.some((row) => row.competitor === name && cell(row) !== null));
+  if (shown.length === 0) return [];
+  const heads = headings(series);
+  const lines = [
+    ...['', `${title}.`, ''],
+    line([...heads.map(({ title }) => title), ...shown.map(competitorLabel)]),
+    line([...heads, ...shown].map(() => '--:')),
+  ];
+  series.cases.forEach((labCase, index) => {
+    const of = shown.map((name) => rows.find((row) => row.index === index && row.competitor === name));
+    const numbers = of.flatMap((row) => (row && lowest ? (lowest(row) ?? []) : []));
+    const least = numbers.length > 1 ? Math.min(...numbers) : null;
+    const cells = of.map((row) => {
+      const text = row ? cell(row) : null;
+      if (!row || text === null) return '–';
+      return least !== null && lowest?.(row) === least ? `**${escaped(text)}**` : escaped(text);
+    });
+    lines.push(line([...heads.map(({ of }) => of(labCase, series.values[index])), ...cells]));
+  });
+  return lines;
+}
+
+/** What stands before the figures of a case: N and M for planes, as in the thesis; else its value along the axis. */
+function headings({ axis, cases }: LabSeries): { title: string; of: (labCase: LabCase, value: number) => string }[] {
+  const squares = cases.every(
+    ({ scene, lights }) => scene.name === 'benchmarkLights' && Number.isInteger(Math.sqrt(lights ?? 0.5)),
+  );
+  if (squares && (axis === 'lights' || axis === 'objects')) {
+    return [
+      { title: 'N × N planes', of: ({ scene }) => String(scene.parameters.n ?? '–') },
+      { title: 'M × M lights', of: ({ lights }) => String(Math.sqrt(lights ?? 0)) },
+    ];
+  }
+  if (axis === 'pixels') return [{ title: 'Pixels', of: ({ width, height }) => `${width} × ${height}` }];
+  return [{ title: axisWords[axis].label, of: (_, value) => digits(value) }];
+}
+
+/** Problems, warnings and lights left out, each with its case. */
+function remarks(series: LabSeries, rows: LabRow[]): string[] {
+  const found = rows.flatMap(({ competitor, index, problem, warnings, dropped }) => {
+    const where = `${competitorLabel(competitor)}, ${digits(series.values[index])} ${axisWords[series.axis].unit}`;
+    const dropping = dropped > 0 ? [`${digits(dropped)} lights are left out.`] : [];
+    return [...(problem === null ? [] : [problem]), ...dropping, ...warnings].map(
+      (each) => `- ${where}: ${escaped(each)}`,
+    );
+  });
+  return found.length === 0 ? [] : ['', 'Problems and warnings:', '', ...found];
+}
+
+const changeText = (change: LabRow['added']): string | null =>
+  change && `${digits(change.ms)}; ${digits(change.programs)}`;
+
+const megabytes = (bytes: number | null): number | null => (bytes === null ? null : bytes / 1e6);
+
+const line = (cells: readonly string[]): string => `| ${cells.join(' | ')} |`;
+
+function competitorLabel(name: string): string {
+  return Object.hasOwn(competitorNames, name) ? competitorNames[name as CompetitorName].label : escaped(name);
+}
+
+/** A text that may come from another's file: one line, no markup, one cell. */
+function escaped(text: string): string {
+  return text.replaceAll(/\s+/g, ' ').replaceAll(/[\\`*_|<>[\]]/g, '\\$&');
+}

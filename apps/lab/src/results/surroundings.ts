@@ -1,0 +1,105 @@
+import type { LabSurroundings } from './LabRun';
+
+declare const __FAROL_BUILD__: string | undefined;
+declare const __FAROL_VERSIONS__: Record<string, string> | undefined;
+
+interface Brand {
+  readonly brand: string;
+  readonly version: string;
+}
+
+/** `navigator.userAgentData`, which Chromium has in secure contexts. */
+interface UserAgentData {
+  readonly brands: readonly Brand[];
+  readonly platform: string;
+  getHighEntropyValues(hints: string[]): Promise<{ fullVersionList?: readonly Brand[]; platformVersion?: string }>;
+}
+
+/** What a browser tells of itself: `navigator`, or as much of it as is read. */
+export interface Teller {
+  readonly userAgent: string;
+  readonly hardwareConcurrency?: number;
+  readonly userAgentData?: UserAgentData;
+}
+
+/**
+ * Where a run that begins now is made.
+ *
+ * @param device what the stage's `device` gave
+ * @param teller default `navigator`
+ */
+export async function surroundingsOf(
+  device: { readonly renderer: string; readonly software: boolean },
+  teller: Teller = navigator,
+): Promise<LabSurroundings> {
+  const { browser, system } = await browserOf(teller);
+  return {
+    date: new Date().toISOString(),
+    device: device.renderer || 'unknown',
+    browser,
+    system,
+    cores: teller.hardwareConcurrency || null,
+    build: typeof __FAROL_BUILD__ === 'undefined' ? 'unknown' : __FAROL_BUILD__,
+    versions: typeof __FAROL_VERSIONS__ === 'undefined' ? {} : __FAROL_VERSIONS__,
+    command: null,
+    warnings: device.software
+      ? ['A software rasteriser draws here, on the processor: its figures say little about graphics cards.']
+      : [],
+  };
+}
+
+/** Name and version of the browser and of the operating system. */
+async function browserOf({ userAgent, userAgentData }: Teller): Promise<{ browser: string; system: string }> {
+  if (!userAgentData) return { browser: browserIn(userAgent), system: systemIn(userAgent) };
+  const { platform, brands } = userAgentData;
+  const { fullVersionList = brands, platformVersion = '' } = await userAgentData
+    .getHighEntropyValues(['fullVersionList', 'platformVersion'])
+    .catch(() => ({}) as { fullVersionList?: readonly Brand[]; platformVersion?: string });
+  // browsers put in a brand that is none, so that nobody relies on the list
+  const real = fullVersionList.filter(({ brand }) => !/not.*brand/i.test(brand));
+  const own = real.find(({ brand }) => brand !== 'Chromium') ?? real[0];
+  return {
+    browser: own ? `${own.brand} ${own.version}` : browserIn(userAgent),
+    system: `${platform} ${platform === 'Windows' ? windowsVersion(platformVersion) : platformVersion}`.trim(),
+  };
+}
+
+/** Windows 11 tells 13 or more. */
+function windowsVersion(platformVersion: string): string {
+  const major = Number.parseInt(platformVersion, 10);
+  return major >= 13 ? '11' : major >= 1 ? '10' : platformVersion;
+}
+
+/** The first that matches: Edge and Opera name Chrome too, Chrome names Safari. */
+const browsers: readonly [string, RegExp][] = [
+  ['Edge', /Edg\w*\/([\d.]+)/],
+  ['Opera', /OPR\/([\d.]+)/],
+  ['Firefox', /(?:Firefox|FxiOS)\/([\d.]+)/],
+  ['Chrome', /(?:Chrome|CriOS)\/([\d.]+)/],
+  ['Safari', /Version\/([\d.]+).*Safari\//],
+];
+
+function browserIn(userAgent: string): string {
+  for (const [name, pattern] of browsers) {
+    const version = pattern.exec(userAgent)?.[1];
+    if (version) return `${name} ${version}`;
+  }
+  return userAgent || 'unknown';
+}
+
+const systems: readonly [string, RegExp][] = [
+  ['Android', /Android ?([\d.]*)/],
+  ['iOS', /(?:iPhone|iPad).* OS ([\d_]+)/],
+  ['Windows', /Windows NT ([\d.]+)/],
+  ['macOS', /Mac OS X ([\d_.]*)/],
+  ['ChromeOS', /CrOS \w+ ([\d.]*)/],
+  ['Linux', /Linux()/],
+];
+
+function systemIn(userAgent: string): string {
+  for (const [name, pattern] of systems) {
+    const found = pattern.exec(userAgent);
+    if (found) return `${name} ${found[1].replaceAll('_', '.')}`.trim();
+  }
+  return 'unknown';
+}
