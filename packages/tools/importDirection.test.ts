@@ -13,6 +13,7 @@ const workspaces = [
   'packages/tools',
   'apps/viewer',
   'apps/editor',
+  'apps/lab',
 ];
 const manifests = new Map(
   ['', ...workspaces].map((folder) => [
