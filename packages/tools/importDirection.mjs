@@ -80,7 +80,7 @@ export const importRules = [
 ];
 
 /** Packages of the repository that nobody imports: an app is an end, not a part. */
-const apps = ['@farol/viewer', '@farol/editor'];
+const apps = ['@farol/viewer', '@farol/editor', '@farol/lab'];
 
 /**
  * Checks every import of a set of files against {@link importRules}.

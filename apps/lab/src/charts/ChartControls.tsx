@@ -1,0 +1,103 @@
+import type { LabRun, Metric } from '../results/LabRun';
+import { competitorHelp, competitorLabel, metricWords } from '../words/names';
+import { missingMetric } from '../words/missingMetric';
+import type { ChartSettings } from './ChartSpec';
+import { CompetitorSwatch } from './CompetitorSwatch';
+import { runDashes } from './plotMarks';
+
+interface Props {
+  runs: readonly LabRun[];
+  names: readonly string[];
+  /** Keys of all competitors that have figures. */
+  competitors: readonly string[];
+  settings: ChartSettings;
+  onChange: (settings: ChartSettings) => void;
+}
+
+/** What all charts show: the metric, the axes, the competitors. */
+export function ChartControls({ runs, names, competitors, settings, onChange }: Props) {
+  const { metric, scale, hidden } = settings;
+  const toggle = (name: string): void => {
+    const next = new Set(hidden);
+    if (!next.delete(name)) next.add(name);
+    onChange({ ...settings, hidden: next });
+  };
+  const missing = (Object.keys(metricWords) as Metric[]).map((each) => missingMetric(runs, each)).filter(Boolean);
+  return (
+    <div class="chart-controls">
+      <fieldset>
+        <legend>Time</legend>
+        {(Object.keys(metricWords) as Metric[]).map((each) => {
+          const why = missingMetric(runs, each);
+          return (
+            <button
+              key={each}
+              type="button"
+              aria-pressed={metric === each}
+              disabled={why !== null}
+              title={why ?? metricWords[each].help}
+              onClick={() => onChange({ ...settings, metric: each })}
+            >
+              {metricWords[each].label}
+            </button>
+          );
+        })}
+      </fieldset>
+      <fieldset>
+        <legend>Axes</legend>
+        {(['log', 'linear'] as const).map((each) => (
+          <button
+            key={each}
+            type="button"
+            aria-pressed={scale === each}
+            onClick={() => onChange({ ...settings, scale: each })}
+          >
+            {each === 'log' ? 'Logarithmic' : 'Linear'}
+          </button>
+        ))}
+      </fieldset>
+      {missing.map((why) => (
+        <p key={why} class="chart-note">
+          {why}
+        </p>
+      ))}
+      <fieldset class="chart-legend">
+        <legend>Competitors</legend>
+        {competitors.map((name) => (
+          <button
+            key={name}
+            type="button"
+            title={competitorHelp(name)}
+            aria-pressed={!hidden.has(name)}
+            onClick={() => toggle(name)}
+          >
+            <CompetitorSwatch name={name} />
+            {competitorLabel(name).replace(/^Farol: /, '')}
+          </button>
+        ))}
+        {hidden.size > 0 && (
+          <button type="button" class="chart-all" onClick={() => onChange({ ...settings, hidden: new Set() })}>
+            Show all
+          </button>
+        )}
+      </fieldset>
+      {names.length > 1 && (
+        <ul class="chart-runs" aria-label="Runs by kind of line">
+          {names.map((name, i) => (
+            <li key={name}>
+              <svg width="36" height="8" viewBox="0 0 36 8" aria-hidden="true">
+                <path
+                  d="M0,4H36"
+                  stroke="currentColor"
+                  stroke-width="2"
+                  stroke-dasharray={runDashes[i % runDashes.length]}
+                />
+              </svg>
+              {name}
+            </li>
+          ))}
+        </ul>
+      )}
+    </div>
+  );
+}

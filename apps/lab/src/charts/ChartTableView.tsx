@@ -1,0 +1,36 @@
+import type { ChartTable } from './ChartSpec';
+
+/** A chart's figures as a table that scrolls sideways where it is wider than its place. */
+export function ChartTableView({ table, caption }: { table: ChartTable; caption: string }) {
+  return (
+    <div class="chart-table-scroll" role="region" aria-label={`Table: ${caption}`} tabIndex={0}>
+      <table>
+        <caption class="chart-spoken">{caption}</caption>
+        <thead>
+          <tr>
+            {table.columns.map((column, i) => (
+              <th key={i} scope="col">
+                {column}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {table.rows.map((row, i) => (
+            <tr key={i}>
+              {row.map((cell, k) =>
+                k === 0 ? (
+                  <th key={k} scope="row">
+                    {cell}
+                  </th>
+                ) : (
+                  <td key={k}>{cell}</td>
+                ),
+              )}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}

@@ -1,0 +1,82 @@
+import type { LabSeries } from '../plan/LabPlan';
+import { axisWords } from '../plan/sceneWords';
+import type { LabRow, LabRun, Metric } from '../results/LabRun';
+import { boundsOf, timeOf } from '../words/compareSpreads';
+import { curveWords, sizeText } from '../words/curveWords';
+import { formatNumber, listOf } from '../words/format';
+import { competitorLabel, competitorWord, metricWords, valueText } from '../words/names';
+import { rowsOf } from '../words/rowsOf';
+import type { ChartSettings, ChartSpec, ChartTable } from './ChartSpec';
+import { curvesOf } from './curveData';
+import { drawCurves } from './drawCurves';
+import { runNames } from './runNames';
+
+/** Times of every competitor along a series. */
+export function curveChart(runs: readonly LabRun[], series: LabSeries, settings: ChartSettings): ChartSpec {
+  const { metric } = settings;
+  const names = runNames(runs);
+  const curves = curvesOf(runs, series, metric);
+  const size = sizeText(series.cases);
+  const kind = settings.scale === 'log' ? 'logarithmic axes' : 'linear axes';
+  const along = axisWords[series.axis].label.toLowerCase();
+  return {
+    key: `curve-${series.name}`,
+    title: `${series.label}${size ? `, ${size}` : ''}`,
+    description: `${metricWords[metric].label} times in milliseconds over ${along}, ${kind}, a line a competitor; bands run from the 10th to the 90th percentile.`,
+    sentences: runs.flatMap((run, i) => {
+      const own = run.plan.series.find(({ name }) => name === series.name);
+      const sentences = own ? curveWords(run, own, metric) : [];
+      return runs.length > 1 && sentences.length > 0
+        ? [`${names[i]}: ${sentences[0]}`, ...sentences.slice(1, 2)]
+        : sentences;
+    }),
+    notes: notesOf(runs, series, metric),
+    table: tableOf(runs, names, series, metric),
+    legend: [...new Set(curves.map(({ competitor }) => competitor))],
+    runs: runs.length > 1 ? names : [],
+    choice: null,
+    wide: false,
+    draw: (options) => drawCurves(series, curves, names, settings, options),
+  };
+}
+
+/** Whose times are missing by this metric though they have others. */
+function notesOf(runs: readonly LabRun[], series: LabSeries, metric: Metric): string[] {
+  if (metric === 'frame') return [];
+  const without = new Set<string>();
+  for (const run of runs) {
+    for (const [competitor, rows] of rowsOf(run, series)) {
+      if (rows.some((row) => timeOf(row, 'frame')) && !rows.some((row) => timeOf(row, metric))) without.add(competitor);
+    }
+  }
+  return without.size === 0 ? [] : [`No ${metricWords[metric].noun} for ${listOf([...without].map(competitorWord))}.`];
+}
+
+function tableOf(runs: readonly LabRun[], names: readonly string[], series: LabSeries, metric: Metric): ChartTable {
+  const planned = runs.map(({ plan }) => plan.series.find(({ name }) => name === series.name));
+  const cases = new Map<number, string>();
+  for (const own of planned) {
+    own?.values.forEach((value, i) => {
+      if (!cases.has(value)) cases.set(value, valueText(own.axis, value, own.cases[i]));
+    });
+  }
+  const values = [...cases.keys()].sort((a, b) => a - b);
+  const rows = runs.flatMap((run, i) => {
+    const own = planned[i];
+    if (!own) return [];
+    return [...rowsOf(run, own)].map(([competitor, list]) => [
+      runs.length > 1 ? `${competitorLabel(competitor)} (${names[i]})` : competitorLabel(competitor),
+      ...values.map((value) => cellOf(list[own.values.indexOf(value)], metric)),
+    ]);
+  });
+  return { columns: [`${metricWords[metric].label}: median (spread), ms`, ...values.map((v) => cases.get(v)!)], rows };
+}
+
+/** A time with its spread and warnings, or why there is none. */
+function cellOf(row: LabRow | undefined, metric: Metric): string {
+  const time = timeOf(row, metric);
+  if (!row || !time) return row?.problem ?? '–';
+  const { low, high } = boundsOf(time);
+  const text = `${formatNumber(time.median)} (${formatNumber(low)} to ${formatNumber(high)})`;
+  return row.warnings.length > 0 ? `${text}; ${row.warnings.join(' ')}` : text;
+}

@@ -1,0 +1,138 @@
+import { describe, expect, test } from 'vitest';
+import { competitorNames } from '../competitors/competitorNames';
+import { madeUpRun } from '../words/madeUpRun';
+import { logTicks, ticksWithRoom } from './axisTicks';
+import { defaultSettings } from './ChartSpec';
+import { chartsOf } from './chartsOf';
+import { paintOf } from './chartPaint';
+import { competitorMark } from './competitorMarks';
+import { curvesOf } from './curveData';
+import { runNames, shortDevice } from './runNames';
+import { sampleRun } from './sampleRuns';
+import { spreadLabels } from './spreadLabels';
+import { nearestPoint, walkPoints } from './walkPoints';
+
+describe('curves', () => {
+  test('a case without a time breaks the line, and the end says why', () => {
+    const run = madeUpRun([1, 2, 3, 4], { stock: [1, null, 3, 'Too many lights.'] });
+    const [curve] = curvesOf([run], run.plan.series[0], 'frame');
+    expect(curve.pieces.map((piece) => piece.map(({ value }) => value))).toEqual([[1], [3]]);
+    expect(curve.end).toBe('Too many lights.');
+  });
+
+  test('a line that goes on after a failure has no end', () => {
+    const run = madeUpRun([1, 2, 3], { stock: [1, 'Lost its context.', 3] });
+    expect(curvesOf([run], run.plan.series[0], 'frame')[0].end).toBeNull();
+  });
+
+  test('two runs with other values keep their own', () => {
+    const [a, b] = [madeUpRun([1, 10], { deferred: [1, 2] }), madeUpRun([10, 100], { deferred: [3, 4] })];
+    const curves = curvesOf([a, b], a.plan.series[0], 'frame');
+    expect(curves.map(({ points }) => points.map(({ value }) => value))).toEqual([
+      [1, 10],
+      [10, 100],
+    ]);
+    const [chart] = chartsOf([a, b], defaultSettings);
+    expect(chart.table.columns.slice(1)).toEqual(['1 light', '10 lights', '100 lights']);
+    expect(chart.table.rows.map((row) => row.slice(1))).toEqual([
+      ['1 (1 to 1)', '2 (2 to 2)', '–'],
+      ['–', '3 (3 to 3)', '4 (4 to 4)'],
+    ]);
+  });
+
+  test('hidden competitors are in no line, sentence or table', () => {
+    const run = sampleRun();
+    const hidden = new Set(Object.keys(competitorNames).filter((name) => name !== 'deferred'));
+    const [chart] = chartsOf([run], { ...defaultSettings, hidden });
+    expect(chart.legend).toEqual(['deferred']);
+    expect(chart.table.rows).toHaveLength(1);
+    expect(chart.sentences).toHaveLength(1);
+  });
+});
+
+describe('marks of competitors', () => {
+  const names = Object.keys(competitorNames);
+
+  test('no two have one symbol', () => {
+    const marks = new Set(names.map((name) => `${competitorMark(name).symbol} ${competitorMark(name).hollow}`));
+    expect(marks.size).toBe(names.length);
+  });
+
+  test.each(['light', 'dark'] as const)(
+    'every colour of the %s theme has 3:1 against what lies behind, text 4.5:1',
+    (theme) => {
+      const paint = paintOf(theme);
+      for (const name of names) {
+        expect(contrast(paint.competitor(name), paint.background), name).toBeGreaterThanOrEqual(3);
+        expect(contrast(paint.competitor(name), paint.over), name).toBeGreaterThanOrEqual(3);
+      }
+      for (const text of [paint.text, paint.dim]) expect(contrast(text, paint.background)).toBeGreaterThanOrEqual(4.5);
+    },
+  );
+});
+
+test('ticks of a log axis: 1, 2, 5, or fewer where powers are many', () => {
+  expect(logTicks(0.9, 11)).toEqual([1, 2, 5, 10]);
+  expect(logTicks(0.9, 11_000, 6)).toEqual([1, 10, 100, 1000, 10_000]);
+  expect(logTicks(1e-3, 1e9, 5).length).toBeLessThanOrEqual(5);
+});
+
+test('ticks without room for their text are left out, the ends never', () => {
+  expect(ticksWithRoom([1, 2, 30, 31, 60], (x) => x, 10)).toEqual([1, 30, 60]);
+  expect(ticksWithRoom([1, 2], (x) => x, 10)).toEqual([2]);
+  expect(ticksWithRoom([], (x) => x, 10)).toEqual([]);
+});
+
+test('labels move apart as little as needed, within bounds', () => {
+  expect(spreadLabels([50, 10], 10, 0, 100)).toEqual([50, 10]);
+  expect(spreadLabels([50, 50], 10, 0, 100)).toEqual([45, 55]);
+  expect(spreadLabels([0, 0, 0], 10, 0, 100)).toEqual([0, 10, 20]);
+  expect(spreadLabels([1, 2, 3], 10, 0, 15)).toBeNull();
+  const places = spreadLabels([5, 7, 6, 90, 99, 98], 8, 0, 100)!.sort((a, b) => a - b);
+  for (let i = 1; i < places.length; i++) expect(places[i] - places[i - 1]).toBeGreaterThanOrEqual(8 - 1e-9);
+});
+
+test('arrow keys walk a line and change lines; the pointer takes the nearest', () => {
+  const tip = { title: '', lines: [] };
+  const at = (group: string, order: number, x: number, y: number) => ({ group, order, x, y, tip });
+  const [a, b, c, d] = [at('a', 0, 0, 10), at('a', 1, 10, 10), at('b', 0, 0, 20), at('b', 2, 20, 20)];
+  const points = [a, b, c, d];
+  expect(walkPoints(points, null, 'ArrowRight')).toBe(a);
+  expect(walkPoints(points, a, 'ArrowRight')).toBe(b);
+  expect(walkPoints(points, b, 'ArrowRight')).toBe(b);
+  expect(walkPoints(points, a, 'ArrowDown')).toBe(c);
+  expect(walkPoints(points, c, 'ArrowUp')).toBe(a);
+  expect(walkPoints(points, c, 'End')).toBe(d);
+  expect(walkPoints(points, d, 'Home')).toBe(c);
+  expect(walkPoints(points, a, 'Tab')).toBeUndefined();
+  expect(nearestPoint(points, 12, 11, 20)).toBe(b);
+  expect(nearestPoint(points, 90, 90, 20)).toBeNull();
+});
+
+test('devices are called by their model, runs of one device by number', () => {
+  expect(shortDevice('ANGLE (NVIDIA, NVIDIA H200 (0x00002335), OpenGL ES 3.2)')).toBe('NVIDIA H200');
+  expect(
+    shortDevice('ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)'),
+  ).toBe('SwiftShader Device');
+  expect(shortDevice('ANGLE (Intel, Mesa Intel(R) UHD Graphics 620 (KBL GT2), OpenGL 4.6)')).toBe(
+    'Mesa Intel(R) UHD Graphics 620 (KBL GT2)',
+  );
+  expect(shortDevice('Apple M2')).toBe('Apple M2');
+  expect(runNames([sampleRun(), { ...sampleRun(), name: 'Mine' }, sampleRun({ seed: 2 })])).toEqual([
+    'NVIDIA H200, 2026-11-22, run 1',
+    'Mine',
+    'NVIDIA H200, 2026-11-22, run 2',
+  ]);
+});
+
+/** Contrast of two colours by WCAG 2. */
+function contrast(a: string, b: string): number {
+  const luminance = (colour: string): number => {
+    const [r, g, b] = [1, 3, 5]
+      .map((i) => Number.parseInt(colour.slice(i, i + 2), 16) / 255)
+      .map((part) => (part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+  return (high + 0.05) / (low + 0.05);
+}

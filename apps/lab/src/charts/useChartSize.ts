@@ -1,0 +1,26 @@
+import { useEffect, useState } from 'preact/hooks';
+import type { RefObject } from 'preact';
+
+/**
+ * Width of an element (CSS pixels), and whether it has come near what is on screen: charts further down are drawn when
+ * they are scrolled to, or printed.
+ */
+export function useChartSize(element: RefObject<HTMLElement | null>): { width: number; isNear: boolean } {
+  const [width, setWidth] = useState(0);
+  const [isNear, setNear] = useState(false);
+  useEffect(() => {
+    const host = element.current!;
+    const resized = new ResizeObserver(([entry]) => setWidth(Math.max(240, Math.floor(entry.contentRect.width))));
+    const seen = new IntersectionObserver(([entry]) => entry.isIntersecting && setNear(true), { rootMargin: '400px' });
+    const print = (): void => setNear(true);
+    resized.observe(host);
+    seen.observe(host);
+    addEventListener('beforeprint', print);
+    return () => {
+      resized.disconnect();
+      seen.disconnect();
+      removeEventListener('beforeprint', print);
+    };
+  }, [element]);
+  return { width, isNear };
+}

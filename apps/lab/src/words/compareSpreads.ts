@@ -1,0 +1,36 @@
+import type { LabRow, Metric, Spread } from '../results/LabRun';
+
+/** Medians this close to each other count as equal: two runs of one case differ by as much. */
+export const SAME = 0.03;
+
+/** Whether a time is there and can be compared. */
+export function isUsable(spread: Spread | null | undefined): spread is Spread {
+  return spread !== null && spread !== undefined && Number.isFinite(spread.median) && spread.median > 0;
+}
+
+/** A row's time by a metric; null where there is none that can be compared. */
+export function timeOf(row: LabRow | undefined, metric: Metric): Spread | null {
+  const spread = row?.[metric];
+  return row && row.problem === null && isUsable(spread) ? spread : null;
+}
+
+/** Bounds of a spread: the median itself where a bound is no number. */
+export function boundsOf({ median, low, high }: Spread): { low: number; high: number } {
+  return {
+    low: Number.isFinite(low) && low > 0 ? Math.min(low, median) : median,
+    high: Number.isFinite(high) ? Math.max(high, median) : median,
+  };
+}
+
+/**
+ * Which of two times is shorter. They tie when they lie within 3% of each other, or when the median of one lies within the
+ * spread (10th to 90th percentile) of the other.
+ *
+ * @returns -1 where `a` is shorter, 1 where `b` is, 0 for a tie
+ */
+export function compareSpreads(a: Spread, b: Spread): -1 | 0 | 1 {
+  const [shorter, longer] = a.median <= b.median ? [a, b] : [b, a];
+  if (longer.median <= shorter.median * (1 + SAME)) return 0;
+  if (boundsOf(shorter).high >= longer.median || boundsOf(longer).low <= shorter.median) return 0;
+  return shorter === a ? -1 : 1;
+}

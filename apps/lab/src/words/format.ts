@@ -1,0 +1,46 @@
+const plain = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+
+/** A number with three significant digits at most, thousands apart: `0.123`, `1.2`, `12,300`. */
+export function formatNumber(value: number, digits = 3): string {
+  if (!Number.isFinite(value)) return '–';
+  if (Math.abs(value) >= Math.min(1000, 10 ** (digits - 1))) return plain.format(value);
+  return String(Number(value.toPrecision(digits)));
+}
+
+/** A time, as `0.12 ms`, `12.3 ms`, or `12.3 s` from ten seconds on. */
+export function formatMs(ms: number): string {
+  return ms >= 10_000 ? `${formatNumber(ms / 1000)} s` : `${formatNumber(ms)} ms`;
+}
+
+/** Bytes, as `640 B`, `1.2 kB`, `35 MB`. */
+export function formatBytes(bytes: number): string {
+  if (bytes < 1000) return `${formatNumber(bytes)} B`;
+  return bytes < 1e6 ? `${formatNumber(bytes / 1000)} kB` : `${formatNumber(bytes / 1e6)} MB`;
+}
+
+/** A factor in words: `4.1 times`, `1.15 times`. */
+export function formatFactor(factor: number): string {
+  return `${formatNumber(factor, factor < 2 ? 3 : 2)} times`;
+}
+
+/** A share as `12%`, `0.4%`, `−3%`. */
+export function formatPercent(share: number): string {
+  const percent = share * 100;
+  const text = formatNumber(Math.abs(percent), Math.abs(percent) < 10 ? 2 : 3);
+  return `${percent < 0 && text !== '0' ? '−' : ''}${text}%`;
+}
+
+/** `a`, `a and b`, `a, b and c`. */
+export function listOf(items: readonly string[]): string {
+  return items.length < 2 ? (items[0] ?? '') : `${items.slice(0, -1).join(', ')} and ${items.at(-1)}`;
+}
+
+/** The first letter as a capital. */
+export function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+/** A sentence that others wrote, with its full stop and no more. */
+export function asClause(sentence: string): string {
+  return sentence.trim().replace(/\.$/, '');
+}

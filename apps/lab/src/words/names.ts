@@ -1,0 +1,62 @@
+import { competitorNames } from '../competitors/competitorNames';
+import type { Axis, LabCase } from '../plan/LabPlan';
+import type { Metric } from '../results/LabRun';
+import { formatNumber } from './format';
+
+/** What a competitor is called in menus, legends and tables. */
+export function competitorLabel(name: string): string {
+  return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].label : name;
+}
+
+/** What a competitor is, as a sentence; its name where this version does not know it. */
+export function competitorHelp(name: string): string {
+  return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].help : name;
+}
+
+const inSentences: Readonly<Record<string, string>> = {
+  stock: 'three’s WebGLRenderer',
+  multipass: 'naive multipass',
+  'three-webgpu': 'three’s WebGPU',
+  playcanvas: 'PlayCanvas',
+  babylon: 'Babylon.js',
+};
+
+/** What a competitor is called within a sentence or beside a line. */
+export function competitorWord(name: string): string {
+  return inSentences[name] ?? competitorLabel(name).replace(/^Farol: /, '');
+}
+
+/** Whether a competitor is a technique of Farol's, `auto` left out. */
+export function isTechnique(name: string): boolean {
+  return name !== 'auto' && competitorKind(name) === 'farol';
+}
+
+/** Whose a competitor is; null for one that this version does not know. */
+export function competitorKind(name: string): 'farol' | 'three' | 'rival' | null {
+  return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].kind : null;
+}
+
+const units: Readonly<Record<Axis, readonly [one: string, many: string]>> = {
+  lights: ['light', 'lights'],
+  objects: ['object', 'objects'],
+  pixels: ['pixel', 'pixels'],
+  overdraw: ['layer', 'layers'],
+  shadows: ['shadowed light', 'shadowed lights'],
+};
+
+/** A value with its unit: `1 light`, `2,500 objects`, and for pixels `1280 × 720` where the case is known. */
+export function valueText(axis: Axis, value: number, labCase?: LabCase): string {
+  if (axis === 'pixels' && labCase) return `${labCase.width} × ${labCase.height}`;
+  return `${formatNumber(value, 6)} ${units[axis][value === 1 ? 0 : 1]}`;
+}
+
+/** What a metric is called in titles and sentences. */
+export const metricWords: Readonly<Record<Metric, { label: string; noun: string; help: string }>> = {
+  frame: {
+    label: 'Frame',
+    noun: 'frame time',
+    help: 'Frames in batches, each batch waited for: CPU and GPU together.',
+  },
+  gpu: { label: 'GPU', noun: 'GPU time', help: 'GPU time of a frame, by timer query.' },
+  cpu: { label: 'CPU', noun: 'CPU time', help: 'Time inside the call that draws.' },
+};
