@@ -1,20 +1,21 @@
-import type { Device } from './support/useStage';
+import { deviceName } from './support/deviceName';
+import type { StageState } from './support/useStage';
 
 /** What the figures will be about: the device, the browser, and what spoils both. */
-export function DeviceNote({ device, problem }: { device: Device | null; problem: string | null }) {
+export function DeviceNote({ device, problem, unavailable }: StageState) {
+  const waiting = problem ? 'unknown' : '…';
+  const webgpu = unavailable['three-webgpu'];
   return (
     <div class="device">
       <dl>
         <dt>Graphics</dt>
-        <dd>{device ? device.name : problem ? 'unknown' : 'looking …'}</dd>
+        <dd title={device?.surroundings.device}>{device ? deviceName(device.surroundings.device) : waiting}</dd>
         <dt>Browser</dt>
-        <dd>{device ? `${device.browser}, ${device.system}` : '…'}</dd>
+        <dd>{device ? `${device.surroundings.browser}, ${device.surroundings.system}` : waiting}</dd>
         <dt>GPU time</dt>
-        <dd>
-          {device ? (device.timer ? 'by timer queries' : 'no timer: whole frames are measured') : problem ? '–' : '…'}
-        </dd>
+        <dd>{device ? (device.timer ? 'by timer queries' : 'no timer here: whole frames are measured') : waiting}</dd>
         <dt>WebGPU</dt>
-        <dd>{device ? (device.webgpu ?? 'yes') : problem ? '–' : '…'}</dd>
+        <dd>{webgpu === undefined ? waiting : webgpu === null ? 'yes' : 'no'}</dd>
       </dl>
       {device?.software && (
         <p class="warning">

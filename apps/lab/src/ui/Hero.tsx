@@ -1,16 +1,14 @@
 import { DeviceNote } from './DeviceNote';
-import type { Device } from './support/useStage';
+import type { StageState } from './support/useStage';
 
 interface HeroProps {
-  device: Device | null;
-  /** Why nothing can be measured, as a sentence; null when it can. */
-  problem: string | null;
+  stage: StageState;
   isRunning: boolean;
   onMeasure(): void;
 }
 
 /** What the Lab is, and the button that does it. */
-export function Hero({ device, problem, isRunning, onMeasure }: HeroProps) {
+export function Hero({ stage, isRunning, onMeasure }: HeroProps) {
   return (
     <section class="hero" aria-labelledby="title">
       <div class="hero-words">
@@ -19,11 +17,11 @@ export function Hero({ device, problem, isRunning, onMeasure }: HeroProps) {
           The Lab draws the same scenes by eleven techniques of Farol, by three.js and by other engines, in turns, and
           shows which is fastest where, and why.
         </p>
-        <button type="button" class="primary large" disabled={isRunning || problem !== null} onClick={onMeasure}>
-          Measure this machine (90 s)
+        <button type="button" class="primary large" disabled={isRunning || stage.problem !== null} onClick={onMeasure}>
+          Measure this machine (90&nbsp;s)
         </button>
       </div>
-      <DeviceNote device={device} problem={problem} />
+      <DeviceNote {...stage} />
     </section>
   );
 }

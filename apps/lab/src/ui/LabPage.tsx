@@ -1,21 +1,22 @@
-import { useMemo, useState } from 'preact/hooks';
-import type { LabRun } from '../results/LabRun';
-import { presets } from '../plan/presets';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Configuration } from '../plan/Configuration';
 import { MOST_CONTEXTS } from '../plan/planOf';
+import { presets } from '../plan/presets';
+import type { LabRun } from '../results/LabRun';
+import { surroundingsOf } from '../results/surroundings';
 import { Hero } from './Hero';
 import { Results } from './results/Results';
 import { RunPanel } from './RunPanel';
 import { Setup } from './Setup';
-import { surroundingsOf } from './support/surroundingsOf';
 import { planned } from './support/planned';
+import { useConfiguration } from './support/useConfiguration';
 import { useRun } from './support/useRun';
 import { useStage } from './support/useStage';
 import { ThemeSelect } from './ThemeSelect';
 
 /** The whole page. */
 export function LabPage() {
-  const [configuration, setConfiguration] = useState<Configuration>(presets.quick.configuration);
+  const { configuration, problems, setConfiguration } = useConfiguration();
   const [own, setOwn] = useState<LabRun | null>(null);
   const stage = useStage();
   const { running, problem, start, cancel } = useRun();
@@ -29,13 +30,14 @@ export function LabPage() {
     const run = await start(made.plan, async () => {
       const frames = stage.frames();
       const device = await (await frames.stageOf('forward')).device();
-      return { frames, surroundings: surroundingsOf(device), mostContexts: MOST_CONTEXTS.desktop };
+      return { frames, surroundings: await surroundingsOf(device), mostContexts: mostContexts() };
     });
     stage.close();
     if (run) setOwn(run);
   };
 
   const shown = running?.run ?? own;
+  useFocusOnResults(own);
   return (
     <>
       <header class="bar">
@@ -43,18 +45,13 @@ export function LabPage() {
         <ThemeSelect />
       </header>
       <main>
-        <Hero
-          device={stage.device}
-          problem={stage.problem}
-          isRunning={isRunning}
-          onMeasure={() => void measure(presets.quick.configuration)}
-        />
+        <Hero stage={stage} isRunning={isRunning} onMeasure={() => void measure(presets.quick.configuration)} />
         {running && <RunPanel running={running} onCancel={cancel} />}
-        {problem && (
-          <p class="problem" role="alert">
-            {problem}
+        {[...problems, ...(problem ? [problem] : [])].map((each) => (
+          <p key={each} class="problem" role="alert">
+            {each}
           </p>
-        )}
+        ))}
         <div class="columns">
           <Setup
             configuration={configuration}
@@ -78,4 +75,18 @@ export function LabPage() {
       </main>
     </>
   );
+}
+
+/** Moves the focus to the results of a run once it is over, since the button that cancels it is gone. */
+function useFocusOnResults(run: LabRun | null): void {
+  const before = useRef(run);
+  useEffect(() => {
+    if (run !== before.current) document.getElementById('results-title')?.focus();
+    before.current = run;
+  }, [run]);
+}
+
+/** Contexts that the browser keeps alive at once. */
+function mostContexts(): number {
+  return matchMedia('(pointer: coarse) and (width < 900px)').matches ? MOST_CONTEXTS.phone : MOST_CONTEXTS.desktop;
 }

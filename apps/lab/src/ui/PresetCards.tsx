@@ -8,22 +8,16 @@ interface PresetCardsProps {
   presets: Readonly<Record<string, Preset>>;
   /** Key of the chosen one; another word for none. */
   chosen: string;
-  isDisabled: boolean;
   onChoose(configuration: Configuration): void;
 }
 
 /** What can be measured without choosing more. A card puts its choices into the builder. */
-export function PresetCards({ presets, chosen, isDisabled, onChoose }: PresetCardsProps) {
+export function PresetCards({ presets, chosen, onChoose }: PresetCardsProps) {
   return (
     <ul class="presets">
       {Object.entries(presets).map(([name, preset]) => (
         <li key={name}>
-          <PresetCard
-            preset={preset}
-            isChosen={name === chosen}
-            isDisabled={isDisabled}
-            onChoose={() => onChoose(preset.configuration)}
-          />
+          <PresetCard preset={preset} isChosen={name === chosen} onChoose={() => onChoose(preset.configuration)} />
         </li>
       ))}
     </ul>
@@ -33,11 +27,10 @@ export function PresetCards({ presets, chosen, isDisabled, onChoose }: PresetCar
 interface PresetCardProps {
   preset: Preset;
   isChosen: boolean;
-  isDisabled: boolean;
   onChoose(): void;
 }
 
-function PresetCard({ preset, isChosen, isDisabled, onChoose }: PresetCardProps) {
+function PresetCard({ preset, isChosen, onChoose }: PresetCardProps) {
   const id = useId();
   const time = roughDuration(estimate(planOf(preset.configuration)));
   return (
@@ -47,7 +40,6 @@ function PresetCard({ preset, isChosen, isDisabled, onChoose }: PresetCardProps)
       aria-pressed={isChosen}
       aria-labelledby={`${id}-label`}
       aria-describedby={`${id}-help ${id}-time`}
-      disabled={isDisabled}
       onClick={onChoose}
     >
       <span class="preset-head">

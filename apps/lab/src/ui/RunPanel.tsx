@@ -17,11 +17,14 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
   const left = remaining === null ? 'working out how long' : `about ${formatDuration(remaining)} left`;
   const told = useTold(`${percent}% measured, ${left}.`);
   const isHidden = useHidden();
+  const title = useRef<HTMLHeadingElement>(null);
+  // the button that began the run is disabled now, and on a phone far above
+  useEffect(() => title.current?.focus(), []);
   return (
     <section class="running" aria-labelledby="running-title">
       <Live picture={running.picture} />
       <div class="running-words">
-        <h2 id="running-title">
+        <h2 id="running-title" ref={title} tabIndex={-1}>
           Measuring: {plan.label} <span class="dim">{isCancelled ? 'ending …' : left}</span>
         </h2>
         <progress value={part} max={1} aria-labelledby="running-title" />

@@ -20,14 +20,14 @@ export function Setup({ configuration, planned, unavailable, ownScene, isRunning
   return (
     <section class="setup" aria-labelledby="setup-title">
       <h2 id="setup-title">What to measure</h2>
-      <PresetCards presets={presets} chosen={configuration.preset} isDisabled={isRunning} onChoose={onChange} />
+      <PresetCards presets={presets} chosen={configuration.preset} onChoose={onChange} />
       <details class="own">
         <summary>Build your own</summary>
         <Builder
           configuration={configuration}
           unavailable={unavailable}
           ownScene={ownScene}
-          isDisabled={isRunning}
+
           onChange={onChange}
         />
       </details>

@@ -11,17 +11,16 @@ interface BuilderProps {
   configuration: Configuration;
   unavailable: Readonly<Record<string, string | null>>;
   ownScene: string | null;
-  isDisabled: boolean;
   onChange(configuration: Configuration): void;
 }
 
 /** Every choice of a run. What a preset measures stays that preset with another size or other competitors. */
-export function Builder({ configuration, unavailable, ownScene, isDisabled, onChange }: BuilderProps) {
+export function Builder({ configuration, unavailable, ownScene, onChange }: BuilderProps) {
   const { series, width, height, competitors, effort } = configuration;
   const change = (changes: Partial<Configuration>): void => onChange({ ...configuration, ...changes });
   const changeSeries = (next: readonly SeriesChoice[]): void => change({ series: next, preset: 'custom' });
   return (
-    <fieldset class="builder" disabled={isDisabled}>
+    <fieldset class="builder">
       <legend class="visually-hidden">Choices</legend>
       {series.map((each, index) => (
         <SeriesFields

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import type { LabRun } from '../../results/LabRun';
 import { formatDuration } from '../support/formatDuration';
-import { deviceName } from '../support/browserName';
+import { deviceName } from '../support/deviceName';
 import { Pictures } from './Pictures';
 import { RowTable } from './RowTable';
 

@@ -56,24 +56,24 @@ export function RowTable({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
           <thead>
             <tr>
               {head('competitor', 'Competitor', 'Who drew.', true)}
-              {columns.map(({ key, label, help, isText }) => head(key, label, help, isText ?? false))}
-              <th scope="col" class="text">
+              <th scope="col" class="text remarks">
                 Remarks
               </th>
+              {columns.map(({ key, label, help, isText }) => head(key, label, help, isText ?? false))}
             </tr>
           </thead>
           <tbody>
             {rows.map((row) => (
               <tr key={`${row.series} ${row.index} ${row.competitor}`} class={row.problem ? 'without' : undefined}>
                 <th scope="row">{row.label}</th>
+                <td class="text remarks">
+                  <Remarks row={row} />
+                </td>
                 {columns.map((column) => (
                   <td key={column.key} class={column.isText ? 'text' : undefined}>
                     {column.text(row)}
                   </td>
                 ))}
-                <td class="text remarks">
-                  <Remarks row={row} />
-                </td>
               </tr>
             ))}
           </tbody>

@@ -1,21 +1,16 @@
 import { useCallback, useEffect, useRef, useState } from 'preact/hooks';
 import { competitorNames } from '../../competitors/competitorNames';
+import type { LabSurroundings } from '../../results/LabRun';
+import { surroundingsOf } from '../../results/surroundings';
 import { createStageFrames, type StageFrames } from '../../run/StageFrames';
-import { browserName, deviceName } from './browserName';
 
 /** The machine that the figures will be about. */
 export interface Device {
-  /** Graphics device, short for reading. */
-  readonly name: string;
-  /** As WebGL names it. */
-  readonly renderer: string;
-  readonly browser: string;
-  readonly system: string;
+  /** Where a run that began now would be made. */
+  readonly surroundings: LabSurroundings;
   /** Whether WebGL tells GPU times. */
   readonly timer: boolean;
   readonly software: boolean;
-  /** Why there is no WebGPU, or null when there is. */
-  readonly webgpu: string | null;
 }
 
 export interface StageState {
@@ -25,7 +20,7 @@ export interface StageState {
   readonly problem: string | null;
   /** Why competitors cannot draw here, by key; null for those that can; those not asked yet are missing. */
   readonly unavailable: Readonly<Record<string, string | null>>;
-  /** Frames to measure in; the caller closes them with `close`. */
+  /** Frames to measure in. */
   frames(): StageFrames;
   /** Takes the frames away with all they hold; the next call of `frames` makes others. */
   close(): void;
@@ -47,15 +42,13 @@ export function useStage(): StageState {
     let isOver = false;
     const look = async (): Promise<void> => {
       const stage = await frames().stageOf('forward');
-      const { renderer, timer, software, webgpu } = await stage.device();
+      const told = await stage.device();
+      const surroundings = await surroundingsOf(told);
       if (isOver) return;
-      const { browser, system } = browserName(navigator.userAgent);
-      setDevice({ name: deviceName(renderer), renderer, browser, system, timer, software, webgpu });
-      for (const name of Object.keys(competitorNames)) {
-        const why = await stage.unavailable(name).catch(messageOf);
-        if (isOver) return;
-        setUnavailable((now) => ({ ...now, [name]: why }));
-      }
+      setDevice({ surroundings, timer: told.timer, software: told.software });
+      const names = Object.keys(competitorNames);
+      const whys = await Promise.all(names.map((name) => stage.unavailable(name).catch(messageOf)));
+      if (!isOver) setUnavailable(Object.fromEntries(names.map((name, index) => [name, whys[index]])));
     };
     // the charts first
     const timer = setTimeout(() => void look().catch((error) => isOver || setProblem(messageOf(error))), 50);
