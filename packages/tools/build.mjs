@@ -3,9 +3,8 @@
  * With `--tests`, the browser tests' own pages too, and the Stanford dragon, which is else left out of what is built: see
  * `stanfordDragon.mjs`.
  */
-import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { bundleSize, editorLimit, rendererLimit } from './bundleSize.mjs';
+import { bundleSize, editorLimit, labLimit, rendererLimit, scriptSize } from './bundleSize.mjs';
 import { bundleTypes } from './bundleTypes.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { publishedPackages } from './publishedPackages.mjs';
@@ -35,15 +34,19 @@ if (bytes > rendererLimit) {
   process.exit(1);
 }
 
-const editor = join(root, 'apps/editor/dist');
-const [, entry] =
-  /<script type="module"[^>]* src="\.\/([^"]+)"/.exec(readFileSync(join(editor, 'index.html'), 'utf8')) ?? [];
-if (!entry) throw new Error('apps/editor/dist/index.html names no script: see what Vite made of it.');
-const script = bundleSize(editor, entry);
-console.log(
-  `editor: ${(script / 1000).toFixed(1)} kB of ${editorLimit / 1000} kB before the first frame, minified and gzipped`,
-);
-if (script > editorLimit) {
-  console.error('The editor loads too much at once: import() what the first frame does not need.');
-  process.exit(1);
+const pages = [
+  {
+    folder: 'apps/editor',
+    limit: editorLimit,
+    mend: 'The editor loads too much at once: import() what the first frame',
+  },
+  { folder: 'apps/lab', limit: labLimit, mend: 'The Lab loads too much at once: import() what the first view' },
+];
+for (const { folder, limit, mend } of pages) {
+  const script = scriptSize(join(root, folder, 'dist'));
+  console.log(`${folder}: ${(script / 1000).toFixed(1)} kB of ${limit / 1000} kB at start, minified and gzipped`);
+  if (script > limit) {
+    console.error(`${mend} does not need.`);
+    process.exit(1);
+  }
 }

@@ -12,6 +12,9 @@ export const rendererLimit = 55_000;
 /** Bytes that the editor's script may take before its first frame; panels, dialogs and loaders come on demand. */
 export const editorLimit = 450_000;
 
+/** Bytes that the script of the Lab's page may take, charts included; what is measured is in `stage.html`. */
+export const labLimit = 150_000;
+
 /**
  * Bytes of an entry of a built package after gzip: the file and all that it imports of the package at start, each file by
  * itself as a server would send it. What only other entries import, or what is imported late, is not counted.
@@ -33,6 +36,19 @@ export function bundleSize(folder, entry = 'index.js') {
   };
   add(entry);
   return [...sizes.values()].reduce((sum, size) => sum + size, 0);
+}
+
+/**
+ * Bytes of the script of a built page, as {@link bundleSize} counts them.
+ *
+ * @param {string} folder its dist
+ * @param {string} page file in it
+ * @throws {Error} when the page is missing or names no script
+ */
+export function scriptSize(folder, page = 'index.html') {
+  const [, entry] = /<script type="module"[^>]* src="\.\/([^"]+)"/.exec(read(join(folder, page))) ?? [];
+  if (!entry) throw new Error(`${join(folder, page)} names no script: see what Vite made of it.`);
+  return bundleSize(folder, entry);
 }
 
 /** @param {string} file */

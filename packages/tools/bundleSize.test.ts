@@ -3,7 +3,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { afterEach, beforeEach, expect, it } from 'vitest';
-import { bundleSize } from './bundleSize.mjs';
+import { bundleSize, scriptSize } from './bundleSize.mjs';
 
 let folder = '';
 beforeEach(() => {
@@ -36,4 +36,16 @@ it('leaves out what is imported late', () => {
 
 it('does not take a package that was not built for a small one', () => {
   expect(() => bundleSize(folder)).toThrow(/index\.js is not there: build/);
+});
+
+it('counts the script that a page names', () => {
+  const size = write('chunks/start.js', 'export const start = 1;');
+  write('index.html', '<script type="module" crossorigin src="./chunks/start.js"></script>');
+  expect(scriptSize(folder)).toBe(size);
+});
+
+it('does not take a page without a script for a small one', () => {
+  write('index.html', '<p>Nothing.</p>');
+  expect(() => scriptSize(folder)).toThrow(/index\.html names no script/);
+  expect(() => scriptSize(folder, 'stage.html')).toThrow(/stage\.html is not there: build/);
 });

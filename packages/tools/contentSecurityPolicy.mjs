@@ -11,6 +11,8 @@ export function contentSecurityPolicy({ isServed = false } = {}) {
     "default-src 'none'",
     `script-src 'self' 'wasm-unsafe-eval'${isServed ? " 'unsafe-inline'" : ''}`,
     "worker-src 'self' blob:",
+    // the Lab measures in frames of its own
+    "frame-src 'self'",
     "style-src 'self' 'unsafe-inline'",
     "img-src 'self' data: blob:",
     "font-src 'self' data:",

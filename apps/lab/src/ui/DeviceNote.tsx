@@ -1,0 +1,33 @@
+import { deviceName } from './support/deviceName';
+import type { StageState } from './support/useStage';
+
+/** What the figures will be about: the device, the browser, and what spoils both. */
+export function DeviceNote({ device, problem, unavailable }: StageState) {
+  const waiting = problem ? 'unknown' : '…';
+  const webgpu = unavailable['three-webgpu'];
+  return (
+    <div class="device">
+      <dl>
+        <dt>Graphics</dt>
+        <dd title={device?.surroundings.device}>{device ? deviceName(device.surroundings.device) : waiting}</dd>
+        <dt>Browser</dt>
+        <dd>{device ? `${device.surroundings.browser}, ${device.surroundings.system}` : waiting}</dd>
+        <dt>GPU time</dt>
+        <dd>{device ? (device.timer ? 'by timer queries' : 'no timer here: whole frames are measured') : waiting}</dd>
+        <dt>WebGPU</dt>
+        <dd>{webgpu === undefined ? waiting : webgpu === null ? 'yes' : 'no'}</dd>
+      </dl>
+      {device?.software && (
+        <p class="warning">
+          The browser draws on the processor here, by a software rasteriser, not on a graphics card: a run takes longer,
+          and its figures say nothing about GPUs. Switch hardware acceleration on in the browser’s settings.
+        </p>
+      )}
+      {problem && (
+        <p class="problem" role="alert">
+          {problem}
+        </p>
+      )}
+    </div>
+  );
+}

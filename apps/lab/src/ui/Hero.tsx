@@ -1,0 +1,27 @@
+import { DeviceNote } from './DeviceNote';
+import type { StageState } from './support/useStage';
+
+interface HeroProps {
+  stage: StageState;
+  isRunning: boolean;
+  onMeasure(): void;
+}
+
+/** What the Lab is, and the button that does it. */
+export function Hero({ stage, isRunning, onMeasure }: HeroProps) {
+  return (
+    <section class="hero" aria-labelledby="title">
+      <div class="hero-words">
+        <h1 id="title">Which way of lighting is fastest on your machine?</h1>
+        <p>
+          The Lab draws the same scenes by eleven techniques of Farol, by three.js and by other engines, in turns, and
+          shows which is fastest where, and why.
+        </p>
+        <button type="button" class="primary large" disabled={isRunning || stage.problem !== null} onClick={onMeasure}>
+          Measure this machine (90&nbsp;s)
+        </button>
+      </div>
+      <DeviceNote {...stage} />
+    </section>
+  );
+}

@@ -1,0 +1,26 @@
+import { useId } from 'preact/hooks';
+
+interface SelectProps {
+  label: string;
+  value: string;
+  /** Values and what the list says for them. */
+  options: readonly (readonly [value: string, label: string])[];
+  onChange(value: string): void;
+}
+
+/** A list to choose from, with its label above. */
+export function Select({ label, value, options, onChange }: SelectProps) {
+  const id = useId();
+  return (
+    <div class="field">
+      <label for={id}>{label}</label>
+      <select id={id} value={value} onChange={({ currentTarget }) => onChange(currentTarget.value)}>
+        {options.map(([key, text]) => (
+          <option key={key} value={key}>
+            {text}
+          </option>
+        ))}
+      </select>
+    </div>
+  );
+}

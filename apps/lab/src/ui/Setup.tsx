@@ -1,0 +1,48 @@
+import type { Configuration } from '../plan/Configuration';
+import { presets } from '../plan/presets';
+import { Builder } from './builder/Builder';
+import { PresetCards } from './PresetCards';
+import { planSize, type Planned } from './support/planned';
+
+interface SetupProps {
+  configuration: Configuration;
+  planned: Planned;
+  unavailable: Readonly<Record<string, string | null>>;
+  ownScene: string | null;
+  isRunning: boolean;
+  onChange(configuration: Configuration): void;
+  onMeasure(): void;
+}
+
+/** What is to be measured: presets, every choice, and the button that begins. */
+export function Setup({ configuration, planned, unavailable, ownScene, isRunning, onChange, onMeasure }: SetupProps) {
+  const label = presets[configuration.preset]?.label ?? 'your own comparison';
+  return (
+    <section class="setup" aria-labelledby="setup-title">
+      <h2 id="setup-title">What to measure</h2>
+      <PresetCards presets={presets} chosen={configuration.preset} onChoose={onChange} />
+      <details class="own">
+        <summary>Build your own</summary>
+        <Builder
+          configuration={configuration}
+          unavailable={unavailable}
+          ownScene={ownScene}
+
+          onChange={onChange}
+        />
+      </details>
+      <div class="begin">
+        <button type="button" class="framed" disabled={isRunning || planned.plan === null} onClick={onMeasure}>
+          Measure: {label}
+        </button>
+        {planned.plan ? (
+          <p class="dim">{planSize(planned.plan)}</p>
+        ) : (
+          <p class="problem" role="alert">
+            {planned.problem}
+          </p>
+        )}
+      </div>
+    </section>
+  );
+}

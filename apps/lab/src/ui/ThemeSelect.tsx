@@ -1,0 +1,25 @@
+import { useState } from 'preact/hooks';
+import { storedTheme, storeTheme, type Theme } from './support/theme';
+
+const labels: Record<Theme, string> = { system: 'System', light: 'Light', dark: 'Dark' };
+
+/** Chooses the page's colours. */
+export function ThemeSelect() {
+  const [theme, setTheme] = useState(storedTheme);
+  const choose = (next: Theme): void => {
+    storeTheme(next);
+    setTheme(next);
+  };
+  return (
+    <label class="inline-field">
+      Colours
+      <select value={theme} onChange={({ currentTarget }) => choose(currentTarget.value as Theme)}>
+        {Object.entries(labels).map(([value, label]) => (
+          <option key={value} value={value}>
+            {label}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}

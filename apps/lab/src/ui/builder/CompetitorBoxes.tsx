@@ -1,0 +1,92 @@
+import { useId } from 'preact/hooks';
+import { competitorNames, type CompetitorWords } from '../../competitors/competitorNames';
+
+const groups: readonly [CompetitorWords['kind'], string][] = [
+  ['farol', 'Farol’s techniques'],
+  ['three', 'three.js'],
+  ['rival', 'Other engines'],
+];
+const entries: [string, CompetitorWords][] = Object.entries(competitorNames);
+
+interface CompetitorBoxesProps {
+  chosen: readonly string[];
+  /** Why a competitor cannot draw here, by key; absent while nobody knows, null when it can. */
+  unavailable: Readonly<Record<string, string | null>>;
+  onChange(chosen: readonly string[]): void;
+}
+
+/** Who is measured. The order of the menu is the order of turns, whatever is chosen first. */
+export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBoxesProps) {
+  const id = useId();
+  const choose = (names: readonly string[], isOn: boolean): void => {
+    const next = new Set(chosen);
+    for (const name of names) {
+      if (isOn) next.add(name);
+      else next.delete(name);
+    }
+    onChange(entries.map(([name]) => name).filter((name) => next.has(name)));
+  };
+  return (
+    <fieldset class="competitors">
+      <legend>Who is measured</legend>
+      {groups.map(([kind, label]) => {
+        const names = entries.filter(([, words]) => words.kind === kind).map(([name]) => name);
+        const all = names.every((name) => chosen.includes(name));
+        return (
+          <div key={kind} role="group" aria-labelledby={`${id}-${kind}`}>
+            <div class="group-head">
+              <span id={`${id}-${kind}`}>{label}</span>
+              <button type="button" class="quiet" onClick={() => choose(names, !all)}>
+                {all ? 'None' : 'All'}
+                <span class="visually-hidden"> of {label}</span>
+              </button>
+            </div>
+            <ul class="boxes">
+              {names.map((name) => (
+                <CompetitorBox
+                  key={name}
+                  words={competitorNames[name as keyof typeof competitorNames]}
+                  isChosen={chosen.includes(name)}
+                  problem={unavailable[name] ?? null}
+                  onChange={(isOn) => choose([name], isOn)}
+                />
+              ))}
+            </ul>
+          </div>
+        );
+      })}
+    </fieldset>
+  );
+}
+
+interface CompetitorBoxProps {
+  words: CompetitorWords;
+  isChosen: boolean;
+  problem: string | null;
+  onChange(isOn: boolean): void;
+}
+
+function CompetitorBox({ words, isChosen, problem, onChange }: CompetitorBoxProps) {
+  const id = useId();
+  return (
+    <li>
+      <label class="check" title={words.help}>
+        <input
+          type="checkbox"
+          checked={isChosen}
+          aria-describedby={`${id}-help${problem ? ` ${id}-problem` : ''}`}
+          onChange={({ currentTarget }) => onChange(currentTarget.checked)}
+        />
+        <span class={problem ? 'dim' : undefined}>{words.label.replace(/^(Farol|three): /, '')}</span>
+      </label>
+      <span id={`${id}-help`} class="visually-hidden">
+        {words.help}
+      </span>
+      {problem && (
+        <p id={`${id}-problem`} class="hint">
+          {problem}
+        </p>
+      )}
+    </li>
+  );
+}

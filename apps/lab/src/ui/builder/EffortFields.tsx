@@ -1,0 +1,63 @@
+import type { Effort } from '../../plan/LabPlan';
+import { NumberField } from './NumberField';
+
+/** How long and how often everybody is measured. */
+export function EffortFields({ effort, onChange }: { effort: Effort; onChange(effort: Effort): void }) {
+  const change = (changes: Partial<Effort>): void => onChange({ ...effort, ...changes });
+  return (
+    <fieldset>
+      <legend>How thoroughly</legend>
+      <div class="fields">
+        <NumberField
+          label="Turns for each"
+          value={effort.rounds}
+          min={1}
+          max={50}
+          onChange={(rounds) => change({ rounds })}
+        />
+        <NumberField
+          label="A turn"
+          unit="ms"
+          value={effort.turn}
+          min={20}
+          max={10_000}
+          onChange={(turn) => change({ turn })}
+        />
+        <NumberField
+          label="Leave out frames over"
+          unit="ms"
+          value={effort.longestFrame}
+          min={100}
+          max={600_000}
+          onChange={(longestFrame) => change({ longestFrame })}
+        />
+        {effort.limit !== null && (
+          <NumberField
+            label="The whole run"
+            unit="s"
+            value={Math.round(effort.limit / 1000)}
+            min={5}
+            max={36_000}
+            onChange={(seconds) => change({ limit: seconds * 1000 })}
+          />
+        )}
+        <label class="check wide">
+          <input
+            type="checkbox"
+            checked={effort.limit !== null}
+            onChange={({ currentTarget }) => change({ limit: currentTarget.checked ? 80_000 : null })}
+          />
+          Shorten turns so that the run ends in time
+        </label>
+        <label class="check wide">
+          <input
+            type="checkbox"
+            checked={effort.changes}
+            onChange={({ currentTarget }) => change({ changes: currentTarget.checked })}
+          />
+          Measure what a change costs: ten lights more, another technique
+        </label>
+      </div>
+    </fieldset>
+  );
+}

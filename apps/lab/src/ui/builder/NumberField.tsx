@@ -1,0 +1,55 @@
+import { useEffect, useId, useState } from 'preact/hooks';
+
+interface NumberFieldProps {
+  label: string;
+  value: number;
+  min: number;
+  max: number;
+  step?: number;
+  unit?: string;
+  isDisabled?: boolean;
+  onChange(value: number): void;
+}
+
+/** A number within bounds. One out of them stays in the field, marked, and is not taken. */
+export function NumberField({ label, value, min, max, step = 1, unit, isDisabled, onChange }: NumberFieldProps) {
+  const id = useId();
+  const [text, setText] = useState(String(value));
+  useEffect(() => setText((current) => (Number(current) === value ? current : String(value))), [value]);
+  const isFine = isWithin(text, min, max, step);
+  const read = (next: string): void => {
+    setText(next);
+    if (isWithin(next, min, max, step) && Number(next) !== value) onChange(Number(next));
+  };
+  return (
+    <div class="field">
+      <label for={id}>
+        {label}
+        {unit && <span class="unit"> ({unit})</span>}
+      </label>
+      <input
+        id={id}
+        type="number"
+        min={min}
+        max={max}
+        step={step}
+        value={text}
+        disabled={isDisabled}
+        aria-invalid={!isFine}
+        aria-describedby={isFine ? undefined : `${id}-problem`}
+        onInput={({ currentTarget }) => read(currentTarget.value)}
+      />
+      {!isFine && (
+        <p id={`${id}-problem`} class="problem">
+          From {min.toLocaleString('en')} to {max.toLocaleString('en')}
+          {step === 1 ? ', whole' : ''}.
+        </p>
+      )}
+    </div>
+  );
+}
+
+function isWithin(text: string, min: number, max: number, step: number): boolean {
+  const value = Number(text);
+  return text.trim() !== '' && value >= min && value <= max && (step !== 1 || Number.isInteger(value));
+}

@@ -1,0 +1,58 @@
+import { useMemo, useState } from 'preact/hooks';
+import type { LabRun } from '../../results/LabRun';
+import { Select } from '../Select';
+import { PictureDialog } from './PictureDialog';
+import { caseText, psnrText, tableRows, type TableRow } from './rowColumns';
+
+/** What everybody drew in a case, beside how alike it is to the reference. */
+export function Pictures({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
+  const rows = useMemo(() => tableRows(run).filter(({ likeness }) => likeness?.thumbnail), [run]);
+  const cases = useMemo(() => [...new Set(rows.map(caseKey))], [rows]);
+  const [chosen, setChosen] = useState<string | null>(null);
+  const [large, setLarge] = useState<TableRow | null>(null);
+  if (rows.length === 0) return <p class="dim">This run keeps no pictures.</p>;
+  const shown = chosen !== null && cases.includes(chosen) ? chosen : cases[cases.length - 1];
+  const those = rows.filter((row) => caseKey(row) === shown).sort((a, b) => a.competitorIndex - b.competitorIndex);
+  const options = cases.map((key) => {
+    const { seriesLabel, seriesIndex, index } = rows.find((row) => caseKey(row) === key)!;
+    return [key, `${seriesLabel}: ${caseText(run.plan, seriesIndex, index)}`] as const;
+  });
+  return (
+    <>
+      <div class="filters">
+        <Select label="Case" value={shown} options={options} onChange={setChosen} />
+      </div>
+      <ul class="pictures">
+        {those.map((row) => (
+          <li key={row.competitor}>
+            <button type="button" class="picture" onClick={() => setLarge(row)}>
+              <img
+                src={row.likeness!.thumbnail}
+                alt=""
+                width={160}
+                height={(160 * row.labCase.height) / row.labCase.width}
+              />
+              <span>{row.label}</span>
+              <span class="dim">{likenessText(row)}</span>
+            </button>
+          </li>
+        ))}
+      </ul>
+      {large && (
+        <PictureDialog
+          row={large}
+          reference={those.find(({ competitor }) => competitor === large.likeness!.reference) ?? null}
+          onClose={() => setLarge(null)}
+        />
+      )}
+    </>
+  );
+}
+
+const caseKey = ({ series, index }: TableRow): string => `${series} ${index}`;
+
+function likenessText({ competitor, likeness, dropped }: TableRow): string {
+  const left = dropped > 0 ? `, ${dropped} lights left out` : '';
+  if (competitor === likeness!.reference) return `the reference${left}`;
+  return likeness!.psnr === null ? `equal to the reference${left}` : `${psnrText(likeness)} dB${left}`;
+}

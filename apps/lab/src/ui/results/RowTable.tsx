@@ -1,0 +1,105 @@
+import { useMemo, useState } from 'preact/hooks';
+import type { LabRun } from '../../results/LabRun';
+import { Select } from '../Select';
+import { columnsOf, competitorLabel, tableRows, type TableRow } from './rowColumns';
+import { sortRows, type RowOrder } from './sortRows';
+
+/** Every figure of a run, with what spoils it. A click on a column's name sorts by it. */
+export function RowTable({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
+  const [competitor, setCompetitor] = useState('');
+  const [series, setSeries] = useState('');
+  const [order, setOrder] = useState<RowOrder>({ key: 'case', isDescending: false });
+  const all = useMemo(() => tableRows(run), [run]);
+  const columns = useMemo(() => columnsOf(all), [all]);
+  const rows = useMemo(() => {
+    const wanted = all.filter(
+      (row) => (competitor === '' || row.competitor === competitor) && (series === '' || row.series === series),
+    );
+    return sortRows(wanted, columns, order);
+  }, [all, columns, competitor, series, order]);
+  const choose = (key: string): void =>
+    setOrder((now) => ({ key, isDescending: now.key === key ? !now.isDescending : false }));
+  const head = (key: string, label: string, help: string, isText: boolean) => (
+    <th
+      key={key}
+      scope="col"
+      class={isText ? 'text' : undefined}
+      aria-sort={order.key === key ? (order.isDescending ? 'descending' : 'ascending') : undefined}
+    >
+      <button type="button" class="sort" title={help} onClick={() => choose(key)}>
+        {label}
+        <span aria-hidden="true">{order.key === key ? (order.isDescending ? ' ▾' : ' ▴') : ''}</span>
+      </button>
+    </th>
+  );
+  return (
+    <>
+      <div class="filters">
+        <Select
+          label="Competitor"
+          value={competitor}
+          options={[['', 'All'], ...run.plan.competitors.map((name) => [name, competitorLabel(name)] as const)]}
+          onChange={setCompetitor}
+        />
+        <Select
+          label="Chart"
+          value={series}
+          options={[['', 'All'], ...run.plan.series.map(({ name, label }) => [name, label] as const)]}
+          onChange={setSeries}
+        />
+        <p class="count" role="status">
+          {rows.length === all.length ? `${all.length} rows` : `${rows.length} of ${all.length} rows`}
+        </p>
+      </div>
+      <div class="table-scroll" role="region" aria-label="All rows" tabIndex={0}>
+        <table class="rows">
+          <thead>
+            <tr>
+              {head('competitor', 'Competitor', 'Who drew.', true)}
+              <th scope="col" class="text remarks">
+                Remarks
+              </th>
+              {columns.map(({ key, label, help, isText }) => head(key, label, help, isText ?? false))}
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((row) => (
+              <tr key={`${row.series} ${row.index} ${row.competitor}`} class={row.problem ? 'without' : undefined}>
+                <th scope="row">{row.label}</th>
+                <td class="text remarks">
+                  <Remarks row={row} />
+                </td>
+                {columns.map((column) => (
+                  <td key={column.key} class={column.isText ? 'text' : undefined}>
+                    {column.text(row)}
+                  </td>
+                ))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </>
+  );
+}
+
+function Remarks({ row }: { row: TableRow }) {
+  const { problem, warnings, technique, reason, dropped } = row;
+  return (
+    <>
+      {problem && <p class="problem">{problem}</p>}
+      {warnings.map((warning) => (
+        <p key={warning} class="warning">
+          {warning}
+        </p>
+      ))}
+      {dropped > 0 && warnings.length === 0 && <p class="warning">{dropped} lights are left out of its picture.</p>}
+      {technique && (
+        <p class="dim">
+          {competitorLabel(technique)}
+          {reason ? `: ${reason}` : ''}
+        </p>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,160 @@
+import { competitorNames } from '../../competitors/competitorNames';
+import type { LabCase, LabPlan } from '../../plan/LabPlan';
+import type { LabRow, LabRun, Spread } from '../../results/LabRun';
+import { formatBytes, formatNumber } from '../support/formatNumber';
+
+/** A row with what its plan says of it. */
+export interface TableRow extends LabRow {
+  readonly label: string;
+  readonly seriesLabel: string;
+  /** Place of the series among the plan's. */
+  readonly seriesIndex: number;
+  /** Place of the competitor in the order of menus. */
+  readonly competitorIndex: number;
+  readonly labCase: LabCase;
+  readonly value: number;
+}
+
+/** A column of the table of all rows. */
+export interface RowColumn {
+  readonly key: string;
+  readonly label: string;
+  readonly help: string;
+  readonly isText?: boolean;
+  /** What rows are ordered by; null comes last in both directions. */
+  order(row: TableRow): number | null;
+  text(row: TableRow): string;
+}
+
+const order = Object.keys(competitorNames);
+
+/** Name of a competitor; its key where a run from elsewhere has another one. */
+export const competitorLabel = (name: string): string =>
+  name in competitorNames ? competitorNames[name as keyof typeof competitorNames].label : name;
+
+/** The rows of a run with their cases. Rows of series or cases that the plan has not are left out. */
+export function tableRows({ plan, rows }: Pick<LabRun, 'plan' | 'rows'>): TableRow[] {
+  return rows.flatMap((row) => {
+    const seriesIndex = plan.series.findIndex(({ name }) => name === row.series);
+    const series = plan.series[seriesIndex];
+    const labCase = series?.cases[row.index];
+    if (!labCase) return [];
+    const competitorIndex = order.indexOf(row.competitor);
+    return {
+      ...row,
+      ...{ label: competitorLabel(row.competitor), seriesLabel: series.label, seriesIndex, labCase },
+      competitorIndex: competitorIndex < 0 ? order.length : competitorIndex,
+      value: series.values[row.index],
+    };
+  });
+}
+
+const spread = (key: 'frame' | 'gpu' | 'cpu', label: string, help: string): RowColumn => ({
+  ...{ key, label, help },
+  order: (row) => row[key]?.median ?? null,
+  text: (row) => spreadText(row[key]),
+});
+
+const number = (key: string, label: string, help: string, get: (row: TableRow) => number | null): RowColumn => ({
+  ...{ key, label, help, order: get },
+  text: (row) => {
+    const value = get(row);
+    return value === null ? '–' : formatNumber(value);
+  },
+});
+
+const bytes = (key: string, label: string, help: string, get: (row: TableRow) => number | null): RowColumn => ({
+  ...{ key, label, help, order: get },
+  text: (row) => {
+    const value = get(row);
+    return value === null ? '–' : formatBytes(value);
+  },
+});
+
+const change = (key: 'added' | 'changed', label: string, help: string): RowColumn => ({
+  ...{ key, label, help },
+  order: (row) => row[key]?.ms ?? null,
+  text: (row) => {
+    const one = row[key];
+    if (!one) return '–';
+    const programs = one.programs ? `, ${one.programs} compiled` : '';
+    return `${formatNumber(one.ms)}${programs}`;
+  },
+});
+
+const everyColumn: readonly RowColumn[] = [
+  {
+    ...{ key: 'case', label: 'Chart', help: 'Scene, and what changes.', isText: true },
+    order: ({ seriesIndex, index }) => seriesIndex * 1000 + index,
+    text: ({ seriesLabel }) => seriesLabel,
+  },
+  {
+    ...{ key: 'value', label: 'Value', help: 'Where the case stands on the x axis of its chart.' },
+    order: ({ value }) => value,
+    text: ({ value }) => value.toLocaleString('en'),
+  },
+  {
+    ...{ key: 'size', label: 'Picture', help: 'Width and height in pixels.' },
+    order: ({ labCase }) => labCase.width * labCase.height,
+    text: ({ labCase }) => `${labCase.width} × ${labCase.height}`,
+  },
+  {
+    ...{ key: 'lights', label: 'Lights', help: 'Point lights; of them, how many cast shadows.' },
+    order: ({ labCase }) => labCase.lights,
+    text: ({ labCase }) => {
+      const lights = labCase.lights?.toLocaleString('en') ?? 'its own';
+      return labCase.shadows > 0 ? `${lights}, ${labCase.shadows} shadowed` : lights;
+    },
+  },
+  spread('frame', 'Frame (ms)', 'A whole frame: median, then the 10th and 90th percentile.'),
+  spread('gpu', 'GPU (ms)', 'Time on the graphics device, where it has a timer.'),
+  spread('cpu', 'CPU (ms)', 'Time inside the call that draws.'),
+  number(
+    'first',
+    'First frame (ms)',
+    'The first frame, with everything that is compiled and uploaded.',
+    (row) => row.firstMs,
+  ),
+  change('added', 'Ten lights more (ms)', 'The frame after ten lights were added.'),
+  change('changed', 'Technique changed (ms)', 'The frame after another technique was chosen and this one again.'),
+  number('draws', 'Draws', 'Draw calls of a frame.', ({ counts }) => counts?.draws ?? null),
+  number('triangles', 'Triangles', 'Triangles of a frame.', ({ counts }) => counts?.triangles ?? null),
+  number('programs', 'Programs', 'Shader programs compiled for the case.', ({ counts }) => counts?.programs ?? null),
+  bytes('targets', 'Targets', 'Bytes of render targets and light data.', ({ counts }) => counts?.targetBytes ?? null),
+  bytes('uploads', 'Uploads', 'Bytes sent to the device in a frame.', ({ counts }) => counts?.uploadBytes ?? null),
+  {
+    ...{
+      key: 'psnr',
+      label: 'Likeness (dB)',
+      help: 'PSNR of the picture against the reference; higher is more alike.',
+    },
+    order: ({ likeness }) => (likeness ? (likeness.psnr ?? Infinity) : null),
+    text: ({ likeness }) => psnrText(likeness),
+  },
+];
+
+/** The columns in which any row has something. @param rows all rows of the run, filtered or not */
+export function columnsOf(rows: readonly TableRow[]): RowColumn[] {
+  return everyColumn.filter(
+    (column) => column.isText || rows.length === 0 || rows.some((row) => column.order(row) !== null),
+  );
+}
+
+/** `1.25 (1.19–1.4)`; a dash for none. */
+export function spreadText(spread: Spread | null): string {
+  if (!spread) return '–';
+  return `${formatNumber(spread.median)} (${formatNumber(spread.low)}–${formatNumber(spread.high)})`;
+}
+
+/** How alike a picture is to the reference, in decibels. */
+export function psnrText(likeness: LabRow['likeness']): string {
+  if (!likeness) return '–';
+  return likeness.psnr === null ? 'equal' : likeness.psnr.toFixed(1);
+}
+
+/** Value of a case with its unit's sign: `100`, `1280 × 720`. */
+export function caseText(plan: LabPlan, series: number, index: number): string {
+  const { axis, cases, values } = plan.series[series];
+  const { width, height } = cases[index];
+  return axis === 'pixels' ? `${width} × ${height}` : values[index].toLocaleString('en');
+}

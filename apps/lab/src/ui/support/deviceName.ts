@@ -1,0 +1,14 @@
+/**
+ * The graphics device without what ANGLE puts round its name: `NVIDIA GeForce RTX 3080` of
+ * `ANGLE (NVIDIA, NVIDIA GeForce RTX 3080 (0x00002206) Direct3D11 vs_5_0 ps_5_0, D3D11)`.
+ */
+export function deviceName(renderer: string): string {
+  const inside = /^ANGLE \((?:[^,]*), (.*), [^,]*\)$/.exec(renderer)?.[1] ?? renderer;
+  const metal = /^ANGLE Metal Renderer: (.*)$/.exec(inside)?.[1] ?? inside;
+  const vulkan = /^Vulkan [\d.]+ \((.*)\)$/.exec(metal)?.[1] ?? metal;
+  return vulkan
+    .replace(/ \(0x[0-9a-f]+\)/gi, '')
+    .replace(/ (Direct3D\d*|OpenGL( ES)?|Vulkan [\d.]+).*$/, '')
+    .replace(/\/PCIe\/SSE2$/, '')
+    .trim();
+}

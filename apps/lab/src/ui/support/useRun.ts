@@ -1,0 +1,106 @@
+import { useCallback, useEffect, useRef, useState } from 'preact/hooks';
+import type { LabCase, LabPlan, LabSeries } from '../../plan/LabPlan';
+import { LAB_RUN_VERSION, type LabRun, type LabSurroundings } from '../../results/LabRun';
+import type { Progress } from '../../run/Progress';
+import { runPlan } from '../../run/runPlan';
+import type { StageFrames } from '../../run/StageFrames';
+
+/** How often the words of the progress change, and how often the charts are drawn anew while a run goes on (ms). */
+const WORDS = 200;
+const CHARTS = 3000;
+
+/** A run that goes on, as the page shows it. */
+export interface Running {
+  readonly plan: LabPlan;
+  readonly done: number;
+  readonly total: number;
+  /** Time left (ms); null while nobody knows. */
+  readonly remaining: number | null;
+  readonly competitor: string | null;
+  readonly series: LabSeries;
+  readonly labCase: LabCase;
+  /** What was drawn last; null at first. */
+  readonly picture: ImageData | null;
+  /** Set once the user has cancelled it. */
+  readonly isCancelled: boolean;
+  /** What was measured so far; renewed less often than the rest. */
+  readonly run: LabRun;
+}
+
+export interface RunState {
+  readonly running: Running | null;
+  /** Why the last run broke off, as a sentence; null when it did not. */
+  readonly problem: string | null;
+  /**
+   * Measures a plan.
+   *
+   * @param prepare makes the frames and tells of the machine
+   * @returns the run, complete or cancelled; null when it could not begin or broke off
+   */
+  start(plan: LabPlan, prepare: () => Promise<Prepared>): Promise<LabRun | null>;
+  /** Ends the run after the turn that goes on; what was measured stays. */
+  cancel(): void;
+}
+
+export interface Prepared {
+  readonly frames: StageFrames;
+  readonly surroundings: LabSurroundings;
+  readonly mostContexts: number;
+}
+
+/** A run and what is shown of it while it goes on. */
+export function useRun(): RunState {
+  const [running, setRunning] = useState<Running | null>(null);
+  const [problem, setProblem] = useState<string | null>(null);
+  const abort = useRef<AbortController | null>(null);
+  useEffect(() => () => abort.current?.abort(), []);
+
+  const start = useCallback(async (plan: LabPlan, prepare: () => Promise<Prepared>): Promise<LabRun | null> => {
+    if (abort.current) return null;
+    const controller = new AbortController();
+    abort.current = controller;
+    setProblem(null);
+    try {
+      const { frames, surroundings, mostContexts } = await prepare();
+      const begin = performance.now();
+      let words = -Infinity;
+      let charts = -Infinity;
+      let run = partial(plan, surroundings, null, 0);
+      const onProgress = (progress: Progress): void => {
+        const now = performance.now();
+        if (now - words < WORDS) return;
+        words = now;
+        if (now - charts > CHARTS) {
+          charts = now;
+          run = partial(plan, surroundings, progress, now - begin);
+        }
+        const { done, total, remaining, competitor, series, labCase, picture } = progress;
+        const isCancelled = controller.signal.aborted;
+        setRunning({ plan, done, total, remaining, competitor, series, labCase, picture, isCancelled, run });
+      };
+      return await runPlan(plan, { frames, surroundings, mostContexts, onProgress, signal: controller.signal });
+    } catch (error) {
+      setProblem(error instanceof Error ? error.message : String(error));
+      return null;
+    } finally {
+      abort.current = null;
+      setRunning(null);
+    }
+  }, []);
+
+  const cancel = useCallback(() => {
+    abort.current?.abort();
+    setRunning((now) => now && { ...now, isCancelled: true });
+  }, []);
+  return { running, problem, start, cancel };
+}
+
+/** What was measured so far, as a run of its own: later turns do not change it. */
+function partial(plan: LabPlan, surroundings: LabSurroundings, progress: Progress | null, duration: number): LabRun {
+  return {
+    format: 'farol-lab-run',
+    version: LAB_RUN_VERSION,
+    ...{ id: 'running', name: '', surroundings, plan, complete: false, duration },
+    rows: progress ? progress.rows.map((row) => ({ ...row })) : [],
+  };
+}

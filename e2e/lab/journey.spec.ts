@@ -1,0 +1,92 @@
+import { axeProblems } from '../support/axeProblems';
+import { expect, test } from '../support/test';
+
+test.use({ reducedMotion: 'reduce' });
+
+/** A comparison that a software rasteriser draws in seconds: one plane, 4 and 9 lights, two techniques, 96 × 54. */
+const tiny =
+  '#preset=custom&series=benchmarkLights:lights:4,9:n=1&size=96x54&techniques=forward,deferred&rounds=2&turn=30&changes=no&seconds=0';
+
+test('builds a comparison by mouse and keyboard, measures it, and keeps what a cancelled one has', async ({ page }) => {
+  await page.goto('./');
+  await expect(page.getByRole('button', { name: /Measure this machine/ })).toBeEnabled();
+  // reference results are there before anything is measured
+  await expect(page.getByText('reference, not your machine')).toBeVisible();
+  await expect(page.locator('.results figure svg').first()).toBeVisible();
+  // the machine is named, and what spoils its figures
+  await expect(page.getByText(/software rasteriser, not on a graphics card/)).toBeVisible();
+
+  await page.getByText('Build your own').click();
+  await page.getByRole('button', { name: 'Remove chart 2' }).click();
+  await page.getByLabel('Scene').selectOption('Planes');
+  const values = page.getByLabel('Values: lights');
+  await values.fill('4, nine');
+  await expect(page.getByText('“nine” is no whole number')).toBeVisible();
+  await values.fill('4, 9');
+  await page.getByLabel('Width').fill('96');
+  await page.getByLabel('Height').fill('54');
+  await page.getByRole('button', { name: 'None of three.js' }).click();
+  await page.getByRole('button', { name: 'None of Farol’s techniques' }).click();
+  // by keyboard
+  const forward = page.getByRole('checkbox', { name: 'forward', exact: true });
+  await forward.focus();
+  await page.keyboard.press('Space');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Tab');
+  await expect(page.getByRole('checkbox', { name: 'deferred', exact: true })).toBeFocused();
+  await page.keyboard.press('Space');
+  await page.getByLabel('Turns for each').fill('2');
+  await page.getByLabel(/^A turn/).fill('30');
+  await page.getByRole('checkbox', { name: /what a change costs/ }).uncheck();
+  await page.getByRole('checkbox', { name: /ends in time/ }).uncheck();
+  await expect(page.getByText('2 cases × 2 competitors')).toBeVisible();
+  expect(new URL(page.url()).hash).toBe(tiny);
+
+  await page.getByRole('button', { name: 'Measure: your own comparison' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('heading', { name: /Measuring: Custom/ })).toBeFocused();
+  const heading = page.getByRole('heading', { name: 'Custom', exact: true });
+  await expect(heading).toBeFocused({ timeout: 30_000 });
+  const rows = page.getByRole('table').filter({ hasText: 'Remarks' }).getByRole('row');
+  await expect(rows).toHaveCount(5);
+  await expect(rows.nth(1)).toContainText(/Farol: forward.*\d \(/);
+  await expect(page.locator('.results figure svg').first()).toBeVisible();
+  await page.getByRole('button', { name: /^Farol: deferred/ }).click();
+  await expect(page.getByRole('dialog')).toContainText('Reference: ');
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+
+  // the address holds the configuration
+  await page.reload();
+  await expect(page.getByText('2 cases × 2 competitors')).toBeVisible();
+  await page.getByText('Build your own').click();
+  await expect(values).toHaveValue('4, 9');
+
+  // more than anybody would wait for: the first rows stay
+  await page.getByLabel('Turns for each').fill('50');
+  await page.getByLabel(/^A turn/).fill('2000');
+  await page.getByRole('button', { name: 'Measure: your own comparison' }).click();
+  await expect(page.getByText('Farol: forward').first()).toBeVisible();
+  await page.getByRole('button', { name: /Cancel/ }).click();
+  await expect(page.getByText('not complete')).toBeVisible({ timeout: 20_000 });
+  await expect(rows.nth(1)).toContainText('Farol: forward');
+});
+
+for (const [theme, width] of [
+  ['light', 1280],
+  ['dark', 390],
+] as const) {
+  test.describe(`${theme}, ${width} pixels wide`, () => {
+    test.use({ colorScheme: theme, viewport: { width, height: 800 } });
+
+    test('axe finds nothing serious, nothing is cut off', async ({ page }) => {
+      await page.goto('./' + tiny);
+      await page.getByText('Build your own').click();
+      await expect(page.getByText(/software rasteriser, not on a graphics card/)).toBeVisible();
+      expect(await axeProblems(page)).toEqual([]);
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+      await page.getByLabel('Colours').selectOption(theme === 'light' ? 'Dark' : 'Light');
+      expect(await axeProblems(page, ['color-contrast'])).toEqual([]);
+    });
+  });
+}
