@@ -22,6 +22,8 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/GLTFLoader.js',
       'three/addons/loaders/HDRLoader.js',
       'three/addons/loaders/KTX2Loader.js',
+      'three/addons/loaders/MTLLoader.js',
+      'three/addons/loaders/TGALoader.js',
     ],
   },
   resolve: {

@@ -43,6 +43,8 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/DRACOLoader.js',
       'three/addons/loaders/GLTFLoader.js',
       'three/addons/loaders/KTX2Loader.js',
+      'three/addons/loaders/MTLLoader.js',
+      'three/addons/loaders/TGALoader.js',
     ],
   },
   build: { target: 'es2022', chunkSizeWarningLimit: 2000, rolldownOptions: { input: pages() } },

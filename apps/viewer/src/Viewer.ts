@@ -1,6 +1,6 @@
 import { App, AssetLibrary, type CameraComponent, KeyController, MouseController, type Scene } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
-import { cancellable } from '@farol/engine/files';
+import { cancellable, type FileMap } from '@farol/engine/files';
 import { scenes } from '@farol/engine/scenes';
 import { type FarolEffect, FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
 import { type EffectName, effects } from '@farol/renderer/effects';
@@ -8,7 +8,6 @@ import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from '
 import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
 import { dragonUrls } from './dragonUrls';
-import { collectFiles } from '@farol/engine/files';
 import { loadModel, type LoadedModel } from './model/loadModel';
 import { disposeModel, modelParameters, modelScene } from './model/modelScene';
 import { type Pixels, readPixels } from './readPixels';
@@ -213,8 +212,12 @@ export class Viewer {
     }
   }
 
-  /** Shows the model among some files. A message tells of files that cannot be shown; the present scene stays then. */
-  async loadFiles(transfer: DataTransfer): Promise<void> {
+  /**
+   * Shows the model among some files. A message tells of files that cannot be shown; the present scene stays then.
+   *
+   * @param files a glTF or OBJ, and what it names; those of a drop are on their way
+   */
+  async loadFiles(files: FileMap | Promise<FileMap>): Promise<void> {
     const load = ++this.loads;
     const cancel = new AbortController();
     const onKey = ({ key }: KeyboardEvent): void => {
@@ -225,11 +228,11 @@ export class Viewer {
     }, LONG);
     addEventListener('keydown', onKey);
     try {
-      const reading = collectFiles(transfer).then((files) => loadModel(files, this.three, cancel.signal));
+      const reading = Promise.resolve(files).then((all) => loadModel(all, this.three, cancel.signal));
       const model = await cancellable(reading, cancel.signal, ({ gltf }) => disposeModel(gltf.scene));
       if (load !== this.loads) return disposeModel(model.gltf.scene);
       this.showModel(model, false);
-      this.messages.show('file', '');
+      this.messages.show('file', model.notes.join('\n'));
     } catch (error) {
       const text = error instanceof Error ? error.message : String(error);
       this.messages.show('file', cancel.signal.aborted ? '' : text);

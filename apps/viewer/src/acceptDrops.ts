@@ -1,3 +1,4 @@
+import { collectFiles } from '@farol/engine/files';
 import type { Viewer } from './Viewer';
 
 /** Lets files and folders be dropped anywhere on the window. */
@@ -16,6 +17,6 @@ export function acceptDrops(viewer: Viewer): void {
   addEventListener('drop', (event) => {
     event.preventDefault();
     document.body.classList.remove('dropping');
-    if (event.dataTransfer) void viewer.loadFiles(event.dataTransfer);
+    if (event.dataTransfer) void viewer.loadFiles(collectFiles(event.dataTransfer));
   });
 }

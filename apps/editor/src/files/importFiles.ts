@@ -1,9 +1,12 @@
 import type { AssetLibrary } from '@farol/engine';
-import { decodedUri, packGltf, readableEndings, typeOfUrl } from '@farol/engine/files';
+import { decodedUri, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { withProgress } from './withProgress';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
+
+/** Endings of the files that can be imported, for messages: an OBJ is packed into a GLB. */
+const importable = readableEndings.replace('.gltf,', '.gltf, .obj,');
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
@@ -52,6 +55,20 @@ async function packed(files: FileMap, path: string, left: Set<string>): Promise<
   return new Blob([bytes], { type: 'model/gltf-binary' });
 }
 
+/** One GLB of an OBJ, its materials and textures, which are taken out of `left`. @param notes - gets what is missing */
+async function packedObj(
+  files: FileMap,
+  path: string,
+  left: Set<string>,
+  notes: string[],
+  signal: AbortSignal,
+): Promise<Blob> {
+  const obj = await packObj(files, path, signal);
+  for (const each of obj.used) left.delete(each);
+  notes.push(...obj.notes);
+  return new Blob([obj.glb], { type: 'model/gltf-binary' });
+}
+
 /** What came of an import. */
 export interface ImportResult {
   /** Names of the assets, those that were there already included. */
@@ -74,6 +91,7 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
   const { assets } = editor.document;
   const left = new Set(files.keys());
   const problems: string[] = [];
+  const notes: string[] = [];
   const names: string[] = [];
   const added: string[] = [];
   const take = async (path: string, blob: Blob, fileName: string): Promise<void> => {
@@ -98,10 +116,12 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
   const takeAll = async (): Promise<void> => {
     // of the model first: what it names is a part of it
     for (const path of files.keys()) {
-      if (!/\.gltf$/i.test(path)) continue;
+      const ending = /\.(gltf|obj)$/i.exec(path)?.[1].toLowerCase();
+      if (ending === undefined) continue;
       left.delete(path);
       try {
-        await take(path, await packed(files, path, left), nameIn(path).replace(/\.gltf$/i, '.glb'));
+        const blob = await (ending === 'obj' ? packedObj(files, path, left, notes, signal) : packed(files, path, left));
+        await take(path, blob, nameIn(path).replace(/\.\w+$/, '.glb'));
       } catch (error) {
         signal.throwIfAborted();
         problems.push(`${path} cannot be imported: ${error instanceof Error ? error.message : String(error)}`);
@@ -130,8 +150,9 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
     );
   }
   if (unknown.length > 0 && names.length + problems.length === 0) {
-    throw new Error(`${unknown.slice(0, 4).join(', ')} cannot be imported: only ${readableEndings} can.`);
+    throw new Error(`${unknown.slice(0, 4).join(', ')} cannot be imported: only ${importable} can.`);
   }
   for (const problem of problems) editor.notices.show('error', problem);
+  if (notes.length > 0) editor.notices.show('warning', notes.join('\n'));
   return { names };
 }

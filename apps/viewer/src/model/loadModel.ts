@@ -1,4 +1,4 @@
-import { checkModel, checkModelFile, modelError, readGltfJson } from '@farol/engine/files';
+import { checkModel, checkModelFile, modelError, packGltf, packObj, readGltfJson } from '@farol/engine/files';
 import { LoadingManager, type WebGLRenderer } from 'three';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
 import type { FileMap } from '@farol/engine/files';
@@ -10,36 +10,58 @@ export interface LoadedModel {
   /** Name of its file. */
   name: string;
   gltf: GLTF;
+  /** What is missing or was left out, and what to do: sentences that name the file. Empty when it came in whole. */
+  notes: readonly string[];
+  /** The model, with all that it names, as one GLB. */
+  pack(): Promise<Blob>;
 }
 
 /**
- * Reads the glTF among some files, with the buffers and textures that it names.
+ * Reads the glTF or OBJ among some files, with the buffers, materials and textures that it names.
  *
  * @param signal cancels the reading
  * @throws Error that names the file and the reason; nothing is shown half then; what the signal was aborted with
  */
 export async function loadModel(files: FileMap, renderer: WebGLRenderer, signal?: AbortSignal): Promise<LoadedModel> {
   const path = findModel(files);
-  const file = files.get(path)!;
   try {
-    const bytes = await file.arrayBuffer();
-    const json = readGltfJson(bytes);
-    checkModelFile(bytes, json, (uri) => {
-      const target = resolveUri(path, uri);
-      return target === null ? null : (lookUp(files, target)?.size ?? null);
-    });
-    const missing = missingFiles(files, path, json);
-    if (missing.length > 0) {
-      throw new Error(
-        `it needs ${missing.slice(0, 8).join(', ')}: drop the whole folder, or all of its files together.`,
-      );
-    }
-    return { name: file.name, gltf: await parse(bytes, json.extensionsUsed ?? [], path, files, renderer, signal) };
+    return await (/\.obj$/i.test(path) ? loadObj : loadGltf)(files, path, renderer, signal);
   } catch (error) {
     signal?.throwIfAborted();
     throw new Error(`${path}: ${error instanceof Error ? error.message : String(error)}`, { cause: error });
   }
 }
+
+type Load = (files: FileMap, path: string, renderer: WebGLRenderer, signal?: AbortSignal) => Promise<LoadedModel>;
+
+const toBlob = (glb: ArrayBuffer): Blob => new Blob([glb], { type: 'model/gltf-binary' });
+
+const loadObj: Load = async (files, path, renderer, signal) => {
+  const { glb, notes } = await packObj(files, path, signal);
+  const gltf = await parse(glb, readGltfJson(glb).extensionsUsed ?? [], path, files, renderer, signal);
+  return { name: files.get(path)!.name, gltf, notes, pack: async () => toBlob(glb) };
+};
+
+const loadGltf: Load = async (files, path, renderer, signal) => {
+  const file = files.get(path)!;
+  const bytes = await file.arrayBuffer();
+  const json = readGltfJson(bytes);
+  const find = (uri: string): File | null => {
+    const target = resolveUri(path, uri);
+    return target === null ? null : lookUp(files, target);
+  };
+  checkModelFile(bytes, json, (uri) => find(uri)?.size ?? null);
+  const missing = missingFiles(files, path, json);
+  if (missing.length > 0) {
+    throw new Error(`it needs ${missing.slice(0, 8).join(', ')}: drop the whole folder, or all of its files together.`);
+  }
+  const gltf = await parse(bytes, json.extensionsUsed ?? [], path, files, renderer, signal);
+  const pack = async (): Promise<Blob> => {
+    if (/\.glb$/i.test(path)) return file;
+    return toBlob(await packGltf(bytes, async (uri) => (await find(uri)?.arrayBuffer()) ?? null));
+  };
+  return { name: file.name, gltf, notes: [], pack };
+};
 
 async function parse(
   bytes: ArrayBuffer,

@@ -3,6 +3,7 @@ import { scenes } from '@farol/engine/scenes';
 import { techniques } from '@farol/renderer';
 import { type EffectName, effects } from '@farol/renderer/effects';
 import GUI, { type Controller } from 'lil-gui';
+import { chooseFiles } from '../chooseFiles';
 import { modelParameters } from '../model/modelScene';
 import { known, type Viewer } from '../Viewer';
 import { StatisticsPanel } from './StatisticsPanel';
@@ -69,6 +70,18 @@ export class ViewerMenu {
       .add(this.values, 'dragon', [...known.dragons])
       .name('Dragon')
       .onChange((name: string) => viewer.setDragon(name).catch(told));
+    this.addChooser(
+      buttons,
+      'files',
+      'Open a model…',
+      'A .glb, .gltf or .obj, chosen together with the files that it names.',
+    );
+    this.addChooser(
+      buttons,
+      'folder',
+      'Open a folder…',
+      'A folder with a .glb, .gltf or .obj in it, and with what that names.',
+    );
     this.parameters = gui.addFolder('Lights and sizes');
     const figures = gui.addFolder('Last frame');
     figures.$children.append(this.statistics.element);
@@ -108,6 +121,13 @@ export class ViewerMenu {
   private addEffect(value: 'ao' | 'oit' | 'decals', name: EffectName, set: (on: boolean) => void): void {
     const { label, help } = effects[name];
     this.gui.add(this.values, value).name(label).onChange(set).domElement.title = help;
+  }
+
+  private addChooser(folder: GUI, what: 'files' | 'folder', label: string, help: string): void {
+    const open = (): void => {
+      void chooseFiles(what).then((files) => files && this.viewer.loadFiles(files));
+    };
+    folder.add({ open }, 'open').name(label).domElement.title = help;
   }
 
   private addParameter(name: string, field: Field): void {

@@ -24,5 +24,7 @@ export { AddressRefusedError, foreignOrigin } from '../assets/foreignOrigin';
 export { readableEndings, typeOfUrl } from '../assets/loadAsset';
 export { makeKTX2Loader } from '../assets/makeKTX2Loader';
 export { decodedUri, packGltf } from './packGltf';
+export type { PackedObj } from './obj/PackedObj';
+export { packObj } from './packObj';
 export { type GltfJson, readGltfJson } from '../assets/readGltfJson';
 export { checkModelFile, modelError } from '../assets/readModel';

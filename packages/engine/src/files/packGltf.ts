@@ -1,12 +1,8 @@
 import { shortText } from '@farol/renderer';
 import { sampleOf } from './ProblemList';
 import { checkGltf } from '../assets/checkGltf';
-import { readGltfJson } from '../assets/readGltfJson';
-
-const HEADER = 12;
-const CHUNK = 8;
-
-const padded = (length: number): number => Math.ceil(length / 4) * 4;
+import { type GltfJson, readGltfJson } from '../assets/readGltfJson';
+import { padded, writeGlb } from './writeGlb';
 
 const mimeTypes: Readonly<Record<string, string>> = { png: 'image/png', webp: 'image/webp', ktx2: 'image/ktx2' };
 
@@ -88,28 +84,4 @@ export async function packGltf(
     ...(images.length > 0 ? { images } : {}),
   };
   return writeGlb(JSON.stringify(whole), parts, length);
-}
-
-type GltfJson = ReturnType<typeof readGltfJson>;
-
-function writeGlb(json: string, parts: readonly Uint8Array[], binaryLength: number): ArrayBuffer {
-  const text = new TextEncoder().encode(json);
-  const jsonLength = padded(text.length);
-  const total = HEADER + CHUNK + jsonLength + (binaryLength > 0 ? CHUNK + binaryLength : 0);
-  const glb = new ArrayBuffer(total);
-  const view = new DataView(glb);
-  const all = new Uint8Array(glb);
-  [0x46546c67, 2, total, jsonLength, 0x4e4f534a].forEach((word, i) => view.setUint32(i * 4, word, true));
-  all.fill(0x20, HEADER + CHUNK, HEADER + CHUNK + jsonLength);
-  all.set(text, HEADER + CHUNK);
-  if (binaryLength === 0) return glb;
-  let at = HEADER + CHUNK + jsonLength;
-  view.setUint32(at, binaryLength, true);
-  view.setUint32(at + 4, 0x004e4942, true);
-  at += CHUNK;
-  for (const part of parts) {
-    all.set(part, at);
-    at += padded(part.length);
-  }
-  return glb;
 }

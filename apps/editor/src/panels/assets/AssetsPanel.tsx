@@ -35,7 +35,24 @@ function makerOf(editor: EditorApi): ThumbnailMaker {
   return maker;
 }
 
-const endings = ['.glb', '.gltf', '.bin', '.png', '.jpg', '.jpeg', '.webp', '.hdr', '.exr', '.ply', '.gz', '.ktx2'];
+const endings = [
+  '.glb',
+  '.gltf',
+  '.bin',
+  '.obj',
+  '.mtl',
+  '.tga',
+  '.bmp',
+  '.png',
+  '.jpg',
+  '.jpeg',
+  '.webp',
+  '.hdr',
+  '.exr',
+  '.ply',
+  '.gz',
+  '.ktx2',
+];
 
 async function choose(editor: EditorApi): Promise<void> {
   const files = await fileOpen({ description: 'Models, textures, environments', extensions: endings, multiple: true });

@@ -1,0 +1,27 @@
+import type { FileMap } from '@farol/engine/files';
+
+/** What a model may consist of. */
+const endings = '.glb,.gltf,.bin,.obj,.mtl,.png,.jpg,.jpeg,.webp,.tga,.bmp,.ktx2';
+
+/**
+ * Asks the user for files, or for a folder with everything in it.
+ *
+ * @returns them by their paths; null when the user turned back
+ */
+export function chooseFiles(what: 'files' | 'folder'): Promise<FileMap | null> {
+  const input = document.createElement('input');
+  input.type = 'file';
+  if (what === 'folder') input.webkitdirectory = true;
+  else {
+    input.multiple = true;
+    input.accept = endings;
+  }
+  return new Promise((resolve) => {
+    input.addEventListener('change', () => {
+      const files = [...(input.files ?? [])];
+      resolve(new Map(files.map((file) => [file.webkitRelativePath || file.name, file])));
+    });
+    input.addEventListener('cancel', () => resolve(null));
+    input.click();
+  });
+}

@@ -1,0 +1,64 @@
+import { expect, test } from '../support/test';
+import { fieldOf, history, openEditor, serialized } from './editor';
+import { dropFiles, pixelAt } from './models';
+
+test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
+
+const picture = '.viewport-place canvas';
+const bytes = (text: string): Buffer => Buffer.from(text);
+
+/** A wall before the camera, its texture a TGA of 2 × 2 green texels, another one missing. */
+const wall = [
+  {
+    name: 'wall.obj',
+    bytes: bytes(
+      'mtllib wall.mtl\nv -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nvt 0 0\nusemtl moss\nf 1/1 2/1 3/1 4/1\nf 4/1 3/1 2/1 1/1',
+    ),
+  },
+  { name: 'wall.mtl', bytes: bytes('newmtl moss\nKd 1 1 1\nKs 0 0 0\nmap_Kd t\\Moss.tga\nnorm t\\moss_n.png') },
+  {
+    name: 'moss.tga',
+    bytes: Buffer.from([
+      0,
+      0,
+      2,
+      0,
+      0,
+      0,
+      0,
+      0,
+      0,
+      0,
+      0,
+      0,
+      2,
+      0,
+      2,
+      0,
+      24,
+      0,
+      ...Array.from({ length: 4 }, () => [0, 255, 0]).flat(),
+    ]),
+  },
+];
+
+test('an OBJ comes in with its materials as one asset, is undone, saved and opened again', async ({ page }) => {
+  await openEditor(page, 'empty');
+  const before = await serialized(page);
+  await dropFiles(page, picture, wall);
+  await expect(page.getByRole('treeitem', { name: 'wall' })).toHaveAttribute('aria-selected', 'true');
+  await expect(page.locator('.notices')).toContainText('wall.obj: these textures were not found: t/moss_n.png.');
+  expect(await history(page)).toEqual(['Import wall.glb', 'Add wall']);
+  expect(await fieldOf(page, 'wall', 'ModelRenderer', 'model')).toBe('wall.glb');
+  await page.locator(picture).focus();
+  await page.keyboard.press('f');
+  await expect
+    .poll(async () => {
+      const [red, green] = await pixelAt(page, 0.6, 0.35);
+      return green > 60 && green > 2 * red;
+    })
+    .toBe(true);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  expect(await serialized(page)).toBe(before);
+});

@@ -1,0 +1,37 @@
+import { ShapeUtils, Vector2 } from 'three';
+
+/**
+ * Cuts a polygon into triangles that turn as it does: a fan from its first corner where it is convex, by ears where it is
+ * not.
+ * @param points - x, y and z of each corner
+ * @returns three indices of corners for each triangle
+ */
+export function cutPolygon(points: readonly number[]): readonly number[] {
+  const count = points.length / 3;
+  const fan = Array.from({ length: count - 2 }, (_, i) => [0, i + 1, i + 2]).flat();
+  const normal = newellNormal(points);
+  // two axes that see the polygon from the front
+  const sizes = normal.map(Math.abs);
+  const axis = sizes.indexOf(Math.max(...sizes));
+  const [u, v] = normal[axis] >= 0 ? [(axis + 1) % 3, (axis + 2) % 3] : [(axis + 2) % 3, (axis + 1) % 3];
+  const flat = Array.from({ length: count }, (_, i) => new Vector2(points[i * 3 + u], points[i * 3 + v]));
+  const turn = (a: number, b: number, c: number): number =>
+    (flat[b].x - flat[a].x) * (flat[c].y - flat[a].y) - (flat[b].y - flat[a].y) * (flat[c].x - flat[a].x);
+  if (flat.every((_, i) => turn(i, (i + 1) % count, (i + 2) % count) >= 0)) return fan;
+  const ears = ShapeUtils.triangulateShape(flat, []) as [number, number, number][];
+  if (ears.length !== count - 2) return fan;
+  return ears.flatMap(([a, b, c]) => (turn(a, b, c) < 0 ? [a, c, b] : [a, b, c]));
+}
+
+/** @see Sutherland, Sproull and Schumacker 1974: Newell's method */
+function newellNormal(points: readonly number[]): [number, number, number] {
+  const normal: [number, number, number] = [0, 0, 0];
+  for (let i = 0; i < points.length; i += 3) {
+    const next = (i + 3) % points.length;
+    for (let k = 0; k < 3; k++) {
+      const [y, z] = [(k + 1) % 3, (k + 2) % 3];
+      normal[k] += (points[i + y] - points[next + y]) * (points[i + z] + points[next + z]);
+    }
+  }
+  return normal;
+}

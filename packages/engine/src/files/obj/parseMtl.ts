@@ -1,0 +1,145 @@
+import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
+
+/** A texture of an MTL file, with its options. */
+export interface MtlMap {
+  /** Path as it stands in the file. */
+  readonly path: string;
+  /** Factors of u and v. */
+  readonly scale: readonly [number, number];
+  /** Added to u and v after that. */
+  readonly offset: readonly [number, number];
+  /** Whether what lies beyond the picture is its edge, not the picture again. */
+  readonly isClamped: boolean;
+  /** Strength of bumps. */
+  readonly bump: number;
+}
+
+type Triple = readonly [number, number, number];
+
+/** A material of an MTL file; what is not in the file is absent. Colours are as in the file, sRGB. */
+export interface MtlMaterial {
+  readonly name: string;
+  readonly diffuse?: Triple;
+  readonly specular?: Triple;
+  readonly emissive?: Triple;
+  /** Exponent of the highlight. */
+  readonly shininess?: number;
+  /** Opacity, of `d`, or of `Tr`, which counts the other way round. */
+  readonly opacity?: number;
+  readonly roughness?: number;
+  readonly metalness?: number;
+  readonly diffuseMap?: MtlMap;
+  readonly specularMap?: MtlMap;
+  readonly emissiveMap?: MtlMap;
+  readonly opacityMap?: MtlMap;
+  /** A map of normals, which `norm` names. */
+  readonly normalMap?: MtlMap;
+  /** A map of heights, which `bump` and `map_bump` name; many are maps of normals in truth. */
+  readonly bumpMap?: MtlMap;
+  /** A map of displacements: used only where it is a map of normals in truth. */
+  readonly displacementMap?: MtlMap;
+}
+
+/** Numbers that each option of a texture takes; `-o`, `-s` and `-t` take one to three. */
+const optionLengths: Readonly<Record<string, number>> = {
+  '-blendu': 1,
+  '-blendv': 1,
+  '-boost': 1,
+  '-bm': 1,
+  '-cc': 1,
+  '-clamp': 1,
+  '-imfchan': 1,
+  '-mm': 2,
+  '-o': 3,
+  '-s': 3,
+  '-t': 3,
+  '-texres': 1,
+  '-type': 1,
+};
+
+const isNumber = (word: string | undefined): word is string => word !== undefined && /^[-+]?[\d.]/.test(word);
+
+/** Reads what follows `map_Kd` and the like: options, then a path, which may have blanks in it. */
+export function parseMtlMap(text: string): MtlMap | undefined {
+  const words = text.trim().split(/\s+/);
+  const options = new Map<string, string[]>();
+  let at = 0;
+  while (Object.hasOwn(optionLengths, words[at]?.toLowerCase() ?? '')) {
+    const name = words[at++].toLowerCase();
+    const most = optionLengths[name];
+    const values: string[] = [];
+    if (most === 1) values.push(words[at++] ?? '');
+    else while (values.length < most && isNumber(words[at])) values.push(words[at++]);
+    options.set(name, values);
+  }
+  // blanks within the path as they are
+  let path = text.trim();
+  for (let i = 0; i < at; i++) path = path.replace(/^\S+\s*/, '');
+  path = path.replace(/^"(.*)"$/, '$1');
+  if (!path) return undefined;
+  const pair = (name: string, otherwise: number): [number, number] => {
+    const [u = otherwise, v = otherwise] = (options.get(name) ?? []).map(Number);
+    return [Number.isFinite(u) ? u : otherwise, Number.isFinite(v) ? v : otherwise];
+  };
+  const bump = Number(options.get('-bm')?.[0] ?? 1);
+  return {
+    path,
+    scale: pair('-s', 1),
+    offset: pair('-o', 0),
+    isClamped: options.get('-clamp')?.[0]?.toLowerCase() === 'on',
+    bump: Number.isFinite(bump) ? bump : 1,
+  };
+}
+
+type MtlInfo = Readonly<Record<string, string | readonly number[] | undefined>>;
+
+/** Reads the materials of an MTL file, by their names. */
+export function parseMtl(text: string): Map<string, MtlMaterial> {
+  // the loader looks for one blank after a keyword
+  const creator = new MTLLoader().parse(text.replace(/\r\n?/g, '\n').replaceAll('\t', ' '), '');
+  const table = creator.materialsInfo as unknown as Readonly<Record<string, MtlInfo>>;
+  return new Map(Object.entries(table).map(([name, info]) => [name, readMaterial(name, info)]));
+}
+
+function readMaterial(name: string, info: MtlInfo): MtlMaterial {
+  const number = (key: string): number | undefined => {
+    const value = parseFloat(String(info[key] ?? ''));
+    return Number.isFinite(value) ? value : undefined;
+  };
+  const triple = (key: string): Triple | undefined => {
+    const [r, g = r, b = r] = (info[key] as readonly number[] | undefined) ?? [];
+    const values = [r, Number.isFinite(g) ? g : r, Number.isFinite(b) ? b : r] as const;
+    return values.every(Number.isFinite) ? values : undefined;
+  };
+  const map = (...keys: string[]): MtlMap | undefined => {
+    for (const key of keys) {
+      const text = info[key];
+      const read = typeof text === 'string' ? parseMtlMap(text) : undefined;
+      if (read) return read;
+    }
+    return undefined;
+  };
+  return {
+    name,
+    diffuse: triple('kd'),
+    specular: triple('ks'),
+    emissive: triple('ke'),
+    shininess: number('ns'),
+    opacity: opacityOf(number('d'), number('tr')),
+    roughness: number('pr'),
+    metalness: number('pm'),
+    diffuseMap: map('map_kd', 'map_ka'),
+    specularMap: map('map_ks'),
+    emissiveMap: map('map_ke'),
+    opacityMap: map('map_d', 'map_opacity'),
+    normalMap: map('norm', 'map_norm', 'map_kn'),
+    bumpMap: map('map_bump', 'bump'),
+    displacementMap: map('disp', 'map_disp'),
+  };
+}
+
+/** `Tr 1` alone would make the surface vanish: some programs write it for an opaque one. */
+function opacityOf(d: number | undefined, transparency: number | undefined): number | undefined {
+  const opacity = d ?? (transparency === undefined || transparency === 1 ? undefined : 1 - transparency);
+  return opacity === undefined ? undefined : Math.min(1, Math.max(0, opacity));
+}
