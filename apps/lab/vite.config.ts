@@ -1,4 +1,5 @@
 import { securePages } from '@farol/tools/contentSecurityPolicy';
+import { rivals } from '@farol/tools/rivalsPlugin';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
@@ -7,7 +8,7 @@ export default defineConfig(({ command }) => ({
   base: './',
   publicDir: false,
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), securePages()],
+  plugins: [stanfordDragon(), securePages(), rivals()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   resolve: {
     dedupe: ['three'],

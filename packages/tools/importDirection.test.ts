@@ -13,6 +13,8 @@ const workspaces = [
   'packages/tools',
   'apps/viewer',
   'apps/editor',
+  'apps/lab/rivals',
+  'apps/lab',
 ];
 const manifests = new Map(
   ['', ...workspaces].map((folder) => [

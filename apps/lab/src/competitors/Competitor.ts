@@ -6,6 +6,11 @@ export interface Drawing {
   readonly gl: WebGL2RenderingContext | null;
   /** Draws the scene as it is into the canvas. */
   render(): void;
+  /**
+   * Draws the first frame, timed as such, where that takes more than `render` (shaders that compile meanwhile); resolves
+   * once the whole picture was drawn.
+   */
+  drawFirst?(): Promise<void>;
   /** Waits until what was drawn is done, where that is not the reading of a pixel of `gl`. */
   finish?(): Promise<void>;
   /** Called after lights were added to or removed from `StageScene.lights`. */
