@@ -125,6 +125,7 @@ export class Soak {
     this.scenes.clear();
     this.openScene('edges');
     for (let i = 0; i < 3; i++) this.draw();
+    this.freeLostContexts();
     return { objects: this.objects.count, table: this.objects.table };
   }
 
@@ -137,6 +138,18 @@ export class Soak {
     drawLit(this.webgl);
     const left = Object.entries(this.objects.table).map(([kind, count]) => [kind, count - (this.first[kind] ?? 0)]);
     return Object.fromEntries(left.filter(([, count]) => count !== 0)) as Record<string, number>;
+  }
+
+  /**
+   * Frees what three itself keeps of lost contexts: its look-up table of reflectance, one texture for all renderers, holds
+   * the state of each context that ever sent it to a device until it is disposed. It is sent once more at once.
+   */
+  private freeLostContexts(): void {
+    for (const webgl of [this.webgl, this.calm]) {
+      const table = drawLit(webgl);
+      this.objects.forgiveLost(() => table.dispose());
+    }
+    for (const webgl of [this.webgl, this.calm]) drawLit(webgl);
   }
 
   private disposeFresh(): void {
@@ -277,21 +290,29 @@ export class Soak {
   }
 }
 
-/** Has stock three make what it keeps for good once something is lit or looks up a depth that is not there, and frees the rest. */
-function drawLit(webgl: THREE.WebGLRenderer): void {
+/**
+ * Has stock three make what it keeps for good once something is lit or looks up a depth that is not there, and frees the
+ * rest.
+ * @returns three's look-up table of reflectance
+ */
+function drawLit(webgl: THREE.WebGLRenderer): THREE.Texture {
   const geometry = new THREE.PlaneGeometry();
   const comparing = new THREE.ShaderMaterial({
     uniforms: { depths: { value: null } },
     fragmentShader:
       'uniform highp sampler2DShadow depths; void main() { gl_FragColor = vec4(texture(depths, vec3(0.5))); }',
   });
+  const lit = new THREE.MeshStandardMaterial();
   const scene = new THREE.Scene().add(
-    new THREE.Mesh(geometry, new THREE.MeshStandardMaterial()),
+    new THREE.Mesh(geometry, lit),
     new THREE.Mesh(geometry, comparing),
     new THREE.PointLight(),
   );
   const camera = new THREE.PerspectiveCamera();
   camera.position.z = 2;
   webgl.render(scene, camera);
+  const { uniforms } = webgl.properties.get(lit) as { uniforms: Record<string, THREE.IUniform<THREE.Texture>> };
+  const table = uniforms.dfgLUT.value;
   disposeScene(scene);
+  return table;
 }
