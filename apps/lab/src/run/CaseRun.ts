@@ -27,6 +27,8 @@ export interface CaseWorld {
   readonly turn: number;
   readonly signal: AbortSignal;
   readonly now: () => number;
+  /** Whether the run's time is up: no more competitors are opened, and turns end. */
+  isLate(): boolean;
   step(competitor: string | null, picture?: ImageData): void;
   /** A picture as a data URL. */
   thumbnailOf(picture: ImageData): string;
@@ -58,6 +60,10 @@ export class CaseRun {
     try {
       for (const name of competitors) {
         if (signal.aborted) return;
+        if (this.world.isLate()) {
+          this.addRow(name).problem = this.late();
+          continue;
+        }
         const opened = await this.open(name);
         if (opened) open.push(opened);
       }
@@ -65,6 +71,7 @@ export class CaseRun {
         for (const each of open) {
           if (signal.aborted) break;
           this.world.step(each.name);
+          if (round > 0 && this.world.isLate()) this.endEarly(each);
           if (!each.over) await attempt(each, () => this.takeTurn(each, turn));
         }
       }
@@ -81,10 +88,9 @@ export class CaseRun {
     }
   }
 
-  /** Adds a row for each competitor that says why the case is not measured. */
-  leaveOut(problem: string): void {
-    const { plan, series, index, rows } = this.world;
-    for (const name of plan.competitors) rows.push({ ...emptyRow(name, series.name, index), problem });
+  /** Adds a row for each competitor that says that the run's time is up. */
+  leaveOut(): void {
+    for (const name of this.world.plan.competitors) this.addRow(name).problem = this.late();
   }
 
   /** Compares the pictures, once all competitors have been measured. */
@@ -100,11 +106,28 @@ export class CaseRun {
     this.pictures.clear();
   }
 
-  private async open(name: string): Promise<Open | null> {
-    const { series, labCase, index, frames, rows, forecast, signal, plan } = this.world;
+  private addRow(name: string): LabRow {
+    const { series, index, rows } = this.world;
     const row = emptyRow(name, series.name, index);
     rows.push(row);
     this.own.push(row);
+    return row;
+  }
+
+  private late(): string {
+    return `Not measured: the run may take ${Math.round((this.world.plan.effort.limit ?? 0) / 1000)} s, and they were over.`;
+  }
+
+  /** A competitor gets no more turns, since the run's time is up. */
+  private endEarly(each: Open): void {
+    const { rounds } = this.world.plan.effort;
+    if (!each.over) each.row.warnings.push(`${each.frame.length} of ${rounds} turns: the run’s time was up.`);
+    each.over = true;
+  }
+
+  private async open(name: string): Promise<Open | null> {
+    const { series, labCase, index, frames, forecast, signal, plan } = this.world;
+    const row = this.addRow(name);
     this.world.step(name);
     try {
       const value = series.values[index];
@@ -156,7 +179,7 @@ export class CaseRun {
   private async takeRest({ row, stage, name }: Open): Promise<void> {
     row.counts = await stage.count(name);
     row.passes = await stage.passes(name);
-    if (!this.world.plan.effort.changes) return;
+    if (!this.world.plan.effort.changes || this.world.isLate()) return;
     if (this.world.labCase.lights !== null) row.added = await stage.addLights(name);
     row.changed = await stage.changeTechnique(name);
   }

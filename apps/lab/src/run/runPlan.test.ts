@@ -170,7 +170,7 @@ describe('planOf', () => {
   });
 
   it('names what it does not know', () => {
-    const { configuration } = presets.quick;
+    const { configuration } = presets.lights;
     const wrong = (changes: object) => () =>
       planOf({ ...configuration, series: [{ ...configuration.series[0], ...changes }] });
     expect(wrong({ scene: 'nowhere' })).toThrow('Unknown scene nowhere: known are benchmarkLights, sponza');

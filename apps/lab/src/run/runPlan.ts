@@ -46,34 +46,25 @@ export async function runPlan(plan: LabPlan, options: RunOptions): Promise<LabRu
     progress.remaining = progress.done < 3 ? null : limit === null ? left : Math.max(0, Math.min(left, limit - passed));
     options.onProgress?.(progress);
   };
+  const isLate = (): boolean => plan.effort.limit !== null && now() - begin > plan.effort.limit;
   let measured = 0;
   for (const [at, { series, labCase, index }] of cases.entries()) {
     if (signal.aborted) break;
     Object.assign(progress, { series, labCase });
     const turn = turnLength(plan, begin, now(), at / cases.length);
     const caseRun = new CaseRun({
-      thumbnailOf,
-      ...options,
-      now,
-      plan,
-      series,
-      labCase,
-      index,
-      rows,
-      forecast,
-      turn,
-      step,
+      ...{ thumbnailOf, ...options, now, isLate },
+      ...{ plan, series, labCase, index, rows, forecast, turn, step },
     });
-    const { limit } = plan.effort;
-    if (limit !== null && now() - begin > limit) {
-      caseRun.leaveOut(`Not measured: the run may take ${Math.round(limit / 1000)} s, and they were over.`);
+    if (isLate()) {
+      caseRun.leaveOut();
       continue;
     }
     for (const group of groups) {
       if (!signal.aborted) await caseRun.measure(group);
     }
     await caseRun.end();
-    if (!signal.aborted) measured++;
+    if (!signal.aborted && !isLate()) measured++;
   }
   return {
     format: 'farol-lab-run',
