@@ -21,6 +21,8 @@ export interface Drawing {
   lightsChanged?(): void;
   /** Called before a frame whose lights moved (positions in `StageScene.lights`), inside the timed call. */
   lightsMoved?(): void;
+  /** Reads the picture that was drawn in this task, where a 2D canvas cannot: all of it, 8-bit sRGB, top row first. */
+  readPicture?(): Promise<ImageData>;
   /** Lights that are left out. */
   dropped?(): number;
   technique?(): { name: string; reason: string };
@@ -51,7 +53,8 @@ export interface Competitor {
    */
   refuses(scene: { lights: number; shadows: number }): string | null;
   /**
+   * @param longest time that a first frame may take (ms)
    * @throws Error that names what failed
    */
-  open(canvas: HTMLCanvasElement, scene: StageScene, signal: AbortSignal): Promise<Drawing>;
+  open(canvas: HTMLCanvasElement, scene: StageScene, signal: AbortSignal, longest: number): Promise<Drawing>;
 }

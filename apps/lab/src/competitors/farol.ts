@@ -8,9 +8,9 @@ const SETTLED = 12;
 
 /** Farol with one of its techniques, its code fetched before a frame is timed. */
 export function farol(name: TechniqueName): Competitor {
-  const { label, help, kind } = competitorNames[name];
   return {
-    ...{ name, label, help, kind },
+    name,
+    ...competitorNames[name],
     unavailable: async () => null,
     refuses: () => null,
     async open(canvas, scene, signal): Promise<Drawing> {

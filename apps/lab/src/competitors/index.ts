@@ -17,6 +17,7 @@ export const competitors: Readonly<Partial<Record<CompetitorName, Fetch>>> = {
   ...ofFarol,
   stock: async () => stock,
   multipass: async () => multipass,
+  'three-webgpu': async () => (await import('./threeWebGPU')).threeWebGPU,
 };
 
 /** @throws Error (as a rejection) when there is none of that name */

@@ -26,7 +26,8 @@ import { createWebGL } from './createWebGL';
  * once more for each of them, added up in linear half floats.
  */
 export const multipass: Competitor = {
-  ...{ name: 'multipass', label: competitorNames.multipass.label, help: competitorNames.multipass.help, kind: 'three' },
+  name: 'multipass',
+  ...competitorNames.multipass,
   unavailable: async () => null,
   refuses: () => null,
   async open(canvas, scene): Promise<Drawing> {

@@ -1,72 +1,59 @@
-import type { Material } from 'three';
 import { deviceLimits } from '../stage/deviceLimits';
-import type { StageScene } from '../stage/StageScene';
 import type { Competitor, Drawing } from './Competitor';
+import { compileForecast } from './compileForecast';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
+import { refuseTextures } from './refuseTextures';
 
-/** Uniform vectors of a point light: position and distance, colour and decay; of its shadow: two of numbers, one of size. */
+/** Uniform vectors of a point light: position and distance, colour and decay; and of its shadow. */
 const LIGHT = 2;
 const SHADOW = 3;
 /** Uniform vectors that a material needs besides. */
 const OTHERS = 16;
-/** From so many lights on, programs are linked beside the page, which would hang meanwhile. */
+/** From so many lights on, compiling may hang the page: it is foretold, or done beside the page where the browser can. */
 const MANY = 64;
 
 /** three's own renderer: every light is in every shader. */
 export const stock: Competitor = {
-  ...{ name: 'stock', label: competitorNames.stock.label, help: competitorNames.stock.help, kind: 'three' },
+  name: 'stock',
+  ...competitorNames.stock,
   unavailable: async () => null,
   refuses({ lights, shadows }) {
-    const { fragmentUniforms, textures } = deviceLimits();
-    const needed = lights * LIGHT + shadows * SHADOW + OTHERS;
-    if (needed > fragmentUniforms) {
-      const most = Math.floor((fragmentUniforms - OTHERS - shadows * SHADOW) / LIGHT);
-      return `Its shader holds ${most} lights at most on this device (${fragmentUniforms} uniform vectors), not ${lights}.`;
-    }
-    if (shadows > textures) {
-      return `Its shader holds ${textures} textures on this device: too few for the shadow maps of ${shadows} lights.`;
-    }
-    return null;
+    const { fragmentUniforms } = deviceLimits();
+    if (lights * LIGHT + shadows * SHADOW + OTHERS <= fragmentUniforms) return null;
+    const most = Math.max(0, Math.floor((fragmentUniforms - OTHERS - shadows * SHADOW) / LIGHT));
+    return `Its shader holds ${most} lights at most on this device (${fragmentUniforms} uniform vectors), not ${lights}.`;
   },
-  async open(canvas, scene, signal): Promise<Drawing> {
+  async open(canvas, scene, signal, longest): Promise<Drawing> {
     const { three, camera, lights, still } = scene;
-    refuseTextures(scene);
+    refuseTextures(scene, deviceLimits().textures);
+    const count = lights.length + still.length;
+    const isBeside = deviceLimits().compilesBeside;
+    if (count >= MANY && !isBeside) refuseTime(compileForecast(count), longest, count);
     const { renderer, gl, check, dispose } = createWebGL(canvas, scene);
-    const many = lights.length + still.length >= MANY;
+    async function drawFirst(): Promise<void> {
+      const begin = performance.now();
+      const compiled = renderer.compileAsync(three, camera).then(() => true);
+      const late = new Promise<false>((resolve) => setTimeout(() => resolve(false), longest));
+      if (!(await Promise.race([compiled, late]))) refuseTime(performance.now() - begin, longest, count);
+      signal.throwIfAborted();
+      renderer.render(three, camera);
+    }
     return {
       gl,
       render: () => renderer.render(three, camera),
+      ...(count >= MANY && isBeside && { drawFirst }),
       check,
-      ...(many && {
-        async drawFirst() {
-          await renderer.compileAsync(three, camera);
-          signal.throwIfAborted();
-          renderer.render(three, camera);
-        },
-      }),
       dispose,
     };
   },
 };
 
-/** @throws Error where shadow maps and the textures of a material are more than a shader can hold */
-function refuseTextures({ three, lights, still }: StageScene): void {
-  const shadows = [...lights, ...still].filter(({ castShadow }) => castShadow).length;
-  if (shadows === 0) return;
-  let most = 0;
-  three.traverse((object) => {
-    const { material } = object as { material?: Material | Material[] };
-    for (const each of [material ?? []].flat()) {
-      const own = Object.values(each).filter((value) => (value as { isTexture?: boolean } | null)?.isTexture).length;
-      most = Math.max(most, own + (three.environment ? 1 : 0));
-    }
-  });
-  const { textures } = deviceLimits();
-  if (shadows + most > textures) {
-    throw new Error(
-      `Its shader holds ${textures} textures on this device, ${most} of them the material’s: shadows of ` +
-        `${textures - most} lights at most, not of ${shadows}.`,
-    );
-  }
+/** @throws Error when compiling takes longer than a first frame may */
+function refuseTime(ms: number, longest: number, lights: number): void {
+  if (ms < longest) return;
+  const [time, limit] = [ms, longest].map((each) => (each < 9950 ? (each / 1000).toFixed(1) : Math.round(each / 1000)));
+  throw new Error(
+    `Left out: its shader with ${lights} lights takes about ${time} s to compile here (limit ${limit} s).`,
+  );
 }

@@ -1,15 +1,25 @@
 /** Widest picture that is compared (pixels). */
 const WIDEST = 320;
 
-/** The picture on a canvas, as it would be shown on black: 8-bit sRGB, `WIDEST` pixels wide at most. */
-export function readPicture(canvas: HTMLCanvasElement): ImageData {
-  const width = Math.min(WIDEST, canvas.width);
-  const height = Math.max(1, Math.round((canvas.height * width) / canvas.width));
-  const small = document.createElement('canvas');
-  Object.assign(small, { width, height });
-  const context = small.getContext('2d', { alpha: false, willReadFrequently: true });
-  if (!context) throw new Error('The picture cannot be read: the browser gives no 2D canvas. Close some tabs.');
+/** A picture, as it would be shown on black: 8-bit sRGB, RGBA, `WIDEST` pixels wide at most. */
+export function readPicture(source: HTMLCanvasElement | ImageData): ImageData {
+  const width = Math.min(WIDEST, source.width);
+  const height = Math.max(1, Math.round((source.height * width) / source.width));
+  const context = context2D(width, height);
   context.imageSmoothingQuality = 'high';
-  context.drawImage(canvas, 0, 0, width, height);
+  context.drawImage(source instanceof ImageData ? canvasOf(source) : source, 0, 0, width, height);
   return context.getImageData(0, 0, width, height);
+}
+
+function canvasOf(pixels: ImageData): HTMLCanvasElement {
+  const context = context2D(pixels.width, pixels.height);
+  context.putImageData(pixels, 0, 0);
+  return context.canvas;
+}
+
+function context2D(width: number, height: number): CanvasRenderingContext2D {
+  const canvas = Object.assign(document.createElement('canvas'), { width, height });
+  const context = canvas.getContext('2d', { alpha: false, willReadFrequently: true });
+  if (!context) throw new Error('The picture cannot be read: the browser gives no 2D canvas. Close some tabs.');
+  return context;
 }

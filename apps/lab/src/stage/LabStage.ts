@@ -23,7 +23,7 @@ export class LabStage implements Stage {
   async open(
     name: string,
     labCase: LabCase,
-    { signal }: { signal: AbortSignal; longestFrame: number },
+    { signal, longestFrame }: { signal: AbortSignal; longestFrame: number },
   ): Promise<Opened> {
     this.close(name);
     const competitor = await loadCompetitor(name);
@@ -43,7 +43,7 @@ export class LabStage implements Stage {
       signal.throwIfAborted();
       Object.assign(canvas, { width: labCase.width, height: labCase.height });
       saltShaders(canvas);
-      const drawing = await competitor.open(canvas, scene, signal);
+      const drawing = await competitor.open(canvas, scene, signal, longestFrame);
       opened = new OpenCompetitor(competitor, canvas, scene, drawing, this.counters);
       const result = await opened.drawFirst(signal);
       this.entered.set(name, opened);

@@ -53,8 +53,9 @@ export class OpenCompetitor {
     scene.setTime(PICTURE_TIME);
     drawing.lightsMoved?.();
     drawing.render();
-    if (!drawing.gl) await this.finish();
-    const picture = readPicture(this.canvas);
+    // in the same task: a canvas of WebGPU is empty in the next one
+    const picture = readPicture((await drawing.readPicture?.()) ?? this.canvas);
+    await this.finish();
     this.check();
     const { name = null, reason = null } = drawing.technique?.() ?? {};
     return { firstMs, dropped: drawing.dropped?.() ?? 0, technique: name, reason, picture };

@@ -10,6 +10,8 @@ export interface DeviceLimits {
   readonly fragmentUniforms: number;
   /** Textures of a fragment shader. */
   readonly textures: number;
+  /** Whether programs compile while the page goes on (KHR_parallel_shader_compile). */
+  readonly compilesBeside: boolean;
 }
 
 let known: DeviceLimits | null = null;
@@ -31,6 +33,7 @@ export function deviceLimits(): DeviceLimits {
     renderer: String(gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER)),
     timer: gl.getExtension('EXT_disjoint_timer_query_webgl2') !== null,
     fragmentUniforms: gl.getParameter(gl.MAX_FRAGMENT_UNIFORM_VECTORS) as number,
+    compilesBeside: gl.getExtension('KHR_parallel_shader_compile') !== null,
     textures: gl.getParameter(gl.MAX_TEXTURE_IMAGE_UNITS) as number,
   };
   loseContext(gl);

@@ -1,0 +1,28 @@
+import type { Material } from 'three';
+import type { StageScene } from '../stage/StageScene';
+
+/**
+ * Refuses a scene whose shadow maps do not fit into a shader beside a material's own textures.
+ *
+ * @param textures that a shader holds on this device
+ * @param others that the renderer needs besides
+ * @throws Error that says for how many lights there is room
+ */
+export function refuseTextures({ three, lights, still }: StageScene, textures: number, others = 0): void {
+  const shadows = [...lights, ...still].filter(({ castShadow }) => castShadow).length;
+  if (shadows === 0) return;
+  let most = 0;
+  three.traverse((object) => {
+    const { material } = object as { material?: Material | Material[] };
+    for (const each of [material ?? []].flat()) most = Math.max(most, texturesOf(each));
+  });
+  const room = textures - others - most - (three.environment ? 1 : 0);
+  if (shadows <= room) return;
+  throw new Error(
+    `A shader holds ${textures} textures here, and ${textures - room} of them are taken: room for the shadow maps of ` +
+      `${Math.max(0, room)} lights, not of ${shadows}.`,
+  );
+}
+
+const texturesOf = (material: Material): number =>
+  Object.values(material).filter((value) => (value as { isTexture?: boolean } | null)?.isTexture).length;
