@@ -1,43 +1,70 @@
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Configuration } from '../plan/Configuration';
 import { MOST_CONTEXTS } from '../plan/planOf';
 import { presets } from '../plan/presets';
 import type { LabRun } from '../results/LabRun';
+import { referenceRuns } from '../results/referenceRuns';
+import { RunLibrary } from '../results/RunLibrary';
+import { RunStore } from '../results/RunStore';
 import { surroundingsOf } from '../results/surroundings';
 import { Hero } from './Hero';
+import { ComparedRuns } from './results/ComparedRuns';
 import { Results } from './results/Results';
+import { RunActions } from './results/RunActions';
+import { RunChoice } from './results/RunChoice';
 import { RunPanel } from './RunPanel';
 import { Setup } from './Setup';
 import { planned } from './support/planned';
 import { useConfiguration } from './support/useConfiguration';
 import { useRun } from './support/useRun';
+import { useShownRun } from './support/useShownRun';
 import { useStage } from './support/useStage';
 import { ThemeSelect } from './ThemeSelect';
+
+const store = new RunStore();
 
 /** The whole page. */
 export function LabPage() {
   const { configuration, problems, setConfiguration } = useConfiguration();
-  const [own, setOwn] = useState<LabRun | null>(null);
+  const shown = useShownRun();
+  const [pair, setPair] = useState<readonly [LabRun, LabRun] | null>(null);
+  const [complaint, setComplaint] = useState<string | null>(null);
   const stage = useStage();
   const { running, problem, start, cancel } = useRun();
   const isRunning = running !== null;
   const plan = useMemo(() => planned(configuration), [configuration]);
+  const { focus, show } = useFocusedRun(shown.show);
 
+  const keep = async (run: LabRun): Promise<void> => {
+    setComplaint(null);
+    try {
+      await store.save(run);
+    } catch (error) {
+      setComplaint(error instanceof Error ? error.message : String(error));
+    }
+  };
   const measure = async (wanted: Configuration): Promise<void> => {
     setConfiguration(wanted);
     const made = planned(wanted);
     if (!made.plan) return;
+    setPair(null);
     const run = await start(made.plan, async () => {
       const frames = stage.frames();
       const device = await (await frames.stageOf('forward')).device();
       return { frames, surroundings: await surroundingsOf(device), mostContexts: mostContexts() };
     });
     stage.close();
-    if (run) setOwn(run);
+    if (!run) return;
+    show(run);
+    await keep(run);
+  };
+  const rename = (run: LabRun, name: string): void => {
+    const renamed = { ...run, name };
+    shown.show(renamed);
+    void keep(renamed);
   };
 
-  const shown = running?.run ?? own;
-  useFocusOnResults(own);
+  const run = running?.run ?? shown.run;
   return (
     <>
       <header class="bar">
@@ -47,11 +74,14 @@ export function LabPage() {
       <main>
         <Hero stage={stage} isRunning={isRunning} onMeasure={() => void measure(presets.quick.configuration)} />
         {running && <RunPanel running={running} onCancel={cancel} />}
-        {[...problems, ...(problem ? [problem] : [])].map((each) => (
-          <p key={each} class="problem" role="alert">
-            {each}
-          </p>
-        ))}
+        {[...problems, problem, complaint, shown.problem].map(
+          (each) =>
+            each && (
+              <p key={each} class="problem" role="alert">
+                {each}
+              </p>
+            ),
+        )}
         <div class="columns">
           <Setup
             configuration={configuration}
@@ -62,28 +92,64 @@ export function LabPage() {
             onChange={setConfiguration}
             onMeasure={() => void measure(configuration)}
           />
-          <section class="results" aria-labelledby="results-title">
-            {shown ? (
-              <Results run={shown} isReference={false} isRunning={isRunning} actions={null}>
-                <p class="dim">The charts come here.</p>
-              </Results>
-            ) : (
-              <h2 id="results-title">Results</h2>
-            )}
-          </section>
+          <div class="shown">
+            {pair && <ComparedRuns runs={pair} onClose={() => setPair(null)} />}
+            <section class="results" aria-labelledby="results-title">
+              {!isRunning && <RunChoice store={store} run={shown.run} onOpen={show} onProblem={setComplaint} />}
+              {run ? (
+                <Results
+                  run={run}
+                  isReference={!isRunning && shown.isReference}
+                  isRunning={isRunning}
+                  title={focus}
+                  actions={
+                    !isRunning && (
+                      <RunActions
+                        run={run}
+                        isReference={shown.isReference}
+                        onRename={(name) => rename(run, name)}
+                        onMeasure={(again) => void measure(again)}
+                        onCompare={(reference) => setPair([run, reference])}
+                        onProblem={setComplaint}
+                      />
+                    )
+                  }
+                />
+              ) : (
+                <h2 id="results-title">Results</h2>
+              )}
+            </section>
+            <section class="results">
+              <RunLibrary
+                store={store}
+                references={referenceRuns}
+                current={shown.run?.id ?? null}
+                onOpen={show}
+                onCompare={(a, b) => setPair([a, b])}
+              />
+            </section>
+          </div>
         </div>
       </main>
     </>
   );
 }
 
-/** Moves the focus to the results of a run once it is over, since the button that cancels it is gone. */
-function useFocusOnResults(run: LabRun | null): void {
-  const before = useRef(run);
+/** Shows runs and moves the focus to their title: what had it may be gone or far away. */
+function useFocusedRun(showRun: (run: LabRun) => void) {
+  const focus = useRef<HTMLHeadingElement>(null);
+  const [count, setCount] = useState(0);
+  const show = useCallback(
+    (run: LabRun) => {
+      showRun(run);
+      setCount((now) => now + 1);
+    },
+    [showRun],
+  );
   useEffect(() => {
-    if (run !== before.current) document.getElementById('results-title')?.focus();
-    before.current = run;
-  }, [run]);
+    if (count > 0) focus.current?.focus();
+  }, [count]);
+  return { focus, show };
 }
 
 /** Contexts that the browser keeps alive at once. */

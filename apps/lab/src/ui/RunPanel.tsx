@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { axisWords } from '../plan/sceneWords';
-import { competitorLabel } from './results/rowColumns';
+import { competitorLabel } from '../words/names';
 import { formatDuration } from './support/formatDuration';
 import type { Running } from './support/useRun';
 

@@ -1,5 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { competitorLabel, psnrText, type TableRow } from './rowColumns';
+import { competitorLabel } from '../../words/names';
+import { psnrText, type TableRow } from './rowColumns';
 
 /** How much brighter differences are shown than they are. */
 const GAIN = 8;

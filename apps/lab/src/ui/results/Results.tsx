@@ -1,7 +1,9 @@
-import type { ComponentChildren } from 'preact';
+import type { ComponentChildren, RefObject } from 'preact';
+import { useMemo, useState } from 'preact/hooks';
+import { RunCharts } from '../../charts/RunCharts';
 import type { LabRun } from '../../results/LabRun';
-import { formatDuration } from '../support/formatDuration';
 import { deviceName } from '../support/deviceName';
+import { formatDuration } from '../support/formatDuration';
 import { Pictures } from './Pictures';
 import { RowTable } from './RowTable';
 
@@ -10,24 +12,29 @@ interface ResultsProps {
   /** Whether the run lies in the repository, made by somebody else. */
   isReference: boolean;
   isRunning: boolean;
-  /** Charts of the run. */
-  children: ComponentChildren;
+  /** Takes the heading. */
+  title: RefObject<HTMLHeadingElement | null>;
   /** Buttons for the run. */
   actions: ComponentChildren;
 }
 
 /** A run: where it was made, what spoils it, its charts, pictures and rows. */
-export function Results({ run, isReference, isRunning, children, actions }: ResultsProps) {
+export function Results({ run, isReference, isRunning, title, actions }: ResultsProps) {
+  const runs = useMemo(() => [run], [run]);
   return (
     <>
-      <RunHead run={run} isReference={isReference} isRunning={isRunning} />
+      <RunHead {...{ run, isReference, isRunning, title }} />
       {actions}
       {run.surroundings.warnings.map((warning) => (
         <p key={warning} class="warning">
           {warning}
         </p>
       ))}
-      {children}
+      {run.rows.length > 0 ? (
+        <RunCharts key={run.id} runs={runs} />
+      ) : (
+        <p class="dim">{isRunning ? 'The first figures come in some seconds.' : 'Nothing was measured.'}</p>
+      )}
       {!isRunning && (
         <>
           <section aria-labelledby="pictures-title" class="part">
@@ -36,7 +43,7 @@ export function Results({ run, isReference, isRunning, children, actions }: Resu
           </section>
           <section aria-labelledby="rows-title" class="part">
             <h3 id="rows-title">All figures</h3>
-            <RowTable run={run} />
+            <AllRows run={run} />
           </section>
         </>
       )}
@@ -44,16 +51,27 @@ export function Results({ run, isReference, isRunning, children, actions }: Resu
   );
 }
 
-function RunHead({ run, isReference, isRunning }: { run: LabRun; isReference: boolean; isRunning: boolean }) {
+/** The table, which is made once somebody asks for it: it is by far the largest part of the page. */
+function AllRows({ run }: { run: LabRun }) {
+  const [isOpen, setOpen] = useState(false);
+  return (
+    <details class="all-rows" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+      <summary>Table of {run.rows.length} rows, with warnings and what failed</summary>
+      {isOpen && <RowTable run={run} />}
+    </details>
+  );
+}
+
+function RunHead({ run, isReference, isRunning, title }: Omit<ResultsProps, 'actions'>) {
   const { name, plan, surroundings, complete, duration } = run;
   const date = new Date(surroundings.date);
   return (
     <header class="run-head">
-      <h2 id="results-title" tabIndex={-1}>
+      <h2 id="results-title" ref={title} tabIndex={-1}>
         {isRunning ? 'So far' : name || plan.label}
-        {isReference && <span class="badge">reference, not your machine</span>}
-        {!isRunning && !complete && <span class="badge">not complete</span>}
       </h2>
+      {isReference && <span class="badge">reference, not your machine</span>}
+      {!isRunning && !complete && <span class="badge">not complete</span>}
       <p class="dim">
         {name && `${plan.label}. `}
         {deviceName(surroundings.device)}; {surroundings.browser}, {surroundings.system};{' '}

@@ -1,7 +1,8 @@
 import { useMemo, useState } from 'preact/hooks';
 import type { LabRun } from '../../results/LabRun';
 import { Select } from '../Select';
-import { columnsOf, competitorLabel, tableRows, type TableRow } from './rowColumns';
+import { competitorLabel } from '../../words/names';
+import { columnsOf, tableRows, type TableRow } from './rowColumns';
 import { sortRows, type RowOrder } from './sortRows';
 
 /** Every figure of a run, with what spoils it. A click on a column's name sorts by it. */

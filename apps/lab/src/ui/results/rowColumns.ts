@@ -1,6 +1,7 @@
 import { competitorNames } from '../../competitors/competitorNames';
 import type { LabCase, LabPlan } from '../../plan/LabPlan';
 import type { LabRow, LabRun, Spread } from '../../results/LabRun';
+import { competitorLabel } from '../../words/names';
 import { formatBytes, formatNumber } from '../support/formatNumber';
 
 /** A row with what its plan says of it. */
@@ -27,10 +28,6 @@ export interface RowColumn {
 }
 
 const order = Object.keys(competitorNames);
-
-/** Name of a competitor; its key where a run from elsewhere has another one. */
-export const competitorLabel = (name: string): string =>
-  name in competitorNames ? competitorNames[name as keyof typeof competitorNames].label : name;
 
 /** The rows of a run with their cases. Rows of series or cases that the plan has not are left out. */
 export function tableRows({ plan, rows }: Pick<LabRun, 'plan' | 'rows'>): TableRow[] {

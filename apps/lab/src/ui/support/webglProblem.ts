@@ -3,10 +3,8 @@ export function webglProblem(): string | null {
   if (typeof WebGL2RenderingContext === 'undefined') {
     return 'This browser has no WebGL 2: use Chrome, Edge or Firefox of the last two years, or Safari 17 or newer.';
   }
-  const gl = document.createElement('canvas').getContext('webgl2');
-  if (!gl) {
+  if (!document.createElement('canvas').getContext('webgl2')) {
     return 'WebGL 2 is switched off here: switch hardware acceleration on in the browser’s settings, or update the graphics driver, then load the page again.';
   }
-  gl.getExtension('WEBGL_lose_context')?.loseContext();
   return null;
 }

@@ -1,0 +1,60 @@
+import { useMemo } from 'preact/hooks';
+import type { Configuration } from '../../plan/Configuration';
+import { ExportMenu } from '../../results/ExportMenu';
+import type { LabRun } from '../../results/LabRun';
+import { linkOf } from '../../results/link';
+import { configurationOfPlan } from '../support/configurationOfPlan';
+import { referenceFor } from '../support/useShownRun';
+
+interface RunActionsProps {
+  run: LabRun;
+  isReference: boolean;
+  /** Keeps the run under a name. */
+  onRename(name: string): void;
+  onMeasure(configuration: Configuration): void;
+  onCompare(reference: LabRun): void;
+  onProblem(problem: string): void;
+}
+
+/** What can be done with a run: a name, another run of the same, a comparison, files and a link. */
+export function RunActions({ run, isReference, onRename, onMeasure, onCompare, onProblem }: RunActionsProps) {
+  const configuration = useMemo(() => configurationOfPlan(run.plan), [run.plan]);
+  const reference = referenceFor(run);
+  const link = configuration && new URL(linkOf(configuration), location.href).href;
+  const compare = async (): Promise<void> => {
+    try {
+      if (reference) onCompare(await reference.read());
+    } catch (error) {
+      onProblem(error instanceof Error ? error.message : String(error));
+    }
+  };
+  return (
+    <div class="run-actions">
+      {!isReference && (
+        <label class="inline-field">
+          Name
+          <input
+            key={run.id}
+            type="text"
+            class="run-title"
+            maxLength={200}
+            placeholder={run.plan.label}
+            defaultValue={run.name}
+            onChange={({ currentTarget }) => onRename(currentTarget.value.trim())}
+          />
+        </label>
+      )}
+      {configuration && (
+        <button type="button" onClick={() => onMeasure(configuration)}>
+          {isReference ? 'Measure the same here' : 'Measure again'}
+        </button>
+      )}
+      {reference && (
+        <button type="button" onClick={() => void compare()}>
+          Compare with the reference
+        </button>
+      )}
+      <ExportMenu run={run} link={link} />
+    </div>
+  );
+}

@@ -1,0 +1,46 @@
+import type { LabRun } from '../../results/LabRun';
+import { referenceRuns } from '../../results/referenceRuns';
+import type { RunInfo, RunStore } from '../../results/RunStore';
+import { useRuns } from '../../results/useRuns';
+import { Select } from '../Select';
+import { deviceName } from '../support/deviceName';
+
+interface RunChoiceProps {
+  store: RunStore;
+  /** The run on show. */
+  run: LabRun | null;
+  onOpen(run: LabRun): void;
+  onProblem(problem: string): void;
+}
+
+/** Which run is on show: one of this browser, or a reference. */
+export function RunChoice({ store, run, onOpen, onProblem }: RunChoiceProps) {
+  const { runs } = useRuns(store);
+  const kept = runs ?? [];
+  const references = referenceRuns.map(({ info }) => info);
+  const all = [...kept, ...references];
+  if (all.length < 2) return null;
+  const open = async (id: string): Promise<void> => {
+    try {
+      const reference = referenceRuns.find(({ info }) => info.id === id);
+      onOpen(await (reference ? reference.read() : store.open(id)));
+    } catch (error) {
+      onProblem(error instanceof Error ? error.message : String(error));
+    }
+  };
+  const options = all.map((info, index) => [info.id, infoText(info, index >= kept.length)] as const);
+  const isListed = run !== null && all.some(({ id }) => id === run.id);
+  return (
+    <Select
+      label="Run on show"
+      value={isListed ? run.id : ''}
+      options={isListed ? options : [['', run ? run.name || run.plan.label : 'None'] as const, ...options]}
+      onChange={(id) => void (id && open(id))}
+    />
+  );
+}
+
+function infoText({ name, label, date, device }: RunInfo, isReference: boolean): string {
+  const what = name || label;
+  return isReference ? `Reference: ${what}, ${deviceName(device)}` : `${what}, ${date.slice(0, 16).replace('T', ' ')}`;
+}

@@ -1,0 +1,34 @@
+import { expect, test } from 'vitest';
+import type { Configuration } from '../../plan/Configuration';
+import { planOf } from '../../plan/planOf';
+import { presets } from '../../plan/presets';
+import { configurationOfPlan } from './configurationOfPlan';
+
+test.each(Object.entries(presets))('the preset %s comes back from its plan', (_name, { configuration }) => {
+  const plan = planOf(configuration);
+  const back = configurationOfPlan(plan);
+  expect(back && planOf(back)).toEqual(plan);
+});
+
+const quick = presets.quick.configuration;
+
+test('so do another size, other competitors and another effort', () => {
+  const wanted: Configuration = {
+    ...quick,
+    ...{ width: 96, height: 54, competitors: ['stock'], effort: { ...quick.effort, rounds: 7 } },
+  };
+  expect(configurationOfPlan(planOf(wanted))).toEqual(wanted);
+});
+
+test('a scene that was handed over has none', () => {
+  const own = { scene: 'own', n: 1, axis: 'pixels', values: [230], lights: 0 } as const;
+  expect(configurationOfPlan(planOf({ ...quick, preset: 'custom', series: [own] }))).toBeNull();
+});
+
+test('cases that no configuration makes have none', () => {
+  const plan = planOf(quick);
+  const [first, ...others] = plan.series;
+  const cases = first.cases.map((each) => ({ ...each, overdraw: 3 }));
+  expect(configurationOfPlan({ ...plan, series: [{ ...first, cases }, ...others] })).toBeNull();
+  expect(configurationOfPlan({ ...plan, series: [] })).toBeNull();
+});
