@@ -1,12 +1,14 @@
 /**
- * `npm run bench`: measures scene × technique × lights × size in Chromium, in turns, and writes a table and JSON.
- * `npm run bench -- --help` lists the options. With `--dist` it needs Node and playwright-core alone.
+ * `npm run bench`: with `--preset` measures what the Lab measures, by the Lab's own code (`benchLab.mjs`); without, scene ×
+ * technique × lights × size in the viewer, in turns, and writes a table and JSON. `npm run bench -- --help` lists the
+ * options. With `--dist` it needs Node and playwright-core alone.
  */
 import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { BenchBrowser } from './benchBrowser.mjs';
-import { buildReference, buildViewer, commitOf, isBuilt } from './benchBuild.mjs';
+import { buildApp, buildReference, commitOf, isBuilt } from './benchBuild.mjs';
 import { benchCases, caseKey } from './benchCases.mjs';
+import { benchLab } from './benchLab.mjs';
 import { benchHelp, parseBenchOptions } from './benchOptions.mjs';
 import { serveFolder } from './benchServe.mjs';
 import { median, summarise } from './benchStatistics.mjs';
@@ -18,7 +20,7 @@ import { root } from './root.mjs';
 /**
  * @typedef {import('./benchCases.mjs').BenchCase} BenchCase
  * @typedef {import('./benchMeasure.mjs').Measurement} Measurement
- * @typedef {import('./benchOptions.mjs').BenchOptions} BenchOptions
+ * @typedef {import('./benchOptions.mjs').MatrixBench} BenchOptions
  * @typedef {{ name: string, folder: string }} Build
  * @typedef {{ benchCase: BenchCase, builds: ({ rounds: Measurement[], error: string | null } | null)[] }} CaseRecord
  */
@@ -26,7 +28,7 @@ import { root } from './root.mjs';
 try {
   const options = parseBenchOptions(process.argv.slice(2));
   if (options.help) console.log(benchHelp);
-  else process.exitCode = await bench(options);
+  else process.exitCode = await (options.mode === 'lab' ? benchLab(options) : bench(options));
 } catch (error) {
   console.error(error instanceof Error ? error.message : error);
   process.exitCode = 1;
@@ -65,13 +67,13 @@ async function prepareBuilds({ dist, against }) {
   } else {
     ensureInstalled();
     console.log('Building the viewer.');
-    builds.push({ name: 'now', folder: await buildViewer(root) });
+    builds.push({ name: 'now', folder: await buildApp(root, 'viewer') });
   }
   if (against !== null) {
     if (!isBuilt(against)) console.log(`Building the viewer of ${against}.`);
     const folder = isBuilt(against)
       ? resolve(against)
-      : await buildReference(against, join(root, '.cache/bench/against'));
+      : await buildReference(against, join(root, '.cache/bench/against'), 'viewer');
     builds.push({ name: against, folder });
   }
   return builds;

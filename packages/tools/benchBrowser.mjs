@@ -17,6 +17,19 @@ const noCaches = {
   env: { __GL_SHADER_DISK_CACHE: '0', MESA_SHADER_CACHE_DISABLE: 'true' },
 };
 
+/**
+ * Starts a browser to measure in, with a server process that can be killed.
+ *
+ * @param {{ executablePath: string, gpu: boolean }} options
+ * @param {readonly string[]} [more] flags
+ */
+export async function launchBench({ executablePath, gpu }, more = []) {
+  const args = [...(gpu ? gpuFlags : softwareFlags), ...noCaches.flags, ...more];
+  const server = await chromium.launchServer({ executablePath, args, env: { ...process.env, ...noCaches.env } });
+  const browser = await chromium.connect(server.wsEndpoint());
+  return { server, browser };
+}
+
 /** A browser that measures pages of the viewer, each in a context of its own; started anew after one that failed. */
 export class BenchBrowser {
   /** @type {{ server: import('playwright-core').BrowserServer, browser: import('playwright-core').Browser } | null} */
@@ -124,10 +137,7 @@ export class BenchBrowser {
 
   async #browser() {
     if (!this.#running) {
-      const { executablePath, gpu } = this.options;
-      const args = [...(gpu ? gpuFlags : softwareFlags), ...noCaches.flags];
-      const server = await chromium.launchServer({ executablePath, args, env: { ...process.env, ...noCaches.env } });
-      const browser = await chromium.connect(server.wsEndpoint());
+      const { server, browser } = await launchBench(this.options);
       this.version = browser.version();
       this.#running = { server, browser };
     }

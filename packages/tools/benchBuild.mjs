@@ -4,41 +4,50 @@ import { join } from 'node:path';
 import { publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 
+/** @typedef {'viewer' | 'lab'} MeasuredApp */
+
 /**
- * Builds the viewer of a checkout, and the packages that it is made of.
+ * Builds an app of a checkout, and the packages that it is made of.
  *
  * @param {string} checkout folder of the repository
- * @returns {Promise<string>} folder of the built viewer
+ * @param {MeasuredApp} app
+ * @returns {Promise<string>} folder of the built app
  */
-export async function buildViewer(checkout) {
+export async function buildApp(checkout, app) {
   // the figures are of the dragon that others measure with
   process.env.FAROL_STANFORD_DRAGON ??= '1';
   const { build } = await import('vite');
-  for (const part of [...publishedPackages(checkout).map(({ folder }) => folder), 'apps/viewer']) {
+  for (const part of [...publishedPackages(checkout).map(({ folder }) => folder), `apps/${app}`]) {
     const folder = join(checkout, part);
     await build({ root: folder, configFile: join(folder, 'vite.config.ts'), logLevel: 'error' });
   }
-  return join(checkout, 'apps/viewer/dist');
+  return join(checkout, 'apps', app, 'dist');
 }
 
 /**
- * Builds the viewer of another commit, in a temporary worktree that uses this checkout's installed packages.
+ * Builds an app of another commit, in a temporary worktree that uses this checkout's installed packages.
  *
  * @param {string} ref
  * @param {string} to folder to put it into; what was there goes
+ * @param {MeasuredApp} app
  * @returns {Promise<string>} `to`
- * @throws {Error} when git knows no such commit
+ * @throws {Error} when git knows no such commit, or it has no such app
  */
-export async function buildReference(ref, to) {
+export async function buildReference(ref, to, app) {
   const commit = commitOf(ref);
   if (!commit)
-    throw new Error(`--against ${ref}: it is neither a folder with a built viewer nor a commit that git knows.`);
+    throw new Error(`--against ${ref}: it is neither a folder with a built ${app} nor a commit that git knows.`);
+  if (!hasApp(commit, app)) {
+    throw new Error(
+      `--against ${ref}: that commit has no ${app}. Leave --preset out: the viewer’s matrix compares with any commit.`,
+    );
+  }
   const worktree = join(root, '.cache/bench', `worktree-${process.pid}`);
   git('worktree', 'prune');
   git('worktree', 'add', '--quiet', '--detach', worktree, commit);
   try {
     linkModules(worktree);
-    const dist = await buildViewer(worktree);
+    const dist = await buildApp(worktree, app);
     rmSync(to, { recursive: true, force: true });
     cpSync(dist, to, { recursive: true });
   } finally {
@@ -56,8 +65,13 @@ export function commitOf(ref) {
   }
 }
 
-/** @param {string} folder whether it holds a built viewer */
-export const isBuilt = (folder) => existsSync(join(folder, 'index.html'));
+/** Whether a folder holds a built app. @param {string} folder @param {string} [page] that is looked for */
+export const isBuilt = (folder, page = 'index.html') => existsSync(join(folder, page));
+
+/** @param {string} commit @param {MeasuredApp} app */
+function hasApp(commit, app) {
+  return git('ls-tree', '--name-only', commit, `apps/${app}/package.json`).trim() !== '';
+}
 
 /** Links the installed packages, less the repository's own, which must be the worktree's. @param {string} worktree */
 function linkModules(worktree) {

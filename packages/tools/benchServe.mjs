@@ -29,16 +29,18 @@ const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-e
  * @param {boolean} [options.isolated] pages are cross-origin isolated, which gives their clock 5 µs in place of 100;
  *   default true
  * @param {number} [options.port] default 0, a free one
+ * @param {Record<string, string>} [options.beside] folders served under names of their own, `/name/…`
  * @returns {Promise<{ url: string, close(): Promise<void> }>} the URL ends in a slash
  */
-export async function serveFolder(folder, { isolated = true, port = 0 } = {}) {
-  const top = resolve(folder);
+export async function serveFolder(folder, { isolated = true, port = 0, beside = {} } = {}) {
+  const tops = Object.entries(beside).map(([name, each]) => ({ prefix: `/${name}/`, top: resolve(each) }));
+  tops.push({ prefix: '/', top: resolve(folder) });
   const server = createServer(async (request, response) => {
     try {
       const { pathname } = new URL(request.url ?? '/', 'http://localhost');
-      const path = normalize(
-        join(top, decodeURIComponent(pathname.endsWith('/') ? `${pathname}index.html` : pathname)),
-      );
+      const asked = decodeURIComponent(pathname.endsWith('/') ? `${pathname}index.html` : pathname);
+      const { prefix, top } = tops.find(({ prefix }) => asked.startsWith(prefix)) ?? tops[tops.length - 1];
+      const path = normalize(join(top, asked.slice(prefix.length)));
       if (!path.startsWith(top + sep)) throw new Error('outside of the folder');
       const body = await readFile(path);
       response.writeHead(200, {

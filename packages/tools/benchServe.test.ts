@@ -33,3 +33,19 @@ it('serves a folder and nothing outside of it, isolated for a fine clock', async
     await server.close();
   }
 });
+
+it('serves another folder under its name, and nothing above it', async () => {
+  mkdirSync(join(folder, 'other'));
+  writeFileSync(join(folder, 'other/index.html'), 'the other page');
+  const server = await serveFolder(join(folder, 'dist'), { beside: { against: join(folder, 'other') } });
+  try {
+    expect(await (await fetch(server.url)).text()).toBe('the page');
+    expect(await (await fetch(`${server.url}against/`)).text()).toBe('the other page');
+    expect(await (await fetch(`${server.url}against/index.html`)).text()).toBe('the other page');
+    for (const path of ['/against/../../secret.txt', '/against/..%2fsecret.txt', '/against', '/other/index.html']) {
+      expect(await status(server.url, path), path).toBe(404);
+    }
+  } finally {
+    await server.close();
+  }
+});

@@ -1,8 +1,8 @@
 import { useMemo, useState } from 'preact/hooks';
-import { competitorNames, type CompetitorName } from '../competitors/competitorNames';
 import { axisWords } from '../plan/sceneWords';
 import { compareRuns, type ComparedRow } from './compareRuns';
-import { digits } from './digits';
+import { formatNumber } from '../words/format';
+import { competitorLabel } from '../words/names';
 import type { LabRun, Metric } from './LabRun';
 import './results.css';
 
@@ -69,7 +69,7 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
               <tbody>
                 {competitors.map(({ competitor, cases, ratio }) => (
                   <tr key={competitor}>
-                    <th scope="row">{labelOf(competitor)}</th>
+                    <th scope="row">{competitorLabel(competitor)}</th>
                     <td>{cases}</td>
                     <td>{digits(ratio)}</td>
                     <td class={`text ${kindOf(ratio)}`}>{ratioWords(ratio)}</td>
@@ -111,7 +111,7 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
           {rows.map(({ competitor, labCase, value, a, b, ratio }) => (
             <tr key={`${value} ${competitor}`}>
               <th scope="row">{axis === 'pixels' ? `${labCase.width} × ${labCase.height}` : digits(value)}</th>
-              <td class="text">{labelOf(competitor)}</td>
+              <td class="text">{competitorLabel(competitor)}</td>
               <td>{digits(a)}</td>
               <td>{digits(b)}</td>
               <td>{digits(ratio)}</td>
@@ -136,9 +136,8 @@ function kindOf(ratio: number | null): 'faster' | 'slower' | 'same' {
   return ratio > 1 ? 'faster' : 'slower';
 }
 
-function labelOf(name: string): string {
-  return Object.hasOwn(competitorNames, name) ? competitorNames[name as CompetitorName].label : name;
-}
+/** A number, or a dash for none. */
+const digits = (value: number | null): string => formatNumber(value ?? Number.NaN);
 
 function runWords({ name, plan, surroundings }: LabRun): string {
   const { device, browser, system, date } = surroundings;

@@ -1,6 +1,7 @@
 import type { LabRun } from './LabRun';
 import { runCSV } from './runCSV';
 import { runMarkdown } from './runMarkdown';
+import { writeZip } from './writeZip';
 
 /** A file made of a run. */
 export interface RunFile {
@@ -28,6 +29,23 @@ function textFormat(
   };
 }
 
+function chartsFormat(label: string, help: string, kind: 'svg' | 'png'): ExportFormat {
+  return {
+    label,
+    help,
+    async make(run) {
+      const { chartFiles } = await import('./chartFiles');
+      const files = await chartFiles(run, kind);
+      const bytes = files.map(async ({ name, content }) => ({
+        name,
+        bytes: new Uint8Array(await content.arrayBuffer()),
+      }));
+      const archive = writeZip(await Promise.all(bytes), new Date());
+      return { name: `${fileName(run)}-${kind}.zip`, content: archive };
+    },
+  };
+}
+
 /** The forms, by key. */
 export const exportFormats: Readonly<Record<string, ExportFormat>> = {
   json: textFormat('JSON', 'Everything, pictures included: the Lab opens it again, on any machine.', {
@@ -38,8 +56,10 @@ export const exportFormats: Readonly<Record<string, ExportFormat>> = {
     ...{ extension: 'csv', type: 'text/csv', write: runCSV },
   }),
   markdown: textFormat('Markdown', 'Tables as in chapter 4 of the thesis, with all warnings.', {
-    ...{ extension: 'md', type: 'text/markdown', write: runMarkdown },
+    ...{ extension: 'md', type: 'text/markdown', write: (run) => runMarkdown(run) },
   }),
+  svg: chartsFormat('SVG', 'Every chart as a drawing that can be enlarged, in an archive.', 'svg'),
+  png: chartsFormat('PNG', 'Every chart as a picture, in an archive.', 'png'),
 };
 
 /** The run's name, or its preset, with date and device: letters, digits and hyphens. */

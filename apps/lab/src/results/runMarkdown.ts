@@ -1,7 +1,7 @@
-import { competitorNames, type CompetitorName } from '../competitors/competitorNames';
 import type { LabCase, LabSeries } from '../plan/LabPlan';
 import { axisWords } from '../plan/sceneWords';
-import { digits } from './digits';
+import { formatNumber } from '../words/format';
+import { competitorLabel } from '../words/names';
 import type { LabRow, LabRun } from './LabRun';
 
 /** A table of a series: what its cells say of a row, and which of them are numbers that compete. */
@@ -44,10 +44,23 @@ const quantities: readonly Quantity[] = [
   },
 ];
 
-/** A run as Markdown: tables as in chapter 4 of the thesis, then problems, warnings and surroundings. */
-export function runMarkdown(run: LabRun): string {
+/** A chart as words: what its figures say. */
+export interface ChartWords {
+  readonly title: string;
+  readonly sentences: readonly string[];
+}
+
+/**
+ * A run as Markdown: surroundings, then tables as in chapter 4 of the thesis, with problems and warnings.
+ *
+ * @param charts whose sentences come before the tables
+ */
+export function runMarkdown(run: LabRun, charts: readonly ChartWords[] = []): string {
   const { plan, surroundings, rows } = run;
   const lines = [`# ${escaped(run.name || plan.label)}`, '', ...surroundingsLines(run)];
+  for (const { title, sentences } of charts) {
+    if (sentences.length > 0) lines.push('', `**${escaped(title)}.** ${sentences.map(escaped).join(' ')}`);
+  }
   for (const series of plan.series) {
     const own = rows.filter((row) => row.series === series.name);
     lines.push('', `## ${escaped(series.label)}`);
@@ -82,7 +95,7 @@ function table(series: LabSeries, competitors: readonly string[], rows: LabRow[]
   const heads = headings(series);
   const lines = [
     ...['', `${title}.`, ''],
-    line([...heads.map(({ title }) => title), ...shown.map(competitorLabel)]),
+    line([...heads.map(({ title }) => title), ...shown.map((name) => escaped(competitorLabel(name)))]),
     line([...heads, ...shown].map(() => '--:')),
   ];
   series.cases.forEach((labCase, index) => {
@@ -117,7 +130,7 @@ function headings({ axis, cases }: LabSeries): { title: string; of: (labCase: La
 /** Problems, warnings and lights left out, each with its case. */
 function remarks(series: LabSeries, rows: LabRow[]): string[] {
   const found = rows.flatMap(({ competitor, index, problem, warnings, dropped }) => {
-    const where = `${competitorLabel(competitor)}, ${digits(series.values[index])} ${axisWords[series.axis].unit}`;
+    const where = `${escaped(competitorLabel(competitor))}, ${digits(series.values[index])} ${axisWords[series.axis].unit}`;
     const dropping = dropped > 0 ? [`${digits(dropped)} lights are left out.`] : [];
     return [...(problem === null ? [] : [problem]), ...dropping, ...warnings].map(
       (each) => `- ${where}: ${escaped(each)}`,
@@ -126,16 +139,15 @@ function remarks(series: LabSeries, rows: LabRow[]): string[] {
   return found.length === 0 ? [] : ['', 'Problems and warnings:', '', ...found];
 }
 
+/** A number, or a dash for none. */
+const digits = (value: number | null | undefined): string => formatNumber(value ?? Number.NaN);
+
 const changeText = (change: LabRow['added']): string | null =>
   change && `${digits(change.ms)}; ${digits(change.programs)}`;
 
 const megabytes = (bytes: number | null): number | null => (bytes === null ? null : bytes / 1e6);
 
 const line = (cells: readonly string[]): string => `| ${cells.join(' | ')} |`;
-
-function competitorLabel(name: string): string {
-  return Object.hasOwn(competitorNames, name) ? competitorNames[name as CompetitorName].label : escaped(name);
-}
 
 /** A text that may come from another's file: one line, no markup, one cell. */
 function escaped(text: string): string {

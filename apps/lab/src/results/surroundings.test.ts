@@ -20,7 +20,7 @@ const windows: Teller = {
 };
 
 it('names device, browser and system as the browser tells them', async () => {
-  expect(await surroundingsOf(device, windows)).toMatchObject({
+  expect(await surroundingsOf(device, [], windows)).toMatchObject({
     ...{ device: 'ANGLE (NVIDIA, H200)', browser: 'Google Chrome 142.0.7444.61', system: 'Windows 11', cores: 16 },
     ...{ command: null, warnings: [], date: expect.stringMatching(/^\d{4}-\d\d-\d\dT.*Z$/) },
   });
@@ -29,7 +29,7 @@ it('names device, browser and system as the browser tells them', async () => {
 it('names the short version where the browser refuses the long one', async () => {
   const getHighEntropyValues = () => Promise.reject(new Error('refused'));
   const teller = { ...windows, userAgentData: { ...windows.userAgentData!, getHighEntropyValues } };
-  expect(await surroundingsOf(device, teller)).toMatchObject({ browser: 'Chromium 142', system: 'Windows' });
+  expect(await surroundingsOf(device, [], teller)).toMatchObject({ browser: 'Chromium 142', system: 'Windows' });
 });
 
 it.each([
@@ -45,10 +45,10 @@ it.each([
   ['Mozilla/5.0 (Windows NT 10.0) Chrome/142.0.0.0 Safari/537.36 Edg/142.0.1', 'Edge 142.0.1', 'Windows 10.0'],
   ['', 'unknown', 'unknown'],
 ])('reads the user agent %j where there is nothing else', async (userAgent, browser, system) => {
-  expect(await surroundingsOf(device, { userAgent })).toMatchObject({ browser, system, cores: null });
+  expect(await surroundingsOf(device, [], { userAgent })).toMatchObject({ browser, system, cores: null });
 });
 
 it('warns of a software rasteriser', async () => {
-  const { warnings } = await surroundingsOf({ renderer: 'SwiftShader', software: true }, windows);
+  const { warnings } = await surroundingsOf({ renderer: 'SwiftShader', software: true }, [], windows);
   expect(warnings).toEqual([expect.stringContaining('software rasteriser')]);
 });

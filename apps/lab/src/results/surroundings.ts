@@ -1,3 +1,5 @@
+import { competitorNames } from '../competitors/competitorNames';
+import { installedRivals } from '../competitors/installedRivals';
 import type { LabSurroundings } from './LabRun';
 
 declare const __FAROL_BUILD__: string | undefined;
@@ -22,17 +24,23 @@ export interface Teller {
   readonly userAgentData?: UserAgentData;
 }
 
+const words: Readonly<Record<string, { kind: string }>> = competitorNames;
+
 /**
  * Where a run that begins now is made.
  *
  * @param device what the stage's `device` gave
+ * @param competitors keys of those that are measured: versions of other engines are asked for where one is among them
  * @param teller default `navigator`
  */
 export async function surroundingsOf(
   device: { readonly renderer: string; readonly software: boolean },
+  competitors: readonly string[] = [],
   teller: Teller = navigator,
 ): Promise<LabSurroundings> {
   const { browser, system } = await browserOf(teller);
+  const hasRival = competitors.some((name) => words[name]?.kind === 'rival');
+  const rivals = hasRival ? (await installedRivals()).versions : {};
   return {
     date: new Date().toISOString(),
     device: device.renderer || 'unknown',
@@ -40,7 +48,7 @@ export async function surroundingsOf(
     system,
     cores: teller.hardwareConcurrency || null,
     build: typeof __FAROL_BUILD__ === 'undefined' ? 'unknown' : __FAROL_BUILD__,
-    versions: typeof __FAROL_VERSIONS__ === 'undefined' ? {} : __FAROL_VERSIONS__,
+    versions: { ...(typeof __FAROL_VERSIONS__ === 'undefined' ? {} : __FAROL_VERSIONS__), ...rivals },
     command: null,
     warnings: device.software
       ? ['A software rasteriser draws here, on the processor: its figures say little about graphics cards.']

@@ -51,7 +51,7 @@ export function LabPage() {
     const run = await start(made.plan, async () => {
       const frames = stage.frames();
       const device = await (await frames.stageOf('forward')).device();
-      return { frames, surroundings: await surroundingsOf(device), mostContexts: mostContexts() };
+      return { frames, surroundings: await surroundingsOf(device, wanted.competitors), mostContexts: mostContexts() };
     });
     stage.close();
     if (!run) return;

@@ -1,0 +1,139 @@
+import { competitorNames, type CompetitorWords } from './competitors/competitorNames';
+import type { Configuration } from './plan/Configuration';
+import type { LabPlan } from './plan/LabPlan';
+import { planOf } from './plan/planOf';
+import type { LabRow, LabRun } from './results/LabRun';
+import { configurationOf } from './results/link';
+import { mergeRuns, remainingPlan } from './results/mergeRuns';
+import { parseRun } from './results/parseRun';
+import { runMarkdown } from './results/runMarkdown';
+import { surroundingsOf } from './results/surroundings';
+import { framesOfBuilds } from './run/framesOfBuilds';
+import { runPlan } from './run/runPlan';
+
+/** What a run from outside is told, and how. */
+export interface HandleOptions {
+  /** The command that makes the run, for its surroundings. */
+  readonly command?: string | null;
+  /** Versions that are told beside those of the page: of the build under `against/`, say. */
+  readonly versions?: Readonly<Record<string, string>>;
+  /** Called before each step. */
+  onStep?(step: { done: number; total: number; remaining: number | null; competitor: string | null }): unknown;
+  /** Called with all rows so far once a case is over. */
+  onCase?(run: LabRun): unknown;
+}
+
+/** A file made of a run, as text. */
+export interface TextFile {
+  readonly name: string;
+  readonly text: string;
+}
+
+/** What the page offers as `window.lab`: the whole Lab without its page, for `npm run bench`. */
+export interface LabHandle {
+  /** Words of the competitors, by key. */
+  readonly competitors: Readonly<Record<string, CompetitorWords>>;
+  /**
+   * The configuration that the fragment of an address holds.
+   *
+   * @throws Error that names all that is wrong in it
+   */
+  configurationOf(fragment: string): Configuration;
+  /** @throws Error that names what is out of bounds */
+  planOf(configuration: Configuration): LabPlan;
+  /**
+   * Measures a plan. Competitors with `@against` at the end of their key are drawn by the build under `against/`.
+   *
+   * @throws Error (as a rejection) when a run is at work, or the frame that draws does not open
+   */
+  run(plan: LabPlan, options?: HandleOptions): Promise<LabRun>;
+  /** Ends the run at work; its promise gives what was measured. */
+  cancel(): void;
+  /** See `remainingPlan` in mergeRuns.ts. */
+  remaining(run: LabRun): LabPlan;
+  /** See `mergeRuns`. */
+  merge(plan: LabPlan, parts: readonly LabRun[]): LabRun;
+  /** @throws FormatError */
+  parse(json: string): LabRun;
+  /** The run as Markdown with the sentences of its charts, and each chart as SVG. */
+  files(run: LabRun): Promise<TextFile[]>;
+}
+
+declare global {
+  interface Window {
+    lab?: LabHandle;
+  }
+}
+
+let atWork: AbortController | null = null;
+
+async function run(plan: LabPlan, options: HandleOptions = {}): Promise<LabRun> {
+  if (atWork) throw new Error('A run is at work: wait for it, or call lab.cancel().');
+  const controller = new AbortController();
+  atWork = controller;
+  const frames = framesOfBuilds(document.body);
+  try {
+    const device = await (await frames.stageOf('forward')).device();
+    const known = await surroundingsOf(device, plan.competitors);
+    const surroundings = {
+      ...known,
+      versions: { ...known.versions, ...options.versions },
+      command: options.command ?? null,
+    };
+    const begin = performance.now();
+    let labCase: unknown = null;
+    const tell = (rows: readonly LabRow[]): void => {
+      const duration = performance.now() - begin;
+      const id = `${surroundings.date}-part`;
+      const format = { format: 'farol-lab-run', version: 1, id, name: '' } as const;
+      void options.onCase?.({ ...format, surroundings, plan, rows: [...rows], complete: false, duration });
+    };
+    return await runPlan(plan, {
+      frames,
+      surroundings,
+      signal: controller.signal,
+      onProgress(progress) {
+        const { done, total, remaining, competitor, rows } = progress;
+        if (labCase !== null && labCase !== progress.labCase)
+          tell(rows.filter((row) => caseOf(plan, row) !== progress.labCase));
+        labCase = progress.labCase;
+        void options.onStep?.({ done, total, remaining, competitor });
+      },
+    });
+  } finally {
+    frames.close();
+    atWork = null;
+  }
+}
+
+const caseOf = (plan: LabPlan, { series, index }: LabRow): unknown =>
+  plan.series.find(({ name }) => name === series)?.cases[index];
+
+function configurationIn(fragment: string): Configuration {
+  const linked = configurationOf(fragment);
+  if (!linked) throw new Error('The address says nothing: give a preset, as in #preset=quick.');
+  if (linked.problems.length > 0) throw new Error(linked.problems.join('\n'));
+  return linked.configuration;
+}
+
+async function files(run: LabRun): Promise<TextFile[]> {
+  const { chartTexts } = await import('./results/chartFiles');
+  const { words, drawings } = chartTexts(run);
+  const markdown = runMarkdown(run, words);
+  return [{ name: 'bench.md', text: markdown }, ...drawings];
+}
+
+/** Offers `window.lab`. */
+export function installLabHandle(): void {
+  window.lab = {
+    competitors: competitorNames,
+    configurationOf: configurationIn,
+    planOf,
+    run,
+    cancel: () => atWork?.abort(),
+    remaining: remainingPlan,
+    merge: mergeRuns,
+    parse: parseRun,
+    files,
+  };
+}

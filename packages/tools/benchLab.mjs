@@ -1,0 +1,254 @@
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { buildApp, buildReference, isBuilt } from './benchBuild.mjs';
+import { LabBrowser } from './benchLabBrowser.mjs';
+import { remainingMinutes, runLine } from './benchLabWords.mjs';
+import { serveFolder } from './benchServe.mjs';
+import { ensureBrowser } from './ensureBrowser.mjs';
+import { ensureInstalled } from './ensureInstalled.mjs';
+import { root } from './root.mjs';
+
+/**
+ * @typedef {import('./benchOptions.mjs').LabBench} LabBench
+ * @typedef {import('./benchLabBrowser.mjs').LabPlan} LabPlan
+ * @typedef {import('./benchLabBrowser.mjs').LabRun} LabRun
+ * @typedef {import('./benchLabBrowser.mjs').LabWindow} LabWindow
+ * @typedef {{ now: string, against: string | null }} Labs folders of built Labs
+ */
+
+/** How often a browser is started anew after it crashed or hung. */
+const MOST_STARTS = 3;
+
+/**
+ * Measures a preset of the Lab headless.
+ *
+ * @param {LabBench} options
+ * @returns {Promise<number>} exit code: 0 when anything was measured
+ * @throws {Error} that names the option and the mend
+ */
+export async function benchLab(options) {
+  const labs = await prepareLabs(options);
+  if (options.buildOnly) return keepLabs(labs, options.out);
+  /** @type {Record<string, string>} */
+  const beside = labs.against === null ? {} : { against: labs.against };
+  const server = await serveFolder(labs.now, { beside });
+  const browser = new LabBrowser({ ...options, executablePath: ensureBrowser(), url: server.url });
+  try {
+    const plan = await planFor(browser, options);
+    const before = options.resume ? await readBefore(browser, plan, options.out) : null;
+    const rest = before === null ? plan : await browser.call(remainingOf, before);
+    const run = rest.series.length === 0 ? before : await measure(browser, { plan, rest, before, options });
+    if (run === null) return 1;
+    await writeFiles(browser, run, options);
+    if (options.reference !== null) keepReference(run, options.reference);
+    return run.rows.some(({ frame }) => frame !== null) ? 0 : 1;
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+/** @param {LabBench} options @returns {Promise<Labs>} */
+async function prepareLabs({ dist, against, rivals }) {
+  let now;
+  if (dist !== null) {
+    now = resolve(dist);
+    if (!isBuilt(now, 'stage.html')) {
+      throw new Error(`--dist ${dist}: no stage.html there; build the Lab with npm run build, and give apps/lab/dist.`);
+    }
+  } else {
+    ensureInstalled();
+    console.log('Building the Lab.');
+    now = await buildApp(root, 'lab');
+  }
+  if (rivals && !hasRivals(now)) {
+    throw new Error('--rivals: the other engines are not in the build. Run npm run rivals, then build the Lab again.');
+  }
+  if (against === null) return { now, against: null };
+  if (isBuilt(against, 'stage.html')) return { now, against: resolve(against) };
+  console.log(`Building the Lab of ${against}.`);
+  return { now, against: await buildReference(against, join(root, '.cache/bench/against-lab'), 'lab') };
+}
+
+/** @param {string} lab folder */
+function hasRivals(lab) {
+  const path = join(lab, 'rivals/versions.json');
+  return existsSync(path) && Object.keys(JSON.parse(readFileSync(path, 'utf8')).versions).length > 0;
+}
+
+/** @param {Labs} labs @param {string} out */
+function keepLabs(labs, out) {
+  for (const [name, folder] of Object.entries(labs)) {
+    if (folder === null) continue;
+    const to = join(out, name);
+    rmSync(to, { recursive: true, force: true });
+    cpSync(folder, to, { recursive: true, filter: (path) => !path.startsWith(join(folder, 'types')) });
+    console.log(to);
+  }
+  return 0;
+}
+
+/**
+ * @param {LabBrowser} browser @param {LabBench} options
+ * @returns {Promise<LabPlan>}
+ */
+function planFor(browser, { fragment, lights, rivals, against }) {
+  return browser.call(
+    ({ fragment, lights, rivals, isCompared }) => {
+      const { lab } = /** @type {LabWindow} */ (/** @type {unknown} */ (window));
+      const configuration = lab.configurationOf(fragment);
+      if (lights) {
+        configuration.series = configuration.series.map((/** @type {{ axis: string }} */ each) =>
+          each.axis === 'lights' ? { ...each, values: lights } : each,
+        );
+      }
+      const others = Object.keys(lab.competitors).filter((name) => lab.competitors[name].kind === 'rival');
+      const named = [...new Set([...configuration.competitors, ...(rivals ? others : [])])];
+      const plan = lab.planOf({ ...configuration, competitors: named });
+      if (!isCompared) return plan;
+      // one right after the other; a build is compared by Farol's own techniques
+      const competitors = named.flatMap((name) =>
+        lab.competitors[name].kind === 'farol' ? [name, `${name}@against`] : [name],
+      );
+      return { ...plan, competitors };
+    },
+    { fragment, lights, rivals, isCompared: against !== null },
+  );
+}
+
+/** @param {LabRun} run */
+const remainingOf = (run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.remaining(run);
+
+/**
+ * The run that ended early, to go on with.
+ *
+ * @param {LabBrowser} browser @param {LabPlan} plan @param {string} out
+ * @returns {Promise<LabRun | null>} null where there is none
+ * @throws {Error} when it is a run of something else
+ */
+async function readBefore(browser, plan, out) {
+  const path = join(out, 'bench.json');
+  if (!existsSync(path)) return null;
+  const run = await browser.call(
+    (json) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.parse(json),
+    readFileSync(path, 'utf8'),
+  );
+  const key = (/** @type {LabPlan} */ { series, competitors }) =>
+    JSON.stringify([series.map(({ cases, name }) => [name, cases]), competitors]);
+  if (key(run.plan) !== key(plan)) {
+    throw new Error(`--resume: ${path} is a run of something else. Give another --out, or leave --resume out.`);
+  }
+  return run;
+}
+
+/**
+ * @param {LabBrowser} browser
+ * @param {{ plan: LabPlan, rest: LabPlan, before: LabRun | null, options: LabBench }} world
+ * @returns {Promise<LabRun | null>} null when nothing was measured
+ */
+async function measure(browser, { plan, rest, before, options }) {
+  const { minutes, out, against } = options;
+  const end = minutes > 0 ? performance.now() + minutes * 60_000 : Infinity;
+  const command = `npm run bench -- ${process.argv.slice(2).join(' ')}`;
+  /** @type {Record<string, string>} */
+  const versions = against === null ? {} : { against };
+  /** @type {LabRun[]} */
+  const parts = before === null ? [] : [before];
+  let whole = before;
+  const count = (/** @type {LabPlan} */ { series }) => series.reduce((sum, { cases }) => sum + cases.length, 0);
+  console.log(`${count(rest)} of ${count(plan)} cases, ${plan.competitors.length} competitors in turns.`);
+  for (let start = 1; rest.series.length > 0; start++) {
+    let said = 0;
+    let at = '';
+    /** @type {LabRun | null} */
+    let part = null;
+    const done = new Set();
+    const onStep = (/** @type {import('./benchLabBrowser.mjs').Step} */ step) => {
+      at = step.competitor ?? at;
+      if (performance.now() > end) void browser.cancel().catch(() => {});
+      if (performance.now() - said < 5000) return;
+      said = performance.now();
+      console.log(`  ${step.done}/${step.total} ${step.competitor ?? ''}${remainingMinutes(step.remaining)}`);
+    };
+    const onCase = (/** @type {LabRun} */ run) => {
+      part = run;
+      tellCases(run, done);
+      void keepParts([...parts, run]).catch(() => {});
+    };
+    const keepParts = async (/** @type {LabRun[]} */ runs) => {
+      whole = await browser.call(
+        ({ plan, runs }) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.merge(plan, runs),
+        { plan, runs },
+      );
+      writeRun(whole, options);
+    };
+    try {
+      part = await browser.run(rest, { command, versions, onStep, onCase });
+      tellCases(part, done, true);
+      await keepParts([...parts, part]);
+      return whole;
+    } catch (error) {
+      console.error(`Stopped at ${at}: ${error instanceof Error ? error.message : error}.`);
+      await browser.close();
+      if (part === null && start >= 2) throw error;
+      if (part !== null) parts.push(part);
+      if (start >= MOST_STARTS || performance.now() > end) break;
+      console.log('The browser is started anew.');
+      if (parts.length > 0) await keepParts(parts);
+      rest = whole === null ? plan : await browser.call(remainingOf, whole);
+    }
+  }
+  console.log(`${join(out, 'bench.json')} has what was measured; --resume goes on.`);
+  return whole;
+}
+
+/** Prints the cases that are over. @param {LabRun} run @param {Set<string>} done @param {boolean} [isLast] */
+function tellCases({ plan, rows }, done, isLast = false) {
+  for (const series of plan.series) {
+    series.cases.forEach((_, index) => {
+      const key = `${series.name} ${index}`;
+      const own = rows.filter((row) => row.series === series.name && row.index === index);
+      if (done.has(key) || own.length === 0 || (own.length < plan.competitors.length && !isLast)) return;
+      done.add(key);
+      console.log(runLine(series, index, own));
+    });
+  }
+}
+
+/** @param {LabRun} run @param {LabBench} options */
+function writeRun(run, { out, name, withoutPictures }) {
+  mkdirSync(out, { recursive: true });
+  const rows = withoutPictures ? run.rows.map(withoutPicture) : run.rows;
+  writeFileSync(join(out, 'bench.json'), `${JSON.stringify({ ...run, name: name ?? run.name, rows })}\n`);
+}
+
+/** @param {import('./benchLabBrowser.mjs').LabRow} row */
+const withoutPicture = (row) => ({ ...row, likeness: row.likeness && { ...row.likeness, thumbnail: '' } });
+
+/** Tables, sentences and drawings of the whole run. @param {LabBrowser} browser @param {LabRun} run @param {LabBench} options */
+async function writeFiles(browser, run, options) {
+  const { out } = options;
+  writeRun(run, options);
+  const files = await browser.call((run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.files(run), {
+    ...run,
+    name: options.name ?? run.name,
+  });
+  // drawings of an earlier run would lie between those of this one
+  for (const name of readdirSync(out)) if (name.endsWith('.svg')) rmSync(join(out, name));
+  for (const { name, text } of files) writeFileSync(join(out, name), text);
+  const drawings = files.filter(({ name }) => name.endsWith('.svg')).length;
+  const early = run.complete ? '' : ' The run ended early; --resume goes on with it.';
+  console.log(`\n${join(out, 'bench.md')}, bench.json and ${drawings} drawings.${early}`);
+}
+
+/** @param {LabRun} run @param {string} name */
+function keepReference(run, name) {
+  const path = join(root, 'apps/lab/reference', `${name}.json`);
+  if (!run.complete) {
+    console.log(`${path} is written once every case is measured: give the same command again.`);
+    return;
+  }
+  mkdirSync(join(path, '..'), { recursive: true });
+  writeFileSync(path, `${JSON.stringify({ ...run, name: run.name || name, rows: run.rows.map(withoutPicture) })}\n`);
+  console.log(path);
+}

@@ -1,0 +1,163 @@
+import { launchBench } from './benchBrowser.mjs';
+
+/**
+ * @typedef {import('playwright-core').Page} Page
+ *
+ * @typedef {object} LabPlan see apps/lab/src/plan/LabPlan.ts
+ * @property {string} label
+ * @property {{ name: string, label: string, axis: string, cases: object[], values: number[] }[]} series
+ * @property {string[]} competitors
+ *
+ * @typedef {object} LabRow as much of apps/lab/src/results/LabRun.ts as is read here
+ * @property {string} competitor
+ * @property {string} series
+ * @property {number} index
+ * @property {{ median: number } | null} frame
+ * @property {{ thumbnail: string } | null} likeness
+ * @property {string | null} problem
+ *
+ * @typedef {object} LabRun
+ * @property {string} name
+ * @property {LabPlan} plan
+ * @property {LabRow[]} rows
+ * @property {{ device: string, browser: string, build: string }} surroundings
+ * @property {boolean} complete
+ *
+ * @typedef {{ done: number, total: number, remaining: number | null, competitor: string | null }} Step
+ *
+ * @typedef {object} RunHandlers
+ * @property {string} command
+ * @property {Record<string, string>} versions
+ * @property {(step: Step) => void} onStep
+ * @property {(run: LabRun) => void} onCase
+ *
+ * @typedef {object} LabHandle `window.lab`; see apps/lab/src/labHandle.ts
+ * @property {Record<string, { label: string, kind: string }>} competitors
+ * @property {(fragment: string) => any} configurationOf
+ * @property {(configuration: any) => LabPlan} planOf
+ * @property {(plan: LabPlan, options: object) => Promise<LabRun>} run
+ * @property {() => void} cancel
+ * @property {(run: LabRun) => LabPlan} remaining
+ * @property {(plan: LabPlan, parts: LabRun[]) => LabRun} merge
+ * @property {(json: string) => LabRun} parse
+ * @property {(run: LabRun) => Promise<{ name: string, text: string }[]>} files
+ *
+ * @typedef {{ lab: LabHandle, benchStep(step: Step): void, benchCase(run: LabRun): void }} LabWindow
+ */
+
+/** WebGPU on Linux, where Chromium has it by these flags alone; the first without the last loses WebGL contexts. */
+const webgpuFlags =
+  process.platform === 'linux'
+    ? ['--enable-unsafe-webgpu', '--enable-features=Vulkan', '--disable-gpu-compositing']
+    : [];
+
+/** Timers and drawing at full rate, whatever the window's state is. */
+const steadyFlags = ['--disable-background-timer-throttling', '--disable-renderer-backgrounding'];
+
+/** A browser with the Lab open, without its page: `window.lab` alone is used. */
+export class LabBrowser {
+  /** @type {Awaited<ReturnType<typeof launchBench>> | null} */
+  #running = null;
+  /** @type {Page | null} */
+  #page = null;
+  /** @type {RunHandlers | null} */
+  #handlers = null;
+  #lastSign = 0;
+
+  /** @param {{ executablePath: string, gpu: boolean, url: string, timeout: number }} options timeout in s */
+  constructor(options) {
+    this.options = options;
+  }
+
+  /**
+   * Calls `work` in the page. What it throws is thrown here, as its message alone.
+   *
+   * @template T, [A=undefined]
+   * @param {(argument: A) => T | Promise<T>} work
+   * @param {A} [argument]
+   * @returns {Promise<T>}
+   */
+  async call(work, argument) {
+    const page = await this.#open();
+    let crashed = () => {};
+    const crash = new Promise((_, reject) => {
+      crashed = () => reject(new Error('the page crashed'));
+      page.once('crash', crashed);
+    });
+    try {
+      return /** @type {T} */ (await Promise.race([page.evaluate(/** @type {any} */ (work), argument), crash]));
+    } catch (error) {
+      const text = error instanceof Error ? error.message : String(error);
+      const [message] = text.replace(/^page\.\w+: (\w*Error: )?/, '').split(/\n\s+at /);
+      throw new Error(message, { cause: error });
+    } finally {
+      page.off('crash', crashed);
+    }
+  }
+
+  /**
+   * Measures a plan.
+   *
+   * @param {LabPlan} plan
+   * @param {RunHandlers} handlers
+   * @returns {Promise<LabRun>}
+   * @throws {Error} when the page crashes, or gives no sign for `timeout`; what it gave until then went to `onCase`
+   */
+  async run(plan, handlers) {
+    this.#handlers = handlers;
+    this.#lastSign = performance.now();
+    const { command, versions } = handlers;
+    const { timeout } = this.options;
+    /** @type {NodeJS.Timeout | undefined} */
+    let timer;
+    const silent = new Promise((_, reject) => {
+      timer = setInterval(() => {
+        if (performance.now() - this.#lastSign > timeout * 1000) reject(new Error(`no sign of it for ${timeout} s`));
+      }, 1000);
+    });
+    const measured = this.call(
+      ({ plan, command, versions }) => {
+        const { lab, benchStep, benchCase } = /** @type {LabWindow} */ (/** @type {unknown} */ (window));
+        return lab.run(plan, { command, versions, onStep: benchStep, onCase: benchCase });
+      },
+      { plan, command, versions },
+    );
+    measured.catch(() => {}); // the browser may be killed while it is at work
+    try {
+      return /** @type {LabRun} */ (await Promise.race([measured, silent]));
+    } finally {
+      clearInterval(timer);
+    }
+  }
+
+  /** Ends the run at work, which then gives what it has. */
+  async cancel() {
+    await this.#page?.evaluate(() => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.cancel());
+  }
+
+  async close() {
+    const running = this.#running;
+    this.#running = null;
+    this.#page = null;
+    await running?.server.kill(); // a page that hangs would not let it close
+  }
+
+  async #open() {
+    if (this.#page) return this.#page;
+    const { gpu, url } = this.options;
+    this.#running = await launchBench(this.options, [...steadyFlags, ...(gpu ? webgpuFlags : [])]);
+    const context = await this.#running.browser.newContext({ viewport: { width: 640, height: 360 } });
+    const page = await context.newPage();
+    page.on('pageerror', (error) => console.error(`page error: ${error.message}`));
+    await page.exposeFunction('benchStep', (/** @type {Step} */ step) => {
+      this.#lastSign = performance.now();
+      this.#handlers?.onStep(step);
+    });
+    await page.exposeFunction('benchCase', (/** @type {LabRun} */ run) => this.#handlers?.onCase(run));
+    await page.goto(`${url}?headless`);
+    const isLab = await page.evaluate(() => 'lab' in window);
+    if (!isLab) throw new Error('The page offers no window.lab: it is no Lab, or an older one. Build it anew.');
+    this.#page = page;
+    return page;
+  }
+}

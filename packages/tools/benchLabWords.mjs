@@ -1,0 +1,25 @@
+import { digits } from './benchTable.mjs';
+
+/** @typedef {import('./benchLabBrowser.mjs').LabRow} LabRow */
+
+/**
+ * A case that is over, on one line, the fastest first.
+ *
+ * @param {{ label: string, axis: string, values: number[] }} series
+ * @param {number} index of the case
+ * @param {readonly LabRow[]} rows of the case
+ */
+export function runLine({ label, axis, values }, index, rows) {
+  const there = rows.flatMap(({ competitor, frame }) => (frame ? [{ competitor, ms: frame.median }] : []));
+  const figures = there.sort((a, b) => a.ms - b.ms).map(({ competitor, ms }) => `${competitor} ${digits(ms)}`);
+  const without = rows.filter(({ frame }) => frame === null).map(({ competitor }) => competitor);
+  const missing = without.length > 0 ? `; no figure: ${without.join(', ')}` : '';
+  return `${label}, ${values[index].toLocaleString('en')} ${axis}: ${figures.length > 0 ? `${figures.join(', ')} ms` : 'nothing'}${missing}`;
+}
+
+/** Time left, with a comma before it; nothing when it is unknown. @param {number | null} ms */
+export function remainingMinutes(ms) {
+  if (ms === null) return '';
+  const seconds = Math.max(1, Math.round(ms / 1000));
+  return seconds < 90 ? `, ${seconds} s left` : `, ${Math.round(seconds / 60)} min left`;
+}
