@@ -1,5 +1,6 @@
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { labBuild } from '@farol/tools/labBuild';
+import { rivals } from '@farol/tools/rivalsPlugin';
 import { runInfo } from '@farol/tools/runInfo';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
@@ -10,7 +11,7 @@ export default defineConfig(({ command }) => ({
   publicDir: false,
   define: labBuild(),
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), runInfo(), securePages()],
+  plugins: [stanfordDragon(), runInfo(), securePages(), rivals()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   resolve: {
     dedupe: ['three'],

@@ -73,7 +73,13 @@ export const importRules = [
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine', '@farol/editing'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
-  { from: 'apps/lab', may: ['apps/lab', '*'] },
+  {
+    // of the Lab types alone: the rest is bundled apart from it
+    from: 'apps/lab/rivals',
+    may: ['apps/lab/rivals', 'apps/lab/src/competitors/rivals', '*'],
+    types: ['apps/lab/src'],
+  },
+  { from: 'apps/lab', may: ['apps/lab', '*'], not: ['apps/lab/rivals'] },
   ...editorRules,
   { from: 'apps/editor', may: ['apps/editor', '*'] },
   { from: 'e2e', may: ['e2e', '*'] },

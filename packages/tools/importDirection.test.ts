@@ -13,6 +13,7 @@ const workspaces = [
   'packages/tools',
   'apps/viewer',
   'apps/editor',
+  'apps/lab/rivals',
   'apps/lab',
 ];
 const manifests = new Map(

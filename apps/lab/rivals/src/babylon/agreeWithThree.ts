@@ -1,0 +1,25 @@
+import { ShaderStore } from '@babylonjs/core/Engines/shaderStore.js';
+import '@babylonjs/core/Shaders/ShadersInclude/pbrDirectLightingFalloffFunctions.js';
+
+/**
+ * What Babylon's shaders do otherwise than three's, put right in its store of shader parts: the same work for each light.
+ * @throws Error when a part is not as it was in 9.34
+ */
+export function agreeWithThree(): void {
+  const store = ShaderStore.IncludesShadersStore;
+  const replace = (name: string, from: string, to: string): void => {
+    if (store[name].includes(to)) return;
+    if (!store[name].includes(from))
+      throw new Error(`Babylon.js’s shader part ${name} is another one: mend this file.`);
+    store[name] = store[name].replace(from, to);
+  };
+  const name = 'pbrDirectLightingFalloffFunctions';
+  // the least distance is 0.1 m
+  replace(
+    name,
+    'float lightDistanceFalloff=1.0/maxEps(lightDistanceSquared);float factor',
+    'float lightDistanceFalloff=1.0/max(lightDistanceSquared,0.01);float factor',
+  );
+  // a spot light's edge is a smooth step
+  replace(name, 'falloff*=falloff;return falloff;}', 'falloff*=falloff*(3.0-2.0*falloff);return falloff;}');
+}

@@ -1,0 +1,78 @@
+/**
+ * What PlayCanvas's shaders do otherwise than three's, put right by shader chunks (a documented way): the same work for
+ * each light.
+ */
+import { type GraphicsDevice, SHADERLANGUAGE_GLSL, ShaderChunks } from 'playcanvas';
+
+/** 1 / d², windowed: as three's, and as KHR_lights_punctual's. */
+const falloff = `
+float getFalloffWindow(float lightRadius, vec3 lightDir) {
+  float squared = dot(lightDir, lightDir) / (lightRadius * lightRadius);
+  return square(saturate(1.0 - squared * squared));
+}
+float getFalloffInvSquared(float lightRadius, vec3 lightDir) {
+  return getFalloffWindow(lightRadius, lightDir) / max(dot(lightDir, lightDir), 0.01);
+}`;
+
+/** A normal map's x and y take a factor each; PlayCanvas's frame of derivatives points along -v. */
+const normalMap = `
+#ifdef STD_NORMAL_TEXTURE
+  uniform vec2 farol_normalScale;
+#endif
+void getNormal() {
+#ifdef STD_NORMAL_TEXTURE
+  vec3 normalMap = {STD_NORMAL_TEXTURE_DECODE}(texture2DBias({STD_NORMAL_TEXTURE_NAME}, {STD_NORMAL_TEXTURE_UV}, {STD_TEXTURE_BIAS}));
+  normalMap.xy *= farol_normalScale;
+  dNormalW = normalize(dTBN * normalMap);
+#else
+  dNormalW = dVertexNormalW;
+#endif
+}`;
+
+const instancing = `
+attribute vec4 instance_line1;
+attribute vec4 instance_line2;
+attribute vec4 instance_line3;
+attribute vec4 instance_line4;
+attribute vec3 instance_colour;
+varying vec3 vInstanceColour;
+mat4 getModelMatrix() {
+  vInstanceColour = instance_colour;
+  return matrix_model * mat4(instance_line1, instance_line2, instance_line3, instance_line4);
+}`;
+
+/** Chunks of a material whose instances have colours. */
+export const instanceColourChunks = {
+  transformInstancingVS: instancing,
+  litUserDeclarationPS: 'varying vec3 vInstanceColour;',
+} as const;
+
+/** Chunks of PlayCanvas's own that take the instance's colour: the diffuse of lit materials, the emission of others. */
+export function multiplyByInstanceColour(device: GraphicsDevice, chunk: 'diffusePS' | 'emissivePS'): string {
+  const source = ShaderChunks.get(device, SHADERLANGUAGE_GLSL).get(chunk);
+  const [name, end] = [chunk === 'diffusePS' ? 'dAlbedo' : 'dEmission', source.lastIndexOf('}')];
+  return `${source.slice(0, end)}  ${name} *= vInstanceColour;\n}`;
+}
+
+/** Puts three's falloff, highlights and sRGB curve into the chunks of a device. @throws Error when a chunk is not as it was in 2.23 */
+export function agreeWithThree(device: GraphicsDevice): void {
+  const chunks = ShaderChunks.get(device, SHADERLANGUAGE_GLSL);
+  const replace = (name: string, from: string, to: string): void => {
+    const source = chunks.get(name);
+    if (!source?.includes(from)) throw new Error(`PlayCanvas’s shader chunk ${name} is another one: mend chunks.ts.`);
+    chunks.set(name, source.replace(from, to));
+  };
+  chunks.set('falloffInvSquaredPS', falloff);
+  chunks.set('normalMapPS', normalMap);
+  // light colours are divided by π, as PlayCanvas's diffuse term is not
+  replace('lightSpecularGGXPS', 'return D * G;', 'return D * G * PI;');
+  // Smith's visibility with the square of alpha, not its fourth power
+  replace('lightSpecularGGXPS', 'float alpha2 = alpha * alpha;', 'float alpha2 = alpha;');
+  // Schlick's term goes up to 1
+  replace('fresnelSchlickPS', 'max(vec3(glossSq * specIntensity), specularity)', 'vec3(1.0)');
+  replace(
+    'gammaPS',
+    'return pow(color + 0.0000001, vec3(1.0 / 2.2));',
+    'return mix(color * 12.92, 1.055 * pow(color + 0.0000001, vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), color));',
+  );
+}

@@ -1,0 +1,190 @@
+/**
+ * A case as plain data: what another engine makes its own scene of. Matrices are 4 × 4, column by column; lengths are
+ * metres, angles radians, colours linear RGB (sRGB's primaries); the world is right-handed with y up.
+ */
+export interface RivalScene {
+  /** Size of the picture (pixels). */
+  readonly width: number;
+  readonly height: number;
+  readonly camera: RivalCamera;
+  /** Colour of the picture before anything is drawn: sRGB, not linear; null for black without opacity. */
+  readonly background: Rgb | null;
+  /** Sum of the ambient lights (radiance times π, as three's irradiance). */
+  readonly ambient: Rgb;
+  readonly hemispheres: readonly RivalHemisphere[];
+  readonly directionals: readonly RivalDirectional[];
+  readonly spots: readonly RivalSpot[];
+  readonly points: RivalPoints;
+  readonly textures: readonly RivalTexture[];
+  readonly materials: readonly RivalMaterial[];
+  readonly geometries: readonly RivalGeometry[];
+  /** In the order in which they are drawn when `isOrdered`. */
+  readonly meshes: readonly RivalMesh[];
+  /** Whether the scene sets the order of its opaque meshes (three's `renderOrder`); engines sort by themselves otherwise. */
+  readonly isOrdered: boolean;
+}
+
+export type Rgb = readonly [r: number, g: number, b: number];
+export type Xyz = readonly [x: number, y: number, z: number];
+
+export interface RivalCamera {
+  /** Vertical field of view (radians). */
+  readonly fov: number;
+  readonly near: number;
+  readonly far: number;
+  /** Camera to world. */
+  readonly matrix: Float32Array;
+}
+
+/** Irradiance from `ground` to `sky` along `up`. */
+export interface RivalHemisphere {
+  readonly sky: Rgb;
+  readonly ground: Rgb;
+  /** Unit vector. */
+  readonly up: Xyz;
+}
+
+export interface RivalDirectional {
+  /** Times the intensity (lux). */
+  readonly colour: Rgb;
+  /** Unit vector along which the light shines. */
+  readonly direction: Xyz;
+}
+
+export interface RivalSpot {
+  /** Times the intensity (candela). */
+  readonly colour: Rgb;
+  readonly position: Xyz;
+  /** Unit vector along which the light shines. */
+  readonly direction: Xyz;
+  /** Where the light ends; more than 0. */
+  readonly range: number;
+  /** Half the angle of the cone. */
+  readonly angle: number;
+  /** Half the angle within which the light is at its full, `angle` at most. */
+  readonly innerAngle: number;
+}
+
+/** Point lights: light `i` takes the i-th part of each array. Falloff 1 / d², windowed as in KHR_lights_punctual. */
+export interface RivalPoints {
+  readonly count: number;
+  /** [count, 3]: colour times intensity (candela). */
+  readonly colours: Float32Array;
+  /** [count]: where the lights end; more than 0. */
+  readonly ranges: Float32Array;
+  /** [count, 3]: in the world; written anew before `RivalDrawing.moveLights`. */
+  readonly positions: Float32Array;
+}
+
+export type RivalWrap = 'repeat' | 'mirror' | 'clamp';
+
+export interface RivalTexture {
+  readonly width: number;
+  readonly height: number;
+  /** [height, width, 4], the row at v = 0 first. */
+  readonly pixels: Uint8Array;
+  /** Whether the colours are sRGB, to be made linear by the sampler. */
+  readonly isSrgb: boolean;
+  readonly wrapU: RivalWrap;
+  readonly wrapV: RivalWrap;
+  readonly isMagLinear: boolean;
+  /** `none`: no mip levels. */
+  readonly mipmaps: 'none' | 'nearest' | 'linear';
+  readonly isMinLinear: boolean;
+  /** 1 or more. */
+  readonly anisotropy: number;
+}
+
+/** A texture as a material uses it: texture coordinates times `scale`, plus `offset`. */
+export interface RivalMap {
+  /** Index in `RivalScene.textures`. */
+  readonly texture: number;
+  readonly scale: readonly [u: number, v: number];
+  readonly offset: readonly [u: number, v: number];
+}
+
+export interface RivalMaterial {
+  readonly name: string;
+  /** Whether lights count; else the colour alone is shown. */
+  readonly isLit: boolean;
+  readonly colour: Rgb;
+  readonly map: RivalMap | null;
+  readonly normalMap: RivalMap | null;
+  /** Factors of the normal map's x and y. */
+  readonly normalScale: readonly [x: number, y: number];
+  /** 0 to 1, times the map's green. */
+  readonly roughness: number;
+  /** 0 to 1, times the map's blue. */
+  readonly metalness: number;
+  /** Roughness in green, metalness in blue. */
+  readonly roughnessMetalnessMap: RivalMap | null;
+  readonly emissive: Rgb;
+  readonly emissiveMap: RivalMap | null;
+  readonly isDoubleSided: boolean;
+  readonly hasVertexColours: boolean;
+  /** Texels with less alpha are left out; 0 for none. */
+  readonly alphaTest: number;
+  readonly isTransparent: boolean;
+  readonly opacity: number;
+}
+
+export interface RivalGeometry {
+  /** [n, 3] */
+  readonly positions: Float32Array;
+  /** [n, 3], unit vectors. */
+  readonly normals: Float32Array;
+  /** [n, 2]; null when there are none. */
+  readonly uvs: Float32Array | null;
+  /** [n, 4], linear; null when there are none. */
+  readonly colours: Float32Array | null;
+  /** Three for each triangle, counter-clockwise from its front. */
+  readonly indices: Uint16Array | Uint32Array;
+}
+
+export interface RivalMesh {
+  readonly geometry: number;
+  readonly material: number;
+  /** Mesh to world. */
+  readonly matrix: Float32Array;
+  readonly instances: RivalInstances | null;
+}
+
+export interface RivalInstances {
+  readonly count: number;
+  /** [count, 16]: instance to mesh; the scene's own array, which may change between frames. */
+  readonly matrices: Float32Array;
+  /** [count, 3]: factors of the material's colour; null when there are none. */
+  readonly colours: Float32Array | null;
+}
+
+/** A case as another engine draws it. */
+export interface RivalDrawing {
+  readonly gl: WebGL2RenderingContext;
+  /** Makes the engine's scene, waits for its programs, and draws it: all that its first frame takes. */
+  drawFirst(): Promise<void>;
+  render(): void;
+  /** Takes the camera's matrix from `RivalScene.camera`. */
+  moveCamera(): void;
+  /** Takes a mesh's matrix from `RivalScene.meshes`. */
+  moveMesh(mesh: number): void;
+  /** Takes the lights' places from `points.positions`; nothing else of the lights has changed. */
+  moveLights(points: RivalPoints): void;
+  /** Takes other lights. */
+  setLights(points: RivalPoints): void;
+  /** Takes the matrices of a mesh's instances from its array. */
+  moveInstances(mesh: number): void;
+  /** Lights that the last frame left out somewhere because a cell was full. */
+  dropped(): number;
+  dispose(): void;
+}
+
+/** What `rivals/playcanvas.js` and `rivals/babylon.js` export. */
+export interface RivalModule {
+  /** Of the engine's package. */
+  readonly version: string;
+  /**
+   * Makes a context; `drawFirst` makes the rest.
+   * @throws Error that names what the engine cannot do
+   */
+  open(canvas: HTMLCanvasElement, scene: RivalScene, signal: AbortSignal): RivalDrawing;
+}

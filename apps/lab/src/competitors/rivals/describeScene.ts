@@ -1,0 +1,164 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  type Color,
+  type InstancedMesh,
+  type Light,
+  MathUtils,
+  type Material,
+  type Mesh,
+  type Object3D,
+  type PerspectiveCamera,
+  SRGBColorSpace,
+  type Texture,
+} from 'three';
+import type { StageScene } from '../../stage/StageScene';
+import { describeGeometry } from './describeGeometry';
+import { describePoints, describeStillLights } from './describeLights';
+import { describeMaterial } from './describeMaterial';
+import { describeTexture } from './describeTexture';
+import type { Rgb, RivalCamera, RivalInstances, RivalMaterial, RivalMesh, RivalScene } from './RivalScene';
+
+/** Values that are described once, by what they are made of. */
+class Indexed<K, V> {
+  readonly values: V[] = [];
+  private readonly indices = new Map<K, number>();
+
+  indexOf(key: K, make: () => V): number {
+    let index = this.indices.get(key);
+    if (index === undefined) {
+      index = this.values.push(make()) - 1;
+      this.indices.set(key, index);
+    }
+    return index;
+  }
+}
+
+function describeCamera(camera: Camera): RivalCamera {
+  const of = camera as PerspectiveCamera;
+  if (!of.isPerspectiveCamera || of.view?.enabled || of.zoom !== 1 || of.filmOffset !== 0) {
+    throw new Error('The camera is not a plain PerspectiveCamera: other engines get those alone.');
+  }
+  camera.updateWorldMatrix(true, false);
+  return {
+    fov: of.fov * MathUtils.DEG2RAD,
+    near: of.near,
+    far: of.far,
+    matrix: new Float32Array(camera.matrixWorld.elements),
+  };
+}
+
+function describeBackground(background: StageScene['three']['background']): Rgb | null {
+  if (background === null) return null;
+  if (!(background as Color).isColor) throw new Error('The background is a texture: other engines get colours alone.');
+  const { r, g, b } = (background as Color).getRGB({ r: 0, g: 0, b: 0 } as Color, SRGBColorSpace);
+  return [r, g, b];
+}
+
+/** Meshes of the scene, in the order in which three draws them where `renderOrder` says so. */
+function meshesOf({ three, camera }: StageScene): Mesh[] {
+  const meshes: Mesh[] = [];
+  three.traverseVisible((object: Object3D) => {
+    const kind = object as Mesh & { isSkinnedMesh?: boolean; isBatchedMesh?: boolean };
+    const isOther = 'isLine' in object || 'isPoints' in object || 'isSprite' in object || kind.isBatchedMesh;
+    if (isOther || kind.isSkinnedMesh) {
+      throw new Error(`${object.name || 'An object'} is a ${object.type}: the Lab cannot give it to other engines.`);
+    }
+    if (kind.isMesh && object.layers.test(camera.layers)) meshes.push(kind);
+  });
+  return meshes.sort((a, b) => a.renderOrder - b.renderOrder);
+}
+
+/** Every light that is seen must be among those that the stage names: nobody is measured with fewer. */
+function checkLights({ three, lights, still }: StageScene): void {
+  const named = new Set<Object3D>([...lights, ...still]);
+  three.traverseVisible((object) => {
+    if ((object as Light).isLight && !named.has(object)) {
+      throw new Error(`Light ${object.name || 'without a name'} is not handed over to other engines.`);
+    }
+  });
+}
+
+function describeInstances(mesh: Mesh): RivalInstances | null {
+  const instanced = mesh as InstancedMesh;
+  if (!instanced.isInstancedMesh) return null;
+  const { count, instanceMatrix, instanceColor } = instanced;
+  return {
+    count,
+    matrices: instanceMatrix.array as Float32Array,
+    colours: instanceColor ? new Float32Array(instanceColor.array).subarray(0, count * 3) : null,
+  };
+}
+
+/** A scene as plain data, and three's meshes that it was made of. */
+export interface Described {
+  readonly scene: RivalScene;
+  /** By index in `scene.meshes`. */
+  readonly sources: readonly Mesh[];
+}
+
+/**
+ * A case's scene as plain data for another engine.
+ * @throws Error that names what the Lab does not hand to other engines: nothing is left out in silence
+ */
+export function describeScene(stageScene: StageScene): Described {
+  const { three, camera, lights, still, width, height } = stageScene;
+  if (three.fog) throw new Error('The scene has fog: other engines do not get it.');
+  if (three.environment) throw new Error('The scene has an environment map: other engines do not get it.');
+  if (three.overrideMaterial) throw new Error('The scene has an override material: other engines do not get it.');
+  checkLights(stageScene);
+  three.updateMatrixWorld();
+  const textures = new Indexed<Texture, ReturnType<typeof describeTexture>>();
+  const materials = new Indexed<Material, RivalMaterial>();
+  const geometries = new Map<BufferGeometry, Map<string, number>>();
+  const geometryList: RivalScene['geometries'][number][] = [];
+  const textureIndex = (texture: Texture): number => textures.indexOf(texture, () => describeTexture(texture));
+  const geometryIndex = (
+    geometry: BufferGeometry,
+    part: { start: number; count: number } | null,
+    isFlat: boolean,
+  ): number => {
+    const key = `${part ? `${part.start} ${part.count}` : 'all'} ${isFlat}`;
+    let parts = geometries.get(geometry);
+    if (!parts) geometries.set(geometry, (parts = new Map()));
+    let index = parts.get(key);
+    if (index === undefined) {
+      index = geometryList.push(describeGeometry(geometry, part, isFlat)) - 1;
+      parts.set(key, index);
+    }
+    return index;
+  };
+  const meshes: RivalMesh[] = [];
+  const sources: Mesh[] = [];
+  for (const mesh of meshesOf(stageScene)) {
+    const { material: own, geometry } = mesh as Mesh<BufferGeometry, Material | Material[]>;
+    const groups = Array.isArray(own)
+      ? geometry.groups.map((group) => ({ material: own[group.materialIndex ?? 0], part: group }))
+      : [{ material: own, part: null }];
+    for (const { material, part } of groups) {
+      if (!material?.visible) continue;
+      const isFlat = (material as { flatShading?: boolean }).flatShading === true;
+      sources.push(mesh);
+      meshes.push({
+        geometry: geometryIndex(geometry, part, isFlat),
+        material: materials.indexOf(material, () => describeMaterial(material, textureIndex)),
+        matrix: new Float32Array(mesh.matrixWorld.elements),
+        instances: describeInstances(mesh),
+      });
+    }
+  }
+  const scene: RivalScene = {
+    width,
+    height,
+    camera: describeCamera(camera),
+    background: describeBackground(three.background),
+    ...describeStillLights(still.filter((light) => light.visible)),
+    points: describePoints(lights),
+    textures: textures.values,
+    materials: materials.values,
+    geometries: geometryList,
+    meshes,
+    isOrdered: sources.some(({ renderOrder }) => renderOrder !== 0),
+  };
+  return { scene, sources };
+}

@@ -1,0 +1,28 @@
+/**
+ * `npm run rivals`: installs the engines that the Lab measures beside Farol, PlayCanvas and Babylon.js, into a folder of
+ * their own, and bundles each into one module that the Lab fetches when it is chosen. `npm ci` never installs them.
+ *
+ * `npm run rivals -- --check` checks the types of their code and compares their pictures with stock three's.
+ */
+import { bundleRivals, installRivals } from './buildRivals.mjs';
+import { ensureInstalled } from './ensureInstalled.mjs';
+import { runTool } from './runTool.mjs';
+
+const unknown = process.argv.slice(2).filter((argument) => argument !== '--check');
+if (unknown.length > 0) {
+  console.error(`No option ${unknown.join(' ')}: npm run rivals knows --check alone.`);
+  process.exit(1);
+}
+ensureInstalled();
+try {
+  installRivals();
+  for (const [name, { version, bytes }] of Object.entries(await bundleRivals())) {
+    console.log(`${name} ${version}: ${(bytes / 1e6).toFixed(1)} MB`);
+  }
+} catch (error) {
+  console.error(error instanceof Error ? error.message : error);
+  process.exit(1);
+}
+if (process.argv.includes('--check')) {
+  if (runTool('typescript', 'tsc', ['-p', 'apps/lab/rivals']) !== 0) process.exit(1);
+}
