@@ -7,15 +7,18 @@ import { HemisphericLight } from '@babylonjs/core/Lights/hemisphericLight.js';
 import { PointLight } from '@babylonjs/core/Lights/pointLight.js';
 import { SpotLight } from '@babylonjs/core/Lights/spotLight.js';
 import { Color3, Color4 } from '@babylonjs/core/Maths/math.color.js';
-import { Matrix, Quaternion, Vector3 } from '@babylonjs/core/Maths/math.vector.js';
+import { Quaternion, Vector3 } from '@babylonjs/core/Maths/math.vector.js';
 import { Geometry } from '@babylonjs/core/Meshes/geometry.js';
 import { Mesh } from '@babylonjs/core/Meshes/mesh.js';
 import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js';
 import '@babylonjs/core/Meshes/thinInstanceMesh.js';
+import { Logger } from '@babylonjs/core/Misc/logger.js';
 import { Scene } from '@babylonjs/core/scene.js';
+import type { Nullable } from '@babylonjs/core/types.js';
 import type {
   RivalDrawing,
   RivalGeometry,
+  RivalPlacement,
   RivalPoints,
   RivalScene,
   Rgb,
@@ -44,11 +47,19 @@ function withOpacity(colours: Float32Array): Float32Array {
   return result;
 }
 
-const matrix = new Matrix();
+/** Puts an object that has no parent where it belongs. */
+function place(object: { position: Vector3; rotationQuaternion: Nullable<Quaternion> }, p: RivalPlacement): void {
+  object.position.set(p[0], p[1], p[2]);
+  object.rotationQuaternion?.set(p[3], p[4], p[5], p[6]);
+}
 
-function placeCamera(camera: FreeCamera, elements: Float32Array): void {
-  Matrix.FromArrayToRef(elements, 0, matrix);
-  matrix.decompose(undefined, camera.rotationQuaternion ?? undefined, camera.position);
+/** Puts a mesh where it belongs, for good as far as Babylon knows. */
+function placeMesh(mesh: Mesh, placement: RivalPlacement): void {
+  mesh.unfreezeWorldMatrix();
+  mesh.rotationQuaternion ??= new Quaternion();
+  place(mesh, placement);
+  mesh.scaling.set(placement[7], placement[8], placement[9]);
+  mesh.freezeWorldMatrix();
 }
 
 class BabylonDrawing implements RivalDrawing {
@@ -65,6 +76,8 @@ class BabylonDrawing implements RivalDrawing {
     private readonly from: RivalScene,
     private readonly signal: AbortSignal,
   ) {
+    // it greets in the console
+    Logger.LogLevels = Logger.WarningLogLevel | Logger.ErrorLogLevel;
     this.engine = new Engine(
       canvas,
       false,
@@ -131,11 +144,11 @@ class BabylonDrawing implements RivalDrawing {
   }
 
   moveCamera(): void {
-    placeCamera(this.camera, this.from.camera.matrix);
+    place(this.camera, this.from.camera.placement);
   }
 
   moveMesh(mesh: number): void {
-    this.meshes[mesh].freezeWorldMatrix(Matrix.FromArray(this.from.meshes[mesh].matrix));
+    placeMesh(this.meshes[mesh], this.from.meshes[mesh].placement);
   }
 
   moveInstances(mesh: number): void {
@@ -152,14 +165,14 @@ class BabylonDrawing implements RivalDrawing {
   }
 
   private addCamera(): FreeCamera {
-    const { fov, near, far, matrix } = this.from.camera;
+    const { fov, near, far, placement } = this.from.camera;
     const camera = new FreeCamera('camera', new Vector3(), this.scene);
     camera.fov = fov;
     camera.minZ = near;
     camera.maxZ = far;
     camera.rotationQuaternion = new Quaternion();
     camera.inputs.clear();
-    placeCamera(camera, matrix);
+    place(camera, placement);
     return camera;
   }
 
@@ -169,13 +182,15 @@ class BabylonDrawing implements RivalDrawing {
     const lights = from.directionals.length + from.hemispheres.length + 1;
     const materials = makeMaterials(scene, from, lights);
     const geometries = from.geometries.map((geometry, i) => makeGeometry(scene, geometry, `geometry ${i}`));
-    return from.meshes.map(({ geometry, material, matrix, instances }, i) => {
+    return from.meshes.map(({ geometry, material, placement, instances }, i) => {
       const mesh = new Mesh(`mesh ${i}`, scene);
-      geometries[geometry].applyToMesh(mesh);
+      // buffers of instances belong to a geometry
+      const own = instances ? makeGeometry(scene, from.geometries[geometry], `geometry of mesh ${i}`) : null;
+      (own ?? geometries[geometry]).applyToMesh(mesh);
       mesh.material = materials[material];
       mesh.useVertexColors = from.materials[material].hasVertexColours || Boolean(instances?.colours);
       mesh.hasVertexAlpha = false;
-      mesh.freezeWorldMatrix(Matrix.FromArray(matrix));
+      placeMesh(mesh, placement);
       if (instances) {
         const { matrices, colours, count } = instances;
         mesh.thinInstanceSetBuffer('matrix', matrices.subarray(0, count * 16), 16, false);

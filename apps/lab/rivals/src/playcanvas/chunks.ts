@@ -2,7 +2,16 @@
  * What PlayCanvas's shaders do otherwise than three's, put right by shader chunks (a documented way): the same work for
  * each light.
  */
-import { type GraphicsDevice, SHADERLANGUAGE_GLSL, ShaderChunks } from 'playcanvas';
+import {
+  type GraphicsDevice,
+  SEMANTIC_ATTR10,
+  SEMANTIC_ATTR11,
+  SEMANTIC_ATTR12,
+  SEMANTIC_ATTR14,
+  SEMANTIC_ATTR15,
+  SHADERLANGUAGE_GLSL,
+  ShaderChunks,
+} from 'playcanvas';
 
 /** 1 / d², windowed: as three's, and as KHR_lights_punctual's. */
 const falloff = `
@@ -40,6 +49,15 @@ mat4 getModelMatrix() {
   vInstanceColour = instance_colour;
   return matrix_model * mat4(instance_line1, instance_line2, instance_line3, instance_line4);
 }`;
+
+/** Attributes of instances with colours, by name in the shader. */
+export const instanceAttributes = {
+  instance_line1: SEMANTIC_ATTR11,
+  instance_line2: SEMANTIC_ATTR12,
+  instance_line3: SEMANTIC_ATTR14,
+  instance_line4: SEMANTIC_ATTR15,
+  instance_colour: SEMANTIC_ATTR10,
+} as const;
 
 /** Chunks of a material whose instances have colours. */
 export const instanceColourChunks = {

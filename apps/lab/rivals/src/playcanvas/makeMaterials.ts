@@ -6,7 +6,7 @@ import type {
   RivalScene,
   RivalTexture,
 } from '../../../src/competitors/rivals/RivalScene';
-import { instanceColourChunks, multiplyByInstanceColour } from './chunks';
+import { instanceAttributes, instanceColourChunks, multiplyByInstanceColour } from './chunks';
 
 /** PlayCanvas takes colours to the power of 2.2: this is what gives the linear colour. */
 export const encode = ([r, g, b]: Rgb, scale = 1): pc.Color =>
@@ -88,7 +88,7 @@ export class Materials {
       Object.assign(chunks, instanceColourChunks);
       const chunk = from.isLit ? 'diffusePS' : 'emissivePS';
       chunks[chunk] = multiplyByInstanceColour(this.device, chunk);
-      material.setAttribute('instance_colour', pc.SEMANTIC_ATTR10);
+      for (const [name, semantic] of Object.entries(instanceAttributes)) material.setAttribute(name, semantic);
     }
     material.update();
     return material;
@@ -98,7 +98,7 @@ export class Materials {
     material.diffuse = encode(from.colour);
     material.useMetalness = true;
     material.metalness = from.metalness;
-    material.enableGGXSpecular = false;
+    material.enableGGXSpecular = true;
     if (from.roughnessMetalnessMap) {
       material.gloss = from.roughness;
       material.glossInvert = true;

@@ -1,6 +1,12 @@
 /** PlayCanvas's clustered lights on WebGL 2. */
 import * as pc from 'playcanvas';
-import type { RivalDrawing, RivalGeometry, RivalPoints, RivalScene } from '../../../src/competitors/rivals/RivalScene';
+import type {
+  RivalDrawing,
+  RivalGeometry,
+  RivalPlacement,
+  RivalPoints,
+  RivalScene,
+} from '../../../src/competitors/rivals/RivalScene';
 import { agreeWithThree } from './chunks';
 import { countDropped } from './countDropped';
 import { fitCells, lightBoxes, mostLightsPerCell } from './fitCells';
@@ -55,18 +61,11 @@ function instanceBuffer(device: pc.GraphicsDevice, count: number, hasColours: bo
   return new pc.VertexBuffer(device, format, count, { usage: pc.BUFFER_DYNAMIC });
 }
 
-const matrix = new pc.Mat4();
-const translation = new pc.Vec3();
-const rotation = new pc.Quat();
-const scale = new pc.Vec3();
-
-/** Puts an object at the top of the world where a matrix says. @throws Error when it mirrors */
-function place(node: pc.Entity, elements: Float32Array): void {
-  matrix.data.set(elements);
-  if (matrix.scaleSign < 0) throw new Error('The scene mirrors a mesh: the Lab cannot give it to PlayCanvas.');
-  node.setLocalPosition(matrix.getTranslation(translation));
-  node.setLocalRotation(rotation.setFromMat4(matrix));
-  node.setLocalScale(matrix.getScale(scale));
+/** Puts an object that stands at the top of the world where it belongs. */
+function place(node: pc.Entity, p: RivalPlacement): void {
+  node.setLocalPosition(p[0], p[1], p[2]);
+  node.setLocalRotation(p[3], p[4], p[5], p[6]);
+  node.setLocalScale(p[7], p[8], p[9]);
 }
 
 class PlayCanvasDrawing implements RivalDrawing {
@@ -143,11 +142,11 @@ class PlayCanvasDrawing implements RivalDrawing {
   }
 
   moveCamera(): void {
-    place(this.camera, this.scene.camera.matrix);
+    place(this.camera, this.scene.camera.placement);
   }
 
   moveMesh(mesh: number): void {
-    place(this.nodes[mesh], this.scene.meshes[mesh].matrix);
+    place(this.nodes[mesh], this.scene.meshes[mesh].placement);
   }
 
   moveInstances(mesh: number): void {
@@ -187,7 +186,7 @@ class PlayCanvasDrawing implements RivalDrawing {
       gammaCorrection: pc.GAMMA_SRGB,
     });
     this.app.root.addChild(entity);
-    place(entity, camera.matrix);
+    place(entity, camera.placement);
     return entity;
   }
 
@@ -196,10 +195,10 @@ class PlayCanvasDrawing implements RivalDrawing {
     const materials = new Materials(device, scene, ambientHarmonics(scene));
     const meshes = scene.geometries.map((geometry) => makeMesh(device, geometry));
     const root = new pc.Entity();
-    scene.meshes.forEach(({ geometry, material, matrix, instances }, i) => {
+    scene.meshes.forEach(({ geometry, material, placement, instances }, i) => {
       const hasColours = Boolean(instances?.colours);
       const node = new pc.Entity();
-      place(node, matrix);
+      place(node, placement);
       this.nodes.push(node);
       const meshInstance = new pc.MeshInstance(meshes[geometry], materials.get(material, hasColours));
       meshInstance.drawOrder = i;

@@ -1,6 +1,5 @@
 /**
- * A case as plain data: what another engine makes its own scene of. Matrices are 4 × 4, column by column; lengths are
- * metres, angles radians, colours linear RGB (sRGB's primaries); the world is right-handed with y up.
+ * A case as plain data: what another engine makes its own scene of. Lengths are metres, angles radians, colours linear RGB (sRGB's primaries); the world is right-handed with y up.
  */
 export interface RivalScene {
   /** Size of the picture (pixels). */
@@ -32,9 +31,11 @@ export interface RivalCamera {
   readonly fov: number;
   readonly near: number;
   readonly far: number;
-  /** Camera to world. */
-  readonly matrix: Float32Array;
+  readonly placement: RivalPlacement;
 }
+
+/** Where an object stands in the world: [10], position x y z, rotation as a unit quaternion x y z w, scale x y z. */
+export type RivalPlacement = Float32Array;
 
 /** Irradiance from `ground` to `sky` along `up`. */
 export interface RivalHemisphere {
@@ -144,14 +145,13 @@ export interface RivalGeometry {
 export interface RivalMesh {
   readonly geometry: number;
   readonly material: number;
-  /** Mesh to world. */
-  readonly matrix: Float32Array;
+  readonly placement: RivalPlacement;
   readonly instances: RivalInstances | null;
 }
 
 export interface RivalInstances {
   readonly count: number;
-  /** [count, 16]: instance to mesh; the scene's own array, which may change between frames. */
+  /** [count, 16]: instance to mesh, 4 × 4, column by column; the scene's own array, which may change between frames. */
   readonly matrices: Float32Array;
   /** [count, 3]: factors of the material's colour; null when there are none. */
   readonly colours: Float32Array | null;
@@ -163,9 +163,9 @@ export interface RivalDrawing {
   /** Makes the engine's scene, waits for its programs, and draws it: all that its first frame takes. */
   drawFirst(): Promise<void>;
   render(): void;
-  /** Takes the camera's matrix from `RivalScene.camera`. */
+  /** Takes the camera's placement from `RivalScene.camera`. */
   moveCamera(): void;
-  /** Takes a mesh's matrix from `RivalScene.meshes`. */
+  /** Takes a mesh's placement from `RivalScene.meshes`. */
   moveMesh(mesh: number): void;
   /** Takes the lights' places from `points.positions`; nothing else of the lights has changed. */
   moveLights(points: RivalPoints): void;

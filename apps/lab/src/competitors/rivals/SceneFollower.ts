@@ -1,15 +1,15 @@
-import type { Mesh } from 'three';
+import type { Mesh, Object3D } from 'three';
 import type { StageScene } from '../../stage/StageScene';
 import { describePoints, writePositions } from './describeLights';
 import type { Described } from './describeScene';
-import type { RivalDrawing, RivalPoints } from './RivalScene';
+import { placementOf } from './placementOf';
+import type { RivalDrawing, RivalPlacement, RivalPoints } from './RivalScene';
 
 /** Tells another engine what moved in the case's scene since the last frame; allocates nothing. */
 export class SceneFollower {
   private points: RivalPoints;
   /** Versions of the instances' matrices that the engine has. */
   private readonly versions: Int32Array;
-  private readonly cameraMatrix: Float32Array;
   /** Where the lights of other kinds stand: [n, 3]. */
   private readonly places: Float32Array;
 
@@ -20,21 +20,20 @@ export class SceneFollower {
   ) {
     const { scene, sources } = described;
     this.points = scene.points;
-    this.cameraMatrix = scene.camera.matrix;
     this.places = Float32Array.from(stageScene.still.flatMap(({ position }) => position.toArray()));
     this.versions = Int32Array.from(sources, (mesh) => versionOf(mesh));
   }
 
   /** @throws Error when a light moves that is no point light */
   follow(): void {
-    const { stageScene, drawing, points, cameraMatrix } = this;
+    const { stageScene, drawing, points, described } = this;
     writePositions(stageScene.lights, points.positions);
     drawing.moveLights(points);
     this.followMeshes();
     this.checkStill();
     const { camera } = stageScene;
     camera.updateWorldMatrix(true, false);
-    if (take(camera.matrixWorld.elements, cameraMatrix)) drawing.moveCamera();
+    if (take(camera, described.scene.camera.placement)) drawing.moveCamera();
   }
 
   changeLights(): void {
@@ -70,7 +69,7 @@ export class SceneFollower {
       if (!mesh.matrixWorldNeedsUpdate) continue;
       mesh.updateWorldMatrix(true, false);
       mesh.matrixWorldNeedsUpdate = false;
-      if (take(mesh.matrixWorld.elements, scene.meshes[i].matrix)) drawing.moveMesh(i);
+      if (take(mesh, scene.meshes[i].placement)) drawing.moveMesh(i);
     }
   }
 }
@@ -78,13 +77,15 @@ export class SceneFollower {
 const versionOf = (mesh: Mesh): number =>
   (mesh as Mesh & { instanceMatrix?: { version: number } }).instanceMatrix?.version ?? 0;
 
-/** Copies a matrix. @returns whether it has changed */
-function take(from: ArrayLike<number>, to: Float32Array): boolean {
+const next: RivalPlacement = new Float32Array(10);
+
+/** Takes where an object is now. @returns whether that has changed */
+function take(object: Object3D, placement: RivalPlacement): boolean {
+  placementOf(object, next);
   let isChanged = false;
-  for (let k = 0; k < 16; k++) {
-    const value = Math.fround(from[k]);
-    if (to[k] === value) continue;
-    to[k] = value;
+  for (let k = 0; k < next.length; k++) {
+    if (placement[k] === next[k]) continue;
+    placement[k] = next[k];
     isChanged = true;
   }
   return isChanged;

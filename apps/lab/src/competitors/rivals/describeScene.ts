@@ -17,6 +17,7 @@ import { describeGeometry } from './describeGeometry';
 import { describePoints, describeStillLights } from './describeLights';
 import { describeMaterial } from './describeMaterial';
 import { describeTexture } from './describeTexture';
+import { placementOf } from './placementOf';
 import type { Rgb, RivalCamera, RivalInstances, RivalMaterial, RivalMesh, RivalScene } from './RivalScene';
 
 /** Values that are described once, by what they are made of. */
@@ -44,7 +45,7 @@ function describeCamera(camera: Camera): RivalCamera {
     fov: of.fov * MathUtils.DEG2RAD,
     near: of.near,
     far: of.far,
-    matrix: new Float32Array(camera.matrixWorld.elements),
+    placement: placementOf(camera),
   };
 }
 
@@ -142,7 +143,7 @@ export function describeScene(stageScene: StageScene): Described {
       meshes.push({
         geometry: geometryIndex(geometry, part, isFlat),
         material: materials.indexOf(material, () => describeMaterial(material, textureIndex)),
-        matrix: new Float32Array(mesh.matrixWorld.elements),
+        placement: placementOf(mesh),
         instances: describeInstances(mesh),
       });
     }
