@@ -29,9 +29,10 @@ const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-e
  * @param {boolean} [options.isolated] pages are cross-origin isolated, which gives their clock 5 µs in place of 100;
  *   default true
  * @param {number} [options.port] default 0, a free one
+ * @param {Readonly<Record<string, () => string>>} [options.texts] what answers in place of files, by name: 'apps.json'
  * @returns {Promise<{ url: string, close(): Promise<void> }>} the URL ends in a slash
  */
-export async function serveFolder(folder, { isolated = true, port = 0 } = {}) {
+export async function serveFolder(folder, { isolated = true, port = 0, texts = {} } = {}) {
   const top = resolve(folder);
   const server = createServer(async (request, response) => {
     try {
@@ -40,7 +41,8 @@ export async function serveFolder(folder, { isolated = true, port = 0 } = {}) {
         join(top, decodeURIComponent(pathname.endsWith('/') ? `${pathname}index.html` : pathname)),
       );
       if (!path.startsWith(top + sep)) throw new Error('outside of the folder');
-      const body = await readFile(path);
+      const name = path.slice(top.length + 1);
+      const body = Object.hasOwn(texts, name) ? texts[name]() : await readFile(path);
       response.writeHead(200, {
         'content-type': types[extname(path)] ?? 'application/octet-stream',
         ...(isolated ? isolation : {}),
