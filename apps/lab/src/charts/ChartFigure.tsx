@@ -1,6 +1,7 @@
 import { useId, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { ChartPoint, ChartSpec } from './ChartSpec';
 import { ChartTableView } from './ChartTableView';
+import { ChartTools } from './ChartTools';
 import { pagePaint } from './chartPaint';
 import { useChartSize } from './useChartSize';
 import { nearestPoint, walkPoints } from './walkPoints';
@@ -8,8 +9,15 @@ import { nearestPoint, walkPoints } from './walkPoints';
 /** How near the pointer must come to a point (pixels). */
 const REACH = 48;
 
+interface Props {
+  chart: ChartSpec;
+  /** Where the figures come from, for files. */
+  source: string;
+  onChoose: (index: number) => void;
+}
+
 /** A chart with its title, sentences, table and files. */
-export function ChartFigure({ chart, onChoose }: { chart: ChartSpec; onChoose: (index: number) => void }) {
+export function ChartFigure({ chart, source, onChoose }: Props) {
   const id = useId();
   const [showsTable, setShowsTable] = useState(false);
   return (
@@ -29,21 +37,48 @@ export function ChartFigure({ chart, onChoose }: { chart: ChartSpec; onChoose: (
           </label>
         )}
       </header>
-      <ChartDrawing chart={chart} />
-      <figcaption>
-        {chart.sentences.map((sentence) => (
-          <p key={sentence}>{sentence}</p>
-        ))}
-        {chart.notes.map((note) => (
-          <p key={note} class="chart-note">
-            {note}
-          </p>
-        ))}
-      </figcaption>
-      <details class="chart-table" onToggle={(event) => setShowsTable(event.currentTarget.open)}>
-        <summary>Table</summary>
-        {showsTable && <ChartTableView table={chart.table} caption={chart.title} />}
-      </details>
+      <div class="chart-body">
+        <div>
+          <ChartDrawing chart={chart} />
+          {chart.keys.length > 0 && (
+            <ul class="chart-keys" aria-label="Colours">
+              {chart.keys.map(({ label, colour }) => (
+                <li key={label}>
+                  <span style={{ background: colour(pagePaint) }} />
+                  {label}
+                </li>
+              ))}
+            </ul>
+          )}
+        </div>
+        <figcaption>
+          {chart.sentences.map((sentence) => (
+            <p key={sentence}>{sentence}</p>
+          ))}
+          {chart.verdicts.length > 0 && (
+            <ul class="chart-verdicts">
+              {chart.verdicts.map(({ claim, verdict, evidence }) => (
+                <li key={claim} data-verdict={verdict}>
+                  <strong>{verdict}</strong>
+                  <q>{claim}</q> {evidence}
+                </li>
+              ))}
+            </ul>
+          )}
+          {chart.notes.map((note) => (
+            <p key={note} class="chart-note">
+              {note}
+            </p>
+          ))}
+        </figcaption>
+      </div>
+      <footer>
+        <details class="chart-table" onToggle={(event) => setShowsTable(event.currentTarget.open)}>
+          <summary>Table</summary>
+          {showsTable && <ChartTableView table={chart.table} caption={chart.title} />}
+        </details>
+        <ChartTools chart={chart} source={source} />
+      </footer>
     </figure>
   );
 }
@@ -62,6 +97,7 @@ function ChartDrawing({ chart }: { chart: ChartSpec }) {
     drawn.svg.setAttribute('aria-hidden', 'true');
     canvas.current!.replaceChildren(drawn.svg);
     points.current = drawn.points;
+    host.current!.dataset.drawn = '';
     // the same point may stand elsewhere now
     setCurrent(null);
   }, [chart, width, isNear]);

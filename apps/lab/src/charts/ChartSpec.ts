@@ -1,4 +1,5 @@
 import type { Metric } from '../results/LabRun';
+import type { Conclusion } from '../thesis/conclusions';
 import type { ChartPaint } from './chartPaint';
 
 /** What the user chose for all charts. */
@@ -61,11 +62,15 @@ export interface ChartSpec {
   readonly description: string;
   /** What the figures say. */
   readonly sentences: readonly string[];
+  /** Conclusions that the figures bear out or not. */
+  readonly verdicts: readonly Conclusion[];
   /** What is missing, and why: shown smaller. */
   readonly notes: readonly string[];
   readonly table: ChartTable;
   /** Keys of the competitors that are drawn with their marks. */
   readonly legend: readonly string[];
+  /** Colours that mean something else than a competitor. */
+  readonly keys: readonly { readonly label: string; readonly colour: (paint: ChartPaint) => string }[];
   /** Names of the runs by kind of line, where there are several. */
   readonly runs: readonly string[];
   /** Choice of a case, where the chart shows one of several. */

@@ -1,5 +1,6 @@
 import { useMemo, useState } from 'preact/hooks';
 import type { LabRun, Metric } from '../results/LabRun';
+import { sourceOf } from './chartFiles';
 import { ChartControls } from './ChartControls';
 import { ChartFigure } from './ChartFigure';
 import { defaultSettings, type ChartSettings } from './ChartSpec';
@@ -18,6 +19,7 @@ export function RunCharts({ runs, metric = 'frame' }: { runs: readonly LabRun[];
     const all = new Set(runs.flatMap(({ plan }) => plan.competitors));
     return [...all].sort((a, b) => competitorOrder(a) - competitorOrder(b));
   }, [runs]);
+  const source = useMemo(() => sourceOf(runs), [runs]);
   const choose = (key: string, index: number): void =>
     setSettings({ ...settings, cases: { ...settings.cases, [key]: index } });
   return (
@@ -25,7 +27,7 @@ export function RunCharts({ runs, metric = 'frame' }: { runs: readonly LabRun[];
       <ChartControls {...{ runs, names, competitors, settings }} onChange={setSettings} />
       <div class="chart-grid">
         {charts.map((chart) => (
-          <ChartFigure key={chart.key} chart={chart} onChoose={(index) => choose(chart.key, index)} />
+          <ChartFigure key={chart.key} chart={chart} source={source} onChoose={(index) => choose(chart.key, index)} />
         ))}
       </div>
     </section>

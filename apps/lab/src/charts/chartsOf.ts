@@ -1,15 +1,33 @@
 import type { LabSeries } from '../plan/LabPlan';
 import type { LabRun } from '../results/LabRun';
+import { thesisChart } from '../thesis/thesisChart';
+import { changeChart } from './changeChart';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { curveChart } from './curveChart';
+import { mapCharts } from './mapChart';
+import { passChart } from './passChart';
+import { regretChart } from './regretChart';
+import { runNames } from './runNames';
 
 /**
- * All charts of one or several runs, in the order of the page. The first run's series come first; later runs are drawn
- * over series of the same name.
+ * All charts of one or several runs, in the order of the page. Curves of later runs lie over those of the first with the
+ * same name of a series; of the other charts each run has its own.
  */
 export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): ChartSpec[] {
   const shown = runs.map((run) => withoutHidden(run, settings.hidden));
-  return seriesOf(shown).map((series) => curveChart(shown, series, settings));
+  const names = runNames(runs);
+  const own = shown.flatMap((run, i) => {
+    const key = (name: string): string => (i === 0 ? name : `${name}-run-${i + 1}`);
+    const charts = [
+      ...mapCharts(run, settings, key('map')),
+      thesisChart(run, settings, key('thesis')),
+      regretChart(run, settings, key('regret')),
+      passChart(run, settings, key('passes')),
+      changeChart(run, settings, key('changes')),
+    ].filter((chart) => chart !== null);
+    return runs.length === 1 ? charts : charts.map((chart) => ({ ...chart, title: `${chart.title}: ${names[i]}` }));
+  });
+  return [...seriesOf(shown).map((series) => curveChart(shown, series, settings)), ...own];
 }
 
 /** Series of all runs by name, as the first run that has one plans it. */

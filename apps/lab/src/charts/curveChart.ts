@@ -30,9 +30,11 @@ export function curveChart(runs: readonly LabRun[], series: LabSeries, settings:
         ? [`${names[i]}: ${sentences[0]}`, ...sentences.slice(1, 2)]
         : sentences;
     }),
+    verdicts: [],
     notes: notesOf(runs, series, metric),
     table: tableOf(runs, names, series, metric),
     legend: [...new Set(curves.map(({ competitor }) => competitor))],
+    keys: [],
     runs: runs.length > 1 ? names : [],
     choice: null,
     wide: false,

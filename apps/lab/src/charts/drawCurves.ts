@@ -6,6 +6,7 @@ import { competitorWord, metricWords } from '../words/names';
 import { logTicks, ticksWithRoom, valueTick } from './axisTicks';
 import type { ChartPoint, ChartSettings, DrawnChart, DrawOptions } from './ChartSpec';
 import type { Curve, CurvePoint } from './curveData';
+import { drawEmpty } from './drawEmpty';
 import { competitorDots, plotStyle, runDashes } from './plotMarks';
 import { rowTip } from './rowTip';
 import { spreadLabels } from './spreadLabels';
@@ -19,6 +20,7 @@ export function drawCurves(
   { metric, scale: kind }: Pick<ChartSettings, 'metric' | 'scale'>,
   { width, paint, document = globalThis.document }: DrawOptions,
 ): DrawnChart {
+  if (curves.length === 0) return drawEmpty(width, paint, document);
   const height = Math.round(Math.min(480, Math.max(280, width * 0.6)));
   const named = curves.filter(({ competitor }, i) => curves.findIndex((each) => each.competitor === competitor) === i);
   const words = named.map(({ competitor }) => competitorWord(competitor));

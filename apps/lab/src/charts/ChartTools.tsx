@@ -1,0 +1,51 @@
+import { useState } from 'preact/hooks';
+import { chartPNG } from './chartPNG';
+import { chartSVG } from './chartSVG';
+import type { ChartSpec } from './ChartSpec';
+
+/** Saves a chart as a file, in the theme that the page shows. */
+export function ChartTools({ chart, source }: { chart: ChartSpec; source: string }) {
+  const [problem, setProblem] = useState('');
+  const save = async (kind: 'svg' | 'png', event: MouseEvent): Promise<void> => {
+    try {
+      const svg = chartSVG(chart, { theme: themeOf(event.currentTarget as HTMLElement), source });
+      const blob = kind === 'svg' ? new Blob([svg], { type: 'image/svg+xml' }) : await chartPNG(svg);
+      saveBlob(blob, `${chart.key}.${kind}`);
+      setProblem('');
+    } catch (error) {
+      setProblem(error instanceof Error ? error.message : String(error));
+    }
+  };
+  return (
+    <div class="chart-tools">
+      {(['svg', 'png'] as const).map((kind) => (
+        <button
+          key={kind}
+          type="button"
+          aria-label={`Save ${kind.toUpperCase()}: ${chart.title}`}
+          onClick={(event) => void save(kind, event)}
+        >
+          {kind.toUpperCase()}
+        </button>
+      ))}
+      {problem !== '' && <span role="alert">{problem}</span>}
+    </div>
+  );
+}
+
+/** The theme in which an element is shown, by its `color-scheme`. */
+function themeOf(element: HTMLElement): 'light' | 'dark' {
+  const scheme = getComputedStyle(element).colorScheme;
+  const isBoth = scheme.includes('light') === scheme.includes('dark');
+  const isDark = isBoth ? matchMedia('(prefers-color-scheme: dark)').matches : scheme.includes('dark');
+  return isDark ? 'dark' : 'light';
+}
+
+function saveBlob(blob: Blob, name: string): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  // the browser has taken the file by then
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}

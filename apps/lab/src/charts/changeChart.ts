@@ -1,0 +1,105 @@
+import type { LabRow, LabRun } from '../results/LabRun';
+import { changeOf, changeWords } from '../words/changeWords';
+import { timeOf } from '../words/compareSpreads';
+import { formatMs, formatNumber } from '../words/format';
+import { competitorLabel, competitorWord } from '../words/names';
+import { casesOf } from '../words/seriesCases';
+import { logTicks } from './axisTicks';
+import type { ChartSettings, ChartSpec } from './ChartSpec';
+import { competitorOrder } from './competitorMarks';
+import { type ChartRow, drawRows, type RowBar } from './drawRows';
+
+const kinds = ['First frame', 'Ten lights more', 'Technique changed'] as const;
+
+/** Frames after changes, a bar a change for each competitor in one case; null where none were measured. */
+export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes'): ChartSpec | null {
+  const cases = casesOf(run).flatMap(({ series, index, label }) => {
+    const rows = run.rows.filter((row) => row.series === series.name && row.index === index && hasChange(row));
+    return rows.length > 0 ? [{ label, rows }] : [];
+  });
+  // first frames alone are measured by every run and no subject
+  if (!cases.some(({ rows }) => rows.some(({ added, changed }) => added !== null || changed !== null))) return null;
+  const selected = Math.min(settings.cases[key] ?? cases.length - 1, cases.length - 1);
+  const { label } = cases[selected];
+  const rows = cases[selected].rows.toSorted((a, b) => competitorOrder(a.competitor) - competitorOrder(b.competitor));
+  const times = rows.flatMap((row) => [...timesOf(row).map((time) => time?.ms), timeOf(row, 'frame')?.median]);
+  const known = times.filter((ms) => ms !== undefined);
+  const isLog = settings.scale === 'log';
+  const domain: [number, number] = isLog ? [Math.min(...known) / 1.5, Math.max(...known)] : [0, Math.max(...known)];
+  const drawn = rows.map((row): ChartRow => {
+    const usual = timeOf(row, 'frame');
+    const bars = timesOf(row).flatMap((time, lane): RowBar[] => {
+      if (time === null) return [];
+      const programs = time.programs === null ? '' : `, ${programsText(time.programs)}`;
+      const lines = [
+        `${formatMs(time.ms)}${programs}`,
+        ...(usual ? [`An ordinary frame: ${formatMs(usual.median)}`] : []),
+      ];
+      const text = time.programs ? `${formatMs(time.ms)}, ${programsText(time.programs)}` : formatMs(time.ms);
+      const tip = { title: `${competitorLabel(row.competitor)}: ${kinds[lane].toLowerCase()}`, lines };
+      return [
+        {
+          from: domain[0],
+          to: time.ms,
+          lane,
+          fill: (paint) => paint.shade(lane),
+          tip,
+          text,
+          shortText: formatMs(time.ms),
+        },
+      ];
+    });
+    return {
+      label: competitorWord(row.competitor),
+      competitor: row.competitor,
+      bars,
+      ticks: usual ? [usual.median] : [],
+    };
+  });
+  return {
+    key,
+    title: 'What a change costs',
+    description: `Milliseconds of the first frame, of the frame after ten lights more and of the frame after a change of technique, with programs linked; a line across each group is an ordinary frame. ${label}.`,
+    sentences: changeWords(rows),
+    verdicts: [],
+    notes: [],
+    table: {
+      columns: ['Competitor', 'Ordinary frame, ms', ...kinds.flatMap((kind) => [`${kind}, ms`, 'Programs'])],
+      rows: rows.map((row) => [
+        competitorLabel(row.competitor),
+        formatNumber(timeOf(row, 'frame')?.median ?? Number.NaN),
+        ...timesOf(row).flatMap((time) => [
+          formatNumber(time?.ms ?? Number.NaN),
+          formatNumber(time?.programs ?? Number.NaN),
+        ]),
+      ]),
+    },
+    legend: [],
+    keys: kinds.map((kind, i) => ({ label: kind, colour: (paint) => paint.shade(i) })),
+    runs: [],
+    choice: { label: 'Case', options: cases.map((each) => each.label), selected },
+    wide: false,
+    draw: (options) =>
+      drawRows(
+        {
+          ...{ rows: drawn, lanes: 3, type: settings.scale, domain, label: 'Frame (ms)', format: formatNumber },
+          ticks: isLog ? logTicks(domain[0], domain[1], options.width < 520 ? 4 : 8) : undefined,
+        },
+        options,
+      ),
+  };
+}
+
+/** Times of the three changes in their order, null where one was not measured. */
+function timesOf(row: LabRow): ({ ms: number; programs: number | null } | null)[] {
+  const first = row.firstMs !== null && row.firstMs > 0 ? { ms: row.firstMs, programs: null } : null;
+  return [first, changeOf(row.added), changeOf(row.changed)];
+}
+
+function hasChange(row: LabRow): boolean {
+  return timesOf(row).some((time) => time !== null);
+}
+
+function programsText(programs: number): string {
+  return programs === 1 ? '1 program' : `${programs} programs`;
+}

@@ -1,0 +1,81 @@
+import { describe, expect, test } from 'vitest';
+import { madeUpRun } from '../words/madeUpRun';
+import { chartFiles } from './chartFiles';
+import { defaultSettings } from './ChartSpec';
+import { chartsOf } from './chartsOf';
+import { paintOf } from './chartPaint';
+import { sampleRun } from './sampleRuns';
+import { SvgDocument } from './SvgDocument';
+
+const document = new SvgDocument() as unknown as Document;
+
+describe.each(['quick', 'thesis', 'resolution'])('charts of a %s run', (preset) => {
+  const run = sampleRun({ preset });
+
+  test('every chart is drawn at every width, its points inside and told in words', () => {
+    for (const chart of chartsOf([run], defaultSettings)) {
+      for (const width of [240, 800]) {
+        const { svg, points } = chart.draw({ width, paint: paintOf('dark'), document });
+        const height = Number(svg.getAttribute('height'));
+        expect(Number(svg.getAttribute('width')), chart.key).toBe(width);
+        expect(points.length, chart.key).toBeGreaterThan(0);
+        for (const { x, y, tip } of points) {
+          expect(x >= 0 && x <= width && y >= 0 && y <= height, `${chart.key} at ${width}: ${x}, ${y}`).toBe(true);
+          expect(tip.title).not.toBe('');
+        }
+        expect(svg.outerHTML).not.toMatch(/NaN|undefined|Infinity/);
+      }
+    }
+  });
+
+  test('every chart has a description, sentences and a table of one width', () => {
+    const charts = chartsOf([run], defaultSettings);
+    expect(new Set(charts.map(({ key }) => key)).size).toBe(charts.length);
+    for (const { key, title, description, sentences, table } of charts) {
+      expect(title && description && sentences.length > 0, key).toBeTruthy();
+      for (const row of table.rows) expect(row.length, key).toBe(table.columns.length);
+      expect(JSON.stringify([sentences, table, description]), key).not.toMatch(/NaN|undefined|Infinity/);
+    }
+  });
+
+  test('files stand by themselves: no custom property, the sentences inside', () => {
+    for (const { name, svg, title, sentences } of chartFiles([run])) {
+      expect(svg.startsWith('<svg xmlns="http://www.w3.org/2000/svg"'), name).toBe(true);
+      expect(svg, name).not.toMatch(/var\(|light-dark|NaN|undefined|<style/);
+      expect(svg, name).toContain(`<title id="title">${title}</title>`);
+      expect(svg, name).toContain(sentences[0].split(' ')[0]);
+      expect(svg, name).toContain('NVIDIA H200');
+    }
+  });
+});
+
+test('no figures at all, one point, and ranges of nine powers of ten are drawn', () => {
+  const runs = [
+    madeUpRun([10], { deferred: [null] }),
+    madeUpRun([10], { deferred: ['Lost its context.'] }),
+    madeUpRun([0], { deferred: [1] }, 'shadows'),
+    madeUpRun([1, 1e6], { deferred: [1e-3, 1e6], forward: [Number.NaN, -1] }),
+  ];
+  for (const run of runs) {
+    for (const scale of ['log', 'linear'] as const) {
+      const files = chartFiles([run], { ...defaultSettings, scale });
+      expect(files).toHaveLength(1);
+      for (const { svg } of files) {
+        expect(svg).not.toMatch(/NaN|undefined|Infinity/);
+      }
+    }
+  }
+});
+
+test('a series without a figure says so in its place', () => {
+  const [{ svg }] = chartFiles([madeUpRun([10], { deferred: ['Lost its context.'] })]);
+  expect(svg).toContain('No figures here');
+});
+
+test('texts that others wrote cannot leave their place in a file', () => {
+  const run = madeUpRun([10], { deferred: [1] });
+  run.surroundings.device = '</text><script>alert(1)</script>';
+  const [{ svg }] = chartFiles([run]);
+  expect(svg).not.toContain('<script');
+  expect(svg).toContain('&lt;script');
+});

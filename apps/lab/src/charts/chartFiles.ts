@@ -1,0 +1,37 @@
+import type { LabRun } from '../results/LabRun';
+import { chartSVG } from './chartSVG';
+import { type ChartSettings, defaultSettings } from './ChartSpec';
+import { chartsOf } from './chartsOf';
+import { shortDevice } from './runNames';
+
+/** A chart as a file, with its words for a text around it. */
+export interface ChartFile {
+  /** Lower-kebab, without an ending. */
+  readonly name: string;
+  readonly title: string;
+  readonly sentences: readonly string[];
+  readonly svg: string;
+}
+
+/** All charts of runs as files: needs no browser. */
+export function chartFiles(
+  runs: readonly LabRun[],
+  settings: ChartSettings = defaultSettings,
+  theme: 'light' | 'dark' = 'light',
+): ChartFile[] {
+  return chartsOf(runs, settings).map((chart) => ({
+    ...{ name: chart.key, title: chart.title, svg: chartSVG(chart, { theme, source: sourceOf(runs) }) },
+    sentences: [
+      ...chart.sentences,
+      ...chart.verdicts.map((each) => `${each.verdict}: “${each.claim}” ${each.evidence}`),
+    ],
+  }));
+}
+
+/** Where and when runs were made, in a line. */
+export function sourceOf(runs: readonly LabRun[]): string {
+  const lines = runs.map(({ surroundings: { device, browser, system, date, build } }) =>
+    ['Farol Lab', build, shortDevice(device), browser, system, date.slice(0, 10)].filter(Boolean).join(', '),
+  );
+  return [...new Set(lines)].join(' | ');
+}

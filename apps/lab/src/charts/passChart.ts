@@ -1,0 +1,105 @@
+import type { LabRow, LabRun } from '../results/LabRun';
+import { formatMs, formatNumber } from '../words/format';
+import { competitorLabel, competitorWord } from '../words/names';
+import { passTotal, passWords } from '../words/passWords';
+import { casesOf } from '../words/seriesCases';
+import type { ChartSettings, ChartSpec } from './ChartSpec';
+import { competitorOrder } from './competitorMarks';
+import { type ChartRow, drawRows } from './drawRows';
+
+/** Most passes that have a shade of their own; shorter ones are summed. */
+const MOST = 7;
+const REST = 'other passes';
+
+/** Bars by pass of each technique in one case; null where no passes were measured. */
+export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'): ChartSpec | null {
+  const cases = casesOf(run).flatMap(({ series, index, label }) => {
+    const rows = run.rows.filter((row) => row.series === series.name && row.index === index && passTotal(row) > 0);
+    return rows.length > 0 ? [{ label, rows }] : [];
+  });
+  if (cases.length === 0) return null;
+  const selected = Math.min(settings.cases[key] ?? cases.length - 1, cases.length - 1);
+  const { label } = cases[selected];
+  const rows = cases[selected].rows.toSorted((a, b) => competitorOrder(a.competitor) - competitorOrder(b.competitor));
+  const kind = rows.every((row) => row.passes!.kind === 'gpu') ? 'GPU' : 'CPU';
+  const names = passNames(cases.flatMap((each) => each.rows));
+  const most = Math.max(...rows.map(passTotal));
+  const drawn = rows.map((row): ChartRow => {
+    let from = 0;
+    const total = passTotal(row);
+    const bars = segments(row, names).map(({ name, ms }) => {
+      const bar = { from, to: (from += ms), lane: 0, fill: fillOf(names, name), text: undefined as string | undefined };
+      const share = formatNumber((ms / total) * 100, 2);
+      return {
+        ...bar,
+        tip: {
+          title: `${competitorLabel(row.competitor)}: ${name}`,
+          lines: [`${formatMs(ms)}, ${share}% of ${formatMs(total)}`],
+        },
+      };
+    });
+    if (bars.length > 0) bars.at(-1)!.text = formatMs(total);
+    return { label: competitorWord(row.competitor), competitor: row.competitor, bars };
+  });
+  return {
+    key,
+    title: `Where a frame goes: ${kind} time by pass`,
+    description: `${kind} milliseconds of each pass, stacked, a bar a technique; ${label}.`,
+    sentences: [...passWords(rows)],
+    verdicts: [],
+    notes: rows.some((row) => row.passes!.kind !== 'gpu')
+      ? ['Without a timer on the GPU, the CPU’s part of each pass is shown.']
+      : [],
+    table: {
+      columns: ['Technique', ...names, 'Sum, ms'],
+      rows: rows.map((row) => {
+        const found = new Map(segments(row, names).map(({ name, ms }) => [name, ms]));
+        const cells = names.map((name) => (found.has(name) ? formatNumber(found.get(name)!) : '–'));
+        return [competitorLabel(row.competitor), ...cells, formatNumber(passTotal(row))];
+      }),
+    },
+    legend: [],
+    keys: names.map((name) => ({ label: name, colour: fillOf(names, name) })),
+    runs: [],
+    choice: { label: 'Case', options: cases.map((each) => each.label), selected },
+    wide: false,
+    draw: (options) =>
+      drawRows(
+        { rows: drawn, lanes: 1, type: 'linear', domain: [0, most], label: `${kind} (ms)`, format: formatNumber },
+        options,
+      ),
+  };
+}
+
+/** Names of the longest passes in the order in which they are drawn, and one for all others. */
+function passNames(rows: readonly LabRow[]): string[] {
+  const longest = new Map<string, number>();
+  for (const row of rows) {
+    const total = passTotal(row);
+    for (const { name, ms } of row.passes!.passes) {
+      if (ms > 0) longest.set(name, Math.max(longest.get(name) ?? 0, ms / total));
+    }
+  }
+  if (longest.size <= MOST + 1) return [...longest.keys()];
+  const kept = new Set(
+    [...longest]
+      .sort((a, b) => b[1] - a[1])
+      .slice(0, MOST)
+      .map(([name]) => name),
+  );
+  return [...[...longest.keys()].filter((name) => kept.has(name)), REST];
+}
+
+function segments(row: LabRow, names: readonly string[]): { name: string; ms: number }[] {
+  const sums = new Map<string, number>();
+  for (const { name, ms } of row.passes!.passes) {
+    if (!(ms > 0)) continue;
+    const shown = names.includes(name) ? name : REST;
+    sums.set(shown, (sums.get(shown) ?? 0) + ms);
+  }
+  return names.flatMap((name) => (sums.has(name) ? [{ name, ms: sums.get(name)! }] : []));
+}
+
+function fillOf(names: readonly string[], name: string): (paint: { shade(index: number): string }) => string {
+  return (paint) => paint.shade(names.indexOf(name));
+}

@@ -1,0 +1,69 @@
+import type { LabRun } from '../results/LabRun';
+import { formatMs, formatNumber, formatPercent } from '../words/format';
+import { competitorLabel, competitorWord } from '../words/names';
+import { type Regret, regretsOf, regretWords } from '../words/regret';
+import type { ChartSettings, ChartSpec } from './ChartSpec';
+import { competitorOrder } from './competitorMarks';
+import { type ChartRow, drawRows } from './drawRows';
+
+/** Bars of what `auto` lost in each case against the best technique; null where it was not measured. */
+export function regretChart(run: LabRun, { metric }: ChartSettings, key = 'regret'): ChartSpec | null {
+  const regrets = regretsOf(run, metric);
+  if (regrets.length === 0) return null;
+  const mean = regrets.reduce((sum, { regret }) => sum + regret, 0) / regrets.length;
+  const low = Math.min(0, ...regrets.map(({ regret }) => regret));
+  const high = Math.max(0.05, ...regrets.map(({ regret }) => regret));
+  const rows = regrets.map((each): ChartRow => {
+    const { of, regret, choice, isTie } = each;
+    const bar = {
+      ...{ from: Math.min(0, regret), to: Math.max(0, regret), lane: 0, opacity: isTie ? 0.45 : 1 },
+      ...{ fill: (paint: { competitor(name: string): string }) => paint.competitor(choice ?? 'auto') },
+      ...{ text: formatPercent(regret), tip: { title: of.label, lines: linesOf(each) } },
+    };
+    return { label: of.label, bars: [bar], competitor: choice ?? 'auto' };
+  });
+  return {
+    key,
+    title: 'What auto loses against the best technique',
+    description:
+      'Time of auto over the time of the fastest technique, less 1, in percent: a bar a case, coloured by the technique that auto chose; pale where the difference is within the spread.',
+    sentences: regretWords(regrets),
+    verdicts: [],
+    notes: regrets.length > 1 ? ['The dashed line is the mean. Pale bars lie within the spread.'] : [],
+    table: {
+      columns: ['Case', 'auto chose', 'auto, ms', 'Best technique', 'Its time, ms', 'Regret', 'Within the spread'],
+      rows: regrets.map(({ of, choice, auto, best, regret, isTie }) => [
+        ...[of.label, choice === null ? '–' : competitorLabel(choice), formatNumber(auto.time.median)],
+        ...[
+          competitorLabel(best.competitor),
+          formatNumber(best.time.median),
+          formatPercent(regret),
+          isTie ? 'yes' : 'no',
+        ],
+      ]),
+    },
+    legend: [...new Set(regrets.map(({ choice }) => choice ?? 'auto'))].sort(
+      (a, b) => competitorOrder(a) - competitorOrder(b),
+    ),
+    ...{ keys: [], runs: [], choice: null, wide: false },
+    draw: (options) =>
+      drawRows(
+        {
+          ...{ rows, lanes: 1, type: 'linear', domain: [low, high], label: 'Longer than the best technique' },
+          ...{ format: formatPercent, rules: [mean] },
+        },
+        options,
+      ),
+  };
+}
+
+function linesOf({ choice, auto, best, regret, isTie }: Regret): string[] {
+  const chose = choice === null ? 'auto' : `auto chose ${competitorWord(choice)}`;
+  const why = auto.row.reason ? [`Why: ${auto.row.reason}`] : [];
+  return [
+    `${chose}: ${formatMs(auto.time.median)}`,
+    `Best: ${competitorWord(best.competitor)}, ${formatMs(best.time.median)}`,
+    `Regret ${formatPercent(regret)}${isTie ? ', within the spread' : ''}`,
+    ...why,
+  ];
+}

@@ -1,0 +1,86 @@
+import type { LabSeries } from '../plan/LabPlan';
+import { axisWords } from '../plan/sceneWords';
+import type { LabRun, Metric } from '../results/LabRun';
+import { casesOf, seriesWord, type SeriesCase } from '../words/seriesCases';
+import { valueText } from '../words/names';
+import { type Winners, winnersOf } from '../words/winners';
+import { formatNumber } from '../words/format';
+
+/** A cell of a map; null winners where nobody has a time. */
+export interface MapCell {
+  readonly row: number;
+  readonly column: number;
+  readonly of: SeriesCase;
+  readonly winners: Winners | null;
+}
+
+/** Cases by two properties, and who is fastest in each. */
+export interface WinnerMap {
+  readonly rows: readonly string[];
+  readonly columns: readonly string[];
+  readonly rowTitle: string;
+  readonly columnTitle: string;
+  readonly cells: readonly MapCell[];
+}
+
+/**
+ * Maps of a run: lights by pixels for each scene that was measured at several of both, and series by values of one axis
+ * for the rest. A map of one cell says nothing and is left out.
+ */
+export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
+  const cases = casesOf(run);
+  const maps: WinnerMap[] = [];
+  const placed = new Set<SeriesCase>();
+  for (const group of groupBy(cases, sceneKey).values()) {
+    const pixels = [...new Set(group.map(({ labCase }) => labCase.width * labCase.height))].sort((a, b) => a - b);
+    const lights = [...new Set(group.map(({ labCase }) => labCase.lights ?? 0))].sort((a, b) => a - b);
+    if (pixels.length < 2 || lights.length < 2) continue;
+    group.forEach((each) => placed.add(each));
+    const size = (count: number): string => {
+      const { labCase } = group.find(({ labCase: { width, height } }) => width * height === count)!;
+      return `${labCase.width} × ${labCase.height}`;
+    };
+    maps.push({
+      rows: pixels.map(size),
+      columns: lights.map((count) => valueText('lights', count)),
+      rowTitle: `${group[0].label.split(',')[0]}: pixels`,
+      columnTitle: 'Point lights',
+      cells: group.map((of) => ({
+        row: pixels.indexOf(of.labCase.width * of.labCase.height),
+        column: lights.indexOf(of.labCase.lights ?? 0),
+        ...{ of, winners: winnersOf(run, of.series, of.index, metric) },
+      })),
+    });
+  }
+  const rest = cases.filter((each) => !placed.has(each));
+  for (const group of groupBy(rest, ({ series }) => series.axis).values()) maps.push(bySeries(run, group, metric));
+  return maps.filter(({ cells }) => cells.filter(({ winners }) => winners !== null).length > 1);
+}
+
+function bySeries(run: LabRun, group: readonly SeriesCase[], metric: Metric): WinnerMap {
+  const { axis } = group[0].series;
+  const values = [...new Set(group.map(({ series, index }) => series.values[index]))].sort((a, b) => a - b);
+  const list: LabSeries[] = [...new Set(group.map(({ series }) => series))];
+  return {
+    rows: list.map(seriesWord),
+    columns: values.map((value) => (axis === 'pixels' ? `${formatNumber(value / 1e6, 2)} M` : formatNumber(value, 6))),
+    rowTitle: 'Series',
+    columnTitle: axisWords[axis].label,
+    cells: group.map((of) => ({
+      row: list.indexOf(of.series),
+      column: values.indexOf(of.series.values[of.index]),
+      ...{ of, winners: winnersOf(run, of.series, of.index, metric) },
+    })),
+  };
+}
+
+/** What cases share that may stand in one map of lights by pixels. */
+function sceneKey({ labCase: { scene, shadows, overdraw } }: SeriesCase): string {
+  return JSON.stringify([scene.name, scene.parameters, shadows, overdraw]);
+}
+
+function groupBy<T>(items: readonly T[], key: (item: T) => string): Map<string, T[]> {
+  const groups = new Map<string, T[]>();
+  for (const item of items) groups.set(key(item), [...(groups.get(key(item)) ?? []), item]);
+  return groups;
+}

@@ -1,0 +1,47 @@
+import type { LabCase } from '../plan/LabPlan';
+import type { LabRun, Metric } from '../results/LabRun';
+import { formatNumber } from '../words/format';
+import { type Entry, entriesOf } from '../words/rowsOf';
+import { casesOf, type SeriesCase } from '../words/seriesCases';
+import { thesis2015, type ThesisRow } from './thesis2015';
+
+/** A row of the thesis beside the same case of a run. */
+export interface ThesisPair {
+  readonly thesis: ThesisRow;
+  readonly label: string;
+  /** The case of the run; null where the run has none. */
+  readonly of: SeriesCase | null;
+  /** Everybody's times in the case, shortest first. */
+  readonly entries: readonly Entry[];
+}
+
+const scenes: Readonly<Record<ThesisRow['table'], string>> = {
+  planes: 'benchmarkLights',
+  sponza: 'sponza',
+  temple: 'temple',
+};
+
+/** All rows of the thesis in order, each with the first case of the run that has its scene, planes and lights. */
+export function compareThesis(run: LabRun, metric: Metric): ThesisPair[] {
+  const cases = casesOf(run);
+  return thesis2015.map((thesis) => {
+    const of = cases.find(({ labCase }) => isCaseOf(labCase, thesis)) ?? null;
+    const entries = of === null ? [] : entriesOf(run, of.series, of.index, metric);
+    return { thesis, label: labelOf(thesis), of, entries };
+  });
+}
+
+function isCaseOf({ scene, lights, shadows, overdraw }: LabCase, row: ThesisRow): boolean {
+  const hasPlanes = row.planes === 0 || Number(scene.parameters.n) ** 2 === row.planes;
+  return scene.name === scenes[row.table] && hasPlanes && lights === row.lights && shadows === 0 && overdraw === 0;
+}
+
+function labelOf({ planes, lights }: ThesisRow): string {
+  const light = `${formatNumber(lights)} ${lights === 1 ? 'light' : 'lights'}`;
+  return planes === 0 ? light : `${formatNumber(planes)} ${planes === 1 ? 'plane' : 'planes'}, ${light}`;
+}
+
+/** A competitor's time in a row; undefined where it has none. */
+export function timeIn({ entries }: ThesisPair, competitor: string): Entry['time'] | undefined {
+  return entries.find((entry) => entry.competitor === competitor)?.time;
+}

@@ -1,0 +1,148 @@
+import { logTicks } from '../charts/axisTicks';
+import type { ChartSettings, ChartSpec, ChartTip } from '../charts/ChartSpec';
+import { type ChartRow, drawRows, type RowBar, type RowMark } from '../charts/drawRows';
+import type { LabRun } from '../results/LabRun';
+import { formatMs, formatNumber, listOf } from '../words/format';
+import { isSoftware } from '../words/isSoftware';
+import { competitorLabel, competitorWord, isTechnique } from '../words/names';
+import { compareThesis, type ThesisPair, timeIn } from './compareThesis';
+import { conclusionsOf, type Conclusion, type Verdict } from './conclusions';
+import type { Frames } from './thesis2015';
+
+const headings = { planes: 'N × N planes, M × M lights', sponza: 'Sponza (here: atrium)', temple: 'Temple' } as const;
+/** Who may stand for the thesis's forward rendering. */
+const forwards = ['forward', 'multipass', 'stock'];
+
+/** The thesis's figures of 2015 beside a run's, row by row; null where the run has hardly any of its rows. */
+export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'): ChartSpec | null {
+  const all = compareThesis(run, settings.metric);
+  const measured = all.filter(({ entries }) => entries.length > 0);
+  const isThesis = run.plan.preset === 'thesis';
+  if (measured.length < (isThesis ? 1 : 3)) return null;
+  const pairs = isThesis ? all : measured;
+  const offered = forwards.filter((name) => measured.some((pair) => timeIn(pair, name)));
+  const selected = Math.min(settings.cases[key] ?? 0, Math.max(0, offered.length - 1));
+  const forward = offered[selected] ?? 'forward';
+  const rows = rowsOf(pairs, forward);
+  const values = rows.flatMap(({ bars, marks = [] }) => [
+    ...bars.flatMap(({ from, to }) => [from, to]),
+    ...marks.map(({ at }) => at),
+  ]);
+  const isLog = settings.scale === 'log';
+  const domain: [number, number] = [isLog ? Math.min(...values) / 1.2 : 0, Math.max(...values) * 1.1];
+  const conclusions = conclusionsOf(run, pairs, forward);
+  return {
+    key,
+    title: 'The thesis of 2015 and this run',
+    description: `Frames a second of forward and deferred shading, row by row of the thesis’s three tables: pale bars are the ranges of 2015, symbols this run’s medians.`,
+    sentences: [summaryOf(conclusions)],
+    verdicts: conclusions,
+    notes: [
+      'Pale bars: the thesis, in a browser that showed 60 frames a second at most; where there is none, its counter could not follow. Symbols: this run, without a display to wait for.',
+      ...(isSoftware(run)
+        ? ['A software rasteriser drew this run: the verdicts are about a processor, not a GPU.']
+        : []),
+    ],
+    table: tableOf(pairs, forward),
+    legend: [forward, 'deferred', 'auto'].filter((name) => measured.some((pair) => timeIn(pair, name))),
+    ...{ keys: [], runs: [], wide: true },
+    choice:
+      offered.length > 1 ? { label: 'Forward is drawn by', options: offered.map(competitorLabel), selected } : null,
+    draw: (options) =>
+      drawRows(
+        {
+          ...{ rows, lanes: 2, type: settings.scale, domain, label: 'Frames a second', format: formatNumber },
+          ticks: isLog ? logTicks(domain[0], domain[1], options.width < 520 ? 5 : 9) : undefined,
+        },
+        options,
+      ),
+  };
+}
+
+/** How many of the conclusions hold. */
+function summaryOf(conclusions: readonly Conclusion[]): string {
+  const words: readonly [Verdict, string][] = [
+    ['Confirmed', 'confirmed'],
+    ['Confirmed in part', 'confirmed in part'],
+    ['Refuted', 'refuted'],
+    ['Undecided', 'left open'],
+  ];
+  const parts = words.flatMap(([verdict, word]) => {
+    const count = conclusions.filter((each) => each.verdict === verdict).length;
+    return count === 0 ? [] : [`${count} ${word}`];
+  });
+  return `Of the thesis’s ${conclusions.length} conclusions ${listOf(parts)}.`;
+}
+
+function rowsOf(pairs: readonly ThesisPair[], forward: string): ChartRow[] {
+  const rows: ChartRow[] = [];
+  let table = '';
+  for (const pair of pairs) {
+    if (pair.thesis.table !== table) rows.push({ label: headings[pair.thesis.table], bars: [] });
+    table = pair.thesis.table;
+    const tip = tipOf(pair, forward);
+    const mark = (competitor: string, lane: number): RowMark[] => {
+      const time = timeIn(pair, competitor);
+      return time ? [{ at: 1000 / time.median, competitor, lane, tip }] : [];
+    };
+    rows.push({
+      label: pair.label,
+      bars: [...barOf(pair.thesis.forward, forward, 0, tip), ...barOf(pair.thesis.deferred, 'deferred', 1, tip)],
+      marks: [...mark('auto', 1), ...mark(forward, 0), ...mark('deferred', 1)],
+    });
+  }
+  return rows;
+}
+
+function barOf(frames: Frames, competitor: string, lane: number, tip: ChartTip): RowBar[] {
+  if (frames === null) return [];
+  // wide enough to be seen where both bounds are equal
+  const [from, to] = [frames[0] * 0.97, frames[1] * 1.03];
+  return [{ from, to, lane, opacity: 0.4, fill: (paint) => paint.competitor(competitor), tip }];
+}
+
+function tipOf(pair: ThesisPair, forward: string): ChartTip {
+  const { thesis } = pair;
+  const ours = [forward, 'deferred', 'auto'].flatMap((name) => {
+    const time = timeIn(pair, name);
+    return time ? [`${competitorLabel(name)}: ${rateText(time.median)}`] : [];
+  });
+  return {
+    title: `${headings[thesis.table]}: ${pair.label}`,
+    lines: [`2015: forward ${framesText(thesis.forward)}, deferred ${framesText(thesis.deferred)}`, ...ours],
+  };
+}
+
+function tableOf(pairs: readonly ThesisPair[], forward: string) {
+  const cell = (pair: ThesisPair, name: string): string => {
+    const time = timeIn(pair, name);
+    return time ? rateText(time.median) : '–';
+  };
+  return {
+    columns: [
+      ...['Scene', 'Forward, 2015', 'Deferred, 2015', competitorLabel(forward), competitorLabel('deferred')],
+      ...['Fastest technique', 'Its frames a second'],
+    ],
+    rows: pairs.map((pair) => {
+      const best = pair.entries.find(({ competitor }) => isTechnique(competitor));
+      return [
+        `${headings[pair.thesis.table]}: ${pair.label}`,
+        framesText(pair.thesis.forward),
+        framesText(pair.thesis.deferred),
+        cell(pair, forward),
+        cell(pair, 'deferred'),
+        best ? competitorWord(best.competitor) : '–',
+        best ? rateText(best.time.median) : '–',
+      ];
+    }),
+  };
+}
+
+function framesText(frames: Frames): string {
+  if (frames === null) return 'could not be counted';
+  return frames[0] === frames[1] ? `${frames[0]} FPS` : `${frames[0]} to ${frames[1]} FPS`;
+}
+
+function rateText(ms: number): string {
+  return `${formatNumber(1000 / ms)} FPS (${formatMs(ms)})`;
+}

@@ -1,0 +1,28 @@
+import type { LabCase, LabSeries } from '../plan/LabPlan';
+import { axisWords } from '../plan/sceneWords';
+import type { LabRun } from '../results/LabRun';
+import { valueText } from './names';
+
+/** A case of a run and its place in it. */
+export interface SeriesCase {
+  readonly series: LabSeries;
+  readonly index: number;
+  readonly labCase: LabCase;
+  /** Scene and value: `Atrium, 100 lights`; unique in the run unless two series are of the same scene and values. */
+  readonly label: string;
+}
+
+/** All cases of a run in the order of its plan. */
+export function casesOf(run: LabRun): SeriesCase[] {
+  return run.plan.series.flatMap((series) =>
+    series.cases.map((labCase, index) => ({
+      ...{ series, index, labCase },
+      label: `${seriesWord(series)}, ${valueText(series.axis, series.values[index], labCase)}`,
+    })),
+  );
+}
+
+/** A series without its axis: `Atrium over point lights` is `Atrium`. */
+export function seriesWord({ label, axis }: LabSeries): string {
+  return label.replace(` over ${axisWords[axis].label.toLowerCase()}`, '');
+}
