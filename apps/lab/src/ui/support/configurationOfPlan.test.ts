@@ -20,6 +20,14 @@ test('so do another size, other competitors and another effort', () => {
   expect(configurationOfPlan(planOf(wanted))).toEqual(wanted);
 });
 
+test('charts over pixels and others may stand together', () => {
+  const series = [...presets.resolution.configuration.series, ...quick.series];
+  const plan = planOf({ ...quick, preset: 'custom', series });
+  const back = configurationOfPlan(plan);
+  expect(back).toMatchObject({ width: 1280, height: 720 });
+  expect(back && planOf(back)).toEqual(plan);
+});
+
 test('a scene that was handed over has none', () => {
   const own = { scene: 'own', n: 1, axis: 'pixels', values: [230], lights: 0 } as const;
   expect(configurationOfPlan(planOf({ ...quick, preset: 'custom', series: [own] }))).toBeNull();
