@@ -149,7 +149,7 @@ async function readBefore(browser, plan, out) {
 async function measure(browser, { plan, rest, before, options }) {
   const { minutes, out, against } = options;
   const end = minutes > 0 ? performance.now() + minutes * 60_000 : Infinity;
-  const command = `npm run bench -- ${process.argv.slice(2).join(' ')}`;
+  const command = ['npm run bench --', ...process.argv.slice(2).map(quoted)].join(' ');
   /** @type {Record<string, string>} */
   const versions = against === null ? {} : { against };
   /** @type {LabRun[]} */
@@ -202,6 +202,9 @@ async function measure(browser, { plan, rest, before, options }) {
   return whole;
 }
 
+/** An argument as a shell takes it. @param {string} argument */
+const quoted = (argument) => (/^[\w./:=,@+-]+$/.test(argument) ? argument : `'${argument.replaceAll("'", "'\\''")}'`);
+
 /** Prints the cases that are over. @param {LabRun} run @param {Set<string>} done @param {boolean} [isLast] */
 function tellCases({ plan, rows }, done, isLast = false) {
   for (const series of plan.series) {
@@ -238,7 +241,9 @@ async function writeFiles(browser, run, options) {
   for (const { name, text } of files) writeFileSync(join(out, name), text);
   const drawings = files.filter(({ name }) => name.endsWith('.svg')).length;
   const early = run.complete ? '' : ' The run ended early; --resume goes on with it.';
-  console.log(`\n${join(out, 'bench.md')}, bench.json and ${drawings} drawings.${early}`);
+  console.log(
+    `\n${join(out, 'bench.md')}, bench.json and ${drawings} ${drawings === 1 ? 'drawing' : 'drawings'}.${early}`,
+  );
 }
 
 /** @param {LabRun} run @param {string} name */

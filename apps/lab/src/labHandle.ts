@@ -2,6 +2,7 @@ import { competitorNames, type CompetitorWords } from './competitors/competitorN
 import type { Configuration } from './plan/Configuration';
 import type { LabPlan } from './plan/LabPlan';
 import { planOf } from './plan/planOf';
+import { againstMarkdown } from './results/againstMarkdown';
 import type { LabRow, LabRun } from './results/LabRun';
 import { configurationOf } from './results/link';
 import { mergeRuns, remainingPlan } from './results/mergeRuns';
@@ -119,8 +120,8 @@ function configurationIn(fragment: string): Configuration {
 async function files(run: LabRun): Promise<TextFile[]> {
   const { chartTexts } = await import('./results/chartFiles');
   const { words, drawings } = chartTexts(run);
-  const markdown = runMarkdown(run, words);
-  return [{ name: 'bench.md', text: markdown }, ...drawings];
+  const text = `${runMarkdown(run, words)}${againstMarkdown(run)}`;
+  return [{ name: 'bench.md', text }, ...drawings];
 }
 
 /** Offers `window.lab`. */
