@@ -3,6 +3,7 @@ import type { CompetitorName } from './competitorNames';
 import { techniques, type TechniqueName } from '@farol/renderer';
 import { farol } from './farol';
 import { multipass } from './multipass';
+import type { RivalName } from './rivals/rivalCompetitor';
 import { stock } from './stock';
 
 /** Fetches a competitor's code. */
@@ -12,12 +13,18 @@ const ofFarol = Object.fromEntries(
   Object.keys(techniques).map((name) => [name, async () => farol(name as TechniqueName)]),
 ) as Record<TechniqueName, Fetch>;
 
+/** Another engine; its module is fetched when it draws. */
+const rival = async (name: RivalName): Promise<Competitor> =>
+  (await import('./rivals/rivalCompetitor')).rivalCompetitor(name);
+
 /** All competitors by key; what is large is fetched when it is chosen. A new one is a file and a line here. */
-export const competitors: Readonly<Partial<Record<CompetitorName, Fetch>>> = {
+export const competitors: Readonly<Record<CompetitorName, Fetch>> = {
   ...ofFarol,
   stock: async () => stock,
   multipass: async () => multipass,
   'three-webgpu': async () => (await import('./threeWebGPU')).threeWebGPU,
+  playcanvas: () => rival('playcanvas'),
+  babylon: () => rival('babylon'),
 };
 
 /** @throws Error (as a rejection) when there is none of that name */

@@ -8,6 +8,8 @@ import type { RivalDrawing, RivalPlacement, RivalPoints } from './RivalScene';
 /** Tells another engine what moved in the case's scene since the last frame; allocates nothing. */
 export class SceneFollower {
   private points: RivalPoints;
+  /** Whether the engine has made its scene: until then it will take what stands in the data. */
+  private hasStarted = false;
   /** Versions of the instances' matrices that the engine has. */
   private readonly versions: Int32Array;
   /** Where the lights of other kinds stand: [n, 3]. */
@@ -24,10 +26,16 @@ export class SceneFollower {
     this.versions = Int32Array.from(sources, (mesh) => versionOf(mesh));
   }
 
+  /** To be called when the engine has made its scene. */
+  start(): void {
+    this.hasStarted = true;
+  }
+
   /** @throws Error when a light moves that is no point light */
   follow(): void {
     const { stageScene, drawing, points, described } = this;
     writePositions(stageScene.lights, points.positions);
+    if (!this.hasStarted) return;
     drawing.moveLights(points);
     this.followMeshes();
     this.checkStill();

@@ -3,7 +3,7 @@ import {
   BackSide,
   Color,
   DoubleSide,
-  type Material,
+  Material,
   type MeshBasicMaterial,
   type MeshPhysicalMaterial,
   type MeshStandardMaterial,
@@ -34,7 +34,7 @@ function problemOf(material: Material): string | null {
   if (!['MeshStandardMaterial', 'MeshPhysicalMaterial', 'MeshBasicMaterial'].includes(material.type)) {
     return `is a ${material.type}`;
   }
-  if (Object.hasOwn(material, 'onBeforeCompile')) return 'changes three’s shaders';
+  if (material.onBeforeCompile !== Material.prototype.onBeforeCompile) return 'changes three’s shaders';
   const map = otherMaps.find((name) => (of as unknown as Record<string, unknown>)[name]);
   if (map) return `has ${map === 'aoMap' || map === 'envMap' || map === 'alphaMap' ? 'an' : 'a'} ${map}`;
   if (material.side === BackSide) return 'shows its back sides alone';

@@ -1,37 +1,41 @@
 import type { Competitor, Drawing } from '../Competitor';
 import { competitorNames } from '../competitorNames';
-import { installCommand, installedRivals } from '../installedRivals';
+import { installCommand, type InstalledRivals, installedRivals } from '../installedRivals';
 import { describeScene } from './describeScene';
+import { LinkedPrograms } from './LinkedPrograms';
 import type { RivalModule } from './RivalScene';
 import { SceneFollower } from './SceneFollower';
 
 /** Where a rival's module lies, beside the page. */
 const moduleUrl = (name: string): string => new URL(`rivals/${name}.js`, document.baseURI).href;
 
+/** Names of the engines in sentences, by key. */
+const engines = { playcanvas: 'PlayCanvas', babylon: 'Babylon.js' } as const;
+
+export type RivalName = keyof typeof engines;
+
 interface RivalOptions {
-  readonly name: 'playcanvas' | 'babylon';
-  /** Name in sentences. */
-  readonly engine: string;
   /** Fetches the module: for tests. */
   readonly load?: () => Promise<RivalModule>;
-  /** Whether the module is there: for tests. */
-  readonly isInstalled?: () => Promise<boolean>;
+  /** What is installed: for tests. */
+  readonly installed?: () => Promise<InstalledRivals>;
 }
 
 /** Another engine as a competitor: its module is fetched when it is chosen. */
-export function rivalCompetitor({
-  name,
-  engine,
-  load = async () => (await import(/* @vite-ignore */ moduleUrl(name))) as RivalModule,
-  isInstalled = async () => name in (await installedRivals()).versions,
-}: RivalOptions): Competitor {
+export function rivalCompetitor(
+  name: RivalName,
+  {
+    load = async () => (await import(/* @vite-ignore */ moduleUrl(name))) as RivalModule,
+    installed = installedRivals,
+  }: RivalOptions = {},
+): Competitor {
+  const engine = engines[name];
   return {
     name,
     ...competitorNames[name],
     async unavailable() {
-      return (await isInstalled())
-        ? null
-        : `${engine} is not installed: run ${installCommand}, then load the page anew.`;
+      const { versions } = await installed();
+      return name in versions ? null : `${engine} is not installed: run ${installCommand}, then load the page anew.`;
     },
     refuses({ shadows }) {
       return shadows > 0 ? `${engine}’s clustered lights are measured without shadows.` : null;
@@ -41,11 +45,16 @@ export function rivalCompetitor({
       const module = await load();
       signal.throwIfAborted();
       const drawing = module.open(canvas, described.scene, signal);
+      const programs = new LinkedPrograms(drawing.gl);
       const follower = new SceneFollower(stageScene, described, drawing);
       return {
         gl: drawing.gl,
         render: () => drawing.render(),
-        drawFirst: () => drawing.drawFirst(),
+        async drawFirst() {
+          await drawing.drawFirst();
+          follower.start();
+        },
+        check: () => programs.check(),
         lightsMoved: () => follower.follow(),
         lightsChanged: () => follower.changeLights(),
         dropped: () => drawing.dropped(),

@@ -1,0 +1,25 @@
+/** Programs that a context links, so that one that does not compile is no silent hole in the picture. */
+export class LinkedPrograms {
+  private readonly unchecked: WebGLProgram[] = [];
+
+  constructor(private readonly gl: WebGL2RenderingContext) {
+    const { linkProgram } = gl;
+    gl.linkProgram = (program) => {
+      linkProgram.call(gl, program);
+      this.unchecked.push(program);
+    };
+  }
+
+  /** @throws Error with the first line of what the shader compiler said, where a program did not compile */
+  check(): void {
+    const { gl } = this;
+    for (const program of this.unchecked.splice(0)) {
+      if (!gl.isProgram(program) || gl.getProgramParameter(program, gl.LINK_STATUS)) continue;
+      const shaders = gl.getAttachedShaders(program) ?? [];
+      const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
+      const said = logs.map((log) => log?.replaceAll('\0', '').trim()).find((log) => log);
+      const line = said?.split('\n')[0].slice(0, 200) ?? 'the compiler says nothing';
+      throw new Error(`A shader does not compile on this device: ${line}`);
+    }
+  }
+}
