@@ -118,10 +118,10 @@ function configurationIn(fragment: string): Configuration {
 }
 
 async function files(run: LabRun): Promise<TextFile[]> {
-  const { chartTexts } = await import('./results/chartFiles');
-  const { words, drawings } = chartTexts(run);
-  const text = `${runMarkdown(run, words)}${againstMarkdown(run)}`;
-  return [{ name: 'bench.md', text }, ...drawings];
+  const { chartFiles } = await import('./charts/chartFiles');
+  const charts = chartFiles([run]);
+  const text = `${runMarkdown(run, charts)}${againstMarkdown(run)}`;
+  return [{ name: 'bench.md', text }, ...charts.map(({ name, svg }) => ({ name: `${name}.svg`, text: svg }))];
 }
 
 /** Offers `window.lab`. */

@@ -34,13 +34,13 @@ function chartsFormat(label: string, help: string, kind: 'svg' | 'png'): ExportF
     label,
     help,
     async make(run) {
-      const { chartFiles } = await import('./chartFiles');
-      const files = await chartFiles(run, kind);
-      const bytes = files.map(async ({ name, content }) => ({
-        name,
-        bytes: new Uint8Array(await content.arrayBuffer()),
-      }));
-      const archive = writeZip(await Promise.all(bytes), new Date());
+      const { chartFiles } = await import('../charts/chartFiles');
+      const { chartPNG } = await import('../charts/chartPNG');
+      const files = chartFiles([run]).map(async ({ name, svg }) => {
+        const content = kind === 'png' ? await chartPNG(svg) : new Blob([svg]);
+        return { name: `${name}.${kind}`, bytes: new Uint8Array(await content.arrayBuffer()) };
+      });
+      const archive = writeZip(await Promise.all(files), new Date());
       return { name: `${fileName(run)}-${kind}.zip`, content: archive };
     },
   };

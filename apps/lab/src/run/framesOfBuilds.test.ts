@@ -11,7 +11,7 @@ it('asks the other build for competitors whose key ends in @against, by their ow
       const say = (what: string) => async (name: string) => void said.push(`${url}: ${what} ${name}`);
       return { open: say('open'), turn: say('turn'), close: say('close') } as unknown as Stage;
     },
-    setOwnScene: async () => void said.push(`${url}: scene`),
+    setOwnScene: async () => void said.push(`${url}: own scene`),
     close: () => void said.push(`${url}: closed`),
   });
   const frames = framesOfBuilds({} as HTMLElement, make);
@@ -25,9 +25,9 @@ it('asks the other build for competitors whose key ends in @against, by their ow
   }
   frames.close();
   expect(said).toEqual([
-    'own: scene',
+    'own: own scene',
     ...['own: stage of deferred', 'own: open deferred', 'own: turn deferred', 'own: close deferred'],
-    './against/stage.html: scene',
+    './against/stage.html: own scene',
     ...['stage of', 'open', 'turn', 'close'].map((what) => `./against/stage.html: ${what} deferred`),
     ...['own: closed', './against/stage.html: closed'],
   ]);

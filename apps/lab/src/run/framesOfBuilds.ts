@@ -8,18 +8,18 @@ export const AGAINST = '@against';
 export function framesOfBuilds(parent: HTMLElement, make = createStageFrames): StageFrames {
   const own = make(parent);
   let other: StageFrames | null = null;
-  let scene: Uint8Array | null = null;
+  let ownScene: Uint8Array | null = null;
   return {
     async stageOf(competitor) {
       if (!competitor.endsWith(AGAINST)) return own.stageOf(competitor);
       if (!other) {
         other = make(parent, './against/stage.html');
-        if (scene) await other.setOwnScene(scene);
+        if (ownScene) await other.setOwnScene(ownScene);
       }
       return withoutEnd(await other.stageOf(nameOf(competitor)));
     },
     async setOwnScene(file) {
-      scene = file;
+      ownScene = file;
       await Promise.all([own.setOwnScene(file), other?.setOwnScene(file)]);
     },
     close() {
