@@ -6,11 +6,12 @@ import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { curveChart } from './curveChart';
 import { mapCharts } from './mapChart';
 import { passChart } from './passChart';
+import { ratioChart } from './ratioChart';
 import { regretChart } from './regretChart';
 import { runNames } from './runNames';
 
 /**
- * All charts of one or several runs, in the order of the page. Curves of later runs lie over those of the first with the
+ * All charts of one or several runs, in the order of the page: ratios to the first run, curves, the rest. Curves of later runs lie over those of the first with the
  * same name of a series; of the other charts each run has its own.
  */
 export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): ChartSpec[] {
@@ -27,7 +28,11 @@ export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): Char
     ].filter((chart) => chart !== null);
     return runs.length === 1 ? charts : charts.map((chart) => ({ ...chart, title: `${chart.title}: ${names[i]}` }));
   });
-  return [...seriesOf(shown).map((series) => curveChart(shown, series, settings)), ...own];
+  const ratios = shown.slice(1).flatMap((run, i) => {
+    const chart = ratioChart([shown[0], names[0]], [run, names[i + 1]], settings, i === 0 ? 'ratio' : `ratio-${i + 2}`);
+    return chart ?? [];
+  });
+  return [...ratios, ...seriesOf(shown).map((series) => curveChart(shown, series, settings)), ...own];
 }
 
 /** Series of all runs by name, as the first run that has one plans it. */

@@ -3,7 +3,7 @@ import { formatMs, formatNumber } from '../words/format';
 import { competitorLabel, competitorWord } from '../words/names';
 import type { ChartPoint, ChartTip, DrawnChart, DrawOptions } from './ChartSpec';
 import { plotStyle } from './plotMarks';
-import { svgElement, textWidth } from './svgElement';
+import { fittedText, svgElement, textWidth } from './svgElement';
 import type { MapCell, WinnerMap } from './winnerMap';
 
 const TOP = 40;
@@ -16,7 +16,7 @@ export function drawMap(map: WinnerMap, { width, paint, document = globalThis.do
   const [columns, rows] = isTurned ? [map.rows, map.columns] : [map.columns, map.rows];
   const [columnTitle, rowTitle] = isTurned ? [map.rowTitle, map.columnTitle] : [map.columnTitle, map.rowTitle];
   const marginLeft = Math.round(
-    Math.min(Math.max(...rows.map((row) => textWidth(row)), textWidth(rowTitle, 11)) + 12, width * 0.4),
+    Math.min(Math.max(...rows.map((row) => textWidth(row)), textWidth(`↓ ${rowTitle}`, 11)) + 12, width * 0.4),
   );
   const cellWidth = Math.min(170, (width - marginLeft - 4) / columns.length);
   const height = TOP + rows.length * CELL + 8;
@@ -60,7 +60,11 @@ export function drawMap(map: WinnerMap, { width, paint, document = globalThis.do
       }),
       text(cells, {
         ...{ x: (cell: MapCell) => left(cell) + inner / 2, y: (cell: MapCell) => top(cell) + 13, fill: paint.over },
-        ...{ text: (cell: MapCell) => fitted(competitorWord(best(cell)), inner), fontSize: 11, ariaHidden: 'true' },
+        ...{
+          text: (cell: MapCell) => fittedText(competitorWord(best(cell)), inner - 4, 11),
+          fontSize: 11,
+          ariaHidden: 'true',
+        },
       }),
       text(cells, {
         ...{ x: (cell: MapCell) => left(cell) + inner / 2, y: (cell: MapCell) => top(cell) + 28, fill: paint.over },
@@ -79,27 +83,18 @@ export function drawMap(map: WinnerMap, { width, paint, document = globalThis.do
       ),
     );
   label(`${columnTitle} →`, marginLeft, 8, 'start', paint.dim);
+  label(fittedText(`↓ ${rowTitle}`, marginLeft, 11), 2, TOP - 12, 'start', paint.dim, 11);
   columns.forEach((words, i) =>
-    label(fitted(words, cellWidth), marginLeft + i * cellWidth + inner / 2, TOP - 12, 'middle', paint.text),
+    label(fittedText(words, cellWidth - 4), marginLeft + i * cellWidth + inner / 2, TOP - 12, 'middle', paint.text),
   );
   rows.forEach((words, i) =>
-    label(fitted(words, marginLeft - 4), 2, TOP + i * CELL + CELL / 2 - 2, 'start', paint.text),
+    label(fittedText(words, marginLeft - 4), 2, TOP + i * CELL + CELL / 2 - 2, 'start', paint.text),
   );
   const points = cells.map((cell): ChartPoint => {
     const at = { x: left(cell) + inner / 2, y: top(cell) + CELL / 2 - 2 };
     return { ...at, group: `row-${row(cell)}`, order: column(cell), tip: tipOf(cell) };
   });
   return { svg, points };
-}
-
-/** A text cut to a width; nothing where not even its beginning fits. */
-function fitted(words: string, room: number): string {
-  if (textWidth(words, 11) <= room - 4) return words;
-  for (let length = words.length - 1; length >= 4; length--) {
-    const cut = `${words.slice(0, length).trimEnd()}…`;
-    if (textWidth(cut, 11) <= room - 4) return cut;
-  }
-  return '';
 }
 
 function msText({ winners }: MapCell, room: number): string {

@@ -4,7 +4,7 @@ import type { ChartPoint, ChartTip, DrawnChart, DrawOptions } from './ChartSpec'
 import { competitorMark } from './competitorMarks';
 import { isStroked, symbolPath } from './markSymbols';
 import { competitorDots, plotStyle } from './plotMarks';
-import { svgElement, textWidth } from './svgElement';
+import { fittedText, svgElement, textWidth } from './svgElement';
 
 /** A bar of a row, from value to value. */
 export interface RowBar {
@@ -64,7 +64,9 @@ export function drawRows(chart: RowsChart, { width, paint, document = globalThis
   const lane = lanes === 1 ? 15 : 10;
   const rowHeight = lanes * lane + 9;
   const height = TOP + rows.length * rowHeight + BOTTOM;
-  const widest = Math.max(...rows.map(({ label, competitor }) => textWidth(label) + (competitor ? 18 : 0)));
+  const widest = Math.max(
+    ...rows.map(({ label, competitor, bars }) => (bars.length === 0 ? 0 : textWidth(label) + (competitor ? 18 : 0))),
+  );
   const marginLeft = Math.round(Math.min(widest + 14, width * 0.44));
   const textOf = (bar: RowBar): string => (width < 520 ? (bar.shortText ?? bar.text) : bar.text) ?? '';
   const ends = rows.flatMap(({ bars }) => bars.map((bar) => (textOf(bar) ? textWidth(textOf(bar), 11) + 10 : 0)));
@@ -151,8 +153,7 @@ function labelOf(
 ): SVGElement[] {
   const isHeading = bars.length === 0 && marks.length === 0 && competitor === undefined;
   const left = competitor === undefined ? 2 : 18;
-  let shown = label;
-  while (shown.length > 3 && textWidth(shown) > room - left - 6) shown = `${shown.replace(/…$/, '').slice(0, -1)}…`;
+  const shown = isHeading ? label : fittedText(label, room - left - 6);
   const style = { 'font-size': 12, 'text-anchor': 'start', 'font-weight': isHeading ? 'bold' : 'normal' };
   const words = svgElement(document, 'text', { x: left, y, dy: '0.32em', fill: paint.text, ...style }, shown);
   if (competitor === undefined) return [words];

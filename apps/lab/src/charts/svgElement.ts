@@ -18,3 +18,13 @@ export function textWidth(text: string, size = 12): number {
     units += /[ .,:;'’|ijl!()×]/.test(letter) ? 0.32 : /[A-ZMWmw%+]/.test(letter) ? 0.72 : 0.55;
   return Math.ceil(units * size);
 }
+
+/** A text cut to a width (pixels); nothing where not even its first letters fit. */
+export function fittedText(text: string, room: number, size = 12): string {
+  if (textWidth(text, size) <= room) return text;
+  for (let length = text.length - 1; length >= 3; length--) {
+    const cut = `${text.slice(0, length).trimEnd()}…`;
+    if (textWidth(cut, size) <= room) return cut;
+  }
+  return '';
+}

@@ -182,6 +182,7 @@ function doubts(run: LabRun, series: LabSeries): string {
 
 /** The case's size, for titles: `1280 × 720`; empty where the series has several. */
 export function sizeText(cases: readonly LabCase[]): string {
-  const sizes = new Set(cases.map(({ width, height }) => `${width} × ${height}`));
+  // no line ends within a size
+  const sizes = new Set(cases.map(({ width, height }) => `${width}\u00a0×\u00a0${height}`));
   return sizes.size === 1 ? [...sizes][0] : '';
 }
