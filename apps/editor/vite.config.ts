@@ -1,4 +1,5 @@
 import react from '@vitejs/plugin-react';
+import { appAddresses } from '@farol/tools/appAddresses';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
@@ -9,7 +10,7 @@ export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [react(), playerPlugin(), stanfordDragon(), securePages()],
+  plugins: [react(), playerPlugin(), stanfordDragon(), securePages(), appAddresses()],
   server: { port: 5173, strictPort: true },
   // What is imported late must be known early, or the development server reloads the page when a file asks for it.
   optimizeDeps: {

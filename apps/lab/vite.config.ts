@@ -1,3 +1,4 @@
+import { appAddresses } from '@farol/tools/appAddresses';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { labBuild } from '@farol/tools/labBuild';
 import { rivals } from '@farol/tools/rivalsPlugin';
@@ -12,7 +13,7 @@ export default defineConfig(({ command }) => ({
   publicDir: false,
   define: labBuild(),
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), runInfo(), securePages(), rivals()],
+  plugins: [stanfordDragon(), runInfo(), securePages(), rivals(), appAddresses()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   resolve: {
     dedupe: ['three'],

@@ -1,6 +1,7 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { appAddresses } from '@farol/tools/appAddresses';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
@@ -28,7 +29,7 @@ export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), securePages()],
+  plugins: [stanfordDragon(), securePages(), appAddresses()],
   define: { SPONZA_URL: JSON.stringify(sponzaUrl()) },
   resolve: {
     dedupe: ['three', 'react', 'react-dom'],

@@ -30,9 +30,10 @@ const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-e
  *   default true
  * @param {number} [options.port] default 0, a free one
  * @param {Record<string, string>} [options.beside] folders served under names of their own, `/name/…`
+ * @param {Readonly<Record<string, () => string>>} [options.texts] what answers in place of files, by name: 'apps.json'
  * @returns {Promise<{ url: string, close(): Promise<void> }>} the URL ends in a slash
  */
-export async function serveFolder(folder, { isolated = true, port = 0, beside = {} } = {}) {
+export async function serveFolder(folder, { isolated = true, port = 0, beside = {}, texts = {} } = {}) {
   const tops = Object.entries(beside).map(([name, each]) => ({ prefix: `/${name}/`, top: resolve(each) }));
   tops.push({ prefix: '/', top: resolve(folder) });
   const server = createServer(async (request, response) => {
@@ -42,7 +43,7 @@ export async function serveFolder(folder, { isolated = true, port = 0, beside = 
       const { prefix, top } = tops.find(({ prefix }) => asked.startsWith(prefix)) ?? tops[tops.length - 1];
       const path = normalize(join(top, asked.slice(prefix.length)));
       if (!path.startsWith(top + sep)) throw new Error('outside of the folder');
-      const body = await readFile(path);
+      const body = Object.hasOwn(texts, asked.slice(1)) ? texts[asked.slice(1)]() : await readFile(path);
       response.writeHead(200, {
         'content-type': types[extname(path)] ?? 'application/octet-stream',
         ...(isolated ? isolation : {}),

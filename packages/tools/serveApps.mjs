@@ -1,4 +1,5 @@
 import { join } from 'node:path';
+import { addressFile } from './appAddresses.mjs';
 import { serveFolder } from './benchServe.mjs';
 import { root } from './root.mjs';
 
@@ -8,7 +9,8 @@ export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', lab: '
 /** @typedef {keyof typeof appFolders} AppName */
 
 /**
- * Serves apps, each on its own port of this machine only: their sources by Vite, or what was built by Node alone.
+ * Serves apps, each on its own port of this machine only: their sources by Vite, or what was built by Node alone. Each finds
+ * the others by `apps.json`.
  *
  * @param {object} options
  * @param {Partial<Record<AppName, number>>} options.ports which apps, and on which port; 0 picks a free one
@@ -23,6 +25,7 @@ export async function serveApps({ ports, built = false, watch = true }) {
   const urls = {};
   /** @type {(() => Promise<void>)[]} */
   const closers = [];
+  const addresses = () => JSON.stringify(urls);
   const close = async () => void (await Promise.all(closers.map((closer) => closer())));
   try {
     for (const name of /** @type {AppName[]} */ (Object.keys(ports))) {
@@ -30,7 +33,11 @@ export async function serveApps({ ports, built = false, watch = true }) {
       const port = ports[name];
       if (built) {
         const dist = process.env.FAROL_BUILT ? join(process.env.FAROL_BUILT, name) : join(folder, 'dist');
-        const { url, close: stop } = await serveFolder(dist, { isolated: false, port });
+        const { url, close: stop } = await serveFolder(dist, {
+          isolated: false,
+          port,
+          texts: { [addressFile]: addresses },
+        });
         closers.push(stop);
         urls[name] = url;
         continue;
@@ -41,6 +48,7 @@ export async function serveApps({ ports, built = false, watch = true }) {
         configFile: join(folder, 'vite.config.ts'),
         logLevel: 'warn',
         clearScreen: false,
+        plugins: [answerAddresses(addresses)],
         server: { host: '127.0.0.1', port, strictPort: true, ...(watch ? {} : { hmr: false, watch: null }) },
       });
       closers.push(() => server.close());
@@ -54,4 +62,22 @@ export async function serveApps({ ports, built = false, watch = true }) {
     throw error;
   }
   return { urls, close };
+}
+
+/**
+ * Vite plugin: answers `apps.json`.
+ *
+ * @param {() => string} addresses
+ * @returns {import('vite').Plugin}
+ */
+function answerAddresses(addresses) {
+  return {
+    name: 'farol-answer-addresses',
+    configureServer({ middlewares }) {
+      middlewares.use(`/${addressFile}`, (_request, response) => {
+        response.setHeader('content-type', 'application/json');
+        response.end(addresses());
+      });
+    },
+  };
 }

@@ -8,6 +8,7 @@ import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from '
 import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
 import { dragonUrls } from './dragonUrls';
+import { measureScene } from './measure/measureScene';
 import { loadModel, type LoadedModel } from './model/loadModel';
 import { disposeModel, modelParameters, modelScene } from './model/modelScene';
 import { type Pixels, readPixels } from './readPixels';
@@ -239,6 +240,19 @@ export class Viewer {
     } finally {
       clearTimeout(timer);
       removeEventListener('keydown', onKey);
+    }
+  }
+
+  /**
+   * Opens the Lab with the scene on show: a demo scene by the Lab's address, others handed over. A message tells when the
+   * Lab does not open. Call it while a click or a key is answered: browsers block windows that open by themselves.
+   */
+  async measure(): Promise<void> {
+    this.messages.show('lab', '');
+    try {
+      await measureScene(this.app.scene, this.model, this.state);
+    } catch (error) {
+      this.messages.show('lab', error instanceof Error ? error.message : String(error));
     }
   }
 

@@ -15,6 +15,12 @@ export interface StageFrames {
    * @throws Error (as a rejection) when the frame does not load
    */
   stageOf(competitor: string): Promise<Stage>;
+  /**
+   * Hands the scene `own` to the frames that there are and to those that come.
+   *
+   * @param file a scene file of the engine with its assets
+   */
+  setOwnScene(file: Uint8Array): Promise<void>;
   /** Takes all frames out of the page, with all they hold. */
   close(): void;
 }
@@ -26,6 +32,7 @@ export interface StageFrames {
  * @param url of `stage.html`
  */
 export function createStageFrames(parent: HTMLElement, url = './stage.html'): StageFrames {
+  let ownScene: Uint8Array | null = null;
   const frames = new Map<string, { element: HTMLIFrameElement; stage: Promise<Stage> }>();
   return {
     stageOf(competitor) {
@@ -38,7 +45,10 @@ export function createStageFrames(parent: HTMLElement, url = './stage.html'): St
       element.setAttribute('aria-hidden', 'true');
       // not display: none, in which some browsers do not lay out or draw
       element.style.cssText = 'position:fixed;left:-64px;top:0;width:32px;height:32px;border:0;visibility:hidden';
-      const stage = loadStage(element, new URL(url, location.href).href);
+      const stage = loadStage(element, new URL(url, location.href).href).then(async (loaded) => {
+        if (ownScene) await loaded.setOwnScene(ownScene);
+        return loaded;
+      });
       stage.catch(() => {
         if (frames.get(realm)?.element === element) frames.delete(realm);
         element.remove();
@@ -46,6 +56,10 @@ export function createStageFrames(parent: HTMLElement, url = './stage.html'): St
       frames.set(realm, { element, stage });
       parent.append(element);
       return stage;
+    },
+    async setOwnScene(file) {
+      ownScene = file;
+      await Promise.all([...frames.values()].map(async ({ stage }) => (await stage).setOwnScene(file)));
     },
     close() {
       for (const { element } of frames.values()) element.remove();

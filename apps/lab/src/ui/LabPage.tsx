@@ -1,5 +1,6 @@
 import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Configuration } from '../plan/Configuration';
+import { useOwnScene } from '../own/useOwnScene';
 import { MOST_CONTEXTS } from '../plan/planOf';
 import { presets } from '../plan/presets';
 import type { LabRun } from '../results/LabRun';
@@ -30,6 +31,7 @@ export function LabPage() {
   const [pair, setPair] = useState<readonly [LabRun, LabRun] | null>(null);
   const [complaint, setComplaint] = useState<string | null>(null);
   const stage = useStage();
+  const handed = useOwnScene();
   const { running, problem, start, cancel } = useRun();
   const isRunning = running !== null;
   const plan = useMemo(() => planned(configuration), [configuration]);
@@ -50,6 +52,7 @@ export function LabPage() {
     setPair(null);
     const run = await start(made.plan, async () => {
       const frames = stage.frames();
+      if (handed.scene) await frames.setOwnScene(handed.scene.file);
       const device = await (await frames.stageOf('forward')).device();
       return { frames, surroundings: await surroundingsOf(device, wanted.competitors), mostContexts: mostContexts() };
     });
@@ -74,7 +77,7 @@ export function LabPage() {
       <main>
         <Hero stage={stage} isRunning={isRunning} onMeasure={() => void measure(presets.quick.configuration)} />
         {running && <RunPanel running={running} onCancel={cancel} />}
-        {[...problems, problem, complaint, shown.problem].map(
+        {[...problems, problem, complaint, shown.problem, handed.problem].map(
           (each) =>
             each && (
               <p key={each} class="problem" role="alert">
@@ -82,12 +85,17 @@ export function LabPage() {
               </p>
             ),
         )}
+        {handed.scene && (
+          <p role="status">
+            Handed over, to be measured: <strong>{handed.scene.name}</strong>
+          </p>
+        )}
         <div class="columns">
           <Setup
             configuration={configuration}
             planned={plan}
             unavailable={stage.unavailable}
-            ownScene={null}
+            ownScene={handed.scene?.name ?? null}
             isRunning={isRunning}
             onChange={setConfiguration}
             onMeasure={() => void measure(configuration)}

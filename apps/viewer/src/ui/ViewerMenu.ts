@@ -61,6 +61,9 @@ export class ViewerMenu {
       .name('Stop time')
       .onChange(() => viewer.toggleTime());
 
+    gui.add({ measure: () => void viewer.measure() }, 'measure').name('Measure this scene').domElement.title =
+      'Opens it in the Lab: how long each technique takes for it on this machine.';
+
     const buttons = gui.addFolder('Scenes');
     for (const [name, { label, help }] of Object.entries(scenes)) {
       buttons.add({ show: () => void viewer.chooseScene(name).catch(told) }, 'show').name(label).domElement.title =

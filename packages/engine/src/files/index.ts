@@ -25,6 +25,7 @@ export { readableEndings, typeOfUrl } from '../assets/loadAsset';
 export { makeKTX2Loader } from '../assets/makeKTX2Loader';
 export { decodedUri, packGltf } from './packGltf';
 export type { PackedObj } from './obj/PackedObj';
+export { type HandedScene, handoverMessages, openBeside, type OpenBesideOptions } from './openBeside';
 export { packObj } from './packObj';
 export { type GltfJson, readGltfJson } from '../assets/readGltfJson';
 export { checkModelFile, modelError } from '../assets/readModel';

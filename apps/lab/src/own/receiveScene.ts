@@ -1,0 +1,82 @@
+/** A scene that another app handed over. */
+export interface ReceivedScene {
+  readonly name: string;
+  /** A scene file of the engine with its assets, for `Stage.setOwnScene`. */
+  readonly file: Uint8Array;
+}
+
+export interface ReceiveOptions {
+  /** How long the other page may take (ms). Default 60 s: a large scene has to be packed. */
+  readonly patience?: number;
+  /** What receives it; the window when absent. */
+  readonly host?: Pick<Window, 'opener' | 'location' | 'addEventListener' | 'removeEventListener'>;
+}
+
+/** Keys in `apps.json` of the apps whose scenes are taken. */
+const senders = ['editor', 'viewer'];
+
+/** Letters of a scene's name that are kept. */
+const LONGEST_NAME = 120;
+
+/**
+ * Asks the page that opened this one for its scene, where the address says `?from=` and its origin. It is taken from the
+ * editor and the viewer that `apps.json` names, and from nobody else. What the file holds is not looked at here: the engine
+ * checks it when a stage opens it, and fetches nothing for it from elsewhere.
+ *
+ * @returns null when the address asks for none
+ * @throws Error (as a rejection) of a sentence with the mend: another page offers it, nobody answers, or it was not packed
+ */
+export async function receiveScene({
+  patience = 60_000,
+  host = window,
+}: ReceiveOptions = {}): Promise<ReceivedScene | null> {
+  const from = new URL(host.location.href).searchParams.get('from');
+  if (from === null) return null;
+  const origins = await originsOf(host.location.href);
+  if (!origins.includes(from)) {
+    throw new Error(
+      `A page of ${from.slice(0, LONGEST_NAME)} offers a scene, and is neither the editor nor the viewer of this Lab: open it from there.`,
+    );
+  }
+  const opener = host.opener as Window | null;
+  if (!opener || opener.closed) {
+    throw new Error('The page that handed its scene over is gone: choose “Measure this scene” there once more.');
+  }
+  return new Promise((resolve, reject) => {
+    const end = (): void => {
+      clearTimeout(timer);
+      host.removeEventListener('message', onMessage);
+    };
+    const onMessage = ({ source, origin, data }: MessageEvent<Record<string, unknown> | null>): void => {
+      if (source !== opener || origin !== from) return;
+      if (data?.type === 'farol-scene-failed') {
+        end();
+        reject(new Error(`The scene did not come: ${String(data.problem)}`));
+      }
+      if (data?.type !== 'farol-scene' || !(data.bytes instanceof ArrayBuffer)) return;
+      end();
+      const name = typeof data.name === 'string' && data.name ? data.name.slice(0, LONGEST_NAME) : 'Scene';
+      resolve({ name, file: new Uint8Array(data.bytes) });
+    };
+    const timer = setTimeout(() => {
+      end();
+      reject(new Error('The page that opened the Lab does not answer: choose “Measure this scene” there once more.'));
+    }, patience);
+    host.addEventListener('message', onMessage);
+    opener.postMessage({ type: 'farol-scene-wanted' }, from);
+  });
+}
+
+/** Origins of the apps whose scenes are taken. */
+async function originsOf(page: string): Promise<string[]> {
+  const list = new URL('./apps.json', page);
+  try {
+    const addresses = (await (await fetch(list)).json()) as Record<string, unknown>;
+    return senders.flatMap((name) => {
+      const text = addresses[name];
+      return typeof text === 'string' ? [new URL(text, list).origin] : [];
+    });
+  } catch {
+    return [];
+  }
+}

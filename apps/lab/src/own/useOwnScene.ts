@@ -1,0 +1,38 @@
+import { useEffect, useState } from 'preact/hooks';
+import { type ReceivedScene, receiveScene } from './receiveScene';
+
+export interface OwnSceneState {
+  /** Whether the address asks for a scene that is not there yet. */
+  readonly isComing: boolean;
+  /** The scene that the editor or the viewer handed over; null for none. */
+  readonly scene: ReceivedScene | null;
+  /** Why it did not come, as a sentence; empty where nothing went wrong. */
+  readonly problem: string;
+}
+
+/** The scene that another app handed over, as the address asks for one; the page's title names it. */
+export function useOwnScene(): OwnSceneState {
+  const [state, setState] = useState<OwnSceneState>(() => ({
+    isComing: new URLSearchParams(location.search).has('from'),
+    scene: null,
+    problem: '',
+  }));
+  useEffect(() => {
+    let isOver = false;
+    receiveScene().then(
+      (scene) => {
+        if (isOver) return;
+        if (scene) document.title = `${scene.name} · Farol Lab`;
+        setState({ isComing: false, scene, problem: '' });
+      },
+      (error: unknown) => {
+        const problem = error instanceof Error ? error.message : String(error);
+        if (!isOver) setState({ isComing: false, scene: null, problem });
+      },
+    );
+    return () => {
+      isOver = true;
+    };
+  }, []);
+  return state;
+}

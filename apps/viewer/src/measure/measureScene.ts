@@ -1,0 +1,28 @@
+import type { Scene } from '@farol/engine';
+import { openBeside } from '@farol/engine/files';
+import { scenes } from '@farol/engine/scenes';
+import type { LoadedModel } from '../model/loadModel';
+import type { ViewerState } from '../state/ViewerState';
+import { labFragment, ownSceneFragment } from './labFragment';
+
+/**
+ * Opens the Lab with the scene on show: a demo scene that the Lab builds too by its address, others handed over as a file.
+ *
+ * @param model on show, null for a scene of the engine's
+ * @throws Error (as a rejection) of a sentence with the mend, see `openBeside`
+ */
+export function measureScene(
+  scene: Scene,
+  model: LoadedModel | null,
+  state: Pick<ViewerState, 'scene' | 'parameters'>,
+): Promise<void> {
+  const definition = scenes[state.scene];
+  const fragment = model ? null : labFragment(state.scene, state.parameters, definition?.parameters ?? {});
+  if (fragment !== null) return openBeside('lab', 'the Lab', { fragment });
+  const bytes = async (): Promise<Uint8Array<ArrayBuffer>> => {
+    const { sceneFile } = await import('./sceneFile');
+    return sceneFile(scene, model);
+  };
+  const name = model?.name ?? definition?.label ?? state.scene;
+  return openBeside('lab', 'the Lab', { fragment: ownSceneFragment, scene: { name, bytes } });
+}

@@ -1,0 +1,137 @@
+import { shortText } from '@farol/renderer';
+
+/** A scene to be handed to another page. */
+export interface HandedScene {
+  readonly name: string;
+  /** A scene file: see `writeContainer`. Asked for each time the other page asks; the bytes are given away. */
+  bytes(): Promise<Uint8Array<ArrayBuffer>>;
+}
+
+/** What pages that hand scenes over say to one another: `type` of a message. */
+export const handoverMessages = {
+  /** The opened page asks for the scene. */
+  wanted: 'farol-scene-wanted',
+  /** The scene: with `name` and `bytes`, an ArrayBuffer. */
+  scene: 'farol-scene',
+  /** There is none: with `problem`, a sentence. */
+  failed: 'farol-scene-failed',
+} as const;
+
+export interface OpenBesideOptions {
+  /** What follows `#` in the address. */
+  readonly fragment?: string;
+  /** Handed over when the page asks for it; the address says `?from=` and the own origin then. */
+  readonly scene?: HandedScene;
+  /** How long the page may take to ask (ms). Default 30 s. */
+  readonly patience?: number;
+  /** What opens it; the window when absent. */
+  readonly host?: Pick<Window, 'open' | 'location' | 'addEventListener' | 'removeEventListener'>;
+}
+
+/** How often it is looked whether the page was closed (ms). */
+const LOOK = 2000;
+
+/**
+ * Opens another app in a window of its own, found by the file `apps.json` beside the page, and hands it a scene. Call it
+ * while a click or a key is answered, or the browser blocks the window. The scene goes to the very window and origin that
+ * were opened and to nobody else; a page that is loaded anew gets it again.
+ *
+ * @param app key in `apps.json`: 'lab'
+ * @param label what messages call the app: 'the Lab'
+ * @throws Error (as a rejection) of a sentence with the mend: the window is blocked, nobody knows where the app is, it does
+ * not ask, or the scene cannot be packed
+ */
+export async function openBeside(
+  app: string,
+  label: string,
+  { fragment = '', scene, patience = 30_000, host = window }: OpenBesideOptions = {},
+): Promise<void> {
+  // before anything is waited for: later the browser takes it for a pop-up
+  const page = host.open('about:blank', '_blank');
+  if (!page) {
+    throw new Error(`The browser blocked the window of ${label}: allow pop-ups for this page, then choose it again.`);
+  }
+  let address: URL;
+  try {
+    address = await addressOf(app, label, host.location.href);
+  } catch (error) {
+    page.close();
+    throw error;
+  }
+  address.hash = fragment;
+  if (!scene) {
+    page.location.href = address.href;
+    return;
+  }
+  address.searchParams.set('from', host.location.origin);
+  const isHanded = handOver(host, page, address, label, scene, patience);
+  page.location.href = address.href;
+  await isHanded;
+}
+
+async function addressOf(app: string, label: string, page: string): Promise<URL> {
+  const list = new URL('./apps.json', page);
+  let addresses: Record<string, unknown> | null = null;
+  try {
+    const answer = await fetch(list);
+    if (answer.ok) addresses = (await answer.json()) as Record<string, unknown>;
+  } catch {
+    // as if there was none
+  }
+  const text = addresses?.[app];
+  let address: URL | null = null;
+  try {
+    if (typeof text === 'string') address = new URL(text, list);
+  } catch {
+    // no address
+  }
+  if (!address || !/^https?:$/.test(address.protocol)) {
+    throw new Error(`Nobody says where ${label} is: write its address into ${shortText(list.href, 120)}.`);
+  }
+  return address;
+}
+
+/** @returns fulfilled when the page has the scene for the first time */
+function handOver(
+  host: NonNullable<OpenBesideOptions['host']>,
+  page: Window,
+  { origin, href }: URL,
+  label: string,
+  scene: HandedScene,
+  patience: number,
+): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const end = (): void => {
+      host.removeEventListener('message', onMessage);
+      clearTimeout(timer);
+      clearInterval(look);
+    };
+    const onMessage = ({ source, origin: from, data }: MessageEvent<{ type?: unknown } | null>): void => {
+      if (source !== page || from !== origin || data?.type !== handoverMessages.wanted) return;
+      clearTimeout(timer);
+      scene.bytes().then(
+        ({ buffer }) => {
+          page.postMessage({ type: handoverMessages.scene, name: scene.name, bytes: buffer }, origin, [buffer]);
+          resolve();
+        },
+        (error: unknown) => {
+          const problem = error instanceof Error ? error.message : String(error);
+          page.postMessage({ type: handoverMessages.failed, problem }, origin);
+          reject(error instanceof Error ? error : new Error(problem));
+        },
+      );
+    };
+    const timer = setTimeout(() => {
+      reject(
+        new Error(`No answer from ${label} at ${shortText(href, 120)}: is it served there? Then choose it again.`),
+      );
+    }, patience);
+    const look = setInterval(() => {
+      if (!page.closed) return;
+      end();
+      // who closed it knows
+      resolve();
+    }, LOOK);
+    host.addEventListener('message', onMessage);
+  });
+}

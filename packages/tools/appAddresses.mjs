@@ -1,0 +1,24 @@
+/** Name of the file beside each app that says where the others are. */
+export const addressFile = 'apps.json';
+
+/**
+ * Where the apps are, as each of them reads it from `apps.json` beside it: addresses relative to that file. What is built is
+ * meant to lie in folders of these names beside one another.
+ */
+export const besideOneAnother = { editor: '../editor/', viewer: '../viewer/', lab: '../lab/' };
+
+/**
+ * Vite plugin: writes `apps.json` into what is built. In development and in tests `serveApps` answers it, since each app has
+ * a port of its own.
+ *
+ * @returns {import('vite').Plugin}
+ */
+export function appAddresses() {
+  return {
+    name: 'farol-app-addresses',
+    apply: 'build',
+    generateBundle() {
+      this.emitFile({ type: 'asset', fileName: addressFile, source: `${JSON.stringify(besideOneAnother)}\n` });
+    },
+  };
+}
