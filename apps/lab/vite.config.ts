@@ -1,7 +1,6 @@
 import { appAddresses } from '@farol/tools/appAddresses';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { labBuild } from '@farol/tools/labBuild';
-import { rivals } from '@farol/tools/rivalsPlugin';
 import { runInfo } from '@farol/tools/runInfo';
 import { rivals } from '@farol/tools/rivalsPlugin';
 import { sourceConditions } from '@farol/tools/sourceConditions';

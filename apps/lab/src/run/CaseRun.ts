@@ -19,7 +19,7 @@ export interface CaseWorld {
   readonly series: LabSeries;
   readonly labCase: LabCase;
   readonly index: number;
-  readonly frames: Pick<StageFrames, 'stageOf'>;
+  readonly frames: StageFrames;
   /** Rows of the run, which the case adds to. */
   readonly rows: LabRow[];
   readonly forecast: Forecast;

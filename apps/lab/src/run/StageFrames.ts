@@ -15,14 +15,18 @@ export interface StageFrames {
    * @throws Error (as a rejection) when the frame does not load
    */
   stageOf(competitor: string): Promise<Stage>;
+  /** Takes all frames out of the page, with all they hold. */
+  close(): void;
+}
+
+/** Frames that can be given the scene `own`. */
+export interface PageFrames extends StageFrames {
   /**
    * Hands the scene `own` to the frames that there are and to those that come.
    *
    * @param file a scene file of the engine with its assets
    */
   setOwnScene(file: Uint8Array): Promise<void>;
-  /** Takes all frames out of the page, with all they hold. */
-  close(): void;
 }
 
 /**
@@ -31,7 +35,7 @@ export interface StageFrames {
  * @param parent element that holds the frames; they have no size on the page
  * @param url of `stage.html`
  */
-export function createStageFrames(parent: HTMLElement, url = './stage.html'): StageFrames {
+export function createStageFrames(parent: HTMLElement, url = './stage.html'): PageFrames {
   let ownScene: Uint8Array | null = null;
   const frames = new Map<string, { element: HTMLIFrameElement; stage: Promise<Stage> }>();
   return {

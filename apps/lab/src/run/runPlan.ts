@@ -9,7 +9,7 @@ import { thumbnailOf } from './thumbnailOf';
 
 /** What a run needs besides its plan. */
 export interface RunOptions {
-  readonly frames: Pick<StageFrames, 'stageOf'>;
+  readonly frames: StageFrames;
   readonly surroundings: LabSurroundings;
   /** Called before each step. */
   onProgress?(progress: Progress): void;

@@ -51,7 +51,7 @@ export function modelScene(
   const scene = new Scene({ name, assets, registry });
   const model = new GameObject(name);
   model.object3D.add(gltf.scene);
-  if (gltf.animations.length > 0) model.addComponent(new ModelAnimation(gltf.scene, gltf.animations[0]));
+  if (gltf.animations.length > 0) model.addComponent(new ModelAnimation().play(gltf.scene, gltf.animations[0]));
   scene.add(model);
   scene.add(viewpoint(sphere, bounds));
   scene.add(skyLight());

@@ -2,7 +2,7 @@ import { useCallback, useEffect, useRef, useState } from 'preact/hooks';
 import { competitorNames } from '../../competitors/competitorNames';
 import type { LabSurroundings } from '../../results/LabRun';
 import { surroundingsOf } from '../../results/surroundings';
-import { createStageFrames, type StageFrames } from '../../run/StageFrames';
+import { createStageFrames, type PageFrames } from '../../run/StageFrames';
 
 /** The machine that the figures will be about. */
 export interface Device {
@@ -21,14 +21,14 @@ export interface StageState {
   /** Why competitors cannot draw here, by key; null for those that can; those not asked yet are missing. */
   readonly unavailable: Readonly<Record<string, string | null>>;
   /** Frames to measure in. */
-  frames(): StageFrames;
+  frames(): PageFrames;
   /** Takes the frames away with all they hold; the next call of `frames` makes others. */
   close(): void;
 }
 
 /** The frames of `stage.html`, and what the first of them says of the machine and of the competitors. */
 export function useStage(): StageState {
-  const made = useRef<StageFrames | null>(null);
+  const made = useRef<PageFrames | null>(null);
   const [device, setDevice] = useState<Device | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
   const [unavailable, setUnavailable] = useState<Record<string, string | null>>({});
