@@ -42,7 +42,7 @@ const wall = [
   },
 ];
 
-test('an OBJ comes in with its materials as one asset, is undone, saved and opened again', async ({ page }) => {
+test('an OBJ comes in with its materials as one asset, and is undone', async ({ page }) => {
   await openEditor(page, 'empty');
   const before = await serialized(page);
   await dropFiles(page, picture, wall);
@@ -61,4 +61,15 @@ test('an OBJ comes in with its materials as one asset, is undone, saved and open
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   expect(await serialized(page)).toBe(before);
+});
+
+test('Measure this scene opens the Lab, which gets the scene as it is', async ({ page, context }) => {
+  await openEditor(page, 'empty');
+  await page.evaluate(() => (window.editor.document.scene.name = 'My hall'));
+  const opening = context.waitForEvent('page');
+  await page.getByRole('button', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Measure this scene' }).click();
+  const lab = await opening;
+  await expect(lab).toHaveTitle('My hall · Farol Lab');
+  await expect(lab.getByText('My hall').first()).toBeVisible();
 });

@@ -43,8 +43,7 @@ export async function serveFolder(folder, { isolated = true, port = 0, beside = 
       const { prefix, top } = tops.find(({ prefix }) => asked.startsWith(prefix)) ?? tops[tops.length - 1];
       const path = normalize(join(top, asked.slice(prefix.length)));
       if (!path.startsWith(top + sep)) throw new Error('outside of the folder');
-      const name = path.slice(top.length + 1);
-      const body = Object.hasOwn(texts, name) ? texts[name]() : await readFile(path);
+      const body = Object.hasOwn(texts, asked.slice(1)) ? texts[asked.slice(1)]() : await readFile(path);
       response.writeHead(200, {
         'content-type': types[extname(path)] ?? 'application/octet-stream',
         ...(isolated ? isolation : {}),

@@ -8,6 +8,7 @@ import { gizmoSpace } from './gizmoSpace';
 import { group, ungroup } from './group';
 import { hide } from './hide';
 import { lock } from './lock';
+import { measure } from './measure';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { pause, play, step, stop } from './play';
@@ -36,6 +37,7 @@ export const actions: readonly Action[] = [
   save,
   saveAs,
   exportScene,
+  measure,
   recover,
   undo,
   redo,

@@ -5,7 +5,10 @@ import { createStageFrames, type StageFrames } from './StageFrames';
 export const AGAINST = '@against';
 
 /** Frames of this build and, for competitors whose key ends in {@link AGAINST}, of the one under `against/`. */
-export function framesOfBuilds(parent: HTMLElement, make = createStageFrames): StageFrames {
+export function framesOfBuilds(
+  parent: HTMLElement,
+  make: (parent: HTMLElement, url?: string) => StageFrames = createStageFrames,
+): StageFrames {
   const own = make(parent);
   let other: StageFrames | null = null;
   let ownScene: Uint8Array | null = null;

@@ -1,9 +1,11 @@
-import { AssetLibrary, type Scene } from '@farol/engine';
+import { AssetLibrary, builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
 import { deserialize, readSceneFile } from '@farol/engine/files';
 import { scenes } from '@farol/engine/scenes';
+import { WebGLRenderer } from 'three';
 import type { LabCase } from '../plan/LabPlan';
 import { buildStageScene } from './buildStageScene';
 import { lightParameters } from './lightChoice';
+import { loseContext } from './loseContext';
 import type { StageScene } from './StageScene';
 import { type StageTemplate, takeApart } from './StageTemplate';
 
@@ -72,6 +74,20 @@ export class StageScenes {
       throw new Error('No scene was handed over: choose “Measure this scene” in the editor or the viewer.');
     }
     const { text, fileOf } = await readSceneFile(this.own, () => true);
-    return deserialize(text, { fileOf, mayFetch: () => false });
+    // components of an editor's plugin stay data; nothing is fetched from elsewhere
+    const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
+    // compressed textures are read as the device takes them
+    const renderer = new WebGLRenderer({ canvas: document.createElement('canvas') });
+    try {
+      return await deserialize(text, {
+        assets: new AssetLibrary({ renderer }),
+        registry,
+        fileOf,
+        mayFetch: () => false,
+      });
+    } finally {
+      loseContext(renderer.getContext() as WebGL2RenderingContext);
+      renderer.dispose();
+    }
   }
 }

@@ -5,19 +5,21 @@ import { type AnimationClip, AnimationMixer, type Object3D } from 'three';
 export class ModelAnimation extends component({}) {
   static override readonly typeName: string = 'ModelAnimation';
 
-  private readonly mixer: AnimationMixer;
+  private mixer: AnimationMixer | null = null;
 
-  constructor(model: Object3D, clip: AnimationClip) {
-    super();
+  /** Plays a clip of the model from now on. */
+  play(model: Object3D, clip: AnimationClip): this {
+    this.mixer?.stopAllAction();
     this.mixer = new AnimationMixer(model);
     this.mixer.clipAction(clip).play();
+    return this;
   }
 
   override update(_deltaSeconds: number, time: number): void {
-    this.mixer.setTime(time);
+    this.mixer?.setTime(time);
   }
 
   override dispose(): void {
-    this.mixer.stopAllAction();
+    this.mixer?.stopAllAction();
   }
 }

@@ -1,4 +1,14 @@
-import { type AssetLibrary, Camera, createRandom, GameObject, Light, RandomMovement, Scene } from '@farol/engine';
+import {
+  type AssetLibrary,
+  builtinComponents,
+  Camera,
+  ComponentRegistry,
+  createRandom,
+  GameObject,
+  Light,
+  RandomMovement,
+  Scene,
+} from '@farol/engine';
 import type { FieldTable } from '@farol/engine/fields';
 import { Box3, Color, type Material, Mesh, type Object3D, Sphere, Texture, Vector3 } from 'three';
 import type { LoadedModel } from './loadModel';
@@ -16,6 +26,9 @@ export const modelParameters = {
   },
   seed: { kind: 'number', default: 1, min: 0, integer: true, help: 'Another number, other paths of the lights.' },
 } as const satisfies FieldTable;
+
+/** The components of scenes with a dropped model. */
+const registry = new ComponentRegistry([...builtinComponents.types.values(), ModelAnimation]);
 
 /**
  * Makes a scene of a loaded model: the model as it is, lights of its own kept, its first animation playing; a camera
@@ -35,10 +48,10 @@ export function modelScene(
   const sphere = bounds.getBoundingSphere(new Sphere());
   sphere.radius = Math.max(sphere.radius, 1e-3);
 
-  const scene = new Scene({ name, assets });
+  const scene = new Scene({ name, assets, registry });
   const model = new GameObject(name);
   model.object3D.add(gltf.scene);
-  if (gltf.animations.length > 0) model.addComponent(new ModelAnimation(gltf.scene, gltf.animations[0]));
+  if (gltf.animations.length > 0) model.addComponent(new ModelAnimation().play(gltf.scene, gltf.animations[0]));
   scene.add(model);
   scene.add(viewpoint(sphere, bounds));
   scene.add(skyLight());

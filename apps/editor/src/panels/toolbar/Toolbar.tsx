@@ -2,6 +2,7 @@ import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
 import { exportScene } from '../../actions/exportScene';
 import { duplicate } from '../../actions/duplicate';
+import { measure } from '../../actions/measure';
 import { newScene, openExamples } from '../../actions/newScene';
 import { open } from '../../actions/open';
 import { panelEntries } from '../../actions/panelEntries';
@@ -43,7 +44,7 @@ export function Toolbar(): ReactNode {
           label="File"
           entries={() => [
             { label: 'New', icon: 'scene', entries: newEntries },
-            ...[open, save, saveAs, exportScene, recover].map((action) => actionEntry(action, editor)),
+            ...[open, save, saveAs, exportScene, measure, recover].map((action) => actionEntry(action, editor)),
           ]}
         />
         <div className="button-group" role="toolbar" aria-label="File and history">

@@ -1,0 +1,20 @@
+import { openBeside } from '@farol/engine/files';
+import type { Action } from '../api/Action';
+
+/** Opens the scene as it is in the Lab, which measures the techniques with it. */
+export const measure: Action = {
+  id: 'file.measure',
+  label: 'Measure this scene',
+  icon: 'gauge',
+  run: (editor) =>
+    openBeside('lab', 'the Lab', {
+      fragment: '#preset=custom&series=own:pixels:922',
+      scene: {
+        name: editor.document.scene.name,
+        bytes: async () => {
+          const { measuredFile } = await import('../files/share/measuredFile');
+          return measuredFile(editor);
+        },
+      },
+    }),
+};
