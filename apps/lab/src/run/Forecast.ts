@@ -9,7 +9,8 @@ const STEEPEST = 2;
 
 /**
  * Foretells how long a competitor's frame will take in the next case of a series, so that nobody waits for minutes: by
- * the growth between its last two cases, or in proportion after one.
+ * the growth between its last two cases; after one, frames grow in proportion, and what a first frame takes beyond an
+ * ordinary one (programs, uploads) stays.
  */
 export class Forecast {
   private readonly seen = new Map<string, Seen[]>();
@@ -31,14 +32,29 @@ export class Forecast {
 
   /** Why a case is left out, as a sentence; null when it is not. */
   refuses(series: string, competitor: string, value: number): string | null {
-    for (const kind of ['first', 'frame'] as const) {
-      const ms = this.foretold(`${series} ${competitor} ${kind}`, value);
+    const key = `${series} ${competitor}`;
+    const frame = this.foretold(`${key} frame`, value);
+    const first =
+      this.count(`${key} first`) > 1
+        ? this.foretold(`${key} first`, value)
+        : this.last(`${key} first`) + Math.max(0, frame - this.last(`${key} frame`));
+    for (const [what, ms] of [
+      ['its first frame', first],
+      ['a frame', frame],
+    ] as const) {
       if (ms > this.longest) {
-        const what = kind === 'first' ? 'its first frame' : 'a frame';
         return `Left out: ${what} would take about ${seconds(ms)}, by its growth so far (limit ${seconds(this.longest)}).`;
       }
     }
     return null;
+  }
+
+  private count(key: string): number {
+    return this.seen.get(key)?.length ?? 0;
+  }
+
+  private last(key: string): number {
+    return this.seen.get(key)?.at(-1)?.ms ?? 0;
   }
 
   private foretold(key: string, value: number): number {

@@ -4,6 +4,7 @@ import { planOf } from '../plan/planOf';
 import { presets } from '../plan/presets';
 import type { LabSurroundings } from '../results/LabRun';
 import type { Stage } from '../stage/Stage';
+import { Forecast } from './Forecast';
 import { runPlan } from './runPlan';
 
 const surroundings: LabSurroundings = {
@@ -111,7 +112,7 @@ describe('runPlan', () => {
     const stage = fakeStage({ stock: 400, deferred: 2 }, []);
     const run = await runPlan(smallPlan(['stock', 'deferred'], { longestFrame: 3000 }), options(stage));
     const [, , stock, deferred] = run.rows;
-    expect(stock.problem).toMatch(/^Left out: its first frame would take about 40 s/);
+    expect(stock.problem).toMatch(/^Left out: its first frame would take about 7\.6 s/);
     expect(deferred.problem).toBeNull();
   });
 
@@ -153,6 +154,22 @@ describe('runPlan', () => {
       onProgress: ({ done }) => void (times.deferred = done ** 2),
     });
     expect(run.rows[0].warnings.join()).toContain('slower than the first');
+  });
+});
+
+describe('Forecast', () => {
+  it('takes programs of a first frame for the same in the next case, until two cases show how they grow', () => {
+    const forecast = new Forecast(10_000);
+    const note = (value: number, first: number, frame: number): void => {
+      forecast.note('atrium', 'multipass', 'first', value, first);
+      forecast.note('atrium', 'multipass', 'frame', value, frame);
+    };
+    note(4, 3000, 10);
+    expect(forecast.refuses('atrium', 'multipass', 144)).toBeNull();
+    expect(forecast.refuses('atrium', 'multipass', 40_000)).toContain('its first frame would take about 103 s');
+    note(8, 6000, 20);
+    expect(forecast.refuses('atrium', 'multipass', 16)).toContain('about 12 s');
+    expect(forecast.refuses('atrium', 'stock', 16)).toBeNull();
   });
 });
 
