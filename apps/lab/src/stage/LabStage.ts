@@ -55,7 +55,7 @@ export class LabStage implements Stage {
     }
   }
 
-  turn(name: string, ms: number): Promise<Turn> {
+  async turn(name: string, ms: number): Promise<Turn> {
     return this.get(name).turn(ms);
   }
 
@@ -63,15 +63,15 @@ export class LabStage implements Stage {
     return this.get(name).count();
   }
 
-  passes(name: string): Promise<PassTimes | null> {
+  async passes(name: string): Promise<PassTimes | null> {
     return this.get(name).passes();
   }
 
-  addLights(name: string): Promise<Change> {
+  async addLights(name: string): Promise<Change> {
     return this.get(name).addLights();
   }
 
-  changeTechnique(name: string): Promise<Change | null> {
+  async changeTechnique(name: string): Promise<Change | null> {
     return this.get(name).changeTechnique();
   }
 

@@ -152,8 +152,8 @@ export class OpenCompetitor {
   private readonly frame = (): number => {
     const { drawing } = this;
     this.scene.setTime(++this.drawn * STEP);
-    drawing.lightsMoved?.();
     const begin = performance.now();
+    drawing.lightsMoved?.();
     drawing.render();
     return performance.now() - begin;
   };

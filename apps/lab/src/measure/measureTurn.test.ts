@@ -1,0 +1,80 @@
+import { describe, expect, it } from 'vitest';
+import { measureTurn } from './measureTurn';
+
+/** A device on a clock of its own: drawing calls take `cpu` ms, frames `gpu` ms beside them, a wait `wait` ms at least. */
+function device({ cpu = 0.2, gpu = 1, wait = 0.5, timer = true } = {}) {
+  let clock = 0;
+  let done = 0;
+  let frames = 0;
+  let waits = 0;
+  const now = (): number => clock;
+  const draw = (): number => {
+    frames++;
+    clock += cpu;
+    done = Math.max(done, clock) + gpu;
+    return cpu;
+  };
+  return {
+    now,
+    frame: draw,
+    finish() {
+      waits++;
+      clock = Math.max(clock, done) + wait;
+    },
+    timer: timer
+      ? {
+          async time(count: number, frame: () => void) {
+            for (let i = 0; i < count; i++) frame();
+            clock = Math.max(clock, done);
+            return Array.from({ length: count }, () => gpu);
+          },
+        }
+      : null,
+    counts: () => ({ frames, waits }),
+  };
+}
+
+describe('measureTurn', () => {
+  it('takes the wait off, and many frames as one sample', async () => {
+    const { frame, cpu, gpu } = await measureTurn(device(), 400);
+    // 0.2 ms before the first frame begins on the GPU, shared by the batch
+    for (const ms of frame) expect(ms).toBeCloseTo(1, 1);
+    for (const ms of cpu) expect(ms).toBeCloseTo(0.2);
+    expect(gpu).toEqual(gpu!.map(() => 1));
+    expect(frame.length).toBeGreaterThanOrEqual(5);
+    expect(frame.length).toBeLessThan(10);
+  });
+
+  it('is bound by the calls where those take longer', async () => {
+    const { frame, cpu } = await measureTurn(device({ cpu: 3, gpu: 1 }), 200);
+    for (const ms of frame) expect(ms).toBeCloseTo(3, 0);
+    for (const ms of cpu) expect(ms).toBeCloseTo(3);
+  });
+
+  it('keeps to its time', async () => {
+    for (const gpu of [0.01, 1, 10]) {
+      const measured = device({ gpu });
+      await measureTurn(measured, 300);
+      expect(measured.now()).toBeGreaterThan(250);
+      expect(measured.now()).toBeLessThan(450);
+    }
+  });
+
+  it('has three samples of each kind where a frame takes seconds, and no more', async () => {
+    const measured = device({ cpu: 10, gpu: 2000, wait: 1 });
+    const { frame, cpu, gpu } = await measureTurn(measured, 100);
+    expect([frame, cpu, gpu].map((samples) => samples!.length)).toEqual([3, 3, 3]);
+    expect(frame[0]).toBeCloseTo(2010);
+    expect(cpu[0]).toBe(10);
+    // one to see how long a frame is
+    expect(measured.counts().frames).toBe(7);
+  });
+
+  it('says so where the device has no clock, or says that it was disturbed', async () => {
+    expect((await measureTurn(device({ timer: false }), 60)).gpu).toBeNull();
+    const disturbed = { ...device(), timer: { time: async () => [] } };
+    let calls = 0;
+    disturbed.now = () => ++calls * 5;
+    expect((await measureTurn(disturbed, 60)).gpu).toBeNull();
+  });
+});
