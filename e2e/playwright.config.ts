@@ -53,6 +53,10 @@ export default defineConfig({
     ...(process.env.FAROL_MODELS
       ? [{ name: 'models', testDir: './models', use: { baseURL: process.env.FAROL_VIEWER_URL } }]
       : []),
+    // by `npm run rivals -- --check` only, which installs them
+    ...(process.env.FAROL_RIVALS
+      ? [{ name: 'rivals', testDir: './rivals', use: { baseURL: process.env.FAROL_LAB_URL } }]
+      : []),
     {
       name: 'editor',
       testDir: './editor',

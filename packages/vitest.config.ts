@@ -3,7 +3,12 @@ import { defineConfig } from 'vitest/config';
 import { otherThree } from './tools/otherThree.mjs';
 import { serverSourceConditions } from './tools/sourceConditions.mjs';
 
-const include = ['packages/*/**/*.test.ts', 'apps/*/src/**/*.test.{ts,tsx}', 'e2e/support/*.test.ts'];
+const include = [
+  'packages/*/**/*.test.ts',
+  'apps/*/src/**/*.test.{ts,tsx}',
+  'apps/lab/rivals/src/**/*.test.ts',
+  'e2e/support/*.test.ts',
+];
 const exclude = ['**/node_modules/**', '**/dist/**'];
 /** Files that replace modules, or need modules that nothing has used before. */
 const alone = [

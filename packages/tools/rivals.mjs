@@ -5,6 +5,7 @@
  * `npm run rivals -- --check` checks the types of their code and compares their pictures with stock three's.
  */
 import { bundleRivals, installRivals } from './buildRivals.mjs';
+import { ensureBrowser } from './ensureBrowser.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { runTool } from './runTool.mjs';
 
@@ -25,4 +26,7 @@ try {
 }
 if (process.argv.includes('--check')) {
   if (runTool('typescript', 'tsc', ['-p', 'apps/lab/rivals']) !== 0) process.exit(1);
+  const args = ['test', '--config', 'e2e/playwright.config.ts', '--project', 'rivals', '--workers', '1'];
+  const env = { FAROL_RIVALS: '1', CHROMIUM_PATH: ensureBrowser() };
+  process.exit(runTool('@playwright/test', 'playwright', args, env));
 }

@@ -73,7 +73,9 @@ export function fitCells(boxes: LightBoxes): Cells {
   while (cells.fullest * 1.1 > mostLightsPerCell - 8) {
     width *= 0.8;
     const narrower = cellsOf(boxes, width);
-    if (narrower.size[0] * narrower.size[1] * narrower.size[2] * mostLightsPerCell > mostEntries) break;
+    const isTooLarge = narrower.size[0] * narrower.size[1] * narrower.size[2] * mostLightsPerCell > mostEntries;
+    // lights all in one place are in every cell
+    if (isTooLarge || narrower.fullest === boxes.length / 6) break;
     cells = narrower;
   }
   return cells;

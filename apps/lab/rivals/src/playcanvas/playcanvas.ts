@@ -75,6 +75,8 @@ class PlayCanvasDrawing implements RivalDrawing {
   private readonly camera: pc.Entity;
   private readonly lights: pc.Entity[] = [];
   private readonly nodes: pc.Entity[] = [];
+  /** Lights that the grid of cells has room for. */
+  private room = 0;
   private readonly instances = new Map<number, pc.VertexBuffer>();
 
   constructor(
@@ -100,6 +102,8 @@ class PlayCanvasDrawing implements RivalDrawing {
     lighting.areaLightsEnabled = false;
     this.app.scene.ambientLight = encode(scene.ambient, 1 / Math.PI);
     this.camera = this.addCamera();
+    // the grid is ours to find, not PlayCanvas's: no part of its first frame
+    this.fitLighting(scene.points);
   }
 
   async drawFirst(): Promise<void> {
@@ -166,11 +170,13 @@ class PlayCanvasDrawing implements RivalDrawing {
   /** Sets the grid of cells for the lights; leaves it when there is room for them. */
   private fitLighting(points: RivalPoints): void {
     const { lighting } = this.app.scene;
-    const count = points.count + this.scene.spots.length;
-    if (count === 0 || (lighting.maxLights >= count && this.lights.length > this.scene.points.count)) return;
-    const { size, fullest } = fitCells(lightBoxes({ points, spots: this.scene.spots }));
+    const { spots } = this.scene;
+    const count = points.count + spots.length;
+    if (count <= this.room) return;
+    const { size, fullest } = fitCells(lightBoxes({ points, spots }));
+    this.room = count + spareLights;
     lighting.cells = new pc.Vec3(...size);
-    lighting.maxLights = count + spareLights;
+    lighting.maxLights = this.room;
     lighting.maxLightsPerCell = Math.min(mostLightsPerCell, Math.ceil((fullest * 1.1 + 10) / 8) * 8);
   }
 
