@@ -4,6 +4,7 @@ import type { RunInfo, RunStore } from '../../results/RunStore';
 import { useRuns } from '../../results/useRuns';
 import { Select } from '../Select';
 import { deviceName } from '../support/deviceName';
+import { messageOf } from '../../run/messageOf';
 
 interface RunChoiceProps {
   store: RunStore;
@@ -25,7 +26,7 @@ export function RunChoice({ store, run, onOpen, onProblem }: RunChoiceProps) {
       const reference = referenceRuns.find(({ info }) => info.id === id);
       onOpen(await (reference ? reference.read() : store.open(id)));
     } catch (error) {
-      onProblem(error instanceof Error ? error.message : String(error));
+      onProblem(messageOf(error));
     }
   };
   const options = all.map((info, index) => [info.id, infoText(info, index >= kept.length)] as const);
