@@ -88,7 +88,7 @@ for (const [theme, width] of [
       await expect(page.getByText(/software rasteriser, not on a graphics card/)).toBeVisible();
       expect(await axeProblems(page)).toEqual([]);
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
-      await page.getByLabel('Colours').selectOption(theme === 'light' ? 'Dark' : 'Light');
+      await page.getByLabel('Theme').selectOption(theme === 'light' ? 'Dark' : 'Light');
       expect(await axeProblems(page, ['color-contrast'])).toEqual([]);
     });
   });
