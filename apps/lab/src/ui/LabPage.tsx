@@ -113,7 +113,6 @@ export function LabPage() {
           <div class="shown">
             {pair && <ComparedRuns runs={pair} onClose={() => setPair(null)} />}
             <section class="results" aria-labelledby="results-title">
-              {!isRunning && <RunChoice store={store} run={shown.run} onOpen={show} onProblem={setComplaint} />}
               {run ? (
                 <Results
                   run={run}
@@ -130,6 +129,7 @@ export function LabPage() {
                         onMeasure={(again) => void measure(again)}
                         onCompare={(reference) => setPair([run, reference])}
                         onProblem={setComplaint}
+                        choice={<RunChoice store={store} run={run} onOpen={show} onProblem={setComplaint} />}
                       />
                     )
                   }

@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import { useMemo } from 'preact/hooks';
 import { usesOwnScene } from '../../own/ownPreset';
 import type { Configuration } from '../../plan/Configuration';
@@ -18,11 +19,13 @@ interface RunActionsProps {
   onMeasure(configuration: Configuration): void;
   onCompare(reference: LabRun): void;
   onProblem(problem: string): void;
+  /** Chooses another run. */
+  choice: ComponentChildren;
 }
 
 /** What can be done with a run: a name, another run of the same, a comparison, files and a link. */
 export function RunActions(props: RunActionsProps) {
-  const { run, isReference, hasOwnScene, onRename, onMeasure, onCompare, onProblem } = props;
+  const { run, isReference, hasOwnScene, onRename, onMeasure, onCompare, onProblem, choice } = props;
   const configuration = useMemo(() => configurationOfPlan(run.plan), [run.plan]);
   const reference = referenceFor(run);
   const isOwn = configuration !== null && usesOwnScene(configuration);
@@ -36,6 +39,7 @@ export function RunActions(props: RunActionsProps) {
   };
   return (
     <div class="run-actions">
+      {choice}
       {!isReference && (
         <label class="inline-field">
           Name
