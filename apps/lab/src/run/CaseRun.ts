@@ -6,6 +6,7 @@ import type { Stage, Turn } from '../stage/Stage';
 import type { Forecast } from './Forecast';
 import { spoiled } from './spoiled';
 import type { StageFrames } from './StageFrames';
+import { messageOf } from './messageOf';
 
 /** Who draws the reference of a case: the first of them that can. */
 const references = ['stock', 'forward', 'multipass'];
@@ -148,7 +149,7 @@ export class CaseRun {
       this.world.step(name, picture);
       return { name, stage, row, frame: [], cpu: [], gpu: [], over: false };
     } catch (error) {
-      row.problem = signal.aborted ? 'Cancelled.' : sentence(error);
+      row.problem = signal.aborted ? 'Cancelled.' : messageOf(error);
       return null;
     }
   }
@@ -240,12 +241,10 @@ async function attempt(open: Open, work: () => Promise<void>): Promise<void> {
     await work();
   } catch (error) {
     open.over = true;
-    if (open.row.frame) open.row.warnings.push(sentence(error));
-    else open.row.problem = sentence(error);
+    if (open.row.frame) open.row.warnings.push(messageOf(error));
+    else open.row.problem = messageOf(error);
   }
 }
-
-const sentence = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 function emptyRow(competitor: string, series: string, index: number): LabRow {
   return {

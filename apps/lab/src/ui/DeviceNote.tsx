@@ -19,8 +19,9 @@ export function DeviceNote({ device, problem, unavailable }: StageState) {
       </dl>
       {device?.software && (
         <p class="warning">
-          The browser draws on the processor here, by a software rasteriser, not on a graphics card: a run takes longer,
-          and its figures say nothing about GPUs. Switch hardware acceleration on in the browser’s settings.
+          The browser draws on the processor here, by a software rasteriser, not on a graphics card: the button measures
+          small pictures, and the figures say nothing about GPUs. Switch hardware acceleration on in the browser’s
+          settings.
         </p>
       )}
       {problem && (

@@ -17,7 +17,7 @@ export function Hero({ stage, isRunning, onMeasure }: HeroProps) {
           The Lab draws the same scenes by eleven techniques of Farol, by three.js and by other engines, in turns, and
           shows which is fastest where, and why.
         </p>
-        <button type="button" class="primary large" disabled={isRunning || stage.problem !== null} onClick={onMeasure}>
+        <button type="button" class="primary large" disabled={isRunning || stage.device === null} onClick={onMeasure}>
           Measure this machine (90&nbsp;s)
         </button>
       </div>

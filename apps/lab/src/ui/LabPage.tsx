@@ -1,13 +1,15 @@
 import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Configuration } from '../plan/Configuration';
+import { ownPreset } from '../own/ownPreset';
 import { useOwnScene } from '../own/useOwnScene';
 import { MOST_CONTEXTS } from '../plan/planOf';
-import { presets } from '../plan/presets';
+import { quickFor } from '../plan/presets';
 import type { LabRun } from '../results/LabRun';
 import { referenceRuns } from '../results/referenceRuns';
 import { RunLibrary } from '../results/RunLibrary';
 import { RunStore } from '../results/RunStore';
 import { surroundingsOf } from '../results/surroundings';
+import { messageOf } from '../run/messageOf';
 import { Hero } from './Hero';
 import { ComparedRuns } from './results/ComparedRuns';
 import { Results } from './results/Results';
@@ -34,20 +36,23 @@ export function LabPage() {
   const handed = useOwnScene();
   const { running, problem, start, cancel } = useRun();
   const isRunning = running !== null;
-  const plan = useMemo(() => planned(configuration), [configuration]);
+  const plan = useMemo(() => planned(configuration, handed.scene !== null), [configuration, handed.scene]);
   const { focus, show } = useFocusedRun(shown.show);
+  useEffect(() => {
+    if (handed.scene) setConfiguration(ownPreset(handed.scene.name).configuration);
+  }, [handed.scene, setConfiguration]);
 
   const keep = async (run: LabRun): Promise<void> => {
     setComplaint(null);
     try {
       await store.save(run);
     } catch (error) {
-      setComplaint(error instanceof Error ? error.message : String(error));
+      setComplaint(messageOf(error));
     }
   };
   const measure = async (wanted: Configuration): Promise<void> => {
     setConfiguration(wanted);
-    const made = planned(wanted);
+    const made = planned(wanted, handed.scene !== null);
     if (!made.plan) return;
     setPair(null);
     const run = await start(made.plan, async () => {
@@ -75,7 +80,12 @@ export function LabPage() {
         <ThemeSelect />
       </header>
       <main>
-        <Hero stage={stage} isRunning={isRunning} onMeasure={() => void measure(presets.quick.configuration)} />
+        <Hero
+          stage={stage}
+          isRunning={isRunning}
+          onMeasure={() => void measure(quickFor({ software: stage.device?.software ?? false }))}
+        />
+        {handed.isComing && <p role="status">The scene is on its way from the page that handed it over …</p>}
         {running && <RunPanel running={running} onCancel={cancel} />}
         {[...problems, problem, complaint, shown.problem, handed.problem].map(
           (each) =>
@@ -103,7 +113,6 @@ export function LabPage() {
           <div class="shown">
             {pair && <ComparedRuns runs={pair} onClose={() => setPair(null)} />}
             <section class="results" aria-labelledby="results-title">
-              {!isRunning && <RunChoice store={store} run={shown.run} onOpen={show} onProblem={setComplaint} />}
               {run ? (
                 <Results
                   run={run}
@@ -115,10 +124,12 @@ export function LabPage() {
                       <RunActions
                         run={run}
                         isReference={shown.isReference}
+                        hasOwnScene={handed.scene !== null}
                         onRename={(name) => rename(run, name)}
                         onMeasure={(again) => void measure(again)}
                         onCompare={(reference) => setPair([run, reference])}
                         onProblem={setComplaint}
+                        choice={<RunChoice store={store} run={run} onOpen={show} onProblem={setComplaint} />}
                       />
                     )
                   }

@@ -1,4 +1,5 @@
 import type { Configuration } from '../plan/Configuration';
+import { ownPreset, usesOwnScene } from '../own/ownPreset';
 import { presets } from '../plan/presets';
 import { Builder } from './builder/Builder';
 import { PresetCards } from './PresetCards';
@@ -8,6 +9,7 @@ interface SetupProps {
   configuration: Configuration;
   planned: Planned;
   unavailable: Readonly<Record<string, string | null>>;
+  /** Name of the scene that was handed over; null for none. */
   ownScene: string | null;
   isRunning: boolean;
   onChange(configuration: Configuration): void;
@@ -16,11 +18,13 @@ interface SetupProps {
 
 /** What is to be measured: presets, every choice, and the button that begins. */
 export function Setup({ configuration, planned, unavailable, ownScene, isRunning, onChange, onMeasure }: SetupProps) {
-  const label = presets[configuration.preset]?.label ?? 'your own comparison';
+  const offered = ownScene === null ? presets : { own: ownPreset(ownScene), ...presets };
+  const isOwn = ownScene !== null && usesOwnScene(configuration);
+  const label = presets[configuration.preset]?.label ?? (isOwn ? ownScene : 'your own comparison');
   return (
     <section class="setup" aria-labelledby="setup-title">
       <h2 id="setup-title">What to measure</h2>
-      <PresetCards presets={presets} chosen={configuration.preset} onChoose={onChange} />
+      <PresetCards presets={offered} chosen={isOwn ? 'own' : configuration.preset} onChoose={onChange} />
       <details class="own">
         <summary>Build your own</summary>
         <Builder

@@ -12,7 +12,7 @@ export function ThemeSelect() {
   };
   return (
     <label class="inline-field">
-      Colours
+      Theme
       <select value={theme} onChange={({ currentTarget }) => choose(currentTarget.value as Theme)}>
         {Object.entries(labels).map(([value, label]) => (
           <option key={value} value={value}>

@@ -23,8 +23,10 @@ export function Results({ run, isReference, isRunning, title, actions }: Results
   const runs = useMemo(() => [run], [run]);
   return (
     <>
-      <RunHead {...{ run, isReference, isRunning, title }} />
-      {actions}
+      <div class="results-head">
+        <RunHead {...{ run, isReference, isRunning, title }} />
+        {actions}
+      </div>
       {run.surroundings.warnings.map((warning) => (
         <p key={warning} class="warning">
           {warning}

@@ -1,35 +1,45 @@
+import type { ComponentChildren } from 'preact';
 import { useMemo } from 'preact/hooks';
+import { usesOwnScene } from '../../own/ownPreset';
 import type { Configuration } from '../../plan/Configuration';
 import { ExportMenu } from '../../results/ExportMenu';
 import type { LabRun } from '../../results/LabRun';
 import { linkOf } from '../../results/link';
 import { configurationOfPlan } from '../support/configurationOfPlan';
 import { referenceFor } from '../support/useShownRun';
+import { messageOf } from '../../run/messageOf';
 
 interface RunActionsProps {
   run: LabRun;
   isReference: boolean;
+  /** Whether the scene that was handed over is here. */
+  hasOwnScene: boolean;
   /** Keeps the run under a name. */
   onRename(name: string): void;
   onMeasure(configuration: Configuration): void;
   onCompare(reference: LabRun): void;
   onProblem(problem: string): void;
+  /** Chooses another run. */
+  choice: ComponentChildren;
 }
 
 /** What can be done with a run: a name, another run of the same, a comparison, files and a link. */
-export function RunActions({ run, isReference, onRename, onMeasure, onCompare, onProblem }: RunActionsProps) {
+export function RunActions(props: RunActionsProps) {
+  const { run, isReference, hasOwnScene, onRename, onMeasure, onCompare, onProblem, choice } = props;
   const configuration = useMemo(() => configurationOfPlan(run.plan), [run.plan]);
   const reference = referenceFor(run);
-  const link = configuration && new URL(linkOf(configuration), location.href).href;
+  const isOwn = configuration !== null && usesOwnScene(configuration);
+  const link = configuration && !isOwn && new URL(linkOf(configuration), location.href).href;
   const compare = async (): Promise<void> => {
     try {
       if (reference) onCompare(await reference.read());
     } catch (error) {
-      onProblem(error instanceof Error ? error.message : String(error));
+      onProblem(messageOf(error));
     }
   };
   return (
     <div class="run-actions">
+      {choice}
       {!isReference && (
         <label class="inline-field">
           Name
@@ -44,7 +54,7 @@ export function RunActions({ run, isReference, onRename, onMeasure, onCompare, o
           />
         </label>
       )}
-      {configuration && (
+      {configuration && (!isOwn || hasOwnScene) && (
         <button type="button" onClick={() => onMeasure(configuration)}>
           {isReference ? 'Measure the same here' : 'Measure again'}
         </button>
@@ -54,7 +64,7 @@ export function RunActions({ run, isReference, onRename, onMeasure, onCompare, o
           Compare with the reference
         </button>
       )}
-      <ExportMenu run={run} link={link} />
+      <ExportMenu run={run} link={link || null} />
     </div>
   );
 }

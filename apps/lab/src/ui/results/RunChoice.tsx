@@ -2,8 +2,8 @@ import type { LabRun } from '../../results/LabRun';
 import { referenceRuns } from '../../results/referenceRuns';
 import type { RunInfo, RunStore } from '../../results/RunStore';
 import { useRuns } from '../../results/useRuns';
-import { Select } from '../Select';
 import { deviceName } from '../support/deviceName';
+import { messageOf } from '../../run/messageOf';
 
 interface RunChoiceProps {
   store: RunStore;
@@ -21,22 +21,27 @@ export function RunChoice({ store, run, onOpen, onProblem }: RunChoiceProps) {
   const all = [...kept, ...references];
   if (all.length < 2) return null;
   const open = async (id: string): Promise<void> => {
+    if (id === '') return;
     try {
       const reference = referenceRuns.find(({ info }) => info.id === id);
       onOpen(await (reference ? reference.read() : store.open(id)));
     } catch (error) {
-      onProblem(error instanceof Error ? error.message : String(error));
+      onProblem(messageOf(error));
     }
   };
-  const options = all.map((info, index) => [info.id, infoText(info, index >= kept.length)] as const);
   const isListed = run !== null && all.some(({ id }) => id === run.id);
   return (
-    <Select
-      label="Run on show"
-      value={isListed ? run.id : ''}
-      options={isListed ? options : [['', run ? run.name || run.plan.label : 'None'] as const, ...options]}
-      onChange={(id) => void (id && open(id))}
-    />
+    <label class="inline-field">
+      Show
+      <select value={isListed ? run.id : ''} onChange={({ currentTarget }) => void open(currentTarget.value)}>
+        {!isListed && <option value="">{run ? run.name || run.plan.label : 'None'}</option>}
+        {all.map((info, index) => (
+          <option key={info.id} value={info.id}>
+            {infoText(info, index >= kept.length)}
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }
 

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import type { Configuration } from '../../plan/Configuration';
+import { ownPreset } from '../../own/ownPreset';
 import { planOf } from '../../plan/planOf';
 import { presets } from '../../plan/presets';
 import { configurationOfPlan } from './configurationOfPlan';
@@ -28,9 +29,10 @@ test('charts over pixels and others may stand together', () => {
   expect(back && planOf(back)).toEqual(plan);
 });
 
-test('a scene that was handed over has none', () => {
-  const own = { scene: 'own', n: 1, axis: 'pixels', values: [230], lights: 0 } as const;
-  expect(configurationOfPlan(planOf({ ...quick, preset: 'custom', series: [own] }))).toBeNull();
+test('so does that of a scene that was handed over', () => {
+  const wanted = ownPreset('Room').configuration;
+  const back = configurationOfPlan(planOf(wanted));
+  expect(back && planOf(back)).toEqual(planOf(wanted));
 });
 
 test('cases that no configuration makes have none', () => {

@@ -6,11 +6,11 @@ import { presets } from '../../plan/presets';
 /**
  * The configuration of which a plan was made, so that a run can be measured again and linked.
  *
- * @returns null where no configuration makes the plan: a scene that was handed over, cases of another version
+ * @returns null where no configuration makes the plan: cases of another version
  */
 export function configurationOfPlan(plan: LabPlan): Configuration | null {
   const size = sizeOf(plan);
-  if (!size || plan.series.some(({ cases }) => cases.length === 0 || cases[0].scene.name === 'own')) return null;
+  if (!size || plan.series.some(({ cases }) => cases.length === 0)) return null;
   const configuration: Configuration = {
     preset: Object.hasOwn(presets, plan.preset) ? plan.preset : 'custom',
     series: plan.series.map(choiceOf),

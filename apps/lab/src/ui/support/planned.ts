@@ -1,17 +1,24 @@
+import { usesOwnScene } from '../../own/ownPreset';
 import type { Configuration } from '../../plan/Configuration';
 import type { LabPlan } from '../../plan/LabPlan';
 import { estimate, planOf } from '../../plan/planOf';
 import { roughDuration } from './formatDuration';
+import { messageOf } from '../../run/messageOf';
 
 /** A plan, or why a configuration makes none, as a sentence. */
 export type Planned = { plan: LabPlan; problem: null } | { plan: null; problem: string };
 
-/** Makes the plan of a configuration. */
-export function planned(configuration: Configuration): Planned {
+/** Makes the plan of a configuration. @param hasOwnScene whether a scene was handed over */
+export function planned(configuration: Configuration, hasOwnScene: boolean): Planned {
+  if (usesOwnScene(configuration) && !hasOwnScene) {
+    const problem =
+      'The scene that was handed over is not here: choose “Measure this scene” in the editor or the viewer, or another scene.';
+    return { plan: null, problem };
+  }
   try {
     return { plan: planOf(configuration), problem: null };
   } catch (error) {
-    return { plan: null, problem: error instanceof Error ? error.message : String(error) };
+    return { plan: null, problem: messageOf(error) };
   }
 }
 

@@ -4,6 +4,7 @@ import { LAB_RUN_VERSION, type LabRun, type LabSurroundings } from '../../result
 import type { Progress } from '../../run/Progress';
 import { runPlan } from '../../run/runPlan';
 import type { StageFrames } from '../../run/StageFrames';
+import { messageOf } from '../../run/messageOf';
 
 /** How often the words of the progress change, and how often the charts are drawn anew while a run goes on (ms). */
 const WORDS = 200;
@@ -80,7 +81,7 @@ export function useRun(): RunState {
       };
       return await runPlan(plan, { frames, surroundings, mostContexts, onProgress, signal: controller.signal });
     } catch (error) {
-      setProblem(error instanceof Error ? error.message : String(error));
+      setProblem(messageOf(error));
       return null;
     } finally {
       abort.current = null;

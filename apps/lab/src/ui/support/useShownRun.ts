@@ -1,6 +1,7 @@
 import { useCallback, useEffect, useState } from 'preact/hooks';
 import type { LabRun } from '../../results/LabRun';
 import { referenceRuns, type ReferenceRun } from '../../results/referenceRuns';
+import { messageOf } from '../../run/messageOf';
 
 export interface ShownRun {
   /** Null until the reference is fetched, and where there is none. */
@@ -21,7 +22,7 @@ export function useShownRun(): ShownRun {
     firstReference()
       ?.read()
       .then((reference) => isOver || setRun((now) => now ?? reference))
-      .catch((error: unknown) => isOver || setProblem(error instanceof Error ? error.message : String(error)));
+      .catch((error: unknown) => isOver || setProblem(messageOf(error)));
     return () => void (isOver = true);
   }, []);
   const show = useCallback((next: LabRun) => {

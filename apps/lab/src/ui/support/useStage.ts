@@ -2,6 +2,7 @@ import { useCallback, useEffect, useRef, useState } from 'preact/hooks';
 import { competitorNames } from '../../competitors/competitorNames';
 import type { LabSurroundings } from '../../results/LabRun';
 import { surroundingsOf } from '../../results/surroundings';
+import { messageOf } from '../../run/messageOf';
 import { createStageFrames, type StageFrames } from '../../run/StageFrames';
 
 /** The machine that the figures will be about. */
@@ -60,5 +61,3 @@ export function useStage(): StageState {
   }, [frames, close]);
   return { device, problem, unavailable, frames, close };
 }
-
-const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

@@ -1,0 +1,19 @@
+import type { Configuration } from '../plan/Configuration';
+import { presets, type Preset } from '../plan/presets';
+
+/** Whether a configuration measures the scene that was handed over. */
+export const usesOwnScene = ({ series }: Configuration): boolean => series.some(({ scene }) => scene === 'own');
+
+/** What to measure of the scene that was handed over, by everybody. @param name of the scene */
+export function ownPreset(name: string): Preset {
+  const { configuration } = presets.quick;
+  return {
+    label: name,
+    help: 'Your scene with its own lights, in small and large pictures.',
+    configuration: {
+      ...configuration,
+      preset: 'custom',
+      series: [{ scene: 'own', n: 1, axis: 'pixels', values: [230, 922, 2074], lights: 0 }],
+    },
+  };
+}
