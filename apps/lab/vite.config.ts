@@ -3,6 +3,7 @@ import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { labBuild } from '@farol/tools/labBuild';
 import { runInfo } from '@farol/tools/runInfo';
 import { rivals } from '@farol/tools/rivalsPlugin';
+import { smallPlot } from '@farol/tools/smallPlot';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
@@ -12,7 +13,7 @@ export default defineConfig(({ command }) => ({
   publicDir: false,
   define: labBuild(),
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), runInfo(), securePages(), rivals(), appAddresses()],
+  plugins: [stanfordDragon(), runInfo(), securePages(), rivals(), appAddresses(), smallPlot()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   resolve: {
     dedupe: ['three'],

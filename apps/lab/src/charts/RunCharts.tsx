@@ -1,6 +1,6 @@
 import { useMemo, useState } from 'preact/hooks';
 import type { LabRun, Metric } from '../results/LabRun';
-import { sourceOf } from './chartFiles';
+import { sourceOf } from './sourceOf';
 import { ChartControls } from './ChartControls';
 import { ChartFigure } from './ChartFigure';
 import { defaultSettings, type ChartSettings } from './ChartSpec';

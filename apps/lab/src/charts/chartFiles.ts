@@ -1,8 +1,9 @@
 import type { LabRun } from '../results/LabRun';
+import { verdictWords } from '../thesis/verdictWords';
 import { chartSVG } from './chartSVG';
 import { type ChartSettings, defaultSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
-import { shortDevice } from './runNames';
+import { sourceOf } from './sourceOf';
 
 /** A chart as a file, with its words for a text around it. */
 export interface ChartFile {
@@ -21,20 +22,6 @@ export function chartFiles(
 ): ChartFile[] {
   return chartsOf(runs, settings).map((chart) => ({
     ...{ name: chart.key, title: chart.title, svg: chartSVG(chart, { theme, source: sourceOf(runs) }) },
-    sentences: [
-      ...chart.sentences,
-      ...chart.verdicts.map((each) => `${each.verdict}: “${each.claim}” ${each.evidence}`),
-    ],
+    sentences: [...chart.sentences, ...chart.verdicts.map(verdictWords)],
   }));
-}
-
-/** Where and when runs were made and what spoils them, in a line. */
-export function sourceOf(runs: readonly LabRun[]): string {
-  const lines = runs.map(({ surroundings: { device, browser, system, date, build, warnings } }) =>
-    [
-      ['Farol Lab', build, shortDevice(device), browser, system, date.slice(0, 10)].filter(Boolean).join(', '),
-      ...warnings,
-    ].join('. '),
-  );
-  return [...new Set(lines)].join(' | ');
 }

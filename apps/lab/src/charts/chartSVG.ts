@@ -1,3 +1,4 @@
+import { verdictWords } from '../thesis/verdictWords';
 import { competitorWord } from '../words/names';
 import { type ChartPaint, paintOf } from './chartPaint';
 import type { ChartSpec } from './ChartSpec';
@@ -54,8 +55,7 @@ export function chartSVG(
   ]);
   page.space(4);
   for (const sentence of chart.sentences) page.text(sentence, 14, paint.text);
-  for (const { verdict, claim, evidence } of chart.verdicts)
-    page.text(`${verdict}: “${claim}” ${evidence}`, 13, paint.text);
+  for (const verdict of chart.verdicts) page.text(verdictWords(verdict), 13, paint.text);
   for (const note of chart.notes) page.text(note, 12, paint.dim);
   if (source !== '') page.text(source, 12, paint.dim);
   const { height, nodes } = page;

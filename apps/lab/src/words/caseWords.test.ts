@@ -72,7 +72,7 @@ describe('who wins where', () => {
     expect([map.rows.length, map.columns.length, map.cells.length]).toEqual([4, 2, 8]);
     expect(map.columns).toEqual(['20 lights', '500 lights']);
     const quick = winnerMaps(sampleRun(), 'frame');
-    expect(quick.map(({ rows, columns }) => [rows, columns])).toEqual([
+    expect(quick.map(({ rows, columns }) => [rows.toSorted(), columns])).toEqual([
       [
         ['Atrium', 'Planes 1 × 1'],
         ['4', '10', '50', '100', '200', '1,000'],

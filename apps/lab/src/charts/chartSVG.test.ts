@@ -1,13 +1,19 @@
 import { describe, expect, test } from 'vitest';
 import { madeUpRun } from '../words/madeUpRun';
-import { chartFiles } from './chartFiles';
+import { chartSVG } from './chartSVG';
+import { type ChartSettings } from './ChartSpec';
 import { defaultSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
 import { paintOf } from './chartPaint';
 import { sampleRun } from './sampleRuns';
+import { sourceOf } from './sourceOf';
 import { SvgDocument } from './SvgDocument';
+import type { LabRun } from '../results/LabRun';
 
-const document = new SvgDocument() as unknown as Document;
+const filesOf = (runs: LabRun[], settings: ChartSettings = defaultSettings) =>
+  chartsOf(runs, settings).map((chart) => ({ ...chart, svg: chartSVG(chart, { source: sourceOf(runs) }) }));
+
+const drawn = new SvgDocument() as unknown as Document;
 
 describe.each(['quick', 'thesis', 'resolution'])('charts of a %s run', (preset) => {
   const run = sampleRun({ preset });
@@ -15,7 +21,7 @@ describe.each(['quick', 'thesis', 'resolution'])('charts of a %s run', (preset) 
   test('every chart is drawn at every width, its points inside and told in words', () => {
     for (const chart of chartsOf([run], defaultSettings)) {
       for (const width of [240, 800]) {
-        const { svg, points } = chart.draw({ width, paint: paintOf('dark'), document });
+        const { svg, points } = chart.draw({ width, paint: paintOf('dark'), document: drawn });
         const height = Number(svg.getAttribute('height'));
         expect(Number(svg.getAttribute('width')), chart.key).toBe(width);
         expect(points.length, chart.key).toBeGreaterThan(0);
@@ -39,12 +45,12 @@ describe.each(['quick', 'thesis', 'resolution'])('charts of a %s run', (preset) 
   });
 
   test('files stand by themselves: no custom property, the sentences inside', () => {
-    for (const { name, svg, title, sentences } of chartFiles([run])) {
-      expect(svg.startsWith('<svg xmlns="http://www.w3.org/2000/svg"'), name).toBe(true);
-      expect(svg, name).not.toMatch(/var\(|light-dark|NaN|undefined|<style/);
-      expect(svg, name).toContain(`<title id="title">${title}</title>`);
-      expect(svg, name).toContain(sentences[0].split(' ')[0]);
-      expect(svg, name).toContain('NVIDIA H200');
+    for (const { key, svg, title, sentences } of filesOf([run])) {
+      expect(svg.startsWith('<svg xmlns="http://www.w3.org/2000/svg"'), key).toBe(true);
+      expect(svg, key).not.toMatch(/var\(|light-dark|NaN|undefined|<style/);
+      expect(svg, key).toContain(`<title id="title">${title}</title>`);
+      expect(svg, key).toContain(sentences[0].split(' ')[0]);
+      expect(svg, key).toContain('NVIDIA H200');
     }
   });
 });
@@ -58,7 +64,7 @@ test('no figures at all, one point, and ranges of nine powers of ten are drawn',
   ];
   for (const run of runs) {
     for (const scale of ['log', 'linear'] as const) {
-      const files = chartFiles([run], { ...defaultSettings, scale });
+      const files = filesOf([run], { ...defaultSettings, scale });
       expect(files.length).toBeGreaterThan(0);
       for (const { svg } of files) {
         expect(svg).not.toMatch(/NaN|undefined|Infinity/);
@@ -68,14 +74,14 @@ test('no figures at all, one point, and ranges of nine powers of ten are drawn',
 });
 
 test('a series without a figure says so in its place', () => {
-  const [{ svg }] = chartFiles([madeUpRun([10], { deferred: ['Lost its context.'] })]);
+  const [{ svg }] = filesOf([madeUpRun([10], { deferred: ['Lost its context.'] })]);
   expect(svg).toContain('No figures here');
 });
 
 test('texts that others wrote cannot leave their place in a file', () => {
   const run = madeUpRun([10], { deferred: [1] });
   run.surroundings.device = '</text><script>alert(1)</script>';
-  const [{ svg }] = chartFiles([run]);
+  const [{ svg }] = filesOf([run]);
   expect(svg).not.toContain('<script');
   expect(svg).toContain('&lt;script');
 });

@@ -1,0 +1,22 @@
+import { fileURLToPath } from 'node:url';
+import { smallPlot } from '@farol/tools/smallPlot';
+import { build, type Rolldown } from 'vite';
+import { expect, test } from 'vitest';
+import { drawSamples } from './drawSamples';
+
+test('Observable Plot as it is built draws what the whole of it draws, in fewer bytes', async () => {
+  const [whole, small] = await Promise.all([bundle(false), bundle(true)]);
+  expect(small.length).toBeLessThan(whole.length - 70_000);
+  const built = (await import(`data:text/javascript,${encodeURIComponent(small)}`)) as { drawSamples(): string[] };
+  expect(built.drawSamples()).toEqual(drawSamples());
+});
+
+/** The drawing of charts as one module. */
+async function bundle(isSmall: boolean): Promise<string> {
+  const input = fileURLToPath(new URL('drawSamples.ts', import.meta.url));
+  const result = (await build({
+    ...{ configFile: false, logLevel: 'silent', plugins: isSmall ? [smallPlot()] : [] },
+    build: { write: false, minify: true, rolldownOptions: { input, preserveEntrySignatures: 'strict' } },
+  })) as Rolldown.RolldownOutput;
+  return result.output[0].code;
+}
