@@ -9,7 +9,8 @@ const STEEPEST = 2;
 
 /**
  * Foretells how long a competitor's frame will take in the next case of a series, so that nobody waits for minutes: by
- * the growth between its last two cases, or in proportion after one.
+ * the growth between its last two cases. After one, an ordinary frame is taken to grow in proportion; a first frame by as
+ * much as that, since what it compiles and uploads beside is there with few lights too.
  */
 export class Forecast {
   private readonly seen = new Map<string, Seen[]>();
@@ -31,14 +32,22 @@ export class Forecast {
 
   /** Why a case is left out, as a sentence; null when it is not. */
   refuses(series: string, competitor: string, value: number): string | null {
-    for (const kind of ['first', 'frame'] as const) {
-      const ms = this.foretold(`${series} ${competitor} ${kind}`, value);
+    const key = `${series} ${competitor}`;
+    const frame = this.foretold(`${key} frame`, value);
+    const first = this.foretoldFirst(key, value, frame);
+    for (const [what, ms] of [['its first frame', first] as const, ['a frame', frame] as const]) {
       if (ms > this.longest) {
-        const what = kind === 'first' ? 'its first frame' : 'a frame';
         return `Left out: ${what} would take about ${seconds(ms)}, by its growth so far (limit ${seconds(this.longest)}).`;
       }
     }
     return null;
+  }
+
+  private foretoldFirst(key: string, value: number, frame: number): number {
+    const firsts = this.seen.get(`${key} first`);
+    if (!firsts || firsts.length > 1) return this.foretold(`${key} first`, value);
+    const ordinary = this.seen.get(`${key} frame`)?.at(-1)?.ms ?? 0;
+    return firsts[0].ms + Math.max(0, frame - ordinary);
   }
 
   private foretold(key: string, value: number): number {
