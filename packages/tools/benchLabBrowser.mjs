@@ -43,7 +43,7 @@ import { launchBench } from './benchBrowser.mjs';
  * @property {(run: LabRun) => LabPlan} remaining
  * @property {(plan: LabPlan, parts: LabRun[]) => LabRun} merge
  * @property {(json: string) => LabRun} parse
- * @property {(run: LabRun) => Promise<{ name: string, text: string }[]>} files
+ * @property {(run: LabRun) => { name: string, text: string }[]} files
  *
  * @typedef {{ lab: LabHandle, benchStep(step: Step): void, benchCase(run: LabRun): void }} LabWindow
  */
@@ -158,8 +158,11 @@ export class LabBrowser {
     });
     await page.exposeFunction('benchCase', (/** @type {LabRun} */ run) => this.#handlers?.onCase(run));
     await page.goto(`${url}?headless`);
-    const isLab = await page.evaluate(() => 'lab' in window);
-    if (!isLab) throw new Error('The page offers no window.lab: it is no Lab, or an older one. Build it anew.');
+    await page
+      .waitForFunction(() => 'lab' in window, null, { timeout: 30_000 })
+      .catch(() => {
+        throw new Error('The page offers no window.lab: it is no Lab, or an older one. Build it anew.');
+      });
     this.#page = page;
     return page;
   }

@@ -1,3 +1,4 @@
+import { chartFiles } from './charts/chartFiles';
 import { competitorNames, type CompetitorWords } from './competitors/competitorNames';
 import type { Configuration } from './plan/Configuration';
 import type { LabPlan } from './plan/LabPlan';
@@ -37,7 +38,7 @@ export interface TextFile {
   readonly text: string;
 }
 
-/** What the page offers as `window.lab`: the whole Lab without its page, for `npm run bench`. */
+/** What the page offers as `window.lab` under `?headless`: the whole Lab without its page, for `npm run bench`. */
 export interface LabHandle {
   /** Words of the competitors, by key. */
   readonly competitors: Readonly<Record<string, CompetitorWords>>;
@@ -66,7 +67,7 @@ export interface LabHandle {
   /** @throws FormatError */
   parse(json: string): LabRun;
   /** The run as Markdown with the sentences of its charts, and each chart as SVG. */
-  files(run: LabRun): Promise<TextFile[]>;
+  files(run: LabRun): TextFile[];
 }
 
 declare global {
@@ -126,8 +127,7 @@ function configurationIn(fragment: string): Configuration {
   return linked.configuration;
 }
 
-async function files(run: LabRun): Promise<TextFile[]> {
-  const { chartFiles } = await import('./charts/chartFiles');
+function files(run: LabRun): TextFile[] {
   const charts = chartFiles([run]);
   const text = `${runMarkdown(run, charts)}${againstMarkdown(run)}`;
   return [{ name: 'bench.md', text }, ...charts.map(({ name, svg }) => ({ name: `${name}.svg`, text: svg }))];
