@@ -16,8 +16,8 @@ import { root } from './root.mjs';
  * @typedef {{ now: string, against: string | null }} Labs folders of built Labs
  */
 
-/** How often a browser is started anew after it crashed or hung. */
-const MOST_STARTS = 3;
+/** How often a browser is started in a run: anew after each crash. */
+const MOST_STARTS = 10;
 
 /**
  * Measures a preset of the Lab headless.
@@ -92,11 +92,13 @@ function keepLabs(labs, out) {
  * @param {LabBrowser} browser @param {LabBench} options
  * @returns {Promise<LabPlan>}
  */
-function planFor(browser, { fragment, lights, rivals, against }) {
+function planFor(browser, { fragment, lights, rivals, against, gpu }) {
   return browser.call(
-    ({ fragment, lights, rivals, isCompared }) => {
+    ({ fragment, lights, rivals, isCompared, gpu }) => {
       const { lab } = /** @type {LabWindow} */ (/** @type {unknown} */ (window));
-      const configuration = lab.configurationOf(fragment);
+      // as the page's large button
+      const configuration =
+        fragment === 'preset=quick' ? lab.quickFor({ software: !gpu }) : lab.configurationOf(fragment);
       if (lights) {
         configuration.series = configuration.series.map((/** @type {{ axis: string }} */ each) =>
           each.axis === 'lights' ? { ...each, values: lights } : each,
@@ -112,7 +114,7 @@ function planFor(browser, { fragment, lights, rivals, against }) {
       );
       return { ...plan, competitors };
     },
-    { fragment, lights, rivals, isCompared: against !== null },
+    { fragment, lights, rivals, isCompared: against !== null, gpu },
   );
 }
 
@@ -153,18 +155,21 @@ async function measure(browser, { plan, rest, before, options }) {
   /** @type {Record<string, string>} */
   const versions = against === null ? {} : { against };
   /** @type {LabRun[]} */
-  const parts = before === null ? [] : [before];
+  let parts = before === null ? [] : [before];
   let whole = before;
   const count = (/** @type {LabPlan} */ { series }) => series.reduce((sum, { cases }) => sum + cases.length, 0);
   console.log(`${count(rest)} of ${count(plan)} cases, ${plan.competitors.length} competitors in turns.`);
+  /** @type {import('./benchLabBrowser.mjs').Crash[]} */
+  const crashes = [];
   for (let start = 1; rest.series.length > 0; start++) {
     let said = 0;
-    let at = '';
+    /** @type {import('./benchLabBrowser.mjs').Step | null} */
+    let at = null;
     /** @type {LabRun | null} */
     let part = null;
     const done = new Set();
     const onStep = (/** @type {import('./benchLabBrowser.mjs').Step} */ step) => {
-      at = step.competitor ?? at;
+      if (step.competitor !== null) at = step;
       if (performance.now() > end) void browser.cancel().catch(() => {});
       if (performance.now() - said < 5000) return;
       said = performance.now();
@@ -183,18 +188,19 @@ async function measure(browser, { plan, rest, before, options }) {
       writeRun(whole, options);
     };
     try {
-      part = await browser.run(rest, { command, versions, onStep, onCase });
+      part = await browser.run(rest, { command, versions, crashes, onStep, onCase });
       tellCases(part, done, true);
       await keepParts([...parts, part]);
       return whole;
     } catch (error) {
-      console.error(`Stopped at ${at}: ${error instanceof Error ? error.message : error}.`);
+      const { competitor, labCase } = /** @type {import('./benchLabBrowser.mjs').Step} */ (at ?? {});
+      console.error(`Stopped at ${competitor ?? 'its start'}: ${error instanceof Error ? error.message : error}.`);
       await browser.close();
-      if (part === null && start >= 2) throw error;
-      if (part !== null) parts.push(part);
-      if (start >= MOST_STARTS || performance.now() > end) break;
-      console.log('The browser is started anew.');
-      if (parts.length > 0) await keepParts(parts);
+      if (!competitor || start === MOST_STARTS || performance.now() > end) break;
+      crashes.push({ competitor, labCase });
+      console.log(`The browser is started anew, and ${competitor} is left out in that case.`);
+      if (part !== null) await keepParts([...parts, part]);
+      parts = whole === null ? [] : [whole];
       rest = whole === null ? plan : await browser.call(remainingOf, whole);
     }
   }

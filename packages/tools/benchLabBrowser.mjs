@@ -23,24 +23,27 @@ import { launchBench } from './benchBrowser.mjs';
  * @property {{ device: string, browser: string, build: string }} surroundings
  * @property {boolean} complete
  *
- * @typedef {{ done: number, total: number, remaining: number | null, competitor: string | null }} Step
+ * @typedef {{ done: number, total: number, remaining: number | null, competitor: string | null, labCase: object }} Step
+ * @typedef {{ competitor: string, labCase: object }} Crash
  *
  * @typedef {object} RunHandlers
  * @property {string} command
  * @property {Record<string, string>} versions
+ * @property {Crash[]} crashes what is not opened again
  * @property {(step: Step) => void} onStep
  * @property {(run: LabRun) => void} onCase
  *
  * @typedef {object} LabHandle `window.lab`; see apps/lab/src/labHandle.ts
  * @property {Record<string, { label: string, kind: string }>} competitors
  * @property {(fragment: string) => any} configurationOf
+ * @property {(device: { software: boolean }) => any} quickFor
  * @property {(configuration: any) => LabPlan} planOf
  * @property {(plan: LabPlan, options: object) => Promise<LabRun>} run
  * @property {() => void} cancel
  * @property {(run: LabRun) => LabPlan} remaining
  * @property {(plan: LabPlan, parts: LabRun[]) => LabRun} merge
  * @property {(json: string) => LabRun} parse
- * @property {(run: LabRun) => Promise<{ name: string, text: string }[]>} files
+ * @property {(run: LabRun) => { name: string, text: string }[]} files
  *
  * @typedef {{ lab: LabHandle, benchStep(step: Step): void, benchCase(run: LabRun): void }} LabWindow
  */
@@ -106,7 +109,7 @@ export class LabBrowser {
   async run(plan, handlers) {
     this.#handlers = handlers;
     this.#lastSign = performance.now();
-    const { command, versions } = handlers;
+    const { command, versions, crashes } = handlers;
     const { timeout } = this.options;
     /** @type {NodeJS.Timeout | undefined} */
     let timer;
@@ -116,11 +119,11 @@ export class LabBrowser {
       }, 1000);
     });
     const measured = this.call(
-      ({ plan, command, versions }) => {
+      ({ plan, command, versions, crashes }) => {
         const { lab, benchStep, benchCase } = /** @type {LabWindow} */ (/** @type {unknown} */ (window));
-        return lab.run(plan, { command, versions, onStep: benchStep, onCase: benchCase });
+        return lab.run(plan, { command, versions, crashes, onStep: benchStep, onCase: benchCase });
       },
-      { plan, command, versions },
+      { plan, command, versions, crashes },
     );
     measured.catch(() => {}); // the browser may be killed while it is at work
     try {
@@ -155,8 +158,11 @@ export class LabBrowser {
     });
     await page.exposeFunction('benchCase', (/** @type {LabRun} */ run) => this.#handlers?.onCase(run));
     await page.goto(`${url}?headless`);
-    const isLab = await page.evaluate(() => 'lab' in window);
-    if (!isLab) throw new Error('The page offers no window.lab: it is no Lab, or an older one. Build it anew.');
+    await page
+      .waitForFunction(() => 'lab' in window, null, { timeout: 30_000 })
+      .catch(() => {
+        throw new Error('The page offers no window.lab: it is no Lab, or an older one. Build it anew.');
+      });
     this.#page = page;
     return page;
   }

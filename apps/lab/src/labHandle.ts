@@ -1,7 +1,9 @@
+import { chartFiles } from './charts/chartFiles';
 import { competitorNames, type CompetitorWords } from './competitors/competitorNames';
 import type { Configuration } from './plan/Configuration';
 import type { LabPlan } from './plan/LabPlan';
 import { planOf } from './plan/planOf';
+import { quickFor } from './plan/presets';
 import { againstMarkdown } from './results/againstMarkdown';
 import type { LabRow, LabRun } from './results/LabRun';
 import { configurationOf } from './results/link';
@@ -9,7 +11,8 @@ import { mergeRuns, remainingPlan } from './results/mergeRuns';
 import { parseRun } from './results/parseRun';
 import { runMarkdown } from './results/runMarkdown';
 import { surroundingsOf } from './results/surroundings';
-import { framesOfBuilds } from './run/framesOfBuilds';
+import { type Crash, framesOfBuilds } from './run/framesOfBuilds';
+import type { Progress } from './run/Progress';
 import { runPlan } from './run/runPlan';
 
 /** What a run from outside is told, and how. */
@@ -18,11 +21,16 @@ export interface HandleOptions {
   readonly command?: string | null;
   /** Versions that are told beside those of the page: of the build under `against/`, say. */
   readonly versions?: Readonly<Record<string, string>>;
+  /** Competitors with which the browser crashed in a case: they are not opened there again. */
+  readonly crashes?: readonly Crash[];
   /** Called before each step. */
-  onStep?(step: { done: number; total: number; remaining: number | null; competitor: string | null }): unknown;
+  onStep?(step: Step): unknown;
   /** Called with all rows so far once a case is over. */
   onCase?(run: LabRun): unknown;
 }
+
+/** See `Progress`; times in ms. */
+export type Step = Pick<Progress, 'done' | 'total' | 'remaining' | 'competitor' | 'labCase'>;
 
 /** A file made of a run, as text. */
 export interface TextFile {
@@ -30,7 +38,7 @@ export interface TextFile {
   readonly text: string;
 }
 
-/** What the page offers as `window.lab`: the whole Lab without its page, for `npm run bench`. */
+/** What the page offers as `window.lab` under `?headless`: the whole Lab without its page, for `npm run bench`. */
 export interface LabHandle {
   /** Words of the competitors, by key. */
   readonly competitors: Readonly<Record<string, CompetitorWords>>;
@@ -40,6 +48,8 @@ export interface LabHandle {
    * @throws Error that names all that is wrong in it
    */
   configurationOf(fragment: string): Configuration;
+  /** What the page's large button measures. */
+  quickFor(device: { software: boolean }): Configuration;
   /** @throws Error that names what is out of bounds */
   planOf(configuration: Configuration): LabPlan;
   /**
@@ -57,7 +67,7 @@ export interface LabHandle {
   /** @throws FormatError */
   parse(json: string): LabRun;
   /** The run as Markdown with the sentences of its charts, and each chart as SVG. */
-  files(run: LabRun): Promise<TextFile[]>;
+  files(run: LabRun): TextFile[];
 }
 
 declare global {
@@ -72,7 +82,7 @@ async function run(plan: LabPlan, options: HandleOptions = {}): Promise<LabRun> 
   if (atWork) throw new Error('A run is at work: wait for it, or call lab.cancel().');
   const controller = new AbortController();
   atWork = controller;
-  const frames = framesOfBuilds(document.body);
+  const frames = framesOfBuilds(document.body, options.crashes);
   try {
     const device = await (await frames.stageOf('forward')).device();
     const known = await surroundingsOf(device, plan.competitors);
@@ -98,7 +108,7 @@ async function run(plan: LabPlan, options: HandleOptions = {}): Promise<LabRun> 
         if (labCase !== null && labCase !== progress.labCase)
           tell(rows.filter((row) => caseOf(plan, row) !== progress.labCase));
         labCase = progress.labCase;
-        void options.onStep?.({ done, total, remaining, competitor });
+        void options.onStep?.({ done, total, remaining, competitor, labCase: progress.labCase });
       },
     });
   } finally {
@@ -117,8 +127,7 @@ function configurationIn(fragment: string): Configuration {
   return linked.configuration;
 }
 
-async function files(run: LabRun): Promise<TextFile[]> {
-  const { chartFiles } = await import('./charts/chartFiles');
+function files(run: LabRun): TextFile[] {
   const charts = chartFiles([run]);
   const text = `${runMarkdown(run, charts)}${againstMarkdown(run)}`;
   return [{ name: 'bench.md', text }, ...charts.map(({ name, svg }) => ({ name: `${name}.svg`, text: svg }))];
@@ -129,6 +138,7 @@ export function installLabHandle(): void {
   window.lab = {
     competitors: competitorNames,
     configurationOf: configurationIn,
+    quickFor,
     planOf,
     run,
     cancel: () => atWork?.abort(),

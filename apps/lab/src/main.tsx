@@ -1,14 +1,14 @@
 import { render } from 'preact';
-import { installLabHandle } from './labHandle';
 import { LabPage } from './ui/LabPage';
 import { NoStart } from './ui/NoStart';
 import { applyTheme, storedTheme } from './ui/support/theme';
 import { webglProblem } from './ui/support/webglProblem';
 import './style.css';
 
-installLabHandle();
 // npm run bench measures without the page
-if (!new URLSearchParams(location.search).has('headless')) showPage();
+if (new URLSearchParams(location.search).has('headless')) {
+  void import('./labHandle').then(({ installLabHandle }) => installLabHandle());
+} else showPage();
 
 function showPage(): void {
   applyTheme(storedTheme());

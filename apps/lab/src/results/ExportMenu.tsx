@@ -1,7 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { download, exportFormats, type ExportFormat } from './exportRun';
 import type { LabRun } from './LabRun';
-import { runMarkdown } from './runMarkdown';
 import './results.css';
 
 interface ExportMenuProps {
@@ -40,8 +39,9 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
       download(file);
       return `${file.name} is made.`;
     });
-  const copy = (what: string, text: string) =>
+  const copy = (what: string, write: () => Promise<string>) =>
     act(async () => {
+      const text = await write();
       await navigator.clipboard.writeText(text).catch(() => {
         throw new Error('The browser gives no access to the clipboard: export a file.');
       });
@@ -72,7 +72,7 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
             <ExportButton
               label="Copy Markdown"
               help="The same tables, for an issue or a message."
-              onClick={() => void copy('The Markdown', runMarkdown(run))}
+              onClick={() => void copy('The Markdown', async () => (await import('./runMarkdown')).runMarkdown(run))}
             />
           </li>
           {link !== null && (
@@ -80,7 +80,7 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
               <ExportButton
                 label="Copy link"
                 help="An address that restores what was measured, without the figures."
-                onClick={() => void copy('The link', link)}
+                onClick={() => void copy('The link', async () => link)}
               />
             </li>
           )}

@@ -1,4 +1,4 @@
-import { AGAINST } from '../run/framesOfBuilds';
+import { AGAINST, nameOf } from '../run/framesOfBuilds';
 import { formatNumber } from '../words/format';
 import { competitorLabel, valueText } from '../words/names';
 import { compareRuns } from './compareRuns';
@@ -7,13 +7,13 @@ import type { LabRun } from './LabRun';
 /** A run of two builds as two runs of the same competitors, this build's first; null where there is one build alone. */
 export function buildsOf(run: LabRun): [LabRun, LabRun] | null {
   const isOther = (name: string): boolean => name.endsWith(AGAINST);
-  const others = run.plan.competitors.filter(isOther).map((name) => name.slice(0, -AGAINST.length));
+  const others = run.plan.competitors.filter(isOther).map(nameOf);
   if (others.length === 0) return null;
   const plan = { ...run.plan, competitors: others };
   const rows = run.rows.filter(({ competitor }) => others.includes(competitor));
   const otherRows = run.rows
     .filter(({ competitor }) => isOther(competitor))
-    .map((row) => ({ ...row, competitor: row.competitor.slice(0, -AGAINST.length) }));
+    .map((row) => ({ ...row, competitor: nameOf(row.competitor) }));
   return [
     { ...run, plan, rows },
     { ...run, plan, rows: otherRows },

@@ -1,7 +1,6 @@
+import { chartFiles } from '../charts/chartFiles';
+import { chartPNG } from '../charts/chartPNG';
 import type { LabRun } from './LabRun';
-import { runCSV } from './runCSV';
-import { runMarkdown } from './runMarkdown';
-import { writeZip } from './writeZip';
 
 /** A file made of a run. */
 export interface RunFile {
@@ -20,12 +19,12 @@ export interface ExportFormat {
 function textFormat(
   label: string,
   help: string,
-  { extension, type, write }: { extension: string; type: string; write: (run: LabRun) => string },
+  { extension, type, write }: { extension: string; type: string; write: (run: LabRun) => Promise<string> | string },
 ): ExportFormat {
   return {
     label,
     help,
-    make: async (run) => ({ name: `${fileName(run)}.${extension}`, content: new Blob([write(run)], { type }) }),
+    make: async (run) => ({ name: `${fileName(run)}.${extension}`, content: new Blob([await write(run)], { type }) }),
   };
 }
 
@@ -34,12 +33,11 @@ function chartsFormat(label: string, help: string, kind: 'svg' | 'png'): ExportF
     label,
     help,
     async make(run) {
-      const { chartFiles } = await import('../charts/chartFiles');
-      const { chartPNG } = await import('../charts/chartPNG');
       const files = chartFiles([run]).map(async ({ name, svg }) => {
         const content = kind === 'png' ? await chartPNG(svg) : new Blob([svg]);
         return { name: `${name}.${kind}`, bytes: new Uint8Array(await content.arrayBuffer()) };
       });
+      const { writeZip } = await import('./writeZip');
       const archive = writeZip(await Promise.all(files), new Date());
       return { name: `${fileName(run)}-${kind}.zip`, content: archive };
     },
@@ -53,10 +51,14 @@ export const exportFormats: Readonly<Record<string, ExportFormat>> = {
     write: (run) => JSON.stringify(run, null, 1),
   }),
   csv: textFormat('CSV', 'A row for each case and competitor, for spreadsheets and scripts.', {
-    ...{ extension: 'csv', type: 'text/csv', write: runCSV },
+    ...{ extension: 'csv', type: 'text/csv', write: async (run) => (await import('./runCSV')).runCSV(run) },
   }),
   markdown: textFormat('Markdown', 'Tables as in chapter 4 of the thesis, with all warnings.', {
-    ...{ extension: 'md', type: 'text/markdown', write: (run) => runMarkdown(run) },
+    ...{
+      extension: 'md',
+      type: 'text/markdown',
+      write: async (run) => (await import('./runMarkdown')).runMarkdown(run),
+    },
   }),
   svg: chartsFormat('SVG', 'Every chart as a drawing that can be enlarged, in an archive.', 'svg'),
   png: chartsFormat('PNG', 'Every chart as a picture, in an archive.', 'png'),

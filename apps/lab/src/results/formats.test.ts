@@ -1,3 +1,4 @@
+import readme from '../../README.md?raw';
 import { describe, expect, it } from 'vitest';
 import { csvColumns, runCSV } from './runCSV';
 import { runMarkdown } from './runMarkdown';
@@ -29,6 +30,11 @@ describe('runCSV', () => {
       ...{ competitor: 'deferred', frame_median_ms: '4', frame_p10_ms: '3.6', gpu_median_ms: '2', psnr_db: '51.5' },
       ...{ draws: '100', dropped_lights: '0', problem: '' },
     });
+  });
+
+  it('has the columns that the README says, in their order', () => {
+    const rows = [...readme.matchAll(/^\| `(\w+)` +\| (.*?) +\|$/gm)].map(([, name, meaning]) => [name, meaning]);
+    expect(rows).toEqual(csvColumns.map(({ name, meaning }) => [name, meaning]));
   });
 
   it('quotes commas, quotes and line ends, and takes the meaning of a formula from a text', () => {

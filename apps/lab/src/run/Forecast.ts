@@ -9,8 +9,8 @@ const STEEPEST = 2;
 
 /**
  * Foretells how long a competitor's frame will take in the next case of a series, so that nobody waits for minutes: by
- * the growth between its last two cases; after one, frames grow in proportion, and what a first frame takes beyond an
- * ordinary one (programs, uploads) stays.
+ * the growth between its last two cases. After one, an ordinary frame is taken to grow in proportion; a first frame by as
+ * much as that, since what it compiles and uploads beside is there with few lights too.
  */
 export class Forecast {
   private readonly seen = new Map<string, Seen[]>();
@@ -34,14 +34,8 @@ export class Forecast {
   refuses(series: string, competitor: string, value: number): string | null {
     const key = `${series} ${competitor}`;
     const frame = this.foretold(`${key} frame`, value);
-    const first =
-      this.count(`${key} first`) > 1
-        ? this.foretold(`${key} first`, value)
-        : this.last(`${key} first`) + Math.max(0, frame - this.last(`${key} frame`));
-    for (const [what, ms] of [
-      ['its first frame', first],
-      ['a frame', frame],
-    ] as const) {
+    const first = this.foretoldFirst(key, value, frame);
+    for (const [what, ms] of [['its first frame', first] as const, ['a frame', frame] as const]) {
       if (ms > this.longest) {
         return `Left out: ${what} would take about ${seconds(ms)}, by its growth so far (limit ${seconds(this.longest)}).`;
       }
@@ -49,12 +43,11 @@ export class Forecast {
     return null;
   }
 
-  private count(key: string): number {
-    return this.seen.get(key)?.length ?? 0;
-  }
-
-  private last(key: string): number {
-    return this.seen.get(key)?.at(-1)?.ms ?? 0;
+  private foretoldFirst(key: string, value: number, frame: number): number {
+    const firsts = this.seen.get(`${key} first`);
+    if (!firsts || firsts.length > 1) return this.foretold(`${key} first`, value);
+    const ordinary = this.seen.get(`${key} frame`)?.at(-1)?.ms ?? 0;
+    return firsts[0].ms + Math.max(0, frame - ordinary);
   }
 
   private foretold(key: string, value: number): number {

@@ -1,12 +1,25 @@
+import type { LabCase } from '../plan/LabPlan';
+import { caseKey } from '../results/mergeRuns';
 import type { Stage } from '../stage/Stage';
 import { createStageFrames, type StageFrames } from './StageFrames';
 
 /** The end of a competitor's key that names another build of the Lab, beside the page under this name. */
 export const AGAINST = '@against';
 
-/** Frames of this build and, for competitors whose key ends in {@link AGAINST}, of the one under `against/`. */
+/** A competitor in a case with which the browser crashed or hung. */
+export interface Crash {
+  readonly competitor: string;
+  readonly labCase: LabCase;
+}
+
+/**
+ * Frames of this build and, for competitors whose key ends in {@link AGAINST}, of the one under `against/`.
+ *
+ * @param crashes what is not opened again
+ */
 export function framesOfBuilds(
   parent: HTMLElement,
+  crashes: readonly Crash[] = [],
   make: (parent: HTMLElement, url?: string) => StageFrames = createStageFrames,
 ): StageFrames {
   const own = make(parent);
@@ -14,12 +27,12 @@ export function framesOfBuilds(
   let ownScene: Uint8Array | null = null;
   return {
     async stageOf(competitor) {
-      if (!competitor.endsWith(AGAINST)) return own.stageOf(competitor);
+      if (!competitor.endsWith(AGAINST)) return watched(await own.stageOf(competitor), crashes);
       if (!other) {
         other = make(parent, './against/stage.html');
         if (ownScene) await other.setOwnScene(ownScene);
       }
-      return withoutEnd(await other.stageOf(nameOf(competitor)));
+      return watched(await other.stageOf(nameOf(competitor)), crashes);
     },
     async setOwnScene(file) {
       ownScene = file;
@@ -32,12 +45,19 @@ export function framesOfBuilds(
   };
 }
 
-const nameOf = (competitor: string): string => competitor.slice(0, -AGAINST.length);
+/** A competitor's key without the end that names the other build. */
+export const nameOf = (competitor: string): string =>
+  competitor.endsWith(AGAINST) ? competitor.slice(0, -AGAINST.length) : competitor;
 
-/** A stage that is asked for competitors by keys that end in {@link AGAINST}. */
-function withoutEnd(stage: Stage): Stage {
+/** A stage that knows competitors of both builds by their whole keys, and opens none that crashed. */
+function watched(stage: Stage, crashes: readonly Crash[]): Stage {
   return {
-    open: (competitor, labCase, options) => stage.open(nameOf(competitor), labCase, options),
+    async open(competitor, labCase, options) {
+      const isSame = (crash: Crash): boolean =>
+        crash.competitor === competitor && caseKey(crash.labCase) === caseKey(labCase);
+      if (crashes.some(isSame)) throw new Error('Left out: the browser crashed or hung while it was measured.');
+      return stage.open(nameOf(competitor), labCase, options);
+    },
     turn: (competitor, ms) => stage.turn(nameOf(competitor), ms),
     count: (competitor) => stage.count(nameOf(competitor)),
     passes: (competitor) => stage.passes(nameOf(competitor)),
