@@ -1,12 +1,12 @@
 import type { AssetLibrary } from '@farol/engine';
-import { decodedUri, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
+import { decodedUri, expandZips, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { withProgress } from './withProgress';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
 
-/** Endings of the files that can be imported, for messages: an OBJ is packed into a GLB. */
-const importable = readableEndings.replace('.gltf,', '.gltf, .obj,');
+/** Endings of the files that can be imported, for messages: an OBJ is packed into a GLB, and a ZIP unpacked. */
+const importable = readableEndings.replace('.gltf,', '.gltf, .obj, .zip,');
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
@@ -84,7 +84,9 @@ export interface ImportResult {
 export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportResult> {
   const [first] = files.keys();
   const title = files.size === 1 ? `Reading ${nameIn(first)}` : `Reading ${files.size} files`;
-  return withProgress(editor.dialogs, title, (signal) => importAll(editor, files, signal));
+  return withProgress(editor.dialogs, title, async (signal) =>
+    importAll(editor, await expandZips(files, editor.mayUnpack), signal),
+  );
 }
 
 async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal): Promise<ImportResult> {
