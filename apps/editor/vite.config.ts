@@ -24,6 +24,7 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/HDRLoader.js',
       'three/addons/loaders/KTX2Loader.js',
       'three/addons/loaders/MTLLoader.js',
+      'three/addons/loaders/STLLoader.js',
       'three/addons/loaders/TGALoader.js',
     ],
   },

@@ -19,7 +19,20 @@ export default defineConfig(({ command }) => ({
     dedupe: ['three'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
-  optimizeDeps: { entries: ['index.html', 'stage.html'], include: ['three/webgpu'] },
+  // What is imported late must be known early, or the development server reloads the page when a scene asks for it.
+  optimizeDeps: {
+    entries: ['index.html', 'stage.html'],
+    include: [
+      'three/addons/libs/fflate.module.js',
+      'three/addons/libs/meshopt_decoder.module.js',
+      'three/addons/loaders/DRACOLoader.js',
+      'three/addons/loaders/EXRLoader.js',
+      'three/addons/loaders/GLTFLoader.js',
+      'three/addons/loaders/HDRLoader.js',
+      'three/addons/loaders/KTX2Loader.js',
+      'three/webgpu',
+    ],
+  },
   build: {
     target: 'es2022',
     chunkSizeWarningLimit: 2000,

@@ -45,6 +45,8 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/GLTFLoader.js',
       'three/addons/loaders/KTX2Loader.js',
       'three/addons/loaders/MTLLoader.js',
+      'three/addons/loaders/PLYLoader.js',
+      'three/addons/loaders/STLLoader.js',
       'three/addons/loaders/TGALoader.js',
     ],
   },

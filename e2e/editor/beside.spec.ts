@@ -1,3 +1,4 @@
+import { zipSync } from 'three/addons/libs/fflate.module.js';
 import { expect, test } from '../support/test';
 import { fieldOf, history, openEditor, serialized } from './editor';
 import { dropFiles, pixelAt } from './models';
@@ -42,10 +43,11 @@ const wall = [
   },
 ];
 
-test('an OBJ comes in with its materials as one asset, and is undone', async ({ page }) => {
+test('an OBJ in a ZIP comes in with its materials as one asset, and is undone', async ({ page }) => {
   await openEditor(page, 'empty');
   const before = await serialized(page);
-  await dropFiles(page, picture, wall);
+  const entries = Object.fromEntries(wall.map(({ name, bytes: each }) => [name, new Uint8Array(each)]));
+  await dropFiles(page, picture, [{ name: 'wall.zip', bytes: Buffer.from(zipSync(entries)) }]);
   await expect(page.getByRole('treeitem', { name: 'wall' })).toHaveAttribute('aria-selected', 'true');
   await expect(page.locator('.notices')).toContainText('wall.obj: these textures were not found: t/moss_n.png.');
   expect(await history(page)).toEqual(['Import wall.glb', 'Add wall']);

@@ -1,7 +1,7 @@
 import type { FileMap } from '@farol/engine/files';
 
 /** What a model may consist of. */
-const endings = '.glb,.gltf,.bin,.obj,.mtl,.png,.jpg,.jpeg,.webp,.tga,.bmp,.ktx2';
+const endings = '.glb,.gltf,.bin,.obj,.mtl,.stl,.ply,.zip,.png,.jpg,.jpeg,.webp,.tga,.bmp,.ktx2';
 
 /**
  * Asks the user for files, or for a folder with everything in it.

@@ -1,12 +1,12 @@
 import type { AssetLibrary } from '@farol/engine';
-import { decodedUri, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
+import { decodedUri, expandZips, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { withProgress } from './withProgress';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
 
-/** Endings of the files that can be imported, for messages: an OBJ is packed into a GLB. */
-const importable = readableEndings.replace('.gltf,', '.gltf, .obj,');
+/** Endings of the files that can be imported, for messages: an OBJ or STL is packed into a GLB, and a ZIP unpacked. */
+const importable = readableEndings.replace('.gltf,', '.gltf, .obj, .stl, .zip,');
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
@@ -55,7 +55,7 @@ async function packed(files: FileMap, path: string, left: Set<string>): Promise<
   return new Blob([bytes], { type: 'model/gltf-binary' });
 }
 
-/** One GLB of an OBJ, its materials and textures, which are taken out of `left`. @param notes - gets what is missing */
+/** One GLB of an OBJ or STL, its materials and textures, which are taken out of `left`. @param notes - gets what is missing */
 async function packedObj(
   files: FileMap,
   path: string,
@@ -84,7 +84,9 @@ export interface ImportResult {
 export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportResult> {
   const [first] = files.keys();
   const title = files.size === 1 ? `Reading ${nameIn(first)}` : `Reading ${files.size} files`;
-  return withProgress(editor.dialogs, title, (signal) => importAll(editor, files, signal));
+  return withProgress(editor.dialogs, title, async (signal) =>
+    importAll(editor, await expandZips(files, editor.mayUnpack), signal),
+  );
 }
 
 async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal): Promise<ImportResult> {
@@ -116,11 +118,13 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
   const takeAll = async (): Promise<void> => {
     // of the model first: what it names is a part of it
     for (const path of files.keys()) {
-      const ending = /\.(gltf|obj)$/i.exec(path)?.[1].toLowerCase();
+      const ending = /\.(gltf|obj|stl)$/i.exec(path)?.[1].toLowerCase();
       if (ending === undefined) continue;
       left.delete(path);
       try {
-        const blob = await (ending === 'obj' ? packedObj(files, path, left, notes, signal) : packed(files, path, left));
+        const blob = await (ending !== 'gltf'
+          ? packedObj(files, path, left, notes, signal)
+          : packed(files, path, left));
         await take(path, blob, nameIn(path).replace(/\.\w+$/, '.glb'));
       } catch (error) {
         signal.throwIfAborted();

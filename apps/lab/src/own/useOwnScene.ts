@@ -1,5 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
-import { type ReceivedScene, receiveScene } from './receiveScene';
+import type { ReceivedScene } from './receiveScene';
 
 export interface OwnSceneState {
   /** Whether the address asks for a scene that is not there yet. */
@@ -10,16 +10,21 @@ export interface OwnSceneState {
   readonly problem: string;
 }
 
+/** Whether the address asks for a scene. */
+const isAsked = (): boolean => new URLSearchParams(location.search).has('from');
+
 /** The scene that another app handed over, as the address asks for one; the page's title names it. */
 export function useOwnScene(): OwnSceneState {
   const [state, setState] = useState<OwnSceneState>(() => ({
-    isComing: new URLSearchParams(location.search).has('from'),
+    isComing: isAsked(),
     scene: null,
     problem: '',
   }));
   useEffect(() => {
+    if (!isAsked()) return;
     let isOver = false;
-    receiveScene().then(
+    const receive = import('./receiveScene').then(({ receiveScene }) => receiveScene());
+    receive.then(
       (scene) => {
         if (isOver) return;
         if (scene) document.title = `${scene.name} · Farol Lab`;

@@ -1,16 +1,16 @@
 import { decodedUri, type FileMap, type GltfJson } from '@farol/engine/files';
 
 /**
- * Path of the model among dropped files: the .glb, .gltf or .obj that is nearest to the top.
+ * Path of the model among dropped files: the .glb, .gltf, .obj, .stl or .ply that is nearest to the top.
  *
  * @throws Error that names what was dropped when there is none
  */
 export function findModel(files: FileMap): string {
-  const models = [...files.keys()].filter((path) => /\.(glb|gltf|obj)$/i.test(path));
+  const models = [...files.keys()].filter((path) => /\.(glb|gltf|obj|stl|ply)$/i.test(path));
   models.sort((a, b) => a.split('/').length - b.split('/').length || a.localeCompare(b));
   if (models.length > 0) return models[0];
   const names = [...files.keys()].slice(0, 5).join(', ') || 'nothing that is a file';
-  throw new Error(`no .glb, .gltf or .obj was given, but ${names}.`);
+  throw new Error(`no .glb, .gltf, .obj, .stl or .ply was given, but ${names}.`);
 }
 
 /** Where a glTF at `modelPath` points with `uri`: a path as in the file map, or null for data inside the file. */

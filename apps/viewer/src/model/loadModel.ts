@@ -17,7 +17,7 @@ export interface LoadedModel {
 }
 
 /**
- * Reads the glTF or OBJ among some files, with the buffers, materials and textures that it names.
+ * Reads the glTF, OBJ, STL or PLY among some files, with the buffers, materials and textures that it names.
  *
  * @param signal cancels the reading
  * @throws Error that names the file and the reason; nothing is shown half then; what the signal was aborted with
@@ -25,7 +25,7 @@ export interface LoadedModel {
 export async function loadModel(files: FileMap, renderer: WebGLRenderer, signal?: AbortSignal): Promise<LoadedModel> {
   const path = findModel(files);
   try {
-    return await (/\.obj$/i.test(path) ? loadObj : loadGltf)(files, path, renderer, signal);
+    return await (/\.(glb|gltf)$/i.test(path) ? loadGltf : loadMesh)(files, path, renderer, signal);
   } catch (error) {
     signal?.throwIfAborted();
     throw new Error(`${path}: ${error instanceof Error ? error.message : String(error)}`, { cause: error });
@@ -36,7 +36,7 @@ type Load = (files: FileMap, path: string, renderer: WebGLRenderer, signal?: Abo
 
 const toBlob = (glb: ArrayBuffer): Blob => new Blob([glb], { type: 'model/gltf-binary' });
 
-const loadObj: Load = async (files, path, renderer, signal) => {
+const loadMesh: Load = async (files, path, renderer, signal) => {
   const { glb, notes } = await packObj(files, path, signal);
   const gltf = await parse(glb, readGltfJson(glb).extensionsUsed ?? [], path, files, renderer, signal);
   return { name: files.get(path)!.name, gltf, notes, pack: async () => toBlob(glb) };

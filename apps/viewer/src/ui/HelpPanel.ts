@@ -9,7 +9,7 @@ const keys: [string, string][] = [
   ['Space', 'stop and go'],
   ['H', 'show or hide the menu'],
   ['?', 'this help'],
-  ['Drop a .glb, .gltf, .obj or folder', 'show that model'],
+  ['Drop a .glb, .gltf, .obj, .stl, .ply, folder or .zip', 'show that model'],
 ];
 
 /** The help over the picture: keys, and every parameter of the address. Opened by its button, F1 or `?`. */

@@ -77,14 +77,9 @@ export class ViewerMenu {
       buttons,
       'files',
       'Open a model…',
-      'A .glb, .gltf or .obj, chosen together with the files that it names.',
+      'A .glb, .gltf, .obj, .stl, .ply or .zip, chosen together with the files that it names.',
     );
-    this.addChooser(
-      buttons,
-      'folder',
-      'Open a folder…',
-      'A folder with a .glb, .gltf or .obj in it, and with what that names.',
-    );
+    this.addChooser(buttons, 'folder', 'Open a folder…', 'A folder with a model in it, and with what that names.');
     this.parameters = gui.addFolder('Lights and sizes');
     const figures = gui.addFolder('Last frame');
     figures.$children.append(this.statistics.element);

@@ -2,6 +2,7 @@
 export { assetUses, type AssetUse } from './assetUses';
 export { type ContainerContent, containerContent, inlineAssets, writeContainer } from './container';
 export { deserialize, type DeserializeOptions, type MayFetch } from './deserialize';
+export { expandZips } from './expandZips';
 export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type FileObject } from './FarolFile';
 export { FileError, type FileErrorOptions, type FileProblem } from './FileError';
 export { fileLimits } from './fileLimits';

@@ -41,6 +41,7 @@ const endings = [
   '.bin',
   '.obj',
   '.mtl',
+  '.zip',
   '.tga',
   '.bmp',
   '.png',

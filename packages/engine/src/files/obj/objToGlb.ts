@@ -1,7 +1,6 @@
 import { shortText } from '@farol/renderer';
 import type { FileMap } from '../../assets/collectFiles';
 import { Slices } from '../../core/Slices';
-import { runInSlices } from '../../core/steps';
 import { padded, writeGlb } from '../writeGlb';
 import { GltfBuffer } from './GltfBuffer';
 import { gltfOfMtl, greyMaterial } from './gltfOfMtl';
@@ -10,7 +9,7 @@ import { objMeshes } from './objMeshes';
 import { ObjTextures } from './ObjTextures';
 import type { PackedObj } from './PackedObj';
 import { type MtlMaterial, parseMtl } from './parseMtl';
-import { parseObj } from './parseObj';
+import { readerOf } from './readers';
 
 /** A material and the MTL file that it stands in. */
 interface FoundMaterial {
@@ -37,14 +36,17 @@ const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 /** See `packObj`. */
 export async function objToGlb(files: FileMap, path: string, signal?: AbortSignal): Promise<PackedObj> {
   const bytes = new Uint8Array(await files.get(path)!.arrayBuffer());
-  const file = await runInSlices(parseObj(bytes), new Slices(signal));
+  const { read, hasMaterials } = readerOf(path);
+  const file = await read(bytes, signal);
   const meshes = await objMeshes(file, signal);
   const folder = new ObjFolder(files);
   const buffer = new GltfBuffer();
   const textures = new ObjTextures(files, folder, buffer, signal);
   const used = new Set<string>();
   const notes: string[] = [];
-  const table = await readMaterials(files, folder, path, file.materialFiles, used, notes);
+  const table = hasMaterials
+    ? await readMaterials(files, folder, path, file.materialFiles, used, notes)
+    : new Map<string, FoundMaterial>();
 
   const materials: object[] = [];
   const numbers = new Map<string | null, number>();
@@ -80,7 +82,7 @@ export async function objToGlb(files: FileMap, path: string, signal?: AbortSigna
         material: await numberOf(material),
       });
     }
-    gltfMeshes.push({ name: name || nameOf(path).replace(/\.obj$/i, ''), primitives: list });
+    gltfMeshes.push({ name: name || nameOf(path).replace(/\.\w+$/, ''), primitives: list });
   }
 
   for (const each of textures.used) used.add(each);
@@ -100,7 +102,7 @@ export async function objToGlb(files: FileMap, path: string, signal?: AbortSigna
     ...(textures.usesTransform ? ['KHR_texture_transform'] : []),
   ];
   const json = {
-    asset: { version: '2.0', generator: 'Farol, from an OBJ file' },
+    asset: { version: '2.0', generator: 'Farol, from an OBJ, STL or PLY file' },
     ...(extensions.length > 0 ? { extensionsUsed: extensions } : {}),
     scene: 0,
     scenes: [{ nodes: gltfMeshes.map((_, i) => i) }],

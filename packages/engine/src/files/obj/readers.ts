@@ -1,0 +1,34 @@
+import { Slices } from '../../core/Slices';
+import { runInSlices } from '../../core/steps';
+import { parsePly } from '../../geometry/parsePly';
+import { fileOfGeometry } from './fileOfGeometry';
+import { type ObjFile, parseObj } from './parseObj';
+import { parseStl } from './parseStl';
+
+/** A format of triangles without a scene. */
+interface MeshReader {
+  /** Whether its faces name materials of MTL files. */
+  readonly hasMaterials: boolean;
+  /** @throws Error (as a rejection) of one sentence that says what is wrong; what the signal was aborted with */
+  read(bytes: Uint8Array<ArrayBuffer>, signal?: AbortSignal): Promise<ObjFile>;
+}
+
+/** Formats by the ending of the file's name. */
+export const readers: Readonly<Record<string, MeshReader>> = {
+  obj: { hasMaterials: true, read: (bytes, signal) => runInSlices(parseObj(bytes), new Slices(signal)) },
+  stl: { hasMaterials: false, read: parseStl },
+  ply: {
+    hasMaterials: false,
+    async read(bytes, signal) {
+      const geometry = await parsePly(bytes.buffer);
+      return runInSlices(fileOfGeometry(geometry, geometry.hasAttribute('normal')), new Slices(signal));
+    },
+  },
+};
+
+/** The reader of a file, told by the ending of its name. @throws Error when there is none */
+export function readerOf(path: string): MeshReader {
+  const ending = /\.(\w+)$/.exec(path)?.[1].toLowerCase() ?? '';
+  if (!Object.hasOwn(readers, ending)) throw new Error(`only .${Object.keys(readers).join(', .')} can be packed.`);
+  return readers[ending];
+}
