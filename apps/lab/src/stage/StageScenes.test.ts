@@ -136,7 +136,7 @@ describe('StageScenes', () => {
     add('Box', [ObjectRenderer, { mesh: 'box' }], [RandomMovement, { speed: 2 }]);
     add('Lamp', [LightComponent, { castShadow: true, shadowMapSize: 256 }], [RandomMovement, {}]);
     add('Fixed', [LightComponent, { attenuation: 'near-far', far: 4 }]);
-    const own = new StageScenes();
+    const own = new StageScenes({ makeRenderer: () => null });
     own.setOwn(bytesOf(made));
     const scene = await own.build(named('own', { lights: null }));
     expect(scene.lights).toHaveLength(2);
@@ -155,7 +155,7 @@ describe('StageScenes', () => {
   it('says what is wrong', async () => {
     await expect(scenes.build(named('nowhere'))).rejects.toThrow('no scene ‘nowhere’: choose one of temple');
     await expect(new StageScenes().build(named('own', { lights: null }))).rejects.toThrow('No scene was handed over');
-    const own = new StageScenes();
+    const own = new StageScenes({ makeRenderer: () => null });
     own.setOwn(bytesOf(new Scene({ name: 'Dark' })));
     await expect(own.build(named('own', { lights: null }))).rejects.toThrow('‘Dark’ has no camera');
     own.setOwn(new Uint8Array());

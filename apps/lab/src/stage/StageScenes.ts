@@ -15,6 +15,8 @@ export type OwnedScene = StageScene & { dispose(): void };
 export interface StageScenesOptions {
   /** Address of a mesh in place of the dragon that is made in code; null for none. */
   readonly dragon?: string | null;
+  /** Renderer whose device says which compressed textures `own` is read to; null for none. Default one of its own. */
+  readonly makeRenderer?: () => WebGLRenderer | null;
 }
 
 /** Makes the scenes of cases. Meshes and textures are made once, and the scene of the last case is kept. */
@@ -23,7 +25,10 @@ export class StageScenes {
   private own: Uint8Array | null = null;
   private last: { readonly key: string; readonly template: Promise<StageTemplate> } | null = null;
 
-  constructor({ dragon = null }: StageScenesOptions = {}) {
+  private readonly makeRenderer: () => WebGLRenderer | null;
+
+  constructor({ dragon = null, makeRenderer = rendererOfItsOwn }: StageScenesOptions = {}) {
+    this.makeRenderer = makeRenderer;
     this.assets = new AssetLibrary(dragon === null ? {} : { urls: { dragon } });
   }
 
@@ -77,17 +82,21 @@ export class StageScenes {
     // components of an editor's plugin stay data; nothing is fetched from elsewhere
     const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
     // compressed textures are read as the device takes them
-    const renderer = new WebGLRenderer({ canvas: document.createElement('canvas') });
+    const renderer = this.makeRenderer();
     try {
       return await deserialize(text, {
-        assets: new AssetLibrary({ renderer }),
+        assets: new AssetLibrary(renderer ? { renderer } : {}),
         registry,
         fileOf,
         mayFetch: () => false,
       });
     } finally {
-      loseContext(renderer.getContext() as WebGL2RenderingContext);
-      renderer.dispose();
+      if (renderer) {
+        loseContext(renderer.getContext() as WebGL2RenderingContext);
+        renderer.dispose();
+      }
     }
   }
 }
+
+const rendererOfItsOwn = (): WebGLRenderer => new WebGLRenderer({ canvas: document.createElement('canvas') });
