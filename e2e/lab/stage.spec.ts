@@ -1,27 +1,8 @@
+import '../support/stage';
 import { expect, test } from '../support/test';
-
-/** As much of the stage as is used here: see apps/lab/src/stage/Stage.ts. */
-interface Stage {
-  open(name: string, labCase: object, options: { signal: AbortSignal; longestFrame: number }): Promise<Opened>;
-  turn(name: string, ms: number): Promise<{ frame: number[]; cpu: number[]; gpu: number[] | null }>;
-  count(name: string): Promise<Record<'draws' | 'triangles' | 'programs' | 'targetBytes' | 'uploadBytes', number>>;
-  passes(name: string): Promise<{ kind: string; passes: { name: string; ms: number }[] } | null>;
-  addLights(name: string): Promise<{ ms: number; programs: number }>;
-  changeTechnique(name: string): Promise<{ ms: number; programs: number } | null>;
-  close(name: string): void;
-  unavailable(name: string): Promise<string | null>;
-  device(): Promise<{ renderer: string; timer: boolean; software: boolean; webgpu: string | null }>;
-}
-interface Opened {
-  firstMs: number;
-  dropped: number;
-  technique: string | null;
-  picture: ImageData;
-}
 
 declare global {
   interface Window {
-    stage?: Stage;
     contexts: WebGL2RenderingContext[];
   }
 }

@@ -1,3 +1,4 @@
+import '../support/stage';
 import { expect, test } from '../support/test';
 import { materialsScene } from './materialsScene';
 
@@ -8,20 +9,6 @@ interface Case {
   readonly overdraw?: number;
   /** Bytes of the scene `own`. */
   readonly own?: number[];
-}
-
-/** What is used of the stage of apps/lab. */
-interface Stage {
-  open(name: string, labCase: object, options: object): Promise<{ picture: ImageData; dropped: number }>;
-  addLights(name: string): Promise<unknown>;
-  setOwnScene(file: Uint8Array): Promise<void>;
-  close(name: string): void;
-}
-
-declare global {
-  interface Window {
-    stage?: Stage;
-  }
 }
 
 /** Least peak signal-to-noise ratio (dB): what is left are highlights of single pixels, and 1 of 255 in brightness. */
