@@ -1,4 +1,4 @@
-import '../support/labStage';
+import '../support/stage';
 import { expect, test } from '../support/test';
 
 declare global {
@@ -135,10 +135,16 @@ test('moved lights change the picture; what cannot be drawn is refused in a sent
     const before = await drawn();
     await stage.turn('deferred', 30);
     const moved = (await drawn()) !== before;
+    // shadow maps are drawn by WEBGL_multi_draw
+    await open('deferred', { shadows: 1 });
+    const shadowed = await stage.count('deferred');
+    await open('deferred', {});
+    const plain = await stage.count('deferred');
     stage.close('deferred');
     const cancelled = new AbortController();
     cancelled.abort(new Error('Cancelled.'));
     return {
+      maps: shadowed.triangles - plain.triangles,
       same: pictures[0] === pictures[1],
       moved,
       lights: await message(open('stock', { lights: 3600 })),
@@ -153,6 +159,7 @@ test('moved lights change the picture; what cannot be drawn is refused in a sent
     };
   });
   expect(said).toMatchObject({ same: true, moved: true, available: null, alive: 0, cancelled: 'Cancelled.' });
+  expect(said.maps).toBeGreaterThan(0);
   expect(said.lights).toMatch(
     /^Its shader holds \d+ lights at most on this device \(\d+ uniform vectors\), not 3601\.$/,
   );

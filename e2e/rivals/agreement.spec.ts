@@ -1,4 +1,4 @@
-import '../support/labStage';
+import '../support/stage';
 import { expect, test } from '../support/test';
 import { materialsScene } from './materialsScene';
 

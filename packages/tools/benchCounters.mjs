@@ -1,6 +1,6 @@
 /**
  * @typedef {object} FrameCounts what a piece of work asked of WebGL
- * @property {number} draws draw calls
+ * @property {number} draws draw calls; one of WEBGL_multi_draw counts once, however many runs it draws
  * @property {number} triangles drawn, instances included
  * @property {number} programs linked
  * @property {number} uploadBytes of textures and buffers sent to the device; uniforms are not counted
@@ -17,7 +17,9 @@
  */
 export function installCounters() {
   const prototype = WebGL2RenderingContext.prototype;
-  const { linkProgram } = prototype;
+  const { linkProgram, getExtension } = prototype;
+  /** Prototype of the extension WEBGL_multi_draw, which has no name of its own; null until a context asks for it. */
+  let multiDraw = /** @type {object | null} */ (null);
   /** @type {WeakMap<WebGL2RenderingContext, number>} */
   const linked = new WeakMap();
   const counts = { draws: 0, triangles: 0, programs: 0, uploadBytes: 0 };
@@ -28,30 +30,61 @@ export function installCounters() {
     count(work) {
       Object.assign(counts, { draws: 0, triangles: 0, uploadBytes: 0 });
       const before = counters.programs;
-      const saved = Object.keys(rules).map((name) => [name, Reflect.get(prototype, name)]);
-      for (const [name, method] of saved) {
-        Reflect.set(
-          prototype,
-          name,
-          /** @this {unknown} @param {unknown[]} args */ function (...args) {
-            rules[name](args);
-            return method.apply(this, args);
-          },
-        );
-      }
+      const restore = watch(prototype, rules);
+      const restoreMultiDraw = multiDraw && watch(multiDraw, multiDrawRules);
       try {
         work();
       } finally {
-        for (const [name, method] of saved) Reflect.set(prototype, name, method);
+        restore();
+        restoreMultiDraw?.();
       }
       return { ...counts, programs: counters.programs - before };
     },
   };
+  prototype.getExtension = /** @type {any} */ (
+    /** @this {WebGL2RenderingContext} @param {string} name */ function (name) {
+      const extension = Reflect.apply(getExtension, this, [name]);
+      if (name === 'WEBGL_multi_draw' && extension) multiDraw = Object.getPrototypeOf(extension);
+      return extension;
+    }
+  );
   prototype.linkProgram = function (program) {
     counters.programs++;
     linked.set(this, counters.programsOf(this) + 1);
     return linkProgram.call(this, program);
   };
+
+  /**
+   * Has methods go by rules before they do their work.
+   *
+   * @param {object} object
+   * @param {Record<string, (args: unknown[]) => void>} rules
+   * @returns {() => void} what ends it
+   */
+  function watch(object, rules) {
+    const saved = Object.keys(rules).map((name) => [name, Reflect.get(object, name)]);
+    for (const [name, method] of saved) {
+      Reflect.set(
+        object,
+        name,
+        /** @this {unknown} @param {unknown[]} args */ function (...args) {
+          rules[name](args);
+          return method.apply(this, args);
+        },
+      );
+    }
+    return () => {
+      for (const [name, method] of saved) Reflect.set(object, name, method);
+    };
+  }
+
+  /** @param {unknown} mode @param {unknown} list of numbers of vertices @param {unknown} from @param {unknown} length */
+  function drawMany(mode, list, from, length) {
+    const runs = /** @type {ArrayLike<number>} */ (list);
+    const before = counts.draws;
+    for (let i = 0; i < Number(length); i++) draw(mode, runs[Number(from) + i], 1);
+    counts.draws = before + 1;
+  }
 
   /** @param {unknown} mode @param {unknown} vertices @param {unknown} instances */
   function draw(mode, vertices, instances) {
@@ -115,6 +148,11 @@ export function installCounters() {
     texSubImage3D: (args) => texture(args, 11, 5, 3, 8),
     bufferData: ([, data, , , length]) => void (counts.uploadBytes += bytesOf(data, length)),
     bufferSubData: ([, , data, , length]) => void (counts.uploadBytes += bytesOf(data, length)),
+  };
+  /** @type {Record<string, (args: unknown[]) => void>} */
+  const multiDrawRules = {
+    multiDrawArraysWEBGL: ([mode, , , runs, from, length]) => drawMany(mode, runs, from, length),
+    multiDrawElementsWEBGL: ([mode, runs, from, , , , length]) => drawMany(mode, runs, from, length),
   };
   Object.assign(window, { farolCounters: counters });
 }

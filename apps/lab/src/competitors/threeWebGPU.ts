@@ -2,6 +2,7 @@ import { ClusteredLighting } from 'three/addons/lighting/ClusteredLighting.js';
 import { type PerspectiveCamera, PointLight, SpotLight } from 'three';
 import { WebGPURenderer } from 'three/webgpu';
 import type { StageScene } from '../stage/StageScene';
+import { webgpuName } from '../stage/webgpuName';
 import { clusterFill, type Reach } from './clusterFill';
 import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
@@ -36,9 +37,8 @@ export const threeWebGPU: Competitor = {
   name: 'three-webgpu',
   ...competitorNames['three-webgpu'],
   async unavailable() {
-    const { gpu } = navigator as { gpu?: { requestAdapter(): Promise<object | null> } };
-    if (!gpu) return 'This browser has no WebGPU: use a newer one, over https or on this machine.';
-    return (await gpu.requestAdapter()) ? null : 'This browser has WebGPU, but no device for it here.';
+    if (!('gpu' in navigator)) return 'This browser has no WebGPU: use a newer one, over https or on this machine.';
+    return (await webgpuName()) === null ? 'This browser has WebGPU, but no device for it here.' : null;
   },
   refuses: () => null,
   async open(canvas, scene, signal): Promise<Drawing> {

@@ -22,7 +22,7 @@ export interface Counts {
   programs: number | null;
   /** Bytes of render targets and light data, where the competitor tells them. */
   targetBytes: number | null;
-  /** Bytes sent to the device in a frame whose lights move. */
+  /** Bytes of textures and buffers sent to the device in a frame whose lights move; uniforms, as stock three's, do not count. */
   uploadBytes: number | null;
 }
 

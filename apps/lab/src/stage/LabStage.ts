@@ -4,9 +4,11 @@ import { saltShaders } from '../measure/saltShaders';
 import type { LabCase } from '../plan/LabPlan';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
 import { deviceLimits, isSoftware } from './deviceLimits';
+import { loseContext } from './loseContext';
 import { OpenCompetitor } from './OpenCompetitor';
 import type { Opened, Stage, Turn } from './Stage';
 import { StageScenes, type StageScenesOptions } from './StageScenes';
+import { webgpuName } from './webgpuName';
 
 /** Competitors of one realm, each with a canvas outside of the document. */
 export class LabStage implements Stage {
@@ -50,7 +52,11 @@ export class LabStage implements Stage {
       return result;
     } catch (error) {
       if (opened) opened.close();
-      else scene.dispose();
+      else {
+        scene.dispose();
+        const gl = canvas.getContext('webgl2');
+        if (gl) loseContext(gl);
+      }
       throw error;
     }
   }
@@ -99,13 +105,4 @@ export class LabStage implements Stage {
     if (!open) throw new Error(`The competitor ‘${name}’ is not open: open it for a case first.`);
     return open;
   }
-}
-
-/** Name of the adapter that WebGPU draws with; null where there is none. */
-async function webgpuName(): Promise<string | null> {
-  const { gpu } = navigator as { gpu?: { requestAdapter(): Promise<{ info?: Record<string, string> } | null> } };
-  const adapter = await gpu?.requestAdapter().catch(() => null);
-  if (!adapter) return null;
-  const { vendor, architecture, device, description } = adapter.info ?? {};
-  return [vendor, architecture, device, description].filter((part) => part).join(' ') || 'a WebGPU adapter';
 }

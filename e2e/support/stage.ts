@@ -1,17 +1,18 @@
-/** As much of the stage as the tests use: see apps/lab/src/stage/Stage.ts. */
-export interface LabStage {
-  open(name: string, labCase: object, options: { signal: AbortSignal; longestFrame: number }): Promise<Opened>;
+/** `window.stage` of the Lab's `stage.html` as far as the tests use it: see apps/lab/src/stage/Stage.ts. */
+export interface StageHandle {
+  open(name: string, labCase: object, options: { signal: AbortSignal; longestFrame: number }): Promise<OpenedHandle>;
   turn(name: string, ms: number): Promise<{ frame: number[]; cpu: number[]; gpu: number[] | null }>;
   count(name: string): Promise<Record<'draws' | 'triangles' | 'programs' | 'targetBytes' | 'uploadBytes', number>>;
   passes(name: string): Promise<{ kind: string; passes: { name: string; ms: number }[] } | null>;
   addLights(name: string): Promise<{ ms: number; programs: number }>;
   changeTechnique(name: string): Promise<{ ms: number; programs: number } | null>;
   close(name: string): void;
-  setOwnScene(file: Uint8Array): Promise<void>;
   unavailable(name: string): Promise<string | null>;
+  setOwnScene(file: Uint8Array): Promise<void>;
   device(): Promise<{ renderer: string; timer: boolean; software: boolean; webgpu: string | null }>;
 }
-export interface Opened {
+
+export interface OpenedHandle {
   firstMs: number;
   dropped: number;
   technique: string | null;
@@ -20,6 +21,6 @@ export interface Opened {
 
 declare global {
   interface Window {
-    stage?: LabStage;
+    stage?: StageHandle;
   }
 }
