@@ -63,7 +63,7 @@ describe('another engine', () => {
   it('is told what moved once it has its scene, and takes what moved before with it', async () => {
     const { said, load } = notingEngine();
     const scene = stage();
-    const drawing = await rivalCompetitor('playcanvas', { load }).open(canvas, scene, signal);
+    const drawing = await rivalCompetitor('playcanvas', { load }).open(canvas, scene, signal, 1000);
     scene.lights[0].position.set(1, 2, 3);
     drawing.lightsMoved?.();
     await drawing.drawFirst?.();
@@ -85,7 +85,7 @@ describe('another engine', () => {
   it('gets lights that are added', async () => {
     const { said, load } = notingEngine();
     const scene = stage();
-    const drawing = await rivalCompetitor('playcanvas', { load }).open(canvas, scene, signal);
+    const drawing = await rivalCompetitor('playcanvas', { load }).open(canvas, scene, signal, 1000);
     await drawing.drawFirst?.();
     const more = new PointLight(0xffffff, 1, 5);
     more.position.set(9, 9, 9);
@@ -99,7 +99,7 @@ describe('another engine', () => {
   it('is not drawn with a light where it is not', async () => {
     const { load } = notingEngine();
     const scene = stage();
-    const drawing = await rivalCompetitor('playcanvas', { load }).open(canvas, scene, signal);
+    const drawing = await rivalCompetitor('playcanvas', { load }).open(canvas, scene, signal, 1000);
     await drawing.drawFirst?.();
     scene.sun.position.x += 1;
     expect(() => drawing.lightsMoved?.()).toThrow(/moves: the Lab cannot/);
