@@ -18,10 +18,9 @@ interface Stage {
   close(name: string): void;
 }
 
-declare global {
-  interface Window {
-    stage?: Stage;
-  }
+/** The page, once it offers its stage. */
+interface StageWindow {
+  readonly stage: Stage;
 }
 
 /** Least peak signal-to-noise ratio (dB): what is left are highlights of single pixels, and 1 of 255 in brightness. */
@@ -42,7 +41,7 @@ for (const one of cases) {
   const layers = overdraw > 0 ? `, ${overdraw} layers` : '';
   test(`${scene}, ${lights ?? 'its own'} lights${layers}`, async ({ page, watch }) => {
     await page.goto('./stage.html');
-    await page.waitForFunction(() => window.stage);
+    await page.waitForFunction(() => (window as unknown as Partial<StageWindow>).stage);
     const { reference, rivals } = await page.evaluate(compare, one);
     // three says so on the software rasteriser when it compiles many lights
     watch.forgive(/KHR_parallel_shader_compile/);
@@ -57,13 +56,16 @@ for (const one of cases) {
 
 test('lights that PlayCanvas has no room for are counted, and added ones are drawn', async ({ page }) => {
   await page.goto('./stage.html');
-  await page.waitForFunction(() => window.stage);
+  await page.waitForFunction(() => (window as unknown as Partial<StageWindow>).stage);
   const dropped = await page.evaluate(async () => {
     const { signal } = new AbortController();
     const scene = { name: 'temple', parameters: {} };
     const labCase = { scene, lights: 4000, shadows: 0, overdraw: 0, width: 64, height: 36 };
-    const opened = await window.stage!.open('playcanvas', labCase, { signal, longestFrame: 60_000 });
-    await window.stage!.addLights('playcanvas');
+    const opened = await (window as unknown as StageWindow).stage.open('playcanvas', labCase, {
+      signal,
+      longestFrame: 60_000,
+    });
+    await (window as unknown as StageWindow).stage.addLights('playcanvas');
     return opened.dropped;
   });
   expect(dropped).toBeGreaterThan(0);
@@ -72,7 +74,7 @@ test('lights that PlayCanvas has no room for are counted, and added ones are dra
 
 test('shadows are refused in a sentence', async ({ page }) => {
   await page.goto('./stage.html');
-  await page.waitForFunction(() => window.stage);
+  await page.waitForFunction(() => (window as unknown as Partial<StageWindow>).stage);
   const messages = await page.evaluate(async () => {
     const { signal } = new AbortController();
     const scene = { name: 'sponza', parameters: {} };
@@ -80,7 +82,7 @@ test('shadows are refused in a sentence', async ({ page }) => {
     const said = [];
     for (const name of ['playcanvas', 'babylon']) {
       said.push(
-        await window.stage!.open(name, labCase, { signal, longestFrame: 60_000 }).then(
+        await (window as unknown as StageWindow).stage.open(name, labCase, { signal, longestFrame: 60_000 }).then(
           () => 'drawn',
           (error: Error) => error.message,
         ),
@@ -96,7 +98,7 @@ test('shadows are refused in a sentence', async ({ page }) => {
 
 /** Draws a case by stock three and by the other engines. Runs in the page. */
 async function compare({ scene, parameters, lights, overdraw = 0, own }: Case) {
-  const stage = window.stage!;
+  const { stage } = window as unknown as StageWindow;
   if (own) await stage.setOwnScene(new Uint8Array(own));
   const labCase = { scene: { name: scene, parameters }, lights, shadows: 0, overdraw, width: 320, height: 180 };
   const options = { signal: new AbortController().signal, longestFrame: 60_000 };

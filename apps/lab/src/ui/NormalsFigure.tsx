@@ -9,13 +9,13 @@ const words: Readonly<Record<NormalsWay, { title: string; shows: string; sees: (
     title: 'By faces',
     shows: 'Arcade whose blocks and medallions look soft, like cushions',
     sees: (share) =>
-      `Each point takes the mean of all triangles that meet there, so edges are shaded as if they were round: the blocks under the gallery look like cushions, and the diagonals of triangles show as stripes. At ${share} of the triangles’ corners the normal leans from the triangle by more than 30°.`,
+      `Each point takes the mean of all triangles that meet there, so edges are shaded as if they were round: the blocks under the gallery look like cushions, and the diagonals of triangles show as stripes. The normal leans from its triangle by more than 30° at ${share} of the corners.`,
   },
   crease: {
     title: 'By crease angle',
     shows: 'The same arcade, whose blocks and medallions have sharp edges',
     sees: (share) =>
-      `Only triangles that meet at less than 30° share a normal: blocks and mouldings keep their edges, and columns and arches stay round. At ${share} of the corners the normal leans by more.`,
+      `Only triangles that meet at less than 30° share a normal: blocks and mouldings keep their edges, and columns and arches stay round. It leans by more at ${share} of the corners.`,
   },
 };
 
@@ -77,5 +77,7 @@ function Picture({ way, drawn }: { way: NormalsWay; drawn: NormalsPicture | unde
 }
 
 /** A share as a percentage, for sentences. */
-const percent = (share: number): string =>
-  share > 0 && share < 0.005 ? 'less than 1%' : `${Math.round(share * 100)}%`;
+function percent(share: number): string {
+  if (share === 0) return 'none';
+  return share < 0.005 ? 'less than 1%' : `${Math.round(share * 100)}%`;
+}
