@@ -1,9 +1,13 @@
 /** Widest picture that is compared (pixels). */
 const WIDEST = 320;
 
-/** A picture, as it would be shown on black: 8-bit sRGB, RGBA, `WIDEST` pixels wide at most. */
-export function readPicture(source: HTMLCanvasElement | ImageData): ImageData {
-  const width = Math.min(WIDEST, source.width);
+/**
+ * A picture, as it would be shown on black: 8-bit sRGB, RGBA.
+ *
+ * @param widest greatest width of the result (pixels); default that of pictures which are compared
+ */
+export function readPicture(source: HTMLCanvasElement | ImageData, widest = WIDEST): ImageData {
+  const width = Math.min(widest, source.width);
   const height = Math.max(1, Math.round((source.height * width) / source.width));
   const context = context2D(width, height);
   context.imageSmoothingQuality = 'high';

@@ -1,6 +1,7 @@
 import { type Counters, installCounters } from '@farol/tools/benchCounters';
 import { loadCompetitor } from '../competitors';
 import { saltShaders } from '../measure/saltShaders';
+import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
 import type { LabCase } from '../plan/LabPlan';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
 import { deviceLimits, isSoftware } from './deviceLimits';
@@ -98,6 +99,10 @@ export class LabStage implements Stage {
   async device(): ReturnType<Stage['device']> {
     const { renderer, timer } = deviceLimits();
     return { renderer, timer, software: isSoftware(renderer), webgpu: await webgpuName() };
+  }
+
+  async drawNormals(way: NormalsWay, size: { width: number; height: number }): Promise<NormalsPicture> {
+    return (await import('../normals/drawNormals')).drawNormals(way, size);
   }
 
   private get(name: string): OpenCompetitor {

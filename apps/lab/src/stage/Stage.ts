@@ -1,3 +1,4 @@
+import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
 import type { LabCase } from '../plan/LabPlan';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
 
@@ -54,6 +55,12 @@ export interface Stage {
   setOwnScene(file: Uint8Array): Promise<void>;
   /** Name of the graphics device, by WEBGL_debug_renderer_info, and whether timer queries are there. */
   device(): Promise<{ renderer: string; timer: boolean; software: boolean; webgpu: string | null }>;
+  /**
+   * Draws one of the two pictures of figure 4.3 of the thesis, of this size (pixels). Only a page's own build has it.
+   *
+   * @throws Error (as a rejection) that names what the device or the browser cannot do
+   */
+  drawNormals?(way: NormalsWay, size: { readonly width: number; readonly height: number }): Promise<NormalsPicture>;
 }
 
 declare global {

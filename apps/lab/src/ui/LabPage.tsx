@@ -15,6 +15,7 @@ import { ComparedRuns } from './results/ComparedRuns';
 import { Results } from './results/Results';
 import { RunActions } from './results/RunActions';
 import { RunChoice } from './results/RunChoice';
+import { NormalsFigure } from './NormalsFigure';
 import { RunPanel } from './RunPanel';
 import { Setup } from './Setup';
 import { planned } from './support/planned';
@@ -147,6 +148,7 @@ export function LabPage() {
                 onCompare={(a, b) => setPair([a, b])}
               />
             </section>
+            <NormalsFigure isMeasuring={isRunning} />
           </div>
         </div>
       </main>

@@ -1,5 +1,6 @@
 import { useId } from 'preact/hooks';
 import { competitorNames, type CompetitorWords } from '../../competitors/competitorNames';
+import { InstallRivals } from './InstallRivals';
 
 const groups: readonly [CompetitorWords['kind'], string][] = [
   ['farol', 'Farol’s techniques'],
@@ -52,6 +53,7 @@ export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBox
                 />
               ))}
             </ul>
+            {kind === 'rival' && <InstallRivals />}
           </div>
         );
       })}

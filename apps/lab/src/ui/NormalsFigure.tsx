@@ -1,0 +1,83 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
+import { pictureSize, useNormalsPictures } from '../normals/useNormalsPictures';
+import './NormalsFigure.css';
+
+/** What each picture shows, and how its normals came about. */
+const words: Readonly<Record<NormalsWay, { title: string; shows: string; sees: (share: string) => string }>> = {
+  faces: {
+    title: 'By faces',
+    shows: 'Arcade whose blocks and medallions look soft, like cushions',
+    sees: (share) =>
+      `Each point takes the mean of all triangles that meet there, so edges are shaded as if they were round: the blocks under the gallery look like cushions, and the diagonals of triangles show as stripes. The normal leans from its triangle by more than 30° at ${share} of the corners.`,
+  },
+  crease: {
+    title: 'By crease angle',
+    shows: 'The same arcade, whose blocks and medallions have sharp edges',
+    sees: (share) =>
+      `Only triangles that meet at less than 30° share a normal: blocks and mouldings keep their edges, and columns and arches stay round. It leans by more at ${share} of the corners.`,
+  },
+};
+
+interface NormalsFigureProps {
+  /** Others are measured: the pictures wait. */
+  isMeasuring: boolean;
+}
+
+/** Figure 4.3 of the thesis: what a mesh without normals looks like once they are computed. Drawn when it is scrolled to. */
+export function NormalsFigure({ isMeasuring }: NormalsFigureProps) {
+  const pair = useRef<HTMLDivElement>(null);
+  const [isSeen, setSeen] = useState(false);
+  useEffect(() => {
+    const look = (entries: readonly IntersectionObserverEntry[]): void => {
+      if (entries.some(({ isIntersecting }) => isIntersecting)) setSeen(true);
+    };
+    const observer = new IntersectionObserver(look, { threshold: 0.25 });
+    if (pair.current) observer.observe(pair.current);
+    return () => observer.disconnect();
+  }, []);
+  const { pictures, problem } = useNormalsPictures(isSeen && !isMeasuring);
+  return (
+    <section class="normals" aria-labelledby="normals-title">
+      <h2 id="normals-title">Figure 4.3 of the thesis: normals that the file lacks</h2>
+      <p>
+        Sponza, as it was handed round in 2015, came without normals, and the thesis shows what computed ones did to its
+        arches. Here the atrium’s normals are taken off and computed again in two ways, under 50 lights, on your
+        machine.
+      </p>
+      {problem && (
+        <p class="problem" role="alert">
+          {problem}
+        </p>
+      )}
+      {!problem && (
+        <div class="pair" ref={pair}>
+          <Picture way="faces" drawn={pictures.faces} />
+          <Picture way="crease" drawn={pictures.crease} />
+        </div>
+      )}
+    </section>
+  );
+}
+
+function Picture({ way, drawn }: { way: NormalsWay; drawn: NormalsPicture | undefined }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    if (drawn) canvas.current?.getContext('2d')?.putImageData(drawn.picture, 0, 0);
+  }, [drawn]);
+  const { title, shows, sees } = words[way];
+  return (
+    <figure>
+      <canvas ref={canvas} {...pictureSize} role="img" aria-label={drawn ? shows : 'Not drawn yet'} />
+      <figcaption>
+        <strong>{title}.</strong> {drawn ? sees(percent(drawn.leaning)) : 'It is drawn in a moment.'}
+      </figcaption>
+    </figure>
+  );
+}
+
+/** A share as a percentage, for sentences. */
+function percent(share: number): string {
+  if (share === 0) return 'none';
+  return share < 0.005 ? 'less than 1%' : `${Math.round(share * 100)}%`;
+}

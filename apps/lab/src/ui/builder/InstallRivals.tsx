@@ -1,0 +1,50 @@
+import { useEffect, useState } from 'preact/hooks';
+import { installedRivals, installRivals } from '../../competitors/installedRivals';
+
+type Step = 'unneeded' | 'offered' | 'installing' | 'installed';
+
+/** Offers to install the other engines, where the page came from `npm start` and they are missing. */
+export function InstallRivals() {
+  const [step, setStep] = useState<Step>('unneeded');
+  const [problem, setProblem] = useState<string | null>(null);
+  useEffect(() => {
+    let isOver = false;
+    void installedRivals().then(({ versions, canInstall }) => {
+      if (!isOver && canInstall && Object.keys(versions).length === 0) setStep('offered');
+    });
+    return () => {
+      isOver = true;
+    };
+  }, []);
+  const install = async (): Promise<void> => {
+    setStep('installing');
+    setProblem(null);
+    try {
+      await installRivals();
+      setStep('installed');
+    } catch (error) {
+      setStep('offered');
+      setProblem(error instanceof Error ? error.message : String(error));
+    }
+  };
+  if (step === 'unneeded') return null;
+  return (
+    <>
+      {step !== 'installed' && (
+        <button type="button" disabled={step === 'installing'} onClick={() => void install()}>
+          Install PlayCanvas and Babylon.js
+        </button>
+      )}
+      <p class="hint" role="status">
+        {step === 'offered' && 'npm fetches them for the Lab alone: 200 MB on disk.'}
+        {step === 'installing' && 'npm fetches them: some seconds to minutes, by the network.'}
+        {step === 'installed' && 'They are installed: load the page anew to measure them.'}
+      </p>
+      {problem && (
+        <p class="problem" role="alert">
+          {problem}
+        </p>
+      )}
+    </>
+  );
+}
