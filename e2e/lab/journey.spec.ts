@@ -55,6 +55,7 @@ test('builds a comparison by mouse and keyboard, measures it, and keeps what a c
   await expect(page.locator('.results figure svg').first()).toBeVisible();
   await page.getByRole('button', { name: /^Farol: deferred/ }).click();
   await expect(page.getByRole('dialog')).toContainText('Reference: ');
+  await expect(page.getByRole('dialog')).not.toContainText('small pictures');
   await page.keyboard.press('Escape');
   await expect(page.getByRole('dialog')).toHaveCount(0);
 

@@ -56,6 +56,14 @@ export function useRun(): RunState {
   const [problem, setProblem] = useState<string | null>(null);
   const abort = useRef<AbortController | null>(null);
   useEffect(() => () => abort.current?.abort(), []);
+  const isRunning = running !== null;
+  useEffect(() => {
+    if (!isRunning) return;
+    // closing the tab would lose what was measured
+    const ask = (event: BeforeUnloadEvent): void => event.preventDefault();
+    addEventListener('beforeunload', ask);
+    return () => removeEventListener('beforeunload', ask);
+  }, [isRunning]);
 
   const start = useCallback(async (plan: LabPlan, prepare: () => Promise<Prepared>): Promise<LabRun | null> => {
     if (abort.current) return null;
