@@ -55,6 +55,7 @@ test('builds a comparison by mouse and keyboard, measures it, and keeps what a c
   await expect(page.locator('.results figure svg').first()).toBeVisible();
   await page.getByRole('button', { name: /^Farol: deferred/ }).click();
   await expect(page.getByRole('dialog')).toContainText('Reference: ');
+  await expect(page.getByRole('dialog')).not.toContainText('small pictures');
   await page.keyboard.press('Escape');
   await expect(page.getByRole('dialog')).toHaveCount(0);
 
@@ -73,6 +74,19 @@ test('builds a comparison by mouse and keyboard, measures it, and keeps what a c
   await expect(page.locator('.run-head')).toContainText('not complete', { timeout: 20_000 });
   await page.getByText(/Table of \d rows/).click();
   await expect(rows.nth(1)).toContainText('Farol: forward');
+});
+
+test('says what helps without WebGL 2, and where the frame that is measured does not open', async ({ page }) => {
+  await page.route('**/stage.html', (route) => route.abort());
+  await page.goto('./');
+  await expect(page.getByText(/The frame that is measured did not open .*: reload the page/)).toBeVisible();
+  await expect(page.getByRole('button', { name: /Measure this machine/ })).toBeDisabled();
+
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.reload();
+  await expect(page.getByRole('alert')).toContainText('WebGL 2 is switched off here: switch hardware acceleration on');
 });
 
 for (const [theme, width] of [

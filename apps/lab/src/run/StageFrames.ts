@@ -78,11 +78,20 @@ function loadStage(element: HTMLIFrameElement, url: string): Promise<Stage> {
     element.addEventListener('error', () => failed('it cannot be fetched'));
     // module scripts run before the load event
     element.addEventListener('load', () => {
-      const stage = element.contentWindow?.stage;
+      const stage = stageIn(element);
       if (!stage) return failed('its script did not run');
       clearTimeout(timer);
       resolve(stage);
     });
     element.src = url;
   });
+}
+
+/** The stage of a frame; undefined too where the browser shows a page of its own there, since the frame cannot be fetched. */
+function stageIn({ contentWindow }: HTMLIFrameElement): Stage | undefined {
+  try {
+    return contentWindow?.stage;
+  } catch {
+    return undefined;
+  }
 }

@@ -1,11 +1,12 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { LabPlan } from '../../plan/LabPlan';
 import { competitorLabel } from '../../words/names';
+import { sharpPicture } from '../support/sharpPictures';
+import { differenceOf, GAIN } from './differenceOf';
 import { psnrText, type TableRow } from './rowColumns';
 
-/** How much brighter differences are shown than they are. */
-const GAIN = 8;
-
 interface PictureDialogProps {
+  plan: LabPlan;
   row: TableRow;
   /** The row that drew the reference; null when the run does not keep it. */
   reference: TableRow | null;
@@ -13,11 +14,13 @@ interface PictureDialogProps {
 }
 
 /** A picture beside the reference, and where they differ. */
-export function PictureDialog({ row, reference, onClose }: PictureDialogProps) {
+export function PictureDialog({ plan, row, reference, onClose }: PictureDialogProps) {
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
   const isReference = reference === null || reference.competitor === row.competitor;
-  const psnr = row.likeness?.psnr;
+  const own = usePixels(plan, row);
+  const other = usePixels(plan, isReference ? null : reference);
+  const isSharp = sharpPicture(plan, row) !== undefined;
   return (
     <dialog
       ref={dialog}
@@ -34,20 +37,20 @@ export function PictureDialog({ row, reference, onClose }: PictureDialogProps) {
       </div>
       <div class="large-pictures">
         <figure>
-          <img src={row.likeness!.thumbnail} alt={`Drawn by ${row.label}`} />
+          <Pixels pixels={own} label={`Drawn by ${row.label}`} />
           <figcaption>
             {row.label}
-            {isReference ? '' : psnr === null ? ': equal' : `: ${psnrText(row.likeness)} dB`}
+            {!isReference && (row.likeness?.psnr === null ? ': equal' : `: ${psnrText(row.likeness)} dB`)}
           </figcaption>
         </figure>
         {!isReference && (
           <>
             <figure>
-              <img src={reference.likeness!.thumbnail} alt={`The reference, drawn by ${reference.label}`} />
+              <Pixels pixels={other} label={`The reference, drawn by ${reference.label}`} />
               <figcaption>Reference: {reference.label}</figcaption>
             </figure>
             <figure>
-              <Difference a={row.likeness!.thumbnail} b={reference.likeness!.thumbnail} />
+              <Pixels pixels={own && other && differenceOf(own, other)} label="Where the pictures differ" />
               <figcaption>Difference, {GAIN} times brighter; black where both are equal</figcaption>
             </figure>
           </>
@@ -58,40 +61,48 @@ export function PictureDialog({ row, reference, onClose }: PictureDialogProps) {
           The reference, drawn by {competitorLabel(row.likeness!.reference)}, is not among the pictures.
         </p>
       )}
+      {!isSharp && !isReference && (
+        <p class="dim">
+          These are the small pictures that a run keeps; the difference shows their compression too. Right after a run
+          the pictures are shown as they were drawn.
+        </p>
+      )}
     </dialog>
   );
 }
 
-function Difference({ a, b }: { a: string; b: string }) {
+function Pixels({ pixels, label }: { pixels: ImageData | null; label: string }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
-    let isOver = false;
-    void Promise.all([a, b].map(loadImage)).then(([first, second]) => {
-      if (canvas.current && !isOver) drawDifference(canvas.current, first, second);
-    });
-    return () => void (isOver = true);
-  }, [a, b]);
-  return <canvas ref={canvas} role="img" aria-label="Where the pictures differ" />;
+    if (!pixels || !canvas.current) return;
+    canvas.current.width = pixels.width;
+    canvas.current.height = pixels.height;
+    canvas.current.getContext('2d')?.putImageData(pixels, 0, 0);
+  }, [pixels]);
+  return <canvas ref={canvas} role="img" aria-label={label} />;
 }
 
-async function loadImage(url: string): Promise<HTMLImageElement> {
+/** The picture of a row as it was drawn, or the small one where it is not held; null until it is read. */
+function usePixels(plan: LabPlan, row: TableRow | null): ImageData | null {
+  const sharp = row ? sharpPicture(plan, row) : undefined;
+  const [small, setSmall] = useState<ImageData | null>(null);
+  useEffect(() => {
+    if (sharp || !row?.likeness) return;
+    let isOver = false;
+    void decode(row.likeness.thumbnail).then((pixels) => isOver || setSmall(pixels));
+    return () => void (isOver = true);
+  }, [sharp, row]);
+  return sharp ?? small;
+}
+
+async function decode(url: string): Promise<ImageData> {
   const image = new Image();
   image.src = url;
   await image.decode();
-  return image;
-}
-
-function drawDifference(canvas: HTMLCanvasElement, a: HTMLImageElement, b: HTMLImageElement): void {
-  const { naturalWidth: width, naturalHeight: height } = a;
-  Object.assign(canvas, { width, height });
-  const context = canvas.getContext('2d', { willReadFrequently: true })!;
-  const pixels = (image: HTMLImageElement): ImageData => {
-    context.drawImage(image, 0, 0, width, height);
-    return context.getImageData(0, 0, width, height);
-  };
-  const [first, second] = [pixels(a), pixels(b)];
-  for (let i = 0; i < first.data.length; i++) {
-    first.data[i] = i % 4 === 3 ? 255 : Math.abs(first.data[i] - second.data[i]) * GAIN;
-  }
-  context.putImageData(first, 0, 0);
+  const canvas = document.createElement('canvas');
+  canvas.width = image.naturalWidth;
+  canvas.height = image.naturalHeight;
+  const context = canvas.getContext('2d')!;
+  context.drawImage(image, 0, 0);
+  return context.getImageData(0, 0, canvas.width, canvas.height);
 }

@@ -40,6 +40,7 @@ export function Pictures({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
       </ul>
       {large && (
         <PictureDialog
+          plan={run.plan}
           row={large}
           reference={those.find(({ competitor }) => competitor === large.likeness!.reference) ?? null}
           onClose={() => setLarge(null)}

@@ -4,6 +4,7 @@ import { LAB_RUN_VERSION, type LabRun, type LabSurroundings } from '../../result
 import type { Progress } from '../../run/Progress';
 import { runPlan } from '../../run/runPlan';
 import type { StageFrames } from '../../run/StageFrames';
+import { holdPicture } from './sharpPictures';
 import { messageOf } from '../../run/messageOf';
 
 /** How often the words of the progress change, and how often the charts are drawn anew while a run goes on (ms). */
@@ -55,6 +56,14 @@ export function useRun(): RunState {
   const [problem, setProblem] = useState<string | null>(null);
   const abort = useRef<AbortController | null>(null);
   useEffect(() => () => abort.current?.abort(), []);
+  const isRunning = running !== null;
+  useEffect(() => {
+    if (!isRunning) return;
+    // closing the tab would lose what was measured
+    const ask = (event: BeforeUnloadEvent): void => event.preventDefault();
+    addEventListener('beforeunload', ask);
+    return () => removeEventListener('beforeunload', ask);
+  }, [isRunning]);
 
   const start = useCallback(async (plan: LabPlan, prepare: () => Promise<Prepared>): Promise<LabRun | null> => {
     if (abort.current) return null;
@@ -67,7 +76,13 @@ export function useRun(): RunState {
       let words = -Infinity;
       let charts = -Infinity;
       let run = partial(plan, surroundings, null, 0);
+      let last: ImageData | null = null;
       const onProgress = (progress: Progress): void => {
+        const { series, labCase, competitor, picture } = progress;
+        if (picture !== last && picture && competitor !== null) {
+          holdPicture(plan, { series: series.name, index: series.cases.indexOf(labCase), competitor }, picture);
+        }
+        last = picture;
         const now = performance.now();
         if (now - words < WORDS) return;
         words = now;
@@ -75,7 +90,7 @@ export function useRun(): RunState {
           charts = now;
           run = partial(plan, surroundings, progress, now - begin);
         }
-        const { done, total, remaining, competitor, series, labCase, picture } = progress;
+        const { done, total, remaining } = progress;
         const isCancelled = controller.signal.aborted;
         setRunning({ plan, done, total, remaining, competitor, series, labCase, picture, isCancelled, run });
       };
