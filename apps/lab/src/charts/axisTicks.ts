@@ -34,5 +34,6 @@ export function ticksWithRoom(values: readonly number[], place: (value: number) 
 /** Text of a tick of a series: short, without the unit. */
 export function valueTick(series: LabSeries, value: number): string {
   if (series.axis === 'pixels') return `${formatNumber(value / 1e6, 2)} M`;
+  if (value >= 1e6) return `${formatNumber(value / 1e6)} M`;
   return value >= 10_000 ? `${formatNumber(value / 1000)}k` : formatNumber(value, 6);
 }
