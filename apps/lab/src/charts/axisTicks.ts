@@ -25,7 +25,6 @@ export function ticksWithRoom(values: readonly number[], place: (value: number) 
   for (const value of values) {
     const free = kept.length === 0 || place(value) - place(kept.at(-1)!) >= room;
     const clear = value === last || last === undefined || place(last) - place(value) >= room;
-    if (value === last && !free) kept.pop();
     if ((free && clear) || value === last) kept.push(value);
   }
   return kept;
