@@ -87,19 +87,24 @@ export function ChartFigure({ chart, source, onChoose }: Props) {
 function ChartDrawing({ chart }: { chart: ChartSpec }) {
   const host = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLDivElement>(null);
+  const shown = useRef<{ chart: ChartSpec; width: number } | null>(null);
   const points = useRef<readonly ChartPoint[]>([]);
   const [current, setCurrent] = useState<{ point: ChartPoint; byKey: boolean } | null>(null);
   const { width, isNear } = useChartSize(host);
 
   useLayoutEffect(() => {
-    if (width === 0 || !isNear) return;
+    if (width === 0 || !isNear || (shown.current?.chart === chart && shown.current.width === width)) return;
+    shown.current = { chart, width };
     const drawn = chart.draw({ width, paint: pagePaint });
     drawn.svg.setAttribute('aria-hidden', 'true');
     canvas.current!.replaceChildren(drawn.svg);
     points.current = drawn.points;
     host.current!.dataset.drawn = '';
     // the same point may stand elsewhere now
-    setCurrent(null);
+    setCurrent((old) => {
+      const same = drawn.points.find(({ group, order }) => group === old?.point.group && order === old.point.order);
+      return old && same ? { ...old, point: same } : null;
+    });
   }, [chart, width, isNear]);
 
   useLayoutEffect(() => {

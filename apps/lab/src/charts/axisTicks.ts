@@ -25,7 +25,6 @@ export function ticksWithRoom(values: readonly number[], place: (value: number) 
   for (const value of values) {
     const free = kept.length === 0 || place(value) - place(kept.at(-1)!) >= room;
     const clear = value === last || last === undefined || place(last) - place(value) >= room;
-    if (value === last && !free) kept.pop();
     if ((free && clear) || value === last) kept.push(value);
   }
   return kept;
@@ -34,5 +33,6 @@ export function ticksWithRoom(values: readonly number[], place: (value: number) 
 /** Text of a tick of a series: short, without the unit. */
 export function valueTick(series: LabSeries, value: number): string {
   if (series.axis === 'pixels') return `${formatNumber(value / 1e6, 2)} M`;
+  if (value >= 1e6) return `${formatNumber(value / 1e6)} M`;
   return value >= 10_000 ? `${formatNumber(value / 1000)}k` : formatNumber(value, 6);
 }

@@ -10,6 +10,19 @@ import { ratioChart } from './ratioChart';
 import { regretChart } from './regretChart';
 import { runNames } from './runNames';
 
+/** Charts that a run has for itself, each with its key's ending. */
+const kinds: readonly ((run: LabRun, settings: ChartSettings, ending: string) => ChartSpec[])[] = [
+  (run, settings, ending) => mapCharts(run, settings, `map${ending}`),
+  (run, settings, ending) => listed(thesisChart(run, settings, `thesis${ending}`)),
+  (run, settings, ending) => listed(regretChart(run, settings, `regret${ending}`)),
+  (run, settings, ending) => listed(passChart(run, settings, `passes${ending}`)),
+  (run, settings, ending) => listed(changeChart(run, settings, `changes${ending}`)),
+];
+
+function listed(chart: ChartSpec | null): ChartSpec[] {
+  return chart === null ? [] : [chart];
+}
+
 /**
  * All charts of one or several runs, in the order of the page: ratios to the first run, curves, the rest. Curves of later runs lie over those of the first with the
  * same name of a series; of the other charts each run has its own.
@@ -17,17 +30,12 @@ import { runNames } from './runNames';
 export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): ChartSpec[] {
   const shown = runs.map((run) => withoutHidden(run, settings.hidden));
   const names = runNames(runs);
-  const own = shown.flatMap((run, i) => {
-    const key = (name: string): string => (i === 0 ? name : `${name}-run-${i + 1}`);
-    const charts = [
-      ...mapCharts(run, settings, key('map')),
-      thesisChart(run, settings, key('thesis')),
-      regretChart(run, settings, key('regret')),
-      passChart(run, settings, key('passes')),
-      changeChart(run, settings, key('changes')),
-    ].filter((chart) => chart !== null);
-    return runs.length === 1 ? charts : charts.map((chart) => ({ ...chart, title: `${chart.title}: ${names[i]}` }));
-  });
+  const own = kinds.flatMap((make) =>
+    shown.flatMap((run, i) => {
+      const charts = make(run, settings, i === 0 ? '' : `-run-${i + 1}`);
+      return runs.length === 1 ? charts : charts.map((chart) => ({ ...chart, title: `${chart.title}: ${names[i]}` }));
+    }),
+  );
   const ratios = shown.slice(1).flatMap((run, i) => {
     const chart = ratioChart([shown[0], names[0]], [run, names[i + 1]], settings, i === 0 ? 'ratio' : `ratio-${i + 2}`);
     return chart ?? [];

@@ -6,9 +6,11 @@ import { curveWords, sizeText } from '../words/curveWords';
 import { formatNumber, listOf } from '../words/format';
 import { competitorLabel, competitorWord, metricWords, valueText } from '../words/names';
 import { rowsOf } from '../words/rowsOf';
+import { seriesWord } from '../words/seriesCases';
 import type { ChartSettings, ChartSpec, ChartTable } from './ChartSpec';
-import { curvesOf } from './curveData';
+import { type Curve, curvesOf } from './curveData';
 import { drawCurves } from './drawCurves';
+import { drawRanking } from './drawRanking';
 import { runNames } from './runNames';
 
 /** Times of every competitor along a series. */
@@ -21,8 +23,10 @@ export function curveChart(runs: readonly LabRun[], series: LabSeries, settings:
   const along = axisWords[series.axis].label.toLowerCase();
   return {
     key: `curve-${series.name}`,
-    title: `${series.label}${size ? `, ${size}` : ''}`,
-    description: `${metricWords[metric].label} times in milliseconds over ${along}, ${kind}, a line a competitor; bands run from the 10th to the 90th percentile.`,
+    title: `${isOneCase(curves) ? caseText(series) : series.label}${size ? `, ${size}` : ''}`,
+    description: isOneCase(curves)
+      ? `${metricWords[metric].label} times in milliseconds, a bar a competitor, the shortest first.`
+      : `${metricWords[metric].label} times in milliseconds over ${along}, ${kind}, a line a competitor; bands run from the 10th to the 90th percentile.`,
     sentences: runs.flatMap((run, i) => {
       const own = run.plan.series.find(({ name }) => name === series.name);
       const sentences = own ? curveWords(run, own, metric) : [];
@@ -38,8 +42,23 @@ export function curveChart(runs: readonly LabRun[], series: LabSeries, settings:
     runs: runs.length > 1 ? names : [],
     choice: null,
     wide: false,
-    draw: (options) => drawCurves(series, curves, names, settings, options),
+    draw: (options) =>
+      isOneCase(curves)
+        ? drawRanking(curves, names, settings, options)
+        : drawCurves(series, curves, names, settings, options),
   };
+}
+
+/** A series of one case by its scene and value; pixels are told by the size. */
+function caseText(series: LabSeries): string {
+  return series.axis === 'pixels'
+    ? seriesWord(series)
+    : `${seriesWord(series)}, ${valueText(series.axis, series.values[0])}`;
+}
+
+/** Whether every run planned one case alone, and the same. */
+function isOneCase(curves: readonly Curve[]): boolean {
+  return new Set(curves.flatMap((curve) => curve.series.values)).size === 1;
 }
 
 /** Whose times are missing by this metric though they have others. */

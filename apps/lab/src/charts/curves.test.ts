@@ -9,6 +9,7 @@ import { competitorMark } from './competitorMarks';
 import { curvesOf } from './curveData';
 import { runNames, shortDevice } from './runNames';
 import { sampleRun } from './sampleRuns';
+import { SvgDocument } from './SvgDocument';
 import { spreadLabels } from './spreadLabels';
 import { nearestPoint, walkPoints } from './walkPoints';
 
@@ -38,6 +39,16 @@ describe('curves', () => {
       ['1 (1 to 1)', '2 (2 to 2)', '–'],
       ['–', '3 (3 to 3)', '4 (4 to 4)'],
     ]);
+  });
+
+  test('a series of one case is a ranking, named by the case', () => {
+    const run = madeUpRun([100], { forward: [3], deferred: [1], stock: ['Too many lights.'] });
+    const [chart] = chartsOf([run], defaultSettings);
+    expect(chart.title.replaceAll('\u00a0', ' ')).toBe('Made up, 100 lights, 1280 × 720');
+    const document = new SvgDocument() as unknown as Document;
+    const { points } = chart.draw({ width: 500, paint: paintOf('light'), document });
+    expect(points.map(({ tip }) => tip.title)).toEqual(['Farol: deferred, 100 lights', 'Farol: forward, 100 lights']);
+    expect(points[0].y).toBeLessThan(points[1].y);
   });
 
   test('hidden competitors are in no line, sentence or table', () => {

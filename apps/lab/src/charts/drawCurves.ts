@@ -28,7 +28,11 @@ export function drawCurves(
   const margins = { marginTop: 26, marginBottom: 42, marginLeft: 52, marginRight: 18 };
   const labelled = width >= 520 && (named.length - 1) * 13 <= height - margins.marginTop - margins.marginBottom + 20;
   if (labelled) margins.marginRight = nameRoom;
-  const axes = scalesOf(series, curves, kind, width, height, margins);
+  const bounds = timeBounds(curves, kind);
+  const ticksY = kind === 'log' ? logTicks(bounds.low, bounds.high, Math.floor(height / 34)) : undefined;
+  const texts = (ticksY ?? [bounds.high]).map((ms) => textWidth(formatNumber(ms)));
+  margins.marginLeft = Math.max(40, Math.max(...texts) + 16);
+  const axes = scalesOf(series, curves, kind, bounds, width, height, margins);
   const place = {
     x: scale({ x: axes.x } as Parameters<typeof scale>[0]),
     y: scale({ y: axes.y } as Parameters<typeof scale>[0]),
@@ -38,8 +42,7 @@ export function drawCurves(
 
   const values = valuesOf(series, curves);
   const ticksX = ticksWithRoom(values, x, 12 + Math.max(...values.map((value) => textWidth(valueTick(series, value)))));
-  const { low, high } = axes;
-  const ticksY = kind === 'log' ? logTicks(low, high, Math.floor(height / 34)) : undefined;
+  const { low } = bounds;
 
   const marks: Markish[] = [
     gridY({ ticks: ticksY, stroke: paint.grid, strokeOpacity: 1 }),
@@ -146,22 +149,26 @@ function atLeast(value: number, low: number): number {
   return Math.max(value, low);
 }
 
-/** Scales of both axes, wide enough for one point alone, and the bounds of the times. */
-function scalesOf(
-  series: LabSeries,
-  curves: readonly Curve[],
-  kind: 'log' | 'linear',
-  width: number,
-  height: number,
-  margins: { marginTop: number; marginBottom: number; marginLeft: number; marginRight: number },
-) {
+/** Bounds of the times (ms), with some room around them. */
+function timeBounds(curves: readonly Curve[], kind: 'log' | 'linear'): { low: number; high: number } {
   const points = curves.flatMap((curve) => curve.points);
   const medians = points.map(({ median }) => median);
   // a spread far below its median says little and would squeeze the rest
   const lowest = Math.max(Math.min(...points.map(({ low }) => low)), Math.min(...medians) / 3);
   const highest = Math.min(Math.max(...points.map(({ high }) => high)), Math.max(...medians) * 3);
-  const low = kind === 'log' ? lowest * 0.85 : 0;
-  const high = kind === 'log' ? highest * 1.15 : highest * 1.05;
+  return kind === 'log' ? { low: lowest * 0.85, high: highest * 1.15 } : { low: 0, high: highest * 1.05 };
+}
+
+/** Scales of both axes, wide enough for one point alone. */
+function scalesOf(
+  series: LabSeries,
+  curves: readonly Curve[],
+  kind: 'log' | 'linear',
+  { low, high }: { low: number; high: number },
+  width: number,
+  height: number,
+  margins: { marginTop: number; marginBottom: number; marginLeft: number; marginRight: number },
+) {
   const values = valuesOf(series, curves);
   const [from, to] = [values[0], values.at(-1)!];
   const single = from === to;
@@ -173,5 +180,5 @@ function scalesOf(
     ...{ type: kind, domain: [low, high], clamp: true },
     range: [height - margins.marginBottom, margins.marginTop],
   };
-  return { x: type === 'symlog' ? { ...x, constant: 1 } : x, y, low, high };
+  return { x: type === 'symlog' ? { ...x, constant: 1 } : x, y };
 }

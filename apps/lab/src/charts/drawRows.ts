@@ -71,7 +71,7 @@ export function drawRows(chart: RowsChart, { width, paint, document = globalThis
   const textOf = (bar: RowBar): string => (width < 520 ? (bar.shortText ?? bar.text) : bar.text) ?? '';
   const ends = rows.flatMap(({ bars }) => bars.map((bar) => (textOf(bar) ? textWidth(textOf(bar), 11) + 10 : 0)));
   const marginRight = Math.round(Math.min(Math.max(18, ...ends), width * 0.34));
-  const x = { type, domain: [...chart.domain], range: [marginLeft, width - marginRight], clamp: true };
+  const x = { type, domain: [...chart.domain], range: [marginLeft, width - marginRight] };
   const y = { type: 'linear', domain: [0, height], range: [0, height], axis: null };
   const place = scale({ x } as Parameters<typeof scale>[0]);
   const at = (value: number): number => place.apply(value) as number;

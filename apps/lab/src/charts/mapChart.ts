@@ -9,7 +9,7 @@ import { winnerMaps } from './winnerMap';
 
 /** Maps of who wins where: one for each pair of properties that the run varies. */
 export function mapCharts(run: LabRun, { metric }: ChartSettings, key = 'map'): ChartSpec[] {
-  return winnerMaps(run, metric).map((map, place) => {
+  return winnerMaps(run, metric).map((map, place, { length }) => {
     const winners = map.cells.flatMap(({ winners }) => winners ?? []);
     const shown = new Set(winners.flatMap(({ names }) => names));
     const cellOf = (row: number, column: number): string => {
@@ -21,7 +21,7 @@ export function mapCharts(run: LabRun, { metric }: ChartSettings, key = 'map'): 
     };
     return {
       key: place === 0 ? key : `${key}-${place + 1}`,
-      title: 'Who wins where',
+      title: length === 1 ? 'Who wins where' : `Who wins where: ${map.columnTitle.toLowerCase()}`,
       description: `The fastest competitor by ${metricWords[metric].noun} in each case: ${map.rowTitle.toLowerCase()} by ${map.columnTitle.toLowerCase()}, a cell a case, coloured by the winner.`,
       sentences: mapWords(winners),
       verdicts: [],

@@ -15,7 +15,7 @@ export function svgElement(
 export function textWidth(text: string, size = 12): number {
   let units = 0;
   for (const letter of text)
-    units += /[ .,:;'’|ijl!()×]/.test(letter) ? 0.32 : /[A-ZMWmw%+]/.test(letter) ? 0.72 : 0.55;
+    units += /[ .,:;'’|ijl!()]/.test(letter) ? 0.32 : /[A-Zmw%+×–≈→↓]/.test(letter) ? 0.72 : 0.55;
   return Math.ceil(units * size);
 }
 

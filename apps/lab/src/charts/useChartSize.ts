@@ -2,8 +2,8 @@ import { useEffect, useState } from 'preact/hooks';
 import type { RefObject } from 'preact';
 
 /**
- * Width of an element (CSS pixels), and whether it has come near what is on screen: charts further down are drawn when
- * they are scrolled to, or printed.
+ * Width of an element (CSS pixels), and whether it is near what is on screen: charts further away are drawn when they
+ * are scrolled to, or printed.
  */
 export function useChartSize(element: RefObject<HTMLElement | null>): { width: number; isNear: boolean } {
   const [width, setWidth] = useState(0);
@@ -11,7 +11,7 @@ export function useChartSize(element: RefObject<HTMLElement | null>): { width: n
   useEffect(() => {
     const host = element.current!;
     const resized = new ResizeObserver(([entry]) => setWidth(Math.max(240, Math.floor(entry.contentRect.width))));
-    const seen = new IntersectionObserver(([entry]) => entry.isIntersecting && setNear(true), { rootMargin: '400px' });
+    const seen = new IntersectionObserver(([entry]) => setNear(entry.isIntersecting), { rootMargin: '400px' });
     const print = (): void => setNear(true);
     resized.observe(host);
     seen.observe(host);

@@ -25,7 +25,7 @@ export interface WinnerMap {
 
 /**
  * Maps of a run: lights by pixels for each scene that was measured at several of both, and series by values of one axis
- * for the rest. A map of one cell says nothing and is left out.
+ * for the rest. A map of one contest says nothing and is left out.
  */
 export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
   const cases = casesOf(run);
@@ -54,7 +54,9 @@ export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
   }
   const rest = cases.filter((each) => !placed.has(each));
   for (const group of groupBy(rest, ({ series }) => series.axis).values()) maps.push(bySeries(run, group, metric));
-  return maps.filter(({ cells }) => cells.filter(({ winners }) => winners !== null).length > 1);
+  // where one competitor drew alone nobody won
+  const isContest = ({ winners }: MapCell): boolean => winners !== null && winners.entries.length > 1;
+  return maps.filter(({ cells }) => cells.filter(isContest).length > 1);
 }
 
 function bySeries(run: LabRun, group: readonly SeriesCase[], metric: Metric): WinnerMap {

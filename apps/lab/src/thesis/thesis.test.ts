@@ -35,10 +35,13 @@ test('the tables have 21 rows, and the thesis preset has a case for each', () =>
   expect(new Set(cases).size).toBe(21);
 });
 
-test('shadows and overdraw are no rows of the thesis', () => {
-  const run = sampleRun({ preset: 'shadows' });
-  const shadowed = compareThesis(run, 'frame').filter(({ of }) => of !== null);
-  expect(shadowed).toEqual([]);
+test('shadows and layers are no rows of the thesis', () => {
+  const { plan, ...run } = sampleRun({ preset: 'thesis' });
+  const matched = (changes: { shadows?: number; overdraw?: number }): number => {
+    const series = plan.series.map((each) => ({ ...each, cases: each.cases.map((one) => ({ ...one, ...changes })) }));
+    return compareThesis({ ...run, plan: { ...plan, series } }, 'frame').filter(({ of }) => of !== null).length;
+  };
+  expect([matched({}), matched({ shadows: 1 }), matched({ overdraw: 2 })]).toEqual([21, 0, 0]);
 });
 
 describe('conclusions', () => {
@@ -68,6 +71,19 @@ describe('conclusions', () => {
     expect(verdictsOf(run)).toEqual([
       ...['Undecided', 'Undecided', 'Undecided', 'Undecided', 'Undecided', 'Refuted', 'Refuted'],
     ]);
+  });
+
+  test('deferred that is faster with one light over one plane has no cost that shows', () => {
+    const run = thesisRun((_, lights) => ({ forward: lights + 1, deferred: 1 }));
+    expect(verdictsOf(run)[4]).toBe('Refuted');
+  });
+
+  test('growth within the spreads is unsure', () => {
+    const spread = (median: number) => ({ median, low: median * 0.4, high: median * 2.5, samples: 9 });
+    const run = thesisRun((_, lights) => ({ forward: spread(lights), deferred: spread(5 + lights * 0.5) }));
+    const growth = conclusionsOf(run, compareThesis(run, 'frame'))[3];
+    expect(growth.verdict).toBe('Undecided');
+    expect(growth.evidence).toContain('which the spread makes unsure');
   });
 
   test('missing figures decide nothing, and the evidence says so', () => {

@@ -22,7 +22,16 @@ describe('regret of auto', () => {
     ]);
     expect(regretWords(regrets)).toEqual([
       'Over 2 cases auto took 30% longer than the best technique on average.',
-      'Worst: Made up, 100 lights, 50%: deferred took 3 ms, forward 2 ms.',
+      'Worst: 50% with Made up, 100 lights (deferred 3 ms, forward 2 ms).',
+    ]);
+  });
+
+  test('one case alone is not called the worst', () => {
+    const run = madeUpRun([10], { auto: [1.5], forward: [1.5], deferred: [1] });
+    run.rows[0].technique = 'forward';
+    expect(regretWords(regretsOf(run, 'frame'))).toEqual([
+      'Auto took 50% longer than the best technique in the one case measured.',
+      'It drew by forward: 1.5 ms, deferred 1 ms.',
     ]);
   });
 
@@ -121,6 +130,8 @@ describe('changes', () => {
     expect(changeWords([stock, webgpu])).toEqual([
       'For ten lights more three’s WebGLRenderer links one program (500 ms, 250 times an ordinary frame).',
     ]);
+    const deferred = { ...madeUpRow('deferred', 0, 2), added: { ms: 3, programs: 0 } };
+    expect(changeWords([stock, webgpu, deferred])[0]).toContain('; the others that are counted link none.');
     expect(changeWords([madeUpRow('deferred', 0, 1)])).toEqual(['No frames after changes were measured here.']);
   });
 });

@@ -31,7 +31,10 @@ export function changeWords(rows: readonly LabRow[]): string[] {
       const programs = change.programs === 1 ? 'one program' : `${change.programs} programs`;
       return `${competitorWord(row.competitor)} links ${programs} (${formatMs(change.ms)}${times})`;
     });
-    const others = known.length > compiling.length ? '; the others link none' : '';
+    const others =
+      known.length > compiling.length
+        ? `; the others${known.length < added.length ? ' that are counted' : ''} link none`
+        : '';
     sentences.push(`For ten lights more ${listOf(parts)}${others}.`);
   } else if (known.length > 1) {
     const most = known.reduce((a, b) => (b.change.ms > a.change.ms ? b : a));

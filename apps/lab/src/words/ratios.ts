@@ -67,7 +67,7 @@ export function ratioWords(ratios: readonly Ratio[], name: string, base: string)
   if (by.length > 1) {
     const [least, most] = [by[0], by.at(-1)!];
     sentences.push(
-      `Least: ${competitorWord(least.competitor)}, ${formatFactor(least.mean)}; most: ${competitorWord(most.competitor)}, ${formatFactor(most.mean)}.`,
+      `Least: ${competitorWord(least.competitor)}, ${formatNumber(least.mean)} times; most: ${competitorWord(most.competitor)}, ${formatNumber(most.mean)} times.`,
     );
   }
   if (ties > 0) {

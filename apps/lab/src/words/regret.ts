@@ -47,10 +47,14 @@ export function regretWords(regrets: readonly Regret[]): string[] {
   const chose = worst.choice === null ? 'auto' : competitorWord(worst.choice);
   const { best, auto } = worst;
   const unsure = regrets.length - sure.length;
+  if (regrets.length === 1) {
+    const figures = `${formatMs(auto.time.median)}, ${competitorWord(best.competitor)} ${formatMs(best.time.median)}`;
+    return [`${capital(first)}`, `It drew by ${chose}: ${figures}.`];
+  }
   return [
     capital(first),
-    `Worst: ${worst.of.label}, ${formatPercent(worst.regret)}: ${chose} took ${formatMs(auto.time.median)}, ` +
-      `${competitorWord(best.competitor)} ${formatMs(best.time.median)}${worst.isTie ? ', which the spread makes unsure' : ''}.`,
+    `Worst: ${formatPercent(worst.regret)} with ${worst.of.label} (${chose} ${formatMs(auto.time.median)}, ` +
+      `${competitorWord(best.competitor)} ${formatMs(best.time.median)}${worst.isTie ? '; the spread makes it unsure' : ''}).`,
     ...(unsure > 0 ? [`In ${unsure} of the cases the difference is within the spread.`] : []),
   ];
 }
