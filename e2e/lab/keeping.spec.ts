@@ -38,10 +38,11 @@ test('a run is imported, kept, renamed, exported in every form, deleted and comp
 
   // it is there after a reload
   await page.reload();
+  await library(page).getByRole('button', { name: 'Laptop', exact: true }).click();
+  await expect(page.getByRole('heading', { name: 'Laptop', exact: true })).toBeVisible();
   await library(page).getByRole('button', { name: 'Rename Laptop' }).click();
   await page.keyboard.type('Old laptop');
   await page.keyboard.press('Enter');
-  await library(page).getByRole('button', { name: 'Old laptop', exact: true }).click();
   await expect(page.getByRole('heading', { name: 'Old laptop', exact: true })).toBeVisible();
 
   const json = await exported(page, 'JSON');

@@ -37,8 +37,9 @@ export async function benchLab(options) {
     const plan = await planFor(browser, options);
     const before = options.resume ? await readBefore(browser, plan, options.out) : null;
     const rest = before === null ? plan : await browser.call(remainingOf, before);
-    const run = rest.series.length === 0 ? before : await measure(browser, { plan, rest, before, options });
-    if (run === null) return 1;
+    const measured = rest.series.length === 0 ? before : await measure(browser, { plan, rest, before, options });
+    if (measured === null) return 1;
+    const run = { ...measured, name: options.name ?? measured.name };
     await writeFiles(browser, run, options);
     if (options.reference !== null) keepReference(run, options.reference);
     return run.rows.some(({ frame }) => frame !== null) ? 0 : 1;
@@ -254,12 +255,13 @@ async function writeFiles(browser, run, options) {
 
 /** @param {LabRun} run @param {string} name */
 function keepReference(run, name) {
-  const path = join(root, 'apps/lab/reference', `${name}.json`);
+  const file = `apps/lab/reference/${name}.json`;
+  const path = join(root, file);
   if (!run.complete) {
-    console.log(`${path} is written once every case is measured: give the same command again.`);
+    console.log(`${file} is written once every case is measured: give the same command again.`);
     return;
   }
   mkdirSync(join(path, '..'), { recursive: true });
   writeFileSync(path, `${JSON.stringify({ ...run, name: run.name || name, rows: run.rows.map(withoutPicture) })}\n`);
-  console.log(path);
+  console.log(file);
 }

@@ -14,7 +14,8 @@ export function runLine({ label, axis, values }, index, rows) {
   const figures = there.sort((a, b) => a.ms - b.ms).map(({ competitor, ms }) => `${competitor} ${digits(ms)}`);
   const without = rows.filter(({ frame }) => frame === null).map(({ competitor }) => competitor);
   const missing = without.length > 0 ? `; no figure: ${without.join(', ')}` : '';
-  return `${label}, ${values[index].toLocaleString('en')} ${axis}: ${figures.length > 0 ? `${figures.join(', ')} ms` : 'nothing'}${missing}`;
+  const unit = values[index] === 1 ? axis.replace(/s$/, '') : axis;
+  return `${label}, ${values[index].toLocaleString('en')} ${unit}: ${figures.length > 0 ? `${figures.join(', ')} ms` : 'nothing'}${missing}`;
 }
 
 /** Time left, with a comma before it; nothing when it is unknown. @param {number | null} ms */

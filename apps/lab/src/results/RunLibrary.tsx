@@ -16,6 +16,8 @@ interface RunLibraryProps {
   current: string | null;
   onOpen(run: LabRun): void;
   onCompare(a: LabRun, b: LabRun): void;
+  /** Called once a run has another name. */
+  onRename?(id: string, name: string): void;
 }
 
 /** Something that was deleted and can come back. */
@@ -27,7 +29,7 @@ interface Deleted {
 const none: readonly ReferenceRun[] = [];
 
 /** The kept runs: open, rename, delete, import, and two of them to compare. */
-export function RunLibrary({ store, references = none, current, onOpen, onCompare }: RunLibraryProps) {
+export function RunLibrary({ store, references = none, current, onOpen, onCompare, onRename }: RunLibraryProps) {
   const kept = useRuns(store);
   const [problems, setProblems] = useState<readonly string[]>([]);
   const [deleted, setDeleted] = useState<Deleted | null>(null);
@@ -70,6 +72,11 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
     attempt(async () => {
       const [a, b] = await Promise.all(pair.map((id) => readers.get(id)!()));
       onCompare(a, b);
+    });
+  const rename = (id: string, name: string) =>
+    attempt(async () => {
+      await store.rename(id, name);
+      onRename?.(id, name.trim());
     });
   const remove = (id: string, name: string) =>
     attempt(async () => {
@@ -131,7 +138,7 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
             key={info.id}
             info={info}
             {...row}
-            onRename={(name) => attempt(() => store.rename(info.id, name))}
+            onRename={(name) => rename(info.id, name)}
             onDelete={() => remove(info.id, info.name || info.label)}
           />
         ))}

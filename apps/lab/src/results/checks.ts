@@ -96,9 +96,8 @@ export function fields<T extends object>(checks: { readonly [Key in keyof T]-?: 
   const entries = Object.entries(checks) as [string, Check<unknown>][];
   return (value, path) => {
     if (!isObject(value)) return refuse(path || 'the file', value, 'an object');
-    const read = (name: string): unknown => (Object.hasOwn(value, name) ? value[name] : undefined);
     return Object.fromEntries(
-      entries.map(([name, check]) => [name, check(read(name), path === '' ? name : `${path}.${name}`)]),
+      entries.map(([name, check]) => [name, check(value[name], path === '' ? name : `${path}.${name}`)]),
     ) as T;
   };
 }

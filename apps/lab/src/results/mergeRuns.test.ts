@@ -53,6 +53,15 @@ describe('remainingPlan', () => {
     expect(series.map(({ values }) => values)).toEqual([[100], [230_400]]);
   });
 
+  it('has cases of which a row says that its time was over', () => {
+    const problem = 'Not measured: the run may take 80 s, and they were over.';
+    const rows = whole.rows.with(1, { ...whole.rows[1], frame: null, problem });
+    expect(remainingPlan({ ...whole, rows }).series.map(({ values }) => values)).toEqual([[4]]);
+    // a row that says why it can never be measured is done with
+    const refused = whole.rows.with(1, { ...whole.rows[1], frame: null, problem: 'Too many lights.' });
+    expect(remainingPlan({ ...whole, rows: refused }).series).toEqual([]);
+  });
+
   it('has what a cancelled run of the Lab left', async () => {
     const cancel = new AbortController();
     const run = await measured({}, ({ labCase }) => labCase.lights === 100 && cancel.abort(), cancel.signal);

@@ -146,6 +146,7 @@ export function LabPage() {
                 current={shown.run?.id ?? null}
                 onOpen={show}
                 onCompare={(a, b) => setPair([a, b])}
+                onRename={(id, name) => shown.run?.id === id && shown.show({ ...shown.run, name })}
               />
             </section>
             <NormalsFigure isMeasuring={isRunning} />
