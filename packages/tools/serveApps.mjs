@@ -36,6 +36,8 @@ export async function serveApps({ ports, built = false, watch = true }) {
         const { url, close: stop } = await serveFolder(dist, {
           isolated: false,
           port,
+          // another build of the Lab, for competitors whose key ends in @against
+          beside: name === 'lab' && process.env.FAROL_AGAINST ? { against: process.env.FAROL_AGAINST } : {},
           texts: { [addressFile]: addresses },
         });
         closers.push(stop);
