@@ -16,30 +16,21 @@ const wall = [
       'mtllib wall.mtl\nv -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nvt 0 0\nusemtl moss\nf 1/1 2/1 3/1 4/1\nf 4/1 3/1 2/1 1/1',
     ),
   },
-  { name: 'wall.mtl', bytes: bytes('newmtl moss\nKd 1 1 1\nKs 0 0 0\nmap_Kd t\\Moss.tga\nnorm t\\moss_n.png') },
+  {
+    name: 'wall.mtl',
+    bytes: bytes('newmtl moss\nKd 1 1 1\nKs 0.2 0.2 0.2\nmap_Kd t\\Moss.tga\nnorm t\\moss_n.png\nmap_Ks t\\shine.png'),
+  },
+  {
+    // 2 × 2 texels
+    name: 'shine.png',
+    bytes: Buffer.from(
+      'iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAAD0lEQVR42mNgYPgPRmAKABf2A/3HkIu0AAAAAElFTkSuQmCC',
+      'base64',
+    ),
+  },
   {
     name: 'moss.tga',
-    bytes: Buffer.from([
-      0,
-      0,
-      2,
-      0,
-      0,
-      0,
-      0,
-      0,
-      0,
-      0,
-      0,
-      0,
-      2,
-      0,
-      2,
-      0,
-      24,
-      0,
-      ...Array.from({ length: 4 }, () => [0, 255, 0]).flat(),
-    ]),
+    bytes: Buffer.from('00000200000000000000000002000200180000ff0000ff0000ff0000ff00', 'hex'),
   },
 ];
 

@@ -26,27 +26,7 @@ const mtl = `newmtl wall\r
 `;
 
 /** 2 × 2 texels of 24 bits, blue: of a TGA each texel is blue, green, red. */
-const blueTga = Uint8Array.from([
-  0,
-  0,
-  2,
-  0,
-  0,
-  0,
-  0,
-  0,
-  0,
-  0,
-  0,
-  0,
-  2,
-  0,
-  2,
-  0,
-  24,
-  0,
-  ...Array.from({ length: 4 }, () => [255, 0, 0]).flat(),
-]);
+const blueTga = Buffer.from('000002000000000000000000020002001800ff0000ff0000ff0000ff0000', 'hex');
 
 /** Means of red and blue over the middle of the picture. */
 async function middle(page: Page): Promise<{ red: number; blue: number }> {

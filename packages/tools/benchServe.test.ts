@@ -49,3 +49,18 @@ it('serves another folder under its name, and nothing above it', async () => {
     await server.close();
   }
 });
+
+it('answers texts in place of files, as they are when they are asked for', async () => {
+  let text = 'first';
+  const server = await serveFolder(join(folder, 'dist'), { texts: { 'apps.json': () => text } });
+  try {
+    expect(await (await fetch(`${server.url}apps.json`)).text()).toBe('first');
+    text = 'second';
+    const answer = await fetch(`${server.url}apps.json`);
+    expect(await answer.text()).toBe('second');
+    expect(answer.headers.get('content-type')).toBe('application/json');
+    expect(await status(server.url, '/constructor')).toBe(404);
+  } finally {
+    await server.close();
+  }
+});

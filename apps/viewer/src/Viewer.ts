@@ -1,6 +1,6 @@
 import { App, AssetLibrary, type CameraComponent, KeyController, MouseController, type Scene } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
-import { cancellable, expandZips, type FileMap } from '@farol/engine/files';
+import { cancellable, type FileMap } from '@farol/engine/files';
 import { scenes } from '@farol/engine/scenes';
 import { type FarolEffect, FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
 import { type EffectName, effects } from '@farol/renderer/effects';
@@ -229,9 +229,7 @@ export class Viewer {
     }, LONG);
     addEventListener('keydown', onKey);
     try {
-      const reading = Promise.resolve(files)
-        .then((given) => expandZips(given))
-        .then((all) => loadModel(all, this.three, cancel.signal));
+      const reading = Promise.resolve(files).then((all) => loadModel(all, this.three, cancel.signal));
       const model = await cancellable(reading, cancel.signal, ({ gltf }) => disposeModel(gltf.scene));
       if (load !== this.loads) return disposeModel(model.gltf.scene);
       this.showModel(model, false);
@@ -245,10 +243,7 @@ export class Viewer {
     }
   }
 
-  /**
-   * Opens the Lab with the scene on show: a demo scene by the Lab's address, others handed over. A message tells when the
-   * Lab does not open. Call it while a click or a key is answered: browsers block windows that open by themselves.
-   */
+  /** Opens the Lab with the scene on show, or tells why not. Call it while a click or a key is answered: see `openBeside`. */
   async measure(): Promise<void> {
     this.messages.show('lab', '');
     try {

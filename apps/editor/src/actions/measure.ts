@@ -8,7 +8,7 @@ export const measure: Action = {
   icon: 'gauge',
   run: (editor) =>
     openBeside('lab', 'the Lab', {
-      fragment: '#preset=custom&series=own:pixels:922',
+      fragment: '#preset=custom&series=own:pixels:230,922,2074',
       scene: {
         name: editor.document.scene.name,
         bytes: async () => {

@@ -34,5 +34,5 @@ export function labFragment(
   return `#preset=custom&series=${scene}:lights:${lightsRound(value('lights'))}`;
 }
 
-/** What the Lab's address has after `#` to measure a scene that is handed over, at 720p. */
-export const ownSceneFragment = '#preset=custom&series=own:pixels:922';
+/** What the Lab's address has after `#` to measure a scene that is handed over, from 360p to 1080p. */
+export const ownSceneFragment = '#preset=custom&series=own:pixels:230,922,2074';

@@ -1,4 +1,12 @@
-import { checkModel, checkModelFile, modelError, packGltf, packObj, readGltfJson } from '@farol/engine/files';
+import {
+  checkModel,
+  checkModelFile,
+  expandZips,
+  modelError,
+  packGltf,
+  packObj,
+  readGltfJson,
+} from '@farol/engine/files';
 import { LoadingManager, type WebGLRenderer } from 'three';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
 import type { FileMap } from '@farol/engine/files';
@@ -19,10 +27,12 @@ export interface LoadedModel {
 /**
  * Reads the glTF, OBJ, STL or PLY among some files, with the buffers, materials and textures that it names.
  *
+ * @param given files; a ZIP stands for what it holds
  * @param signal cancels the reading
  * @throws Error that names the file and the reason; nothing is shown half then; what the signal was aborted with
  */
-export async function loadModel(files: FileMap, renderer: WebGLRenderer, signal?: AbortSignal): Promise<LoadedModel> {
+export async function loadModel(given: FileMap, renderer: WebGLRenderer, signal?: AbortSignal): Promise<LoadedModel> {
+  const files = await expandZips(given);
   const path = findModel(files);
   try {
     return await (/\.(glb|gltf)$/i.test(path) ? loadGltf : loadMesh)(files, path, renderer, signal);

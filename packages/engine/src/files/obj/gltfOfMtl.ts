@@ -34,7 +34,7 @@ export interface GltfNotes {
  * - `Ks`, `Ns`: roughness, see `roughnessOf`; `map_Ks`: its brightness is the strength of the highlight, as roughness.
  *   `Pr` and `Pm` are taken as they are; without `Pm` nothing is a metal
  * - `Ke`, `map_Ke`: emission
- * - `d`, or `Tr` = 1 − d: opacity; `map_d`: opacity, cut out at a half where it is nearly everywhere 0 or 1, else blended
+ * - `d`, or `Tr` = 1 − d: opacity, where that leaves anything to be seen; `map_d`: opacity, cut out at a half where it is nearly everywhere 0 or 1, else blended
  * - `norm`: map of normals; `bump`, `map_bump`: likewise where the picture holds normals, else the heights become normals;
  *   `disp`: only where it holds normals
  * - `-s`, `-o`, `-clamp`, `-bm` of textures

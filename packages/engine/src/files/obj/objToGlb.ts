@@ -17,6 +17,9 @@ interface FoundMaterial {
   readonly from: string;
 }
 
+/** Bytes that fit into one buffer of any browser. */
+const LARGEST = 2 ** 31 - 1;
+
 /** Names that are listed in a message. */
 const LISTED = 12;
 
@@ -35,7 +38,10 @@ const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
 /** See `packObj`. */
 export async function objToGlb(files: FileMap, path: string, signal?: AbortSignal): Promise<PackedObj> {
-  const bytes = new Uint8Array(await files.get(path)!.arrayBuffer());
+  const given = files.get(path)!;
+  if (given.size > LARGEST)
+    throw new Error('it has more than 2 GB, which no browser reads at once: export it in parts.');
+  const bytes = new Uint8Array(await given.arrayBuffer());
   const { read, hasMaterials } = readerOf(path);
   const file = await read(bytes, signal);
   const meshes = await objMeshes(file, signal);

@@ -265,8 +265,10 @@ describe('a material of an MTL file', () => {
     expect(material).toMatchObject({ alphaMode: 'BLEND', doubleSided: true });
   });
 
-  it('is opaque where Tr alone would make it vanish', async () => {
-    expect((await materialOf('Tr 1.0')).material).not.toHaveProperty('alphaMode');
+  it.each(['Tr 1.0', 'd 0.000000', 'd 0\nTr 1'])('is opaque where %j would make it vanish', async (mtl) => {
+    const { material } = await materialOf(mtl);
+    expect(material).not.toHaveProperty('alphaMode');
+    expect(material.pbrMetallicRoughness.baseColorFactor[3]).toBe(1);
   });
 
   it('multiplies map_Kd by Kd, unless that is black', async () => {

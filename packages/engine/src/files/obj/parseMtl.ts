@@ -138,8 +138,8 @@ function readMaterial(name: string, info: MtlInfo): MtlMaterial {
   };
 }
 
-/** `Tr 1` alone would make the surface vanish: some programs write it for an opaque one. */
+/** A material that nobody would see is opaque: programs write `d 0`, as in the Sponza that is handed round, or `Tr 1` for it. */
 function opacityOf(d: number | undefined, transparency: number | undefined): number | undefined {
-  const opacity = d ?? (transparency === undefined || transparency === 1 ? undefined : 1 - transparency);
-  return opacity === undefined ? undefined : Math.min(1, Math.max(0, opacity));
+  const opacity = d ?? (transparency === undefined ? undefined : 1 - transparency);
+  return opacity === undefined || opacity <= 0 ? undefined : Math.min(1, opacity);
 }
