@@ -1,4 +1,5 @@
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
+import { webglProblem } from '../stage/deviceLimits';
 import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
@@ -11,7 +12,7 @@ export function farol(name: TechniqueName): Competitor {
   return {
     name,
     ...competitorNames[name],
-    unavailable: async () => null,
+    unavailable: async () => webglProblem(),
     refuses: () => null,
     async open(canvas, scene, signal): Promise<Drawing> {
       await FarolRenderer.preload();

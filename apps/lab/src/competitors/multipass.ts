@@ -16,6 +16,7 @@ import {
   SrcAlphaFactor,
   WebGLRenderTarget,
 } from 'three';
+import { webglProblem } from '../stage/deviceLimits';
 import type { StageScene } from '../stage/StageScene';
 import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
@@ -28,7 +29,7 @@ import { createWebGL } from './createWebGL';
 export const multipass: Competitor = {
   name: 'multipass',
   ...competitorNames.multipass,
-  unavailable: async () => null,
+  unavailable: async () => webglProblem(),
   refuses: () => null,
   async open(canvas, scene): Promise<Drawing> {
     const { renderer, gl, check, dispose } = createWebGL(canvas, scene);

@@ -1,4 +1,5 @@
-import { deviceLimits } from '../stage/deviceLimits';
+import type { WebGLRenderer } from 'three';
+import { deviceLimits, webglProblem } from '../stage/deviceLimits';
 import type { Competitor, Drawing } from './Competitor';
 import { compileForecast } from './compileForecast';
 import { competitorNames } from './competitorNames';
@@ -12,12 +13,14 @@ const SHADOW = 3;
 const OTHERS = 16;
 /** From so many lights on, compiling may hang the page: it is foretold, or done beside the page where the browser can. */
 const MANY = 64;
+/** Time between two questions whether it is done (ms). */
+const POLL = 4;
 
 /** three's own renderer: every light is in every shader. */
 export const stock: Competitor = {
   name: 'stock',
   ...competitorNames.stock,
-  unavailable: async () => null,
+  unavailable: async () => webglProblem(),
   refuses({ lights, shadows }) {
     const { fragmentUniforms } = deviceLimits();
     if (lights * LIGHT + shadows * SHADOW + OTHERS <= fragmentUniforms) return null;
@@ -33,10 +36,12 @@ export const stock: Competitor = {
     const { renderer, gl, check, dispose } = createWebGL(canvas, scene);
     async function drawFirst(): Promise<void> {
       const begin = performance.now();
-      const compiled = renderer.compileAsync(three, camera).then(() => true);
-      const late = new Promise<false>((resolve) => setTimeout(() => resolve(false), longest));
-      if (!(await Promise.race([compiled, late]))) refuseTime(performance.now() - begin, longest, count);
-      signal.throwIfAborted();
+      renderer.compile(three, camera);
+      while (!isCompiled(renderer)) {
+        await new Promise((resolve) => setTimeout(resolve, POLL));
+        signal.throwIfAborted();
+        refuseTime(performance.now() - begin, longest, count);
+      }
       renderer.render(three, camera);
     }
     return {
@@ -48,6 +53,10 @@ export const stock: Competitor = {
     };
   },
 };
+
+/** Whether the programs of a renderer are linked; asking does not wait for them. */
+const isCompiled = ({ info }: WebGLRenderer): boolean =>
+  (info.programs as unknown as { isReady(): boolean }[]).every((program) => program.isReady());
 
 /** @throws Error when compiling takes longer than a first frame may */
 function refuseTime(ms: number, longest: number, lights: number): void {

@@ -1,10 +1,11 @@
 import { type Counters, installCounters } from '@farol/tools/benchCounters';
 import { loadCompetitor } from '../competitors';
+import { smallFirstFrame } from '../competitors/smallFirstFrame';
 import { saltShaders } from '../measure/saltShaders';
 import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
 import type { LabCase } from '../plan/LabPlan';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
-import { deviceLimits, isSoftware } from './deviceLimits';
+import { deviceLimits, isSoftware, webglProblem } from './deviceLimits';
 import { loseContext } from './loseContext';
 import { OpenCompetitor } from './OpenCompetitor';
 import type { Opened, Stage, Turn } from './Stage';
@@ -16,6 +17,7 @@ export class LabStage implements Stage {
   private readonly scenes: StageScenes;
   private readonly entered = new Map<string, OpenCompetitor>();
   private readonly counters: Counters;
+  private isWarm = false;
 
   constructor(options: StageScenesOptions = {}) {
     this.scenes = new StageScenes(options);
@@ -33,6 +35,11 @@ export class LabStage implements Stage {
     const problem = await competitor.unavailable();
     if (problem !== null) throw new Error(problem);
     signal.throwIfAborted();
+    if (!this.isWarm) {
+      // else whoever is first pays for the browser's first shader and for code that never ran
+      if (webglProblem() === null) smallFirstFrame(1);
+      this.isWarm = true;
+    }
     const scene = await this.scenes.build(labCase);
     const canvas = document.createElement('canvas');
     let opened: OpenCompetitor | null = null;

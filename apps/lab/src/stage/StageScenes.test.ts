@@ -134,6 +134,7 @@ describe('StageScenes', () => {
     };
     add('Camera', [Camera]).transform.position = [0, 1, 5];
     add('Box', [ObjectRenderer, { mesh: 'box' }], [RandomMovement, { speed: 2 }]);
+    add('Rock', [ObjectRenderer, { mesh: 'sphere' }]);
     add('Lamp', [LightComponent, { castShadow: true, shadowMapSize: 256 }], [RandomMovement, {}]);
     add('Fixed', [LightComponent, { attenuation: 'near-far', far: 4 }]);
     const own = new StageScenes({ makeRenderer: () => null });
@@ -150,6 +151,9 @@ describe('StageScenes', () => {
     const place = new Vector3().setFromMatrixPosition(meshesOf(scene)[0].matrixWorld);
     expect(place.distanceTo(box.position)).toBeCloseTo(0);
     expect(place.length()).toBeGreaterThan(0.01);
+    // what stands still costs nothing
+    scene.setTime(2);
+    expect(meshesOf(scene).map(({ matrixWorldNeedsUpdate }) => matrixWorldNeedsUpdate)).toEqual([true, false]);
   });
 
   it('says what is wrong', async () => {

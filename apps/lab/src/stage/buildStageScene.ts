@@ -1,4 +1,13 @@
-import { type Camera, type Light, type Mesh, type Object3D, PointLight, Scene, type SpotLight } from 'three';
+import {
+  type Camera,
+  type Light,
+  type Matrix4,
+  type Mesh,
+  type Object3D,
+  PointLight,
+  Scene,
+  type SpotLight,
+} from 'three';
 import type { LabCase } from '../plan/LabPlan';
 import { castShadow, copyLight } from './copyLight';
 import { evenly } from './lightChoice';
@@ -16,6 +25,9 @@ interface Follower<T extends Object3D> {
   readonly source: T;
   readonly copy: T;
 }
+
+/** Times at which a scene that was handed over is looked at, to see what of it moves (s). */
+const LOOKS = [0.37, 1.9, 7.3, 23.1, 61.7];
 
 /**
  * A competitor's own scene of a case: the same numbers for every competitor and in every run.
@@ -73,6 +85,8 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
     const lit = points.map(({ position }) => position.clone());
     for (const layer of overdrawLayers(labCase.overdraw, camera, lit)) three.add(copier.object(fixed(layer)));
   }
+  const moved = follows ? thatMove(followers, template) : [];
+  const movedLights = follows ? thatMove(lightFollowers, template) : [];
   let seconds = 0;
 
   function setTime(time: number): void {
@@ -83,12 +97,12 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
     }
     template.scene.setTime(time);
     source.updateMatrixWorld();
-    for (let i = 0; i < followers.length; i++) {
-      const { source: moved, copy } = followers[i];
-      copy.matrix.copy(moved.matrixWorld);
+    for (let i = 0; i < moved.length; i++) {
+      const { source: mesh, copy } = moved[i];
+      copy.matrix.copy(mesh.matrixWorld);
       copy.matrixWorldNeedsUpdate = true;
     }
-    for (let i = 0; i < lightFollowers.length; i++) follow(lightFollowers[i]);
+    for (let i = 0; i < movedLights.length; i++) follow(movedLights[i]);
     camera.position.setFromMatrixPosition(template.camera.matrixWorld);
     camera.quaternion.setFromRotationMatrix(template.camera.matrixWorld);
   }
@@ -131,6 +145,22 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
       three.clear();
     },
   };
+}
+
+/** What of a scene that was handed over is ever elsewhere than at time 0. */
+function thatMove<T extends Object3D>(followers: readonly Follower<T>[], { scene }: StageTemplate): Follower<T>[] {
+  const matricesAt = (seconds: number): Matrix4[] => {
+    scene.setTime(seconds);
+    scene.three.updateMatrixWorld();
+    return followers.flatMap(({ source }) => [
+      source.matrixWorld.clone(),
+      ((source as unknown as Partial<SpotLight>).target ?? source).matrixWorld.clone(),
+    ]);
+  };
+  const looks = LOOKS.map(matricesAt);
+  const begin = matricesAt(0);
+  const differs = (at: number): boolean => looks.some((matrices) => !matrices[at].equals(begin[at]));
+  return followers.filter((_, i) => differs(2 * i) || differs(2 * i + 1));
 }
 
 /** Brings a light where the one of the engine's scene is. */

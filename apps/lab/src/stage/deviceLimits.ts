@@ -40,6 +40,16 @@ export function deviceLimits(): DeviceLimits {
   return known;
 }
 
+/** Why nothing is drawn by WebGL 2 here, as a sentence; null when it is there. */
+export function webglProblem(): string | null {
+  try {
+    deviceLimits();
+    return null;
+  } catch (error) {
+    return (error as Error).message;
+  }
+}
+
 /** Whether a device is a program that draws on the processor, by its name. */
 export const isSoftware = (renderer: string): boolean =>
   /swiftshader|llvmpipe|softpipe|software|basic render|warp/i.test(renderer);
