@@ -1,7 +1,7 @@
 import type { LabRun } from '../results/LabRun';
 import { verdictWords } from '../thesis/verdictWords';
 import { chartSVG } from './chartSVG';
-import { type ChartSettings, defaultSettings } from './ChartSpec';
+import { type ChartSettings, type ChartSpec, defaultSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
 import { sourceOf } from './sourceOf';
 
@@ -20,8 +20,26 @@ export function chartFiles(
   settings: ChartSettings = defaultSettings,
   theme: 'light' | 'dark' = 'light',
 ): ChartFile[] {
-  return chartsOf(runs, settings).map((chart) => ({
-    ...{ name: chart.key, title: chart.title, svg: chartSVG(chart, { theme, source: sourceOf(runs) }) },
-    sentences: [...chart.sentences, ...chart.verdicts.map(verdictWords)],
-  }));
+  return chartsOf(runs, settings)
+    .flatMap((chart) => byBaseline(chart, runs, settings))
+    .map(([name, chart]) => ({
+      ...{ name, title: chart.title, svg: chartSVG(chart, { theme, source: sourceOf(runs) }) },
+      sentences: [...chart.sentences, ...chart.verdicts.map(verdictWords)],
+    }));
+}
+
+/** The comparison with the thesis once for each renderer that may stand for its forward; other charts as they are. */
+function byBaseline(
+  chart: ChartSpec,
+  runs: readonly LabRun[],
+  settings: ChartSettings,
+): (readonly [name: string, chart: ChartSpec])[] {
+  const { key, title, choice, verdicts } = chart;
+  if (!choice || verdicts.length === 0) return [[key, chart]];
+  return choice.options.map((option, i) => {
+    const cases = { ...settings.cases, [key]: i };
+    const chosen = chartsOf(runs, { ...settings, cases }).find((each) => each.key === key)!;
+    const name = option.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-');
+    return [`${key}-${name}`, { ...chosen, title: `${title}, forward by ${option}` }] as const;
+  });
 }

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { madeUpRun } from '../words/madeUpRun';
+import { chartFiles } from './chartFiles';
 import { chartSVG } from './chartSVG';
 import { type ChartSettings } from './ChartSpec';
 import { defaultSettings } from './ChartSpec';
@@ -76,6 +77,19 @@ test('no figures at all, one point, and ranges of nine powers of ten are drawn',
 test('a series without a figure says so in its place', () => {
   const [{ svg }] = filesOf([madeUpRun([10], { deferred: ['Lost its context.'] })]);
   expect(svg).toContain('No figures here');
+});
+
+test('the thesis is held against each renderer that may stand for its forward', () => {
+  const files = chartFiles([sampleRun({ preset: 'thesis' })]);
+  expect(files.map(({ name }) => name).filter((name) => name.startsWith('thesis'))).toEqual([
+    'thesis-farol-forward',
+    'thesis-three-naive-multipass',
+    'thesis-three-webglrenderer',
+  ]);
+  const [forward, multipass] = files.filter(({ name }) => name.startsWith('thesis'));
+  expect(forward.sentences).toHaveLength(8);
+  expect(multipass.sentences.join()).toContain('naive multipass');
+  expect(new Set(files.map(({ name }) => name)).size).toBe(files.length);
 });
 
 test('texts that others wrote cannot leave their place in a file', () => {

@@ -27,7 +27,8 @@ export function rowLines(row: LabRow, metric: Metric): string[] {
   if (others.length > 0) {
     lines.push(others.map((other) => `${metricWords[other].label} ${formatMs(timeOf(row, other)!.median)}`).join(', '));
   }
-  if (row.technique) lines.push(`Drawn by ${competitorWord(row.technique)}${row.reason ? `: ${row.reason}` : ''}`);
+  if (row.technique && row.technique !== row.competitor)
+    lines.push(`Drawn by ${competitorWord(row.technique)}${row.reason ? `: ${row.reason}` : ''}`);
   if (row.likeness) {
     const { psnr, reference } = row.likeness;
     const like = psnr === null ? 'equal to' : `${formatNumber(psnr)} dB PSNR against`;

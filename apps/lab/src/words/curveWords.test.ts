@@ -50,6 +50,13 @@ describe('sentences of a series', () => {
     );
   });
 
+  test('a winner that only ties in some cases is not said to win them', () => {
+    const [sentence] = wordsOf([1, 25, 100], { stock: [1, 1.02, 5], deferred: [2, 1, 1] });
+    expect(sentence).toBe(
+      'Three’s WebGLRenderer is the fastest or ties for it from 1 to 25 lights (1.02 ms there); deferred is the fastest with 100 lights (1 ms).',
+    );
+  });
+
   test('auto draws by another technique: it is never the fastest', () => {
     const [sentence] = wordsOf([10, 50], { auto: [0.5, 0.5], deferred: [1, 1], inferred: [2, 2] });
     expect(sentence).toContain('Deferred is the fastest throughout');

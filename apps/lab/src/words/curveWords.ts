@@ -60,8 +60,12 @@ function fastest(series: LabSeries, winners: readonly Winners[]): string {
     const shown = names.slice(0, 3).map(competitorWord);
     const more = names.length > 3 ? [`${names.length - 3} more`] : [];
     const who = listOf([...shown, ...more]);
-    const isPlain = names.length === 1 && place > 0 && ranges[place - 1].names.length === 1;
-    const says = isPlain ? who : `${who} ${names.length > 1 ? 'tie for the fastest' : 'is the fastest'}`;
+    // alone in some cases, tied with others in the rest
+    const mixed = names.length === 1 && cases.some((each) => each.names.length > 1);
+    const before = ranges[place - 1];
+    const isPlain = names.length === 1 && !mixed && before?.cases.every((each) => each.names.length === 1);
+    const verb = names.length > 1 ? 'tie for the fastest' : mixed ? 'is the fastest or ties for it' : 'is the fastest';
+    const says = isPlain ? who : `${who} ${verb}`;
     const joint = place === 0 ? '' : isPlain ? ', ' : '; ';
     if (first === last) return `${joint}${says} with ${at(series, first)} (${time(names[0], first)})`;
     const whole = ranges.length === 1 && cases.length === winners.length;
