@@ -31,6 +31,8 @@ export interface Running {
 
 export interface RunState {
   readonly running: Running | null;
+  /** Whether a run is asked for whose first step has not begun. */
+  readonly isStarting: boolean;
   /** Why the last run broke off, as a sentence; null when it did not. */
   readonly problem: string | null;
   /**
@@ -53,6 +55,7 @@ export interface Prepared {
 /** A run and what is shown of it while it goes on. */
 export function useRun(): RunState {
   const [running, setRunning] = useState<Running | null>(null);
+  const [isStarting, setStarting] = useState(false);
   const [problem, setProblem] = useState<string | null>(null);
   const abort = useRef<AbortController | null>(null);
   useEffect(() => () => abort.current?.abort(), []);
@@ -70,6 +73,7 @@ export function useRun(): RunState {
     const controller = new AbortController();
     abort.current = controller;
     setProblem(null);
+    setStarting(true);
     try {
       const { frames, surroundings, mostContexts } = await prepare();
       const begin = performance.now();
@@ -85,6 +89,7 @@ export function useRun(): RunState {
         last = picture;
         const now = performance.now();
         if (now - words < WORDS) return;
+        setStarting(false);
         words = now;
         if (now - charts > CHARTS) {
           charts = now;
@@ -101,6 +106,7 @@ export function useRun(): RunState {
     } finally {
       abort.current = null;
       setRunning(null);
+      setStarting(false);
     }
   }, []);
 
@@ -108,7 +114,7 @@ export function useRun(): RunState {
     abort.current?.abort();
     setRunning((now) => now && { ...now, isCancelled: true });
   }, []);
-  return { running, problem, start, cancel };
+  return { running, isStarting, problem, start, cancel };
 }
 
 /** What was measured so far, as a run of its own: later turns do not change it. */
