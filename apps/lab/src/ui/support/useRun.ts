@@ -7,9 +7,8 @@ import type { StageFrames } from '../../run/StageFrames';
 import { holdPicture } from './sharpPictures';
 import { messageOf } from '../../run/messageOf';
 
-/** How often the words of the progress change, and how often the charts are drawn anew while a run goes on (ms). */
+/** How often the words of the progress change (ms). */
 const WORDS = 200;
-const CHARTS = 3000;
 
 /** A run that goes on, as the page shows it. */
 export interface Running {
@@ -25,7 +24,7 @@ export interface Running {
   readonly picture: ImageData | null;
   /** Set once the user has cancelled it. */
   readonly isCancelled: boolean;
-  /** What was measured so far; renewed less often than the rest. */
+  /** The cases that are over. */
   readonly run: LabRun;
 }
 
@@ -78,7 +77,6 @@ export function useRun(): RunState {
       const { frames, surroundings, mostContexts } = await prepare();
       const begin = performance.now();
       let words = -Infinity;
-      let charts = -Infinity;
       let run = partial(plan, surroundings, null, 0);
       let last: ImageData | null = null;
       const onProgress = (progress: Progress): void => {
@@ -89,17 +87,21 @@ export function useRun(): RunState {
         last = picture;
         const now = performance.now();
         if (now - words < WORDS) return;
-        setStarting(false);
         words = now;
-        if (now - charts > CHARTS) {
-          charts = now;
-          run = partial(plan, surroundings, progress, now - begin);
-        }
-        const { done, total, remaining } = progress;
+        setStarting(false);
+        show(progress);
+      };
+      const show = ({ done, total, remaining, competitor, series, labCase, picture }: Progress): void => {
         const isCancelled = controller.signal.aborted;
         setRunning({ plan, done, total, remaining, competitor, series, labCase, picture, isCancelled, run });
       };
-      return await runPlan(plan, { frames, surroundings, mostContexts, onProgress, signal: controller.signal });
+      const onCase = async (progress: Progress): Promise<void> => {
+        run = partial(plan, surroundings, progress, performance.now() - begin);
+        show(progress);
+        await drawn();
+      };
+      const { signal } = controller;
+      return await runPlan(plan, { frames, surroundings, mostContexts, onProgress, onCase, signal });
     } catch (error) {
       setProblem(messageOf(error));
       return null;
@@ -115,6 +117,14 @@ export function useRun(): RunState {
     setRunning((now) => now && { ...now, isCancelled: true });
   }, []);
   return { running, isStarting, problem, start, cancel };
+}
+
+/** Waits until the page has drawn what is new; not longer than for some frames, since a hidden page draws nothing. */
+function drawn(): Promise<void> {
+  return new Promise((resolve) => {
+    setTimeout(resolve, 250);
+    requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve)));
+  });
 }
 
 /** What was measured so far, as a run of its own: later turns do not change it. */
