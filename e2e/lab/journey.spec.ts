@@ -47,7 +47,7 @@ test('builds a comparison by mouse and keyboard, measures it, and keeps what a c
   await page.keyboard.press('Enter');
   await expect(page.getByRole('heading', { name: /Measuring: Custom/ })).toBeFocused();
   const heading = page.getByRole('heading', { name: 'Custom', exact: true });
-  await expect(heading).toBeFocused({ timeout: 30_000 });
+  await expect(heading).toBeFocused({ timeout: 60_000 });
   await page.getByText('Table of 4 rows').click();
   const rows = page.getByRole('table').filter({ hasText: 'Remarks' }).getByRole('row');
   await expect(rows).toHaveCount(5);
@@ -71,7 +71,7 @@ test('builds a comparison by mouse and keyboard, measures it, and keeps what a c
   await page.getByRole('button', { name: 'Measure: your own comparison' }).click();
   await expect(page.getByText('Farol: forward').first()).toBeVisible();
   await page.getByRole('button', { name: /Cancel/ }).click();
-  await expect(page.locator('.run-head')).toContainText('not complete', { timeout: 20_000 });
+  await expect(page.locator('.run-head')).toContainText('not complete', { timeout: 30_000 });
   await page.getByText(/Table of \d rows/).click();
   await expect(rows.nth(1)).toContainText('Farol: forward');
 });

@@ -5,6 +5,7 @@ import { presets } from '../plan/presets';
 import type { LabSurroundings } from '../results/LabRun';
 import type { Stage } from '../stage/Stage';
 import { Forecast } from './Forecast';
+import type { Progress } from './Progress';
 import { runPlan } from './runPlan';
 
 const surroundings: LabSurroundings = {
@@ -78,6 +79,22 @@ describe('runPlan', () => {
       ...[['stock', 1, 1] as const, ['deferred', 1, 2] as const],
     ]);
     expect(run.rows[0].frame?.samples).toBe(4);
+  });
+
+  it('waits after each case for what is done with its rows', async () => {
+    const said: string[] = [];
+    const stage = fakeStage({ stock: 1 }, said);
+    const onCase = async ({ rows }: Progress): Promise<void> => {
+      said.push(`rows ${rows.length}, begun`);
+      for (let i = 0; i < 5; i++) await Promise.resolve();
+      said.push('ended');
+    };
+    await runPlan(smallPlan(['stock']), { ...options(stage), onCase });
+    const turns = ['turn stock', 'turn stock', 'close stock'];
+    expect(said).toEqual([
+      ...['open stock 10', ...turns, 'rows 1, begun', 'ended'],
+      ...['open stock 100', ...turns, 'rows 2, begun', 'ended'],
+    ]);
   });
 
   it('compares pictures with stock three’s', async () => {

@@ -13,6 +13,8 @@ export interface RunOptions {
   readonly surroundings: LabSurroundings;
   /** Called before each step. */
   onProgress?(progress: Progress): void;
+  /** Called after each case and waited for, so that what the page draws then disturbs no measurement. */
+  onCase?(progress: Progress): void | Promise<void>;
   /** Cancels the run: what was measured stays, in a run that is not `complete`. */
   readonly signal: AbortSignal;
   /** Contexts that may be alive at once; default as for a desktop. */
@@ -65,6 +67,7 @@ export async function runPlan(plan: LabPlan, options: RunOptions): Promise<LabRu
     }
     await caseRun.end();
     if (!signal.aborted && !isLate()) measured++;
+    await options.onCase?.(progress);
   }
   return {
     format: 'farol-lab-run',

@@ -3,12 +3,12 @@ import type { StageState } from './support/useStage';
 
 interface HeroProps {
   stage: StageState;
-  isRunning: boolean;
+  isBusy: boolean;
   onMeasure(): void;
 }
 
 /** What the Lab is, and the button that does it. */
-export function Hero({ stage, isRunning, onMeasure }: HeroProps) {
+export function Hero({ stage, isBusy, onMeasure }: HeroProps) {
   return (
     <section class="hero" aria-labelledby="title">
       <div class="hero-words">
@@ -17,7 +17,7 @@ export function Hero({ stage, isRunning, onMeasure }: HeroProps) {
           The Lab draws the same scenes by eleven techniques of Farol, by three.js and by other engines, in turns, and
           shows which is fastest where, and why.
         </p>
-        <button type="button" class="primary large" disabled={isRunning || stage.device === null} onClick={onMeasure}>
+        <button type="button" class="primary large" disabled={isBusy || stage.device === null} onClick={onMeasure}>
           Measure this machine (90&nbsp;s)
         </button>
       </div>

@@ -31,14 +31,23 @@ const store = new RunStore();
 export function LabPage() {
   const { configuration, problems, setConfiguration } = useConfiguration();
   const shown = useShownRun();
+  const showRun = shown.show;
   const [pair, setPair] = useState<readonly [LabRun, LabRun] | null>(null);
   const [complaint, setComplaint] = useState<string | null>(null);
   const stage = useStage();
   const handed = useOwnScene();
-  const { running, problem, start, cancel } = useRun();
+  const { running, isStarting, problem, start, cancel } = useRun();
   const isRunning = running !== null;
   const plan = useMemo(() => planned(configuration, handed.scene !== null), [configuration, handed.scene]);
-  const { focus, show } = useFocusedRun(shown.show);
+  const { focus, show } = useFocusedRun(
+    useCallback(
+      (run: LabRun) => {
+        setPair(null);
+        showRun(run);
+      },
+      [showRun],
+    ),
+  );
   useEffect(() => {
     if (handed.scene) setConfiguration(ownPreset(handed.scene.name).configuration);
   }, [handed.scene, setConfiguration]);
@@ -65,7 +74,7 @@ export function LabPage() {
     stage.close();
     if (!run) return;
     show(run);
-    await keep(run);
+    if (run.rows.length > 0) await keep(run);
   };
   const rename = (run: LabRun, name: string): void => {
     const renamed = { ...run, name };
@@ -83,10 +92,11 @@ export function LabPage() {
       <main>
         <Hero
           stage={stage}
-          isRunning={isRunning}
+          isBusy={isRunning || isStarting}
           onMeasure={() => void measure(quickFor({ software: stage.device?.software ?? false }))}
         />
         {handed.isComing && <p role="status">The scene is on its way from the page that handed it over …</p>}
+        {isStarting && <p role="status">Opening the frames that are measured …</p>}
         {running && <RunPanel running={running} onCancel={cancel} />}
         {[...problems, problem, complaint, shown.problem, handed.problem].map(
           (each) =>
@@ -107,38 +117,41 @@ export function LabPage() {
             planned={plan}
             unavailable={stage.unavailable}
             ownScene={handed.scene?.name ?? null}
-            isRunning={isRunning}
+            isBusy={isRunning || isStarting}
             onChange={setConfiguration}
             onMeasure={() => void measure(configuration)}
           />
           <div class="shown">
-            {pair && <ComparedRuns runs={pair} onClose={() => setPair(null)} />}
-            <section class="results" aria-labelledby="results-title">
-              {run ? (
-                <Results
-                  run={run}
-                  isReference={!isRunning && shown.isReference}
-                  isRunning={isRunning}
-                  title={focus}
-                  actions={
-                    !isRunning && (
-                      <RunActions
-                        run={run}
-                        isReference={shown.isReference}
-                        hasOwnScene={handed.scene !== null}
-                        onRename={(name) => rename(run, name)}
-                        onMeasure={(again) => void measure(again)}
-                        onCompare={(reference) => setPair([run, reference])}
-                        onProblem={setComplaint}
-                        choice={<RunChoice store={store} run={run} onOpen={show} onProblem={setComplaint} />}
-                      />
-                    )
-                  }
-                />
-              ) : (
-                <h2 id="results-title">Results</h2>
-              )}
-            </section>
+            {pair ? (
+              <ComparedRuns runs={pair} onClose={() => setPair(null)} />
+            ) : (
+              <section class="results" aria-labelledby="results-title">
+                {run ? (
+                  <Results
+                    run={run}
+                    isReference={!isRunning && shown.isReference}
+                    isRunning={isRunning}
+                    title={focus}
+                    actions={
+                      !isRunning && (
+                        <RunActions
+                          run={run}
+                          isReference={shown.isReference}
+                          hasOwnScene={handed.scene !== null}
+                          onRename={(name) => rename(run, name)}
+                          onMeasure={(again) => void measure(again)}
+                          onCompare={(reference) => setPair([run, reference])}
+                          onProblem={setComplaint}
+                          choice={<RunChoice store={store} run={run} onOpen={show} onProblem={setComplaint} />}
+                        />
+                      )
+                    }
+                  />
+                ) : (
+                  <h2 id="results-title">Results</h2>
+                )}
+              </section>
+            )}
             <section class="results">
               <RunLibrary
                 store={store}

@@ -11,13 +11,13 @@ interface SetupProps {
   unavailable: Readonly<Record<string, string | null>>;
   /** Name of the scene that was handed over; null for none. */
   ownScene: string | null;
-  isRunning: boolean;
+  isBusy: boolean;
   onChange(configuration: Configuration): void;
   onMeasure(): void;
 }
 
 /** What is to be measured: presets, every choice, and the button that begins. */
-export function Setup({ configuration, planned, unavailable, ownScene, isRunning, onChange, onMeasure }: SetupProps) {
+export function Setup({ configuration, planned, unavailable, ownScene, isBusy, onChange, onMeasure }: SetupProps) {
   const offered = ownScene === null ? presets : { own: ownPreset(ownScene), ...presets };
   const isOwn = ownScene !== null && usesOwnScene(configuration);
   const label = presets[configuration.preset]?.label ?? (isOwn ? ownScene : 'your own comparison');
@@ -36,7 +36,7 @@ export function Setup({ configuration, planned, unavailable, ownScene, isRunning
         />
       </details>
       <div class="begin">
-        <button type="button" class="framed" disabled={isRunning || planned.plan === null} onClick={onMeasure}>
+        <button type="button" class="framed" disabled={isBusy || planned.plan === null} onClick={onMeasure}>
           Measure: {label}
         </button>
         {planned.plan ? (

@@ -7,9 +7,8 @@ import type { StageFrames } from '../../run/StageFrames';
 import { holdPicture } from './sharpPictures';
 import { messageOf } from '../../run/messageOf';
 
-/** How often the words of the progress change, and how often the charts are drawn anew while a run goes on (ms). */
+/** How often the words of the progress change (ms). */
 const WORDS = 200;
-const CHARTS = 3000;
 
 /** A run that goes on, as the page shows it. */
 export interface Running {
@@ -25,12 +24,14 @@ export interface Running {
   readonly picture: ImageData | null;
   /** Set once the user has cancelled it. */
   readonly isCancelled: boolean;
-  /** What was measured so far; renewed less often than the rest. */
+  /** The cases that are over. */
   readonly run: LabRun;
 }
 
 export interface RunState {
   readonly running: Running | null;
+  /** Whether a run is asked for whose first step has not begun. */
+  readonly isStarting: boolean;
   /** Why the last run broke off, as a sentence; null when it did not. */
   readonly problem: string | null;
   /**
@@ -53,6 +54,7 @@ export interface Prepared {
 /** A run and what is shown of it while it goes on. */
 export function useRun(): RunState {
   const [running, setRunning] = useState<Running | null>(null);
+  const [isStarting, setStarting] = useState(false);
   const [problem, setProblem] = useState<string | null>(null);
   const abort = useRef<AbortController | null>(null);
   useEffect(() => () => abort.current?.abort(), []);
@@ -70,11 +72,11 @@ export function useRun(): RunState {
     const controller = new AbortController();
     abort.current = controller;
     setProblem(null);
+    setStarting(true);
     try {
       const { frames, surroundings, mostContexts } = await prepare();
       const begin = performance.now();
       let words = -Infinity;
-      let charts = -Infinity;
       let run = partial(plan, surroundings, null, 0);
       let last: ImageData | null = null;
       const onProgress = (progress: Progress): void => {
@@ -86,21 +88,27 @@ export function useRun(): RunState {
         const now = performance.now();
         if (now - words < WORDS) return;
         words = now;
-        if (now - charts > CHARTS) {
-          charts = now;
-          run = partial(plan, surroundings, progress, now - begin);
-        }
-        const { done, total, remaining } = progress;
+        setStarting(false);
+        show(progress);
+      };
+      const show = ({ done, total, remaining, competitor, series, labCase, picture }: Progress): void => {
         const isCancelled = controller.signal.aborted;
         setRunning({ plan, done, total, remaining, competitor, series, labCase, picture, isCancelled, run });
       };
-      return await runPlan(plan, { frames, surroundings, mostContexts, onProgress, signal: controller.signal });
+      const onCase = async (progress: Progress): Promise<void> => {
+        run = partial(plan, surroundings, progress, performance.now() - begin);
+        show(progress);
+        await drawn();
+      };
+      const { signal } = controller;
+      return await runPlan(plan, { frames, surroundings, mostContexts, onProgress, onCase, signal });
     } catch (error) {
       setProblem(messageOf(error));
       return null;
     } finally {
       abort.current = null;
       setRunning(null);
+      setStarting(false);
     }
   }, []);
 
@@ -108,7 +116,15 @@ export function useRun(): RunState {
     abort.current?.abort();
     setRunning((now) => now && { ...now, isCancelled: true });
   }, []);
-  return { running, problem, start, cancel };
+  return { running, isStarting, problem, start, cancel };
+}
+
+/** Waits until the page has drawn what is new; not longer than for some frames, since a hidden page draws nothing. */
+function drawn(): Promise<void> {
+  return new Promise((resolve) => {
+    setTimeout(resolve, 250);
+    requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve)));
+  });
 }
 
 /** What was measured so far, as a run of its own: later turns do not change it. */
