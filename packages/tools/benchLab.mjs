@@ -239,10 +239,10 @@ const withoutPicture = (row) => ({ ...row, likeness: row.likeness && { ...row.li
 async function writeFiles(browser, run, options) {
   const { out } = options;
   writeRun(run, options);
-  const files = await browser.call((run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.files(run), {
-    ...run,
-    name: options.name ?? run.name,
-  });
+  const files = await browser.call(
+    (run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.files(run),
+    run,
+  );
   // drawings of an earlier run would lie between those of this one
   for (const name of readdirSync(out)) if (name.endsWith('.svg')) rmSync(join(out, name));
   for (const { name, text } of files) writeFileSync(join(out, name), text);
