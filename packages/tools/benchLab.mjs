@@ -141,6 +141,14 @@ async function readBefore(browser, plan, out) {
   if (key(run.plan) !== key(plan)) {
     throw new Error(`--resume: ${path} is a run of something else. Give another --out, or leave --resume out.`);
   }
+  const here = await browser.call(() => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.surroundings());
+  for (const field of /** @type {const} */ (['device', 'browser', 'build'])) {
+    const [then, now] = [run.surroundings[field], here[field]];
+    if (then === now) continue;
+    throw new Error(
+      `--resume: the ${field} of ${path} is ${then}, here it is ${now}. Give another --out, or begin anew.`,
+    );
+  }
   return run;
 }
 
