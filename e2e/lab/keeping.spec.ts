@@ -4,7 +4,7 @@ import { drop } from '../support/drop';
 import { expect, test } from '../support/test';
 import { labRun, runFile } from './labRun';
 
-test.use({ reducedMotion: 'reduce' });
+test.use({ reducedMotion: 'reduce', viewport: { width: 1040, height: 720 } });
 
 const laptop = labRun({ id: 'laptop', name: 'Laptop', device: 'Laptop GPU', factor: 1 });
 const phone = labRun({ id: 'phone', name: 'Phone', device: 'Phone GPU', factor: 4 });
@@ -14,6 +14,12 @@ const library = (page: Page) => page.getByRole('region', { name: 'Kept runs' });
 /** What an entry of the export menu gives. */
 async function exported(page: Page, format: string) {
   await page.locator('.export-menu summary').click();
+  // the open menu lies within the page
+  const { scrollWidth, clientWidth } = await page.evaluate(() => {
+    const { scrollWidth, clientWidth } = document.documentElement;
+    return { scrollWidth, clientWidth };
+  });
+  expect(scrollWidth).toBe(clientWidth);
   const [download] = await Promise.all([
     page.waitForEvent('download'),
     page

@@ -141,6 +141,14 @@ async function readBefore(browser, plan, out) {
   if (key(run.plan) !== key(plan)) {
     throw new Error(`--resume: ${path} is a run of something else. Give another --out, or leave --resume out.`);
   }
+  const here = await browser.call(() => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.surroundings());
+  for (const field of /** @type {const} */ (['device', 'browser', 'build'])) {
+    const [then, now] = [run.surroundings[field], here[field]];
+    if (then === now) continue;
+    throw new Error(
+      `--resume: the ${field} of ${path} is ${then}, here it is ${now}. Give another --out, or begin anew.`,
+    );
+  }
   return run;
 }
 
@@ -239,10 +247,10 @@ const withoutPicture = (row) => ({ ...row, likeness: row.likeness && { ...row.li
 async function writeFiles(browser, run, options) {
   const { out } = options;
   writeRun(run, options);
-  const files = await browser.call((run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.files(run), {
-    ...run,
-    name: options.name ?? run.name,
-  });
+  const files = await browser.call(
+    (run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.files(run),
+    run,
+  );
   // drawings of an earlier run would lie between those of this one
   for (const name of readdirSync(out)) if (name.endsWith('.svg')) rmSync(join(out, name));
   for (const { name, text } of files) writeFileSync(join(out, name), text);

@@ -39,6 +39,7 @@ import { launchBench } from './benchBrowser.mjs';
  * @property {(device: { software: boolean }) => any} quickFor
  * @property {(configuration: any) => LabPlan} planOf
  * @property {(plan: LabPlan, options: object) => Promise<LabRun>} run
+ * @property {() => Promise<LabRun['surroundings']>} surroundings
  * @property {() => void} cancel
  * @property {(run: LabRun) => LabPlan} remaining
  * @property {(plan: LabPlan, parts: LabRun[]) => LabRun} merge

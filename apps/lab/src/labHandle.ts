@@ -5,7 +5,7 @@ import type { LabPlan } from './plan/LabPlan';
 import { planOf } from './plan/planOf';
 import { quickFor } from './plan/presets';
 import { againstMarkdown } from './results/againstMarkdown';
-import type { LabRow, LabRun } from './results/LabRun';
+import type { LabRow, LabRun, LabSurroundings } from './results/LabRun';
 import { configurationOf } from './results/link';
 import { mergeRuns, remainingPlan } from './results/mergeRuns';
 import { parseRun } from './results/parseRun';
@@ -58,6 +58,8 @@ export interface LabHandle {
    * @throws Error (as a rejection) when a run is at work, or the frame that draws does not open
    */
   run(plan: LabPlan, options?: HandleOptions): Promise<LabRun>;
+  /** Where a run that begins now would be made. */
+  surroundings(): Promise<LabSurroundings>;
   /** Ends the run at work; its promise gives what was measured. */
   cancel(): void;
   /** See `remainingPlan` in mergeRuns.ts. */
@@ -117,6 +119,15 @@ async function run(plan: LabPlan, options: HandleOptions = {}): Promise<LabRun> 
   }
 }
 
+async function surroundings(): Promise<LabSurroundings> {
+  const frames = framesOfBuilds(document.body);
+  try {
+    return await surroundingsOf(await (await frames.stageOf('forward')).device());
+  } finally {
+    frames.close();
+  }
+}
+
 const caseOf = (plan: LabPlan, { series, index }: LabRow): unknown =>
   plan.series.find(({ name }) => name === series)?.cases[index];
 
@@ -141,6 +152,7 @@ export function installLabHandle(): void {
     quickFor,
     planOf,
     run,
+    surroundings,
     cancel: () => atWork?.abort(),
     remaining: remainingPlan,
     merge: mergeRuns,

@@ -53,6 +53,7 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
       <details
         ref={details}
         class="export-menu"
+        onToggle={({ currentTarget }) => currentTarget.open && keepInside(currentTarget.querySelector('ul')!)}
         onKeyDown={({ key }) => {
           if (key !== 'Escape' || !details.current?.open) return;
           details.current.open = false;
@@ -91,6 +92,13 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
       </p>
     </div>
   );
+}
+
+/** Moves a menu to the left as far as it would lie outside of the page. */
+function keepInside(menu: HTMLElement): void {
+  menu.style.left = '0';
+  const { right } = menu.getBoundingClientRect();
+  menu.style.left = `${Math.min(0, document.documentElement.clientWidth - 12 - right)}px`;
 }
 
 function ExportButton({ label, help, onClick }: { label: string; help: string; onClick(): void }) {
