@@ -94,7 +94,7 @@ export function rivals() {
       });
     },
     generateBundle() {
-      const files = existsSync(rivalsDist) ? readdirSync(rivalsDist).filter((name) => name.endsWith('.js')) : [];
+      const files = existsSync(rivalsDist) ? readdirSync(rivalsDist).filter((name) => /\.(js|txt)$/.test(name)) : [];
       for (const name of files) {
         this.emitFile({ type: 'asset', fileName: `rivals/${name}`, source: readFileSync(join(rivalsDist, name)) });
       }
