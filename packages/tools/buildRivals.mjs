@@ -1,4 +1,4 @@
-import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { needsInstall } from './ensureInstalled.mjs';
 import { rivalPackages, rivalsDist, rivalsFolder } from './rivalsPaths.mjs';
@@ -31,7 +31,8 @@ function withoutWgsl() {
 }
 
 /**
- * Bundles each engine and its conversion into one module of `apps/lab/rivals/dist`, and notes their versions.
+ * Bundles each engine and its conversion into one module of `apps/lab/rivals/dist`, with its licence, and notes their
+ * versions.
  *
  * @returns {Promise<Record<string, { version: string, bytes: number }>>} by competitor's key
  */
@@ -60,7 +61,11 @@ export async function bundleRivals() {
         rolldownOptions: { output: { codeSplitting: false } },
       },
     });
-    const manifest = readFileSync(join(rivalsFolder, 'node_modules', packageName, 'package.json'), 'utf8');
+    const folder = join(rivalsFolder, 'node_modules', packageName);
+    const licence = readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));
+    if (licence === undefined) throw new Error(`${packageName} has no licence file: a build may not hand it on.`);
+    copyFileSync(join(folder, licence), join(rivalsDist, `${name}.LICENSE.txt`));
+    const manifest = readFileSync(join(folder, 'package.json'), 'utf8');
     built[name] = { version: JSON.parse(manifest).version, bytes: statSync(join(rivalsDist, `${name}.js`)).size };
   }
   const versions = Object.fromEntries(Object.entries(built).map(([name, { version }]) => [name, version]));

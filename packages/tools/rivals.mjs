@@ -9,10 +9,17 @@ import { ensureBrowser } from './ensureBrowser.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { runTool } from './runTool.mjs';
 
-const unknown = process.argv.slice(2).filter((argument) => argument !== '--check');
-if (unknown.length > 0) {
-  console.error(`No option ${unknown.join(' ')}: npm run rivals knows --check alone.`);
-  process.exit(1);
+const help = `npm run rivals [-- options]: installs PlayCanvas and Babylon.js for the Lab, and bundles them
+
+  --check   also checks the types of their code, and compares their pictures with stock three's (minutes)
+  --help    this`;
+
+const asked = process.argv.slice(2);
+const unknown = asked.filter((argument) => !['--check', '--help'].includes(argument));
+if (unknown.length > 0 || asked.includes('--help')) {
+  if (unknown.length > 0) console.error(`No option ${unknown.join(' ')}.\n`);
+  console.log(help);
+  process.exit(unknown.length > 0 ? 1 : 0);
 }
 ensureInstalled();
 try {
@@ -24,7 +31,7 @@ try {
   console.error(error instanceof Error ? error.message : error);
   process.exit(1);
 }
-if (process.argv.includes('--check')) {
+if (asked.includes('--check')) {
   if (runTool('typescript', 'tsc', ['-p', 'apps/lab/rivals']) !== 0) process.exit(1);
   const args = ['test', '--config', 'e2e/playwright.config.ts', '--project', 'rivals', '--workers', '1'];
   const env = { FAROL_RIVALS: '1', CHROMIUM_PATH: ensureBrowser() };

@@ -6,9 +6,13 @@ import { rivalsDist } from './rivalsPaths.mjs';
 
 const none = { versions: {}, canInstall: false };
 
-/** What `rivals/versions.json` says: versions by competitor's key, and whether a POST to `rivals/install` installs them. */
-export function rivalVersions() {
-  const path = join(rivalsDist, 'versions.json');
+/**
+ * What `rivals/versions.json` says: versions by competitor's key, and whether a POST to `rivals/install` installs them.
+ *
+ * @param {string} [folder] where their modules lie
+ */
+export function rivalVersions(folder = rivalsDist) {
+  const path = join(folder, 'versions.json');
   /** @type {{ versions: Record<string, string>, canInstall: boolean }} */
   const found = existsSync(path) ? JSON.parse(readFileSync(path, 'utf8')) : none;
   return found;
@@ -90,7 +94,7 @@ export function rivals() {
       });
     },
     generateBundle() {
-      const files = existsSync(rivalsDist) ? readdirSync(rivalsDist).filter((name) => name.endsWith('.js')) : [];
+      const files = existsSync(rivalsDist) ? readdirSync(rivalsDist).filter((name) => /\.(js|txt)$/.test(name)) : [];
       for (const name of files) {
         this.emitFile({ type: 'asset', fileName: `rivals/${name}`, source: readFileSync(join(rivalsDist, name)) });
       }

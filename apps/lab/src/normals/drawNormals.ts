@@ -4,7 +4,7 @@ import { loadCompetitor } from '../competitors';
 import { readPicture } from '../measure/readPicture';
 import { loseContext } from '../stage/loseContext';
 import { type OwnedScene, StageScenes } from '../stage/StageScenes';
-import { countLeaning, withFaceNormals } from './faceNormals';
+import { countLeaning, withFaceNormals } from './withFaceNormals';
 import { creaseAngle, type NormalsPicture, type NormalsWay } from './NormalsPicture';
 
 /** Point lights, as in the thesis's picture of Sponza. */

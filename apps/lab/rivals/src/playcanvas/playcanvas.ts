@@ -3,6 +3,7 @@ import * as pc from 'playcanvas';
 import type {
   RivalDrawing,
   RivalGeometry,
+  RivalInstances,
   RivalPlacement,
   RivalPoints,
   RivalScene,
@@ -42,9 +43,14 @@ function makeMesh(device: pc.GraphicsDevice, from: RivalGeometry): pc.Mesh {
   return mesh;
 }
 
-/** [matrix, colour] of each instance. */
-function writeInstances(buffer: pc.VertexBuffer, matrices: Float32Array, colours: Float32Array | null): void {
-  const floats = new Float32Array(buffer.lock() as ArrayBuffer);
+interface InstanceBuffer {
+  readonly buffer: pc.VertexBuffer;
+  /** What `buffer` sends: [matrix, colour] of each instance. */
+  readonly floats: Float32Array;
+}
+
+/** Writes and sends the instances. */
+function writeInstances({ buffer, floats }: InstanceBuffer, { matrices, colours }: RivalInstances): void {
   const stride = colours ? 19 : 16;
   for (let i = 0; i < buffer.getNumVertices(); i++) {
     for (let k = 0; k < 16; k++) floats[i * stride + k] = matrices[i * 16 + k];
@@ -53,12 +59,13 @@ function writeInstances(buffer: pc.VertexBuffer, matrices: Float32Array, colours
   buffer.unlock();
 }
 
-function instanceBuffer(device: pc.GraphicsDevice, count: number, hasColours: boolean): pc.VertexBuffer {
+function instanceBuffer(device: pc.GraphicsDevice, count: number, hasColours: boolean): InstanceBuffer {
   const semantics = [pc.SEMANTIC_ATTR11, pc.SEMANTIC_ATTR12, pc.SEMANTIC_ATTR14, pc.SEMANTIC_ATTR15];
   const lines = semantics.map((semantic) => ({ semantic, components: 4, type: pc.TYPE_FLOAT32 }));
   const colour = { semantic: pc.SEMANTIC_ATTR10, components: 3, type: pc.TYPE_FLOAT32 };
   const format = new pc.VertexFormat(device, hasColours ? [...lines, colour] : lines);
-  return new pc.VertexBuffer(device, format, count, { usage: pc.BUFFER_DYNAMIC });
+  const buffer = new pc.VertexBuffer(device, format, count, { usage: pc.BUFFER_DYNAMIC });
+  return { buffer, floats: new Float32Array(buffer.lock() as ArrayBuffer) };
 }
 
 /** Puts an object that stands at the top of the world where it belongs. */
@@ -77,7 +84,7 @@ class PlayCanvasDrawing implements RivalDrawing {
   private readonly nodes: pc.Entity[] = [];
   /** Lights that the grid of cells has room for. */
   private room = 0;
-  private readonly instances = new Map<number, pc.VertexBuffer>();
+  private readonly instances = new Map<number, InstanceBuffer>();
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -156,7 +163,7 @@ class PlayCanvasDrawing implements RivalDrawing {
   moveInstances(mesh: number): void {
     const { instances } = this.scene.meshes[mesh];
     const buffer = this.instances.get(mesh);
-    if (instances && buffer) writeInstances(buffer, instances.matrices, instances.colours);
+    if (instances && buffer) writeInstances(buffer, instances);
   }
 
   dropped(): number {
@@ -209,10 +216,10 @@ class PlayCanvasDrawing implements RivalDrawing {
       const meshInstance = new pc.MeshInstance(meshes[geometry], materials.get(material, hasColours));
       meshInstance.drawOrder = i;
       if (instances) {
-        const buffer = instanceBuffer(device, instances.count, hasColours);
-        writeInstances(buffer, instances.matrices, instances.colours);
-        meshInstance.setInstancing(buffer);
-        this.instances.set(i, buffer);
+        const made = instanceBuffer(device, instances.count, hasColours);
+        writeInstances(made, instances);
+        meshInstance.setInstancing(made.buffer);
+        this.instances.set(i, made);
       }
       node.addComponent('render', { meshInstances: [meshInstance], castShadows: false, receiveShadows: false });
       root.addChild(node);

@@ -1,7 +1,7 @@
 import { AssetLibrary } from '@farol/engine';
 import { BoxGeometry, type BufferGeometry, SphereGeometry } from 'three';
 import { describe, expect, it } from 'vitest';
-import { countLeaning, withFaceNormals } from './faceNormals';
+import { countLeaning, withFaceNormals } from './withFaceNormals';
 import { creaseAngle } from './NormalsPicture';
 
 function bare(geometry: BufferGeometry): BufferGeometry {
