@@ -1,6 +1,7 @@
 import type { LabSeries } from '../plan/LabPlan';
 import type { LabRun } from '../results/LabRun';
 import { thesisChart } from '../thesis/thesisChart';
+import { metricWords } from '../words/names';
 import { changeChart } from './changeChart';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { curveChart } from './curveChart';
@@ -19,6 +20,14 @@ const kinds: readonly ((run: LabRun, settings: ChartSettings, ending: string) =>
   (run, settings, ending) => listed(changeChart(run, settings, `changes${ending}`)),
 ];
 
+/** A chart that compares times, titled by the time where it is another than that of frames. */
+function byMetric(chart: ChartSpec, { metric }: ChartSettings): ChartSpec {
+  const compares = chart.choice === null || chart.verdicts.length > 0;
+  return metric === 'frame' || !compares
+    ? chart
+    : { ...chart, title: `${chart.title}, by ${metricWords[metric].noun}` };
+}
+
 function listed(chart: ChartSpec | null): ChartSpec[] {
   return chart === null ? [] : [chart];
 }
@@ -32,7 +41,7 @@ export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): Char
   const names = runNames(runs);
   const own = kinds.flatMap((make) =>
     shown.flatMap((run, i) => {
-      const charts = make(run, settings, i === 0 ? '' : `-run-${i + 1}`);
+      const charts = make(run, settings, i === 0 ? '' : `-run-${i + 1}`).map((chart) => byMetric(chart, settings));
       return runs.length === 1 ? charts : charts.map((chart) => ({ ...chart, title: `${chart.title}: ${names[i]}` }));
     }),
   );

@@ -41,6 +41,12 @@ describe('curves', () => {
     ]);
   });
 
+  test('charts by another time say so, those of passes and changes have their own', () => {
+    const titles = chartsOf([sampleRun()], { ...defaultSettings, metric: 'gpu' }).map(({ key, title }) => [key, title]);
+    const named = titles.filter(([, title]) => title.endsWith(', by GPU time')).map(([key]) => key);
+    expect(named).toEqual(['map', 'thesis', 'regret']);
+  });
+
   test('a series of one case is a ranking, named by the case', () => {
     const run = madeUpRun([100], { forward: [3], deferred: [1], stock: ['Too many lights.'] });
     const [chart] = chartsOf([run], defaultSettings);

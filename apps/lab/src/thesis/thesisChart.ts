@@ -13,8 +13,10 @@ const headings = { planes: 'N × N planes, M × M lights', sponza: 'Sponza (here
 /** Who may stand for the thesis's forward rendering. */
 const forwards = ['forward', 'multipass', 'stock'];
 
-/** The thesis's figures of 2015 beside a run's, row by row; null where the run has hardly any of its rows. */
+/** The thesis's figures of 2015 beside a run's, row by row; null for CPU times, and where the run has hardly any of its rows. */
 export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'): ChartSpec | null {
+  // the call that draws is no frame
+  if (settings.metric === 'cpu') return null;
   const all = compareThesis(run, settings.metric);
   const measured = all.filter(({ entries }) => entries.length > 0);
   const isThesis = run.plan.preset === 'thesis';

@@ -103,6 +103,17 @@ describe('sentences of a series', () => {
     ]);
   });
 
+  test('another time than that of frames is named', () => {
+    const run = madeUpRun([10, 100], { deferred: [1, 2], inferred: [3, 4] });
+    for (const row of run.rows) row.gpu = row.frame;
+    const ofBoth = (competitors: string[]): string => {
+      const rows = run.rows.filter(({ competitor }) => competitors.includes(competitor));
+      return curveWords({ ...run, rows }, run.plan.series[0], 'gpu')[0];
+    };
+    expect(ofBoth(['deferred', 'inferred'])).toContain('By GPU time deferred is the fastest throughout');
+    expect(ofBoth(['inferred'])).toContain('By GPU time inferred alone has figures');
+  });
+
   test('doubtful figures are counted', () => {
     const run = madeUpRun([10, 100], { deferred: [1, 2], inferred: [3, 4] });
     run.rows[1].warnings.push('The tab was hidden.');

@@ -16,7 +16,7 @@ export function curveWords(run: LabRun, series: LabSeries, metric: Metric): stri
   if (winners.length === 0) return nothing(run, series, metric);
   const everybody = new Set(winners.flatMap(({ entries }) => entries.map(({ competitor }) => competitor)));
   return [
-    everybody.size === 1 ? alone(series, winners) : fastest(series, winners),
+    everybody.size === 1 ? alone(series, winners, metric) : fastest(series, winners, metric),
     behind(run, series, metric, 'forward', 'deferred'),
     distance(series, winners),
     ...refusals(run, series),
@@ -42,15 +42,20 @@ function nothing(run: LabRun, series: LabSeries, metric: Metric): string[] {
   return reasons.length > 0 ? reasons : ['Nothing has been measured here yet.'];
 }
 
-function alone(series: LabSeries, winners: readonly Winners[]): string {
+/** How a sentence on another time than that of frames begins. */
+function opening(metric: Metric): string {
+  return metric === 'frame' ? '' : `by ${metricWords[metric].noun} `;
+}
+
+function alone(series: LabSeries, winners: readonly Winners[], metric: Metric): string {
   const first = winners[0];
   const last = winners.at(-1)!;
-  const name = capital(competitorWord(first.best.competitor));
+  const name = capital(opening(metric) + competitorWord(first.best.competitor));
   const start = `${name} alone has figures: ${formatMs(first.best.time.median)} with ${at(series, first)}`;
   return last === first ? `${start}.` : `${start}, ${formatMs(last.best.time.median)} with ${at(series, last)}.`;
 }
 
-function fastest(series: LabSeries, winners: readonly Winners[]): string {
+function fastest(series: LabSeries, winners: readonly Winners[], metric: Metric): string {
   const ranges = winningRanges(winners);
   const time = (name: string, each: Winners): string =>
     formatMs(each.entries.find(({ competitor }) => competitor === name)!.time.median);
@@ -76,7 +81,7 @@ function fastest(series: LabSeries, winners: readonly Winners[]): string {
     const figures = `${time(names[0], first)} with ${at(series, first)}, ${time(names[0], last)} with ${at(series, last)}`;
     return `${says} throughout: ${figures}`;
   });
-  return `${capital(parts.join(''))}.`;
+  return `${capital(opening(metric) + parts.join(''))}.`;
 }
 
 /** Where one competitor falls behind another, and by how much in the end. */
