@@ -79,14 +79,13 @@ test('every competitor draws the picture of stock three, is timed and counted, a
     expect(rest.brightest, name).toBeGreaterThan(100);
     expect(rest.firstMs, name).toBeGreaterThan(0);
     expect(rest.technique, name).toEqual(name === 'auto' ? expect.stringMatching(/^clustered/) : kept(name));
-    for (const [kind, least] of [
-      ['frame', 3],
-      ['cpu', 3],
-      ['gpu', 1],
-    ] as const) {
-      expect(turn[kind]!.length, `${name} ${kind}`).toBeGreaterThanOrEqual(least);
-      expect(Math.min(...turn[kind]!), `${name} ${kind}`).toBeGreaterThan(0);
+    for (const kind of ['frame', 'cpu'] as const) {
+      expect(turn[kind].length, `${name} ${kind}`).toBeGreaterThanOrEqual(3);
+      expect(Math.min(...turn[kind]), `${name} ${kind}`).toBeGreaterThan(0);
     }
+    // a software rasteriser has no GPU to time
+    if (process.env.FAROL_GPU) expect(Math.min(...turn.gpu!), name).toBeGreaterThan(0);
+    else expect(turn.gpu, name).toBeNull();
     // nine planes: once, or once for each light and once without
     const times = name === 'multipass' ? 10 : 1;
     expect(counts.draws, name).toBeGreaterThanOrEqual(9 * times);
@@ -168,5 +167,5 @@ test('moved lights change the picture; what cannot be drawn is refused in a sent
   expect(said.compile).toMatch(/^Left out: its shader with 401 lights takes about [\d.]+ s to compile here/);
   expect(said.closed).toBe('The competitor ‘deferred’ is not open: open it for a case first.');
   expect(said.device.renderer).not.toBe('');
-  if (!process.env.FAROL_GPU) expect(said.device).toMatchObject({ software: true });
+  if (!process.env.FAROL_GPU) expect(said.device).toMatchObject({ software: true, timer: false });
 });

@@ -105,7 +105,8 @@ export class LabStage implements Stage {
 
   async device(): ReturnType<Stage['device']> {
     const { renderer, timer } = deviceLimits();
-    return { renderer, timer, software: isSoftware(renderer), webgpu: await webgpuName() };
+    const software = isSoftware(renderer);
+    return { renderer, timer: timer && !software, software, webgpu: await webgpuName() };
   }
 
   async drawNormals(way: NormalsWay, size: { width: number; height: number }): Promise<NormalsPicture> {

@@ -7,6 +7,7 @@ import { nextTask } from '../measure/nextTask';
 import { readPicture } from '../measure/readPicture';
 import { waitForPixel } from '../measure/waitForPixel';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
+import { deviceLimits, isSoftware } from './deviceLimits';
 import { loseContext } from './loseContext';
 import type { Opened, Turn } from './Stage';
 import type { OwnedScene } from './StageScenes';
@@ -64,7 +65,10 @@ export class OpenCompetitor {
   /** Samples of about `ms` (ms). */
   async turn(ms: number): Promise<Turn> {
     const { drawing } = this;
-    if (this.timer === undefined) this.timer = drawing.gl && GpuTimer.of(drawing.gl);
+    // there is no GPU to time: queries of a rasteriser on the processor count what other threads do meanwhile
+    if (this.timer === undefined) {
+      this.timer = drawing.gl && !isSoftware(deviceLimits().renderer) ? GpuTimer.of(drawing.gl) : null;
+    }
     const turn = await measureTurn(
       { frame: this.frame, finish: this.finish, timer: this.timer, now: () => performance.now() },
       ms,

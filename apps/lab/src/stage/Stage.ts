@@ -21,7 +21,7 @@ export interface Turn {
   frame: number[];
   /** Time inside the competitor's call that draws. */
   cpu: number[];
-  /** GPU time of a frame by timer query. */
+  /** GPU time of a frame by timer query; null where there is no GPU, but a software rasteriser. */
   gpu: number[] | null;
 }
 
