@@ -94,3 +94,49 @@ test('without a store the run stays on the page, and a sentence says so', async 
   await expect(page.getByRole('heading', { name: 'Laptop', exact: true })).toBeVisible();
   expect((await exported(page, 'JSON')).name).toBe('farol-lab-laptop-2026-11-22.json');
 });
+
+interface Headless {
+  configurationOf(fragment: string): object;
+  planOf(configuration: object): object;
+  run(
+    plan: object,
+    options: object,
+  ): Promise<{ complete: boolean; rows: { competitor: string; problem: string | null }[] }>;
+  remaining(run: object): { series: object[] };
+  files(run: object): { name: string; text: string }[];
+}
+
+test('npm run bench finds the Lab without its page', async ({ page }) => {
+  await page.goto('./?headless');
+  await page.waitForFunction(() => 'lab' in window);
+  const told = await page.evaluate(async () => {
+    const { lab } = window as unknown as { lab: Headless };
+    const tiny = 'series=benchmarkLights:lights:1:n=1&size=64x36&techniques=forward,forward@against';
+    let refused = '';
+    try {
+      lab.configurationOf(tiny);
+    } catch (error) {
+      refused = (error as Error).message;
+    }
+    const steps: string[] = [];
+    const settings = '&rounds=1&turn=20&changes=no&longest=20000';
+    const plan = lab.planOf(lab.configurationOf(tiny.replace(',forward@against', settings)));
+    const run = await lab.run(plan, {
+      onStep: ({ competitor }: { competitor: string | null }) => competitor && steps.push(competitor),
+    });
+    return { refused, steps, run, left: lab.remaining(run).series, files: lab.files(run) };
+  });
+  expect(told.refused).toMatch(/^techniques=forward@against: there is none of that name\. Known are auto, /);
+  expect(told.run.rows).toMatchObject([
+    { competitor: 'forward', problem: null, frame: { samples: expect.any(Number) } },
+  ]);
+  expect(told.run.complete).toBe(true);
+  expect(told.left).toEqual([]);
+  expect(new Set(told.steps)).toEqual(new Set(['forward']));
+  const [markdown, ...drawings] = told.files;
+  expect(markdown).toMatchObject({ name: 'bench.md', text: expect.stringContaining('| 1 | 1 |') });
+  expect(drawings.length).toBeGreaterThan(0);
+  for (const { name, text } of drawings)
+    expect([name, text]).toEqual([expect.stringMatching(/\.svg$/), expect.stringMatching(/^<svg /)]);
+  await expect(page.getByRole('button')).toHaveCount(0);
+});

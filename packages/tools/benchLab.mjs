@@ -210,7 +210,8 @@ async function measure(browser, { plan, rest, before, options }) {
       console.log(`The browser is started anew, and ${competitor} is left out in that case.`);
       if (part !== null) await keepParts([...parts, part]);
       parts = whole === null ? [] : [whole];
-      rest = whole === null ? plan : await browser.call(remainingOf, whole);
+      // what `onCase` told holds whole cases alone
+      rest = whole === null ? plan : await browser.call(remainingOf, { ...whole, complete: part !== null });
     }
   }
   console.log(`${join(out, 'bench.json')} has what was measured; --resume goes on.`);
