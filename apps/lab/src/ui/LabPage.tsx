@@ -182,7 +182,11 @@ function useFocusedRun(showRun: (run: LabRun) => void) {
     [showRun],
   );
   useEffect(() => {
-    if (count > 0) focus.current?.focus();
+    const title = focus.current;
+    if (count === 0 || !title) return;
+    title.focus({ preventScroll: true });
+    const { top } = title.getBoundingClientRect();
+    if (top < 0 || top > innerHeight / 2) title.scrollIntoView({ block: 'start' });
   }, [count]);
   return { focus, show };
 }

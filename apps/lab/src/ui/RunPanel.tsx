@@ -19,7 +19,10 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
   const isHidden = useHidden();
   const title = useRef<HTMLHeadingElement>(null);
   // the button that began the run is disabled now, and on a phone far above
-  useEffect(() => title.current?.focus(), []);
+  useEffect(() => {
+    title.current?.focus({ preventScroll: true });
+    title.current?.closest('section')?.scrollIntoView({ block: 'nearest' });
+  }, []);
   return (
     <section class="running" aria-labelledby="running-title">
       <Live picture={running.picture} />

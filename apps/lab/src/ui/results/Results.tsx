@@ -6,6 +6,7 @@ import { deviceName } from '../support/deviceName';
 import { formatDuration } from '../support/formatDuration';
 import { Pictures } from './Pictures';
 import { RowTable } from './RowTable';
+import { whyIncomplete } from './whyIncomplete';
 
 interface ResultsProps {
   run: LabRun;
@@ -65,15 +66,16 @@ function AllRows({ run }: { run: LabRun }) {
 }
 
 function RunHead({ run, isReference, isRunning, title }: Omit<ResultsProps, 'actions'>) {
-  const { name, plan, surroundings, complete, duration } = run;
+  const { name, plan, surroundings, duration } = run;
   const date = new Date(surroundings.date);
+  const incomplete = whyIncomplete(run);
   return (
     <header class="run-head">
       <h2 id="results-title" ref={title} tabIndex={-1}>
         {isRunning ? 'So far' : name || plan.label}
       </h2>
       {isReference && <span class="badge">reference, not your machine</span>}
-      {!isRunning && !complete && <span class="badge">not complete</span>}
+      {!isRunning && incomplete && <span class="badge">not complete</span>}
       <p class="dim">
         {name && `${plan.label}. `}
         {deviceName(surroundings.device)}; {surroundings.browser}, {surroundings.system};{' '}
@@ -82,9 +84,7 @@ function RunHead({ run, isReference, isRunning, title }: Omit<ResultsProps, 'act
         </time>
         {!isRunning && `; took ${formatDuration(duration)}`}
       </p>
-      {!isRunning && !complete && (
-        <p class="warning">This run was cancelled: what was measured until then is kept and shown.</p>
-      )}
+      {!isRunning && incomplete && <p class="warning">{incomplete}</p>}
     </header>
   );
 }
