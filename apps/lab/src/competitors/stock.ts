@@ -1,4 +1,3 @@
-import type { WebGLRenderer } from 'three';
 import { deviceLimits, webglProblem } from '../stage/deviceLimits';
 import type { Competitor, Drawing } from './Competitor';
 import { compileForecast } from './compileForecast';
@@ -36,8 +35,9 @@ export const stock: Competitor = {
     const { renderer, gl, check, dispose } = createWebGL(canvas, scene);
     async function drawFirst(): Promise<void> {
       const begin = performance.now();
+      const isCompiled = watchLinks(gl);
       renderer.compile(three, camera);
-      while (!isCompiled(renderer)) {
+      while (!isCompiled()) {
         await new Promise((resolve) => setTimeout(resolve, POLL));
         signal.throwIfAborted();
         refuseTime(performance.now() - begin, longest, count);
@@ -54,9 +54,18 @@ export const stock: Competitor = {
   },
 };
 
-/** Whether the programs of a renderer are linked; asking does not wait for them. */
-const isCompiled = ({ info }: WebGLRenderer): boolean =>
-  (info.programs as unknown as { isReady(): boolean }[]).every((program) => program.isReady());
+/** COMPLETION_STATUS_KHR. */
+const IS_COMPLETE = 0x91b1;
+
+/** Watches which programs a context links. @returns whether they all are linked; asking does not wait for them */
+function watchLinks(gl: WebGL2RenderingContext): () => boolean {
+  const programs: WebGLProgram[] = [];
+  gl.linkProgram = (program) => {
+    programs.push(program);
+    WebGL2RenderingContext.prototype.linkProgram.call(gl, program);
+  };
+  return () => programs.every((program) => gl.getProgramParameter(program, IS_COMPLETE) as boolean);
+}
 
 /** @throws Error when compiling takes longer than a first frame may */
 function refuseTime(ms: number, longest: number, lights: number): void {
