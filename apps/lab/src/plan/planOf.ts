@@ -4,7 +4,7 @@ import { presets } from './presets';
 import { axisWords, sceneWords } from './sceneWords';
 
 /** Most competitors' contexts that a browser keeps alive at once; it ends the oldest beyond 16, phones beyond 8. */
-export const MOST_CONTEXTS = { desktop: 12, phone: 6 };
+export const MOST_CONTEXTS = { desktop: 15, phone: 6 };
 
 /** Time (ms) to open and close a competitor for a case on an ordinary desktop, and for the frames after changes. */
 const OPEN = 350;
