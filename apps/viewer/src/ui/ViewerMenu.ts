@@ -73,13 +73,14 @@ export class ViewerMenu {
       .add(this.values, 'dragon', [...known.dragons])
       .name('Dragon')
       .onChange((name: string) => viewer.setDragon(name).catch(told));
+    const models = gui.addFolder('Models');
     this.addChooser(
-      buttons,
+      models,
       'files',
       'Open a model…',
       'A .glb, .gltf, .obj, .stl, .ply or .zip, chosen together with the files that it names.',
     );
-    this.addChooser(buttons, 'folder', 'Open a folder…', 'A folder with a model in it, and with what that names.');
+    this.addChooser(models, 'folder', 'Open a folder…', 'A folder with a model in it, and with what that names.');
     this.parameters = gui.addFolder('Lights and sizes');
     const figures = gui.addFolder('Last frame');
     figures.$children.append(this.statistics.element);
