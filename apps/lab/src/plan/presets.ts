@@ -81,5 +81,5 @@ export function quickFor({ software }: { software: boolean }): Configuration {
   const { configuration } = presets.quick;
   if (!software) return configuration;
   const series = [overLights('benchmarkLights', [1, 25, 100]), overLights('sponza', [10])];
-  return { ...configuration, preset: 'custom', series, width: 320, height: 180 };
+  return { ...configuration, series, width: 240, height: 135 };
 }

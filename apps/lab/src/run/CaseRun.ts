@@ -72,14 +72,16 @@ export class CaseRun {
         for (const each of open) {
           if (signal.aborted) break;
           this.world.step(each.name);
-          if (round > 0 && this.world.isLate()) this.endEarly(each);
+          // however short the time is, a run has a turn of its first case
+          const isFirst = round === 0 && this.own.length === this.world.rows.length;
+          if (!isFirst && this.world.isLate()) this.endEarly(each);
           if (!each.over) await attempt(each, () => this.takeTurn(each, turn));
         }
       }
       for (const each of open) {
         if (signal.aborted) break;
         this.world.step(each.name);
-        if (each.row.problem === null) await attempt(each, () => this.takeRest(each));
+        if (each.row.problem === null && !this.world.isLate()) await attempt(each, () => this.takeRest(each));
       }
     } finally {
       for (const { stage, name, row } of open) {
@@ -122,7 +124,8 @@ export class CaseRun {
   /** A competitor gets no more turns, since the run's time is up. */
   private endEarly(each: Open): void {
     const { rounds } = this.world.plan.effort;
-    if (!each.over) each.row.warnings.push(`${each.frame.length} of ${rounds} turns: the run’s time was up.`);
+    if (!each.row.frame) each.row.problem ??= this.late();
+    else if (!each.over) each.row.warnings.push(`${each.frame.length} of ${rounds} turns: the run’s time was up.`);
     each.over = true;
   }
 
