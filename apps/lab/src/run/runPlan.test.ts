@@ -141,6 +141,21 @@ describe('runPlan', () => {
     expect(run.rows.at(-1)?.problem).toMatch(/may take 3 s/);
   });
 
+  it('gives no turn once its time is up in the midst of a case, but for the first', async () => {
+    const said: string[] = [];
+    const stage = fakeStage({ stock: 100, deferred: 100 }, said);
+    const run = await runPlan(smallPlan(['stock', 'deferred'], { limit: 4000 }), options(stage));
+    // the second case begins in time, and opening its first competitor takes the rest of it
+    expect(said.slice(said.lastIndexOf('open stock 100'))).toEqual(['open stock 100', 'close stock']);
+    expect(run.rows.slice(2).map(({ problem }) => problem)).toEqual([
+      'Not measured: the run may take 4 s, and they were over.',
+      'Not measured: the run may take 4 s, and they were over.',
+    ]);
+    expect(run.complete).toBe(false);
+    const short = await runPlan(smallPlan(['stock'], { limit: 1 }), options(fakeStage({ stock: 100 }, [])));
+    expect(short.rows[0].frame?.median).toBe(100);
+  });
+
   it('keeps what is there when it is cancelled', async () => {
     const stage = fakeStage({ stock: 1, deferred: 2 }, []);
     const cancel = new AbortController();
