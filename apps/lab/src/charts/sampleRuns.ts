@@ -1,3 +1,4 @@
+import { createRandom } from '@farol/engine';
 import { competitorNames } from '../competitors/competitorNames';
 import type { LabCase, LabPlan } from '../plan/LabPlan';
 import { planOf } from '../plan/planOf';
@@ -41,7 +42,7 @@ export function sampleRun(options: SampleOptions = {}): LabRun {
   const { preset = 'quick', seed = 1, slowness = 1, software = false, timer = !software, name = '' } = options;
   const competitors = options.competitors ?? Object.keys(competitorNames);
   const plan: LabPlan = planOf({ ...presets[preset].configuration, competitors });
-  const random = randomOf(seed);
+  const random = createRandom(seed);
   const rows: LabRow[] = [];
   for (const series of plan.series) {
     series.cases.forEach((labCase, index) => {
@@ -140,15 +141,4 @@ function passesOf(competitor: string, ms: number, timer: boolean): LabRow['passe
 function spreadOf(ms: number, noise: number, random: () => number): Spread {
   const median = ms * (1 + noise * (random() - 0.5));
   return { median, low: median * (1 - noise * random()), high: median * (1 + noise * 2 * random()), samples: 24 };
-}
-
-/** Numbers from 0 to 1, the same for the same seed (mulberry32). */
-function randomOf(seed: number): () => number {
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
-  };
 }
