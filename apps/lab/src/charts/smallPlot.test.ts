@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { smallPlot } from '@farol/tools/smallPlot';
+import { sourceConditions } from '@farol/tools/sourceConditions';
 import { build, type Rolldown } from 'vite';
 import { expect, test } from 'vitest';
 import { drawSamples } from './drawSamples';
@@ -16,6 +17,7 @@ async function bundle(isSmall: boolean): Promise<string> {
   const input = fileURLToPath(new URL('drawSamples.ts', import.meta.url));
   const result = (await build({
     ...{ configFile: false, logLevel: 'silent', plugins: isSmall ? [smallPlot()] : [] },
+    resolve: { conditions: sourceConditions }, // a fresh clone has not built the packages yet
     build: { write: false, minify: true, rolldownOptions: { input, preserveEntrySignatures: 'strict' } },
   })) as Rolldown.RolldownOutput;
   return result.output[0].code;
