@@ -1,5 +1,15 @@
+import { t } from '@farol/editing';
 import type { EditorApi } from './EditorApi';
 import type { IconName } from '../style/iconPaths';
+
+/** Where an action stands in the bar of menus. */
+export interface MenuPlace {
+  readonly menu: 'file' | 'edit' | 'object' | 'view' | 'help';
+  /** Actions of a group stand together, between lines; in the order of `actions/index.ts`. */
+  readonly group: string;
+  /** Label of a submenu, for actions of one kind. */
+  readonly submenu?: string;
+}
 
 /** Something that the user can do, from a menu, a button or a key. */
 export interface Action {
@@ -12,6 +22,8 @@ export interface Action {
   /** Whether the keys count while a text field has the focus. What was typed is taken over first. */
   readonly inFields?: boolean;
   readonly icon?: IconName;
+  /** Every action is in a menu: those of plugins that name none are in a submenu of Edit. */
+  readonly menu?: MenuPlace;
   run(editor: EditorApi): unknown;
   /** Whether it can be done now; always when absent. */
   enabled?(editor: EditorApi): boolean;
@@ -19,7 +31,7 @@ export interface Action {
   checked?(editor: EditorApi): boolean;
 }
 
-/** What an action is called at present. */
+/** What an action is called at present, in the language that is shown. A function's text is taken as it is. */
 export function labelOf(action: Action, editor: EditorApi): string {
-  return typeof action.label === 'string' ? action.label : action.label(editor);
+  return typeof action.label === 'string' ? t(action.label) : action.label(editor);
 }

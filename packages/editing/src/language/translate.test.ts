@@ -1,0 +1,17 @@
+import { afterEach, expect, test } from 'vitest';
+import { setTexts, t, tCount } from './translate';
+
+afterEach(() => setTexts({}));
+
+test('a text is that of the language, with its values, and the English one where the language has none', () => {
+  expect(t('Box {number}', { number: 2 })).toBe('Box 2');
+  setTexts({ 'Box {number}': 'Caja {number}', '{count} lights': '{count} luces' });
+  expect(t('Box {number}', { number: 2 })).toBe('Caja 2');
+  expect(t('Sphere')).toBe('Sphere');
+  expect(t('toString')).toBe('toString');
+  expect(t('Box {number}', {})).toBe('Caja {number}');
+  expect([tCount(2, '{count} light', '{count} lights'), tCount(1, '{count} light', '{count} lights')]).toEqual([
+    '2 luces',
+    '1 light',
+  ]);
+});

@@ -1,0 +1,40 @@
+/**
+ * Texts of a language: by the English text, which the code holds, that of the language. `{name}` stands for a value that
+ * is filled in.
+ */
+export type Texts = Readonly<Record<string, string>>;
+
+let texts: Texts = {};
+
+/** Says what is shown from now on. @param wanted - texts by their English ones; none for English */
+export function setTexts(wanted: Texts): void {
+  texts = wanted;
+}
+
+/**
+ * A text in the language that is shown. The English text is its name: `t('Box {number}', { number: 2 })`. Call it where
+ * the text is shown, not where a module begins: the language may change.
+ * @param english - a literal, so that a test finds it and misses no text of another language
+ * @param values - what stands for `{name}`; a name without a value stays as it is
+ */
+export function t(english: string, values?: Readonly<Record<string, string | number>>): string {
+  const text = Object.hasOwn(texts, english) ? texts[english]! : english;
+  if (!values) return text;
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) =>
+    Object.hasOwn(values, name) ? String(values[name]) : whole,
+  );
+}
+
+/**
+ * A text of a number of things, of which English and Spanish have one for 1 and one for the rest. `{count}` is filled in.
+ * @param one - for a count of 1, such as '{count} light'
+ * @param many - for any other, such as '{count} lights'
+ */
+export function tCount(
+  count: number,
+  one: string,
+  many: string,
+  values?: Readonly<Record<string, string | number>>,
+): string {
+  return t(count === 1 ? one : many, { count, ...values });
+}
