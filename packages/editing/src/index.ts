@@ -23,6 +23,14 @@ export {
   withIntensity,
   withScreenColour,
 } from './fields/screenColour';
+export {
+  type NumberEdit,
+  type NumberProblem,
+  type NumberRange,
+  readNumber,
+  readNumberInRange,
+} from './fields/readNumber';
+export { roundToStep } from './fields/roundToStep';
 export { stepOf } from './fields/stepOf';
 
 export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
