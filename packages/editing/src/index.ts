@@ -33,5 +33,7 @@ export {
 export { roundToStep } from './fields/roundToStep';
 export { stepOf } from './fields/stepOf';
 
+export { nearestEuler } from './gizmo/nearestEuler';
+export { type PoseValues, roundPose } from './gizmo/roundPose';
 export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
 export { setTexts, t, tCount, type Texts } from './language/translate';

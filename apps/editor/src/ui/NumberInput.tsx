@@ -47,7 +47,9 @@ interface Draft {
  */
 export function NumberInput(props: NumberInputProps): ReactNode {
   const { value, min, max, step, unit, label, description, handle, disabled, digits = 'long', slider } = props;
-  const [draft, setDraft] = useState<Draft | null>(null);
+  const [draft, showDraft] = useState<Draft | null>(null);
+  /** The draft as it is at once: leaving the field comes before the next rendering. */
+  const current = useRef<Draft | null>(null);
   const [hasFocus, setHasFocus] = useState(false);
   const problemId = useId();
   const input = useRef<HTMLInputElement>(null);
@@ -57,8 +59,12 @@ export function NumberInput(props: NumberInputProps): ReactNode {
   const scrubbed = useRef(0);
 
   // what is no number gives way to a value that came from elsewhere, such as an undo
-  if (draft?.problem && value !== draft.start && !hasFocus) setDraft(null);
+  if (draft?.problem && value !== draft.start && !hasFocus) showDraft(null);
 
+  const setDraft = (next: Draft | null): void => {
+    current.current = next;
+    showDraft(next);
+  };
   const begin = (): { value: number | null } => (start.current ??= { value });
   const limited = (next: number): number => Math.min(Math.max(next, min ?? -Infinity), max ?? Infinity);
   const preview = (update: (before: number) => number, isRelative: boolean): void => {
@@ -81,7 +87,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
   };
 
   const type = (text: string): void => {
-    const before = draft ? draft.start : value;
+    const before = current.current ? current.current.start : value;
     const read = readNumberInRange(text, { unit, min, max });
     const isWrong = read.problem !== null && !read.isIncomplete;
     setDraft({ text, start: before, problem: isWrong ? read.problem : '' });
@@ -90,14 +96,15 @@ export function NumberInput(props: NumberInputProps): ReactNode {
   };
   /** @returns whether nothing is left that is no number */
   const takeOver = (): boolean => {
-    if (!draft) {
+    const { current: typed } = current;
+    if (!typed) {
       commit();
       return true;
     }
-    const { problem } = readNumberInRange(draft.text, { unit, min, max });
-    if (problem !== null && draft.text.trim() !== '') {
+    const { problem } = readNumberInRange(typed.text, { unit, min, max });
+    if (problem !== null && typed.text.trim() !== '') {
       discard();
-      setDraft({ ...draft, problem });
+      setDraft({ ...typed, problem });
       return false;
     }
     setDraft(null);
@@ -127,7 +134,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
       leave();
     } else if (key === 'ArrowUp' || key === 'ArrowDown') {
       event.preventDefault();
-      if (draft && !takeOver()) return;
+      if (!takeOver()) return;
       begin();
       const factor = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
       scrubbed.current += (key === 'ArrowUp' ? step : -step) * factor;
@@ -199,6 +206,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
           onChange={(event) => type(event.target.value)}
           onFocus={(event) => {
             setHasFocus(true);
+            current.current = draft;
             event.currentTarget.select();
           }}
           onBlur={() => {
