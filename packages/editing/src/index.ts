@@ -13,7 +13,7 @@ export { sharedValue, type SharedValue, withCoordinate } from './fields/sharedVa
 export { toDegrees, toRadians } from './fields/angles';
 export { describeField } from './fields/describeField';
 export { formatNumber, shownDecimals } from './fields/formatNumber';
-export { labelOfField } from './fields/labelOfField';
+export { englishLabelOfField, labelOfField } from './fields/labelOfField';
 export { type NumberDisplay, numberDisplay } from './fields/NumberDisplay';
 export {
   joinColour,

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { lazy, type ReactNode, Suspense, useLayoutEffect, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
@@ -23,7 +24,7 @@ export function ViewportPanel(): ReactNode {
   }, [viewport]);
   const isGrid = viewport.painter?.isGrid ?? false;
   return (
-    <section className="panel viewport" aria-label="Viewport">
+    <section className="panel viewport" aria-label={t('Viewport')}>
       <div ref={place} className="viewport-place" />
       <ViewportMenu />
       {!isGrid && <ViewportToolbar />}
