@@ -26,4 +26,4 @@ export {
 export { stepOf } from './fields/stepOf';
 
 export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
-export { setTexts, t, tCount, type Texts } from './language/translate';
+export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';

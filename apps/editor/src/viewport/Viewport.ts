@@ -1,4 +1,4 @@
-import { Signal, t } from '@farol/editing';
+import { Signal } from '@farol/editing';
 import {
   type Camera as CameraComponent,
   createWebGLRenderer,
@@ -80,7 +80,6 @@ export class Viewport extends ViewportSettings implements PickSurface {
     });
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
-    canvas.setAttribute('aria-label', t('Picture of the scene: arrow keys turn it, plus and minus bring it nearer'));
     this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });

@@ -19,6 +19,7 @@ export function ViewportPanel(): ReactNode {
   useSignal(viewport.changed);
   const place = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
+    viewport.canvas.ariaLabel = t('Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
     viewport.attach(place.current!);
     return () => viewport.detach();
   }, [viewport]);
