@@ -1,4 +1,4 @@
-import { formatNumber, readNumberInRange, roundToStep } from '@farol/editing';
+import { formatNumber, readNumberInRange, roundToStep, t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useId, useRef, useState } from 'react';
 import { Slider } from './Slider';
 import { useScrub } from './useScrub';
@@ -218,7 +218,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
         />
         {unit && (
           <span className="unit" aria-hidden="true">
-            {unit}
+            {t(unit)}
           </span>
         )}
       </div>

@@ -8,6 +8,7 @@ import {
   type PoseValues,
   roundPose,
   SetFields,
+  t,
   TransformDrag,
 } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
@@ -30,7 +31,7 @@ export interface SnapSteps {
   readonly scale: number;
 }
 
-const labels = { select: 'Select', translate: 'Move', rotate: 'Rotate', scale: 'Scale' };
+const labels = () => ({ select: t('Select'), translate: t('Move'), rotate: t('Rotate'), scale: t('Scale') });
 const euler = new Euler();
 const middle = new Vector3();
 
@@ -240,7 +241,7 @@ export class Gizmo {
     const { gesture, transform, dragged, currentMode: mode } = this;
     if (!gesture?.isOpen || !transform || mode === 'select') return;
     const edits = transform.poses(mode).flatMap((pose, i) => editsOf(dragged[i], this.before[i], pose));
-    gesture.preview(new SetFields(countLabel(labels[mode], dragged), edits));
+    gesture.preview(new SetFields(countLabel(labels()[mode], dragged), edits));
   }
 
   private end(): void {
