@@ -68,7 +68,7 @@ test('keys are chosen anew, clashes are told, and all of it is remembered and re
 
   await page.getByRole('treeitem', { name: 'Sun' }).first().focus();
   await page.keyboard.press('h');
-  expect(await history(page)).toEqual(['Duplicate Sun']);
+  expect(await history(page)).toEqual(['Duplicated Sun']);
   await page.keyboard.press('Control+d');
   expect(await history(page)).toHaveLength(1);
 

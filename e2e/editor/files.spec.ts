@@ -120,7 +120,7 @@ test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ 
   await expect(page.getByRole('menuitem', { name: 'Revert to prefab' })).toContainText('It has 50.');
   await page.getByRole('menuitem', { name: 'Revert to prefab' }).click();
   expect(await intensities()).toEqual([50, 50, 50]);
-  expect((await history(page)).at(-1)).toBe('Revert intensity to the prefab');
+  expect((await history(page)).at(-1)).toBe('Reverted intensity of Point light to its prefab');
 
   // renamed
   await page.locator('.asset-card').first().click();

@@ -41,11 +41,11 @@ test('searches, groups, cuts, pastes and locks, and takes all of it back', async
   await expect(page.getByRole('button', { name: 'Unlock Cone' })).toBeVisible();
   expect(await history(page)).toEqual([
     ...steps,
-    'Group 2 objects',
-    'Delete Cone',
-    'Paste Cone',
-    'Paste Cone',
-    'Lock Cone',
+    'Grouped 2 objects',
+    'Deleted Cone',
+    'Pasted Cone',
+    'Pasted Cone',
+    'Locked Cone',
   ]);
   for (let i = 0; i < 5; i++) await page.keyboard.press('Control+z');
   expect(await serialized(page)).toBe(before);

@@ -66,9 +66,16 @@ test('on a page that knows nothing of Farol: select, edit, undo', async ({ page 
   await page.keyboard.press('Enter');
   expect(await rotation()).toEqual([0.123456789, Math.PI / 2, 1e-7, 'XYZ']);
   expect(await page.evaluate(() => window.example.editor!.commands.history.slice(-3))).toEqual([
-    ...['Set colour of MeshPhysicalMaterial', 'Set colour of MeshPhysicalMaterial', 'Set rotation of chest'],
+    ...[
+      'Set colour of MeshPhysicalMaterial to #ff0000 × 3',
+      'Set colour of MeshPhysicalMaterial to #0000ff × 3',
+      'Set rotation of chest to 7.074, 90, 0°',
+    ],
   ]);
-  for (const label of ['Undo set rotation of chest', 'Undo set colour of MeshPhysicalMaterial']) {
+  for (const label of [
+    'Undo: Set rotation of chest to 7.074, 90, 0°',
+    'Undo: Set colour of MeshPhysicalMaterial to #0000ff × 3',
+  ]) {
     await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute('title', label);
     await page.getByRole('button', { name: 'Undo' }).click();
   }

@@ -1,8 +1,14 @@
 import { t } from './language/translate';
 
+/** What objects are called together: 'chest', or '3 objects'. @param objects - at least one; one without a name goes by its type */
+export function namesOf(objects: readonly { readonly name: string; readonly type?: string }[]): string {
+  const [{ name, type = t('object') }] = objects;
+  return objects.length === 1 ? name || type : t('{count} objects', { count: objects.length });
+}
+
 /**
- * 'Delete chest', or 'Delete 3 objects', in the language that is shown.
- * @param verb - in that language: `t('Delete')`
+ * 'Deleted chest', or 'Deleted 3 objects', in the language that is shown.
+ * @param verb - in that language: `t('Deleted')`
  * @param objects - at least one; one without a name goes by its type
  */
 export function countLabel(

@@ -134,7 +134,7 @@ export function pasteObjects(scene: Scene, text: string, parent: Container, sele
   for (const root of made) root.dispose();
   const end = childrenOf(parent).length;
   const placements = copies.map((object, i) => ({ object, parent, index: end + i }));
-  return new PlaceObjects(countLabel(t('Paste'), copies), scene, 'add', placements, {
+  return new PlaceObjects(countLabel(t('Pasted'), copies), scene, 'add', placements, {
     done: copies.map(({ id }) => id),
     undone: selected,
   });

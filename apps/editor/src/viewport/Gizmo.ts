@@ -1,5 +1,5 @@
 import {
-  countLabel,
+  dragLabel,
   type DragStart,
   type FieldEdit,
   type Gesture,
@@ -8,7 +8,6 @@ import {
   type PoseValues,
   roundPose,
   SetFields,
-  t,
   TransformDrag,
 } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
@@ -31,7 +30,6 @@ export interface SnapSteps {
   readonly scale: number;
 }
 
-const labels = () => ({ select: t('Select'), translate: t('Move'), rotate: t('Rotate'), scale: t('Scale') });
 const euler = new Euler();
 const middle = new Vector3();
 
@@ -241,7 +239,7 @@ export class Gizmo {
     const { gesture, transform, dragged, currentMode: mode } = this;
     if (!gesture?.isOpen || !transform || mode === 'select') return;
     const edits = transform.poses(mode).flatMap((pose, i) => editsOf(dragged[i], this.before[i], pose));
-    gesture.preview(new SetFields(countLabel(labels()[mode], dragged), edits));
+    gesture.preview(new SetFields(dragLabel(mode, dragged, transform), edits));
   }
 
   private end(): void {

@@ -1,4 +1,4 @@
-import { lowerFirst, t, type TransformMode } from '@farol/editing';
+import { t, type TransformMode } from '@farol/editing';
 import type { Session } from '../model/Session';
 import { duplicateSelected } from '../model/duplicateSelected';
 import { removeSelected } from '../model/removeSelected';
@@ -74,9 +74,9 @@ export class Bar {
     const { undoLabel, redoLabel } = commands;
     // not `disabled`, which would take the focus, and with it the keys, from a button that was just pressed
     this.undo.ariaDisabled = String(undoLabel === null);
-    this.undo.title = undoLabel === null ? '' : t('Undo {edit}', { edit: lowerFirst(undoLabel) });
+    this.undo.title = undoLabel === null ? '' : t('Undo: {edit}', { edit: undoLabel });
     this.redo.ariaDisabled = String(redoLabel === null);
-    this.redo.title = redoLabel === null ? '' : t('Redo {edit}', { edit: lowerFirst(redoLabel) });
+    this.redo.title = redoLabel === null ? '' : t('Redo: {edit}', { edit: redoLabel });
     for (const each of [this.duplicate, this.remove]) each.ariaDisabled = String(topmost.length === 0);
     this.problem.hidden = problem === '';
     this.problem.textContent = problem;

@@ -4,6 +4,7 @@ import { type ComponentType, memo, type ReactNode, useCallback, useMemo } from '
 import { fieldEditors } from '../../fields';
 import type { FieldEditorProps } from '../../api/FieldEditorProps';
 import { resetFields } from '../../model/edits';
+import { ownersName } from '../../model/ownersName';
 import { OverrideMark } from '../prefab/OverrideMark';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -28,7 +29,10 @@ interface FieldRowProps {
 export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode {
   const { owners, name, field, value, mixed, parts, isDefault, places } = props;
   const editor = useEditor();
-  const gesture = useMemo(() => new FieldGesture(editor.commands, owners, name), [editor, owners, name]);
+  const gesture = useMemo(
+    () => new FieldGesture(editor.commands, owners, name, () => ownersName(owners)),
+    [editor, owners, name],
+  );
   // one editor for each kind: the table's type says so, which a union of its members cannot
   const Editor = fieldEditors[field.kind] as ComponentType<FieldEditorProps<Field>>;
   const label = labelOfField(name, field);
@@ -53,7 +57,13 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
             title={t('Reset {label} to its default', { label })}
             onClick={() =>
               editor.attempt(() =>
-                editor.commands.run(resetFields(t('Reset {label}', { label: label.toLowerCase() }), owners, [name])),
+                editor.commands.run(
+                  resetFields(
+                    t('Reset {field} of {name}', { field: label.toLowerCase(), name: ownersName(owners) }),
+                    owners,
+                    [name],
+                  ),
+                ),
               )
             }
           >
