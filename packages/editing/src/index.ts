@@ -13,7 +13,7 @@ export { sharedValue, type SharedValue, withCoordinate } from './fields/sharedVa
 export { toDegrees, toRadians } from './fields/angles';
 export { describeField } from './fields/describeField';
 export { formatNumber, shownDecimals } from './fields/formatNumber';
-export { labelOfField } from './fields/labelOfField';
+export { englishLabelOfField, labelOfField } from './fields/labelOfField';
 export { type NumberDisplay, numberDisplay } from './fields/NumberDisplay';
 export {
   joinColour,
@@ -26,4 +26,4 @@ export {
 export { stepOf } from './fields/stepOf';
 
 export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
-export { setTexts, t, tCount, type Texts } from './language/translate';
+export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';

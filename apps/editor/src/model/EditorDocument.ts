@@ -1,4 +1,4 @@
-import { type Command, CommandStack, Signal } from '@farol/editing';
+import { type Command, CommandStack, Signal, t } from '@farol/editing';
 import {
   AssetLibrary,
   type Component,
@@ -53,7 +53,7 @@ export class EditorDocument {
     assets: AssetLibrary = new AssetLibrary(),
     private readonly registry?: ComponentRegistry,
   ) {
-    this.current = new Scene({ name: 'Untitled', assets, registry });
+    this.current = new Scene({ name: t('Untitled'), assets, registry });
     this.watchAssets();
     this.unsubscribe = this.watch(this.current);
   }

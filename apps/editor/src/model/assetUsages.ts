@@ -1,4 +1,4 @@
-import { type Command, type FieldEdit, SetFields } from '@farol/editing';
+import { type Command, type FieldEdit, SetFields, t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import type { AssetType, FieldOwner, FieldTable, FieldValue } from '@farol/engine/fields';
 import type { Prefab } from '@farol/engine/prefabs';
@@ -25,7 +25,7 @@ function editsOf(scene: Scene, names: ReadonlySet<string>): (FieldEdit & { reado
       edits.push({ owner, name, value: null, place });
     }
   };
-  visit(scene.settings, 'Scene');
+  visit(scene.settings, t('Scene'));
   scene.traverse((object) => {
     for (const component of object.components) visit(component, object.name);
   });
@@ -47,7 +47,10 @@ function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { ne
       for (const [name] of assetFields(scene.registry.get(component.type).fields)) {
         if (!isOne(names, values[name])) continue;
         values[name] = null;
-        usages.push({ place: `${object.name} (prefab ${prefab.name})`, field: `${component.type}.${name}` });
+        usages.push({
+          place: t('{name} (prefab {prefab})', { name: object.name, prefab: prefab.name }),
+          field: `${component.type}.${name}`,
+        });
       }
       return { ...component, values };
     }),
@@ -74,7 +77,7 @@ export function deleteAsset(scene: Scene, asset: string): Command {
     const { next, usages } = without(scene, prefab, names);
     return usages.length > 0 ? [next] : [];
   });
-  return new Sequence(`Delete ${asset}`, [
+  return new Sequence(t('Delete {asset}', { asset }), [
     ...prefabs.map((prefab) => () => new SetPrefab(scene, prefab.id, prefab)),
     ...(edits.length > 0 ? [() => new SetFields('Clear', edits)] : []),
     () => new RemoveAsset(scene.assets, asset),

@@ -1,5 +1,5 @@
 import { NumberField } from '@base-ui/react/number-field';
-import { shownDecimals } from '@farol/editing';
+import { shownDecimals, t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useRef } from 'react';
 
 export interface NumberInputProps {
@@ -101,7 +101,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
       />
       {unit && (
         <span className="unit" aria-hidden="true">
-          {unit}
+          {t(unit)}
         </span>
       )}
     </NumberField.Root>

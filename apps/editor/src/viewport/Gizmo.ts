@@ -6,6 +6,7 @@ import {
   placePivot,
   type Pose,
   SetFields,
+  t,
   TransformDrag,
 } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
@@ -29,7 +30,7 @@ export interface SnapSteps {
   readonly scale: number;
 }
 
-const labels = { select: 'Select', translate: 'Move', rotate: 'Rotate', scale: 'Scale' };
+const labels = () => ({ select: t('Select'), translate: t('Move'), rotate: t('Rotate'), scale: t('Scale') });
 const euler = new Euler();
 const middle = new Vector3();
 
@@ -236,7 +237,7 @@ export class Gizmo {
     const { gesture, transform, dragged, currentMode: mode } = this;
     if (!gesture?.isOpen || !transform || mode === 'select') return;
     const edits = transform.poses(mode).flatMap((pose, i) => editsOf(dragged[i], pose));
-    gesture.preview(new SetFields(countLabel(labels[mode], dragged), edits));
+    gesture.preview(new SetFields(countLabel(labels()[mode], dragged), edits));
   }
 
   private end(): void {
