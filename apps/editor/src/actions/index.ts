@@ -7,6 +7,7 @@ import { gizmoModes } from './gizmoModes';
 import { gizmoSpace } from './gizmoSpace';
 import { group, ungroup } from './group';
 import { hide } from './hide';
+import { chooseLanguage } from './language';
 import { lock } from './lock';
 import { measure } from './measure';
 import { newScene, openExamples } from './newScene';
@@ -76,4 +77,5 @@ export const actions: readonly Action[] = [
   resetPanels,
   showPalette,
   showKeys,
+  ...chooseLanguage,
 ];

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { groupWith } from '../layout/LayoutNode';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
@@ -39,7 +40,7 @@ export const previousPanel: Action = {
 
 export const maximiseViewport: Action = {
   id: 'panels.maximise',
-  label: ({ layout }) => (layout.maximised() === null ? 'Maximise the viewport' : 'Show all panels'),
+  label: ({ layout }) => (layout.maximised() === null ? t('Maximise the viewport') : t('Show all panels')),
   keys: ['Space'],
   icon: 'maximise',
   run: ({ layout }) => layout.maximise(layout.maximised() === null ? 'viewport' : null),

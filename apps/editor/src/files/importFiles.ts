@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { AssetLibrary } from '@farol/engine';
 import { decodedUri, expandZips, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
@@ -75,7 +76,8 @@ export interface ImportResult {
  */
 export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportResult> {
   const [first] = files.keys();
-  const title = files.size === 1 ? `Reading ${nameIn(first)}` : `Reading ${files.size} files`;
+  const title =
+    files.size === 1 ? t('Reading {name}', { name: nameIn(first) }) : t('Reading {count} files', { count: files.size });
   return withProgress(editor.dialogs, title, async (signal) =>
     importAll(editor, await expandZips(files, editor.mayUnpack), signal),
   );
@@ -104,7 +106,12 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
       assets.unregister(name);
       signal.throwIfAborted();
       const { cause } = error as Error;
-      problems.push(`${path} cannot be imported: ${cause instanceof Error ? cause.message : String(error)}`);
+      problems.push(
+        t('{path} cannot be imported: {reason}', {
+          path,
+          reason: cause instanceof Error ? cause.message : String(error),
+        }),
+      );
     }
   };
   const takeAll = async (): Promise<void> => {
@@ -120,7 +127,12 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
         await take(path, blob, nameIn(path).replace(/\.\w+$/, '.glb'));
       } catch (error) {
         signal.throwIfAborted();
-        problems.push(`${path} cannot be imported: ${error instanceof Error ? error.message : String(error)}`);
+        problems.push(
+          t('{path} cannot be imported: {reason}', {
+            path,
+            reason: error instanceof Error ? error.message : String(error),
+          }),
+        );
       }
     }
     for (const path of left) if (typeOfUrl(path)) await take(path, files.get(path)!, nameIn(path));
@@ -146,7 +158,9 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
     );
   }
   if (unknown.length > 0 && names.length + problems.length === 0) {
-    throw new Error(`${unknown.slice(0, 4).join(', ')} cannot be imported: only ${importable} can.`);
+    throw new Error(
+      t('{names} cannot be imported: only {importable} can.', { names: unknown.slice(0, 4).join(', '), importable }),
+    );
   }
   for (const problem of problems) editor.notices.show('error', problem);
   if (notes.length > 0) editor.notices.show('warning', notes.join('\n'));

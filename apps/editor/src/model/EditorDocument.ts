@@ -1,4 +1,4 @@
-import { type Command, CommandStack, Selection as AssetSelection, Signal } from '@farol/editing';
+import { type Command, CommandStack, Selection as AssetSelection, Signal, t } from '@farol/editing';
 import {
   AssetLibrary,
   type Component,
@@ -57,7 +57,7 @@ export class EditorDocument {
     assets: AssetLibrary = new AssetLibrary(),
     private readonly registry?: ComponentRegistry,
   ) {
-    this.current = new Scene({ name: 'Untitled', assets, registry });
+    this.current = new Scene({ name: t('Untitled'), assets, registry });
     this.watchAssets();
     this.unsubscribe = this.watch(this.current);
     this.selection.changed.subscribe(() => this.assetSelection.clear());

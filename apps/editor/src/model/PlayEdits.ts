@@ -1,4 +1,4 @@
-import { type Command, type CommandStack, SetFields, Signal } from '@farol/editing';
+import { type Command, type CommandStack, labelOfField, SetFields, Signal, t } from '@farol/editing';
 import type { Component, MaterialAsset, Scene, SceneChange, SceneSettings } from '@farol/engine';
 import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { CommandList } from './commands/CommandList';
@@ -93,7 +93,7 @@ export class PlayEdits {
   keep(change: PlayChange): void {
     const { owner, name, to } = change;
     this.check(change);
-    this.document.commands.run(new SetFields(`Keep ${nameOf(change)}`, [{ owner, name, value: to }]));
+    this.document.commands.run(new SetFields(t('Keep {name}', { name: nameOf(change) }), [{ owner, name, value: to }]));
     this.values = this.values.filter((each) => !sameField(each, change));
     this.dropAll();
     this.changed.emit();
@@ -102,12 +102,12 @@ export class PlayEdits {
   /** Keeps what is left, as one step of history. @throws Error as `keep` does; nothing is kept then */
   keepAll(): void {
     if (this.canKeepAll) {
-      this.document.commands.run(new CommandList('Keep edits of playing', this.all));
+      this.document.commands.run(new CommandList(t('Keep edits of playing'), this.all));
       this.all = [];
     } else {
       for (const change of this.values) this.check(change);
       const edits = this.values.map(({ owner, name, to }) => ({ owner, name, value: to }));
-      this.document.commands.run(new SetFields('Keep edits of playing', edits));
+      this.document.commands.run(new SetFields(t('Keep edits of playing'), edits));
     }
     this.dismiss();
   }
@@ -121,7 +121,11 @@ export class PlayEdits {
 
   private check(change: PlayChange): void {
     if ('isAttached' in change.owner && change.owner.scene !== this.document.scene) {
-      throw new Error(`${nameOf(change)} cannot be kept: its object was added while playing. Keep all edits instead.`);
+      throw new Error(
+        t('{name} cannot be kept: its object was added while playing. Keep all edits instead.', {
+          name: nameOf(change),
+        }),
+      );
     }
   }
 
@@ -141,8 +145,11 @@ function ownerOf(
 
 /** What a change is of, such as 'intensity of Lamp'. */
 export function nameOf({ owner, name }: PlayChange): string {
-  const field = (owner.fields[name].label ?? name).toLowerCase();
-  return `${field} of ${'isAttached' in owner && owner.isAttached ? owner.gameObject.name : owner.ownerName}`;
+  const field = labelOfField(name, owner.fields[name]).toLowerCase();
+  return t('{field} of {name}', {
+    field,
+    name: 'isAttached' in owner && owner.isAttached ? owner.gameObject.name : owner.ownerName,
+  });
 }
 
 /** The values that commands, which are undone, have set. */

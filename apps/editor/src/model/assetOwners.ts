@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import type { FieldOwner } from '@farol/engine/fields';
 
@@ -12,7 +13,7 @@ export interface AssetOwner {
 
 /** All of a scene whose fields may name assets: its settings, components and materials. */
 export function assetOwners(scene: Scene): AssetOwner[] {
-  const owners: AssetOwner[] = [{ owner: scene.settings, place: 'Scene' }];
+  const owners: AssetOwner[] = [{ owner: scene.settings, place: t('Scene') }];
   for (const material of scene.assets.materialAssets) owners.push({ owner: material, place: material.name });
   scene.traverse((object) => {
     for (const component of object.components) {

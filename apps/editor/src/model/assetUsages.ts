@@ -1,4 +1,4 @@
-import { type Command, type FieldEdit, SetFields } from '@farol/editing';
+import { type Command, type FieldEdit, SetFields, t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import type { AssetType, FieldTable, FieldValue } from '@farol/engine/fields';
 import type { Prefab } from '@farol/engine/prefabs';
@@ -43,7 +43,10 @@ function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { ne
       for (const [name] of assetFields(scene.registry.get(component.type).fields)) {
         if (!isOne(names, values[name])) continue;
         values[name] = null;
-        usages.push({ place: `${object.name} (prefab ${prefab.name})`, field: `${component.type}.${name}` });
+        usages.push({
+          place: t('{name} (prefab {prefab})', { name: object.name, prefab: prefab.name }),
+          field: `${component.type}.${name}`,
+        });
       }
       return { ...component, values };
     }),
@@ -74,7 +77,7 @@ export function deleteAsset(scene: Scene, asset: string): Command {
     const { next, usages } = without(scene, prefab, names);
     return usages.length > 0 ? [next] : [];
   });
-  return new Sequence(`Delete ${asset}`, [
+  return new Sequence(t('Delete {asset}', { asset }), [
     ...prefabs.map((prefab) => () => new SetPrefab(scene, prefab.id, prefab)),
     ...(edits.length > 0 ? [() => new SetFields('Clear', edits)] : []),
     () => new RemoveAsset(scene.assets, asset),

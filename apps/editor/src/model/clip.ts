@@ -1,4 +1,4 @@
-import { type Command, countLabel } from '@farol/editing';
+import { type Command, countLabel, t } from '@farol/editing';
 import { GameObject, type Scene, type TakenAsset } from '@farol/engine';
 import { type FieldValue, sameValue } from '@farol/engine/fields';
 import {
@@ -136,7 +136,7 @@ export function pasteObjects(scene: Scene, text: string, parent: Container, sele
   try {
     clip = JSON.parse(text) as typeof clip;
   } catch (cause) {
-    throw new FileError([{ path: '', problem: 'The clipboard holds no objects: copy some first.' }], { cause });
+    throw new FileError([{ path: '', problem: t('The clipboard holds no objects: copy some first.') }], { cause });
   }
   const objects = Array.isArray(clip.objects) ? clip.objects.filter((each) => Array.isArray(each?.components)) : [];
   const outer = takeOuterReferences(objects, scene);
@@ -173,7 +173,7 @@ export function pasteObjects(scene: Scene, text: string, parent: Container, sele
   for (const root of made) root.dispose();
   const end = childrenOf(parent).length;
   const placements = copies.map((object, i) => ({ object, parent, index: end + i }));
-  const label = countLabel('Paste', copies);
+  const label = countLabel(t('Paste'), copies);
   const selection = { done: copies.map(({ id }) => id), undone: selected };
   const place = new PlaceObjects(label, scene, 'add', placements, selection);
   if (materials.length === 0) return place;

@@ -80,7 +80,6 @@ export class Viewport extends ViewportSettings implements PickSurface {
     });
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
-    canvas.setAttribute('aria-label', 'Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
     this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });

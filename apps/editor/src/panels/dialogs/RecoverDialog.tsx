@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import { type ReactNode, useState } from 'react';
 import { describeSession } from '../../files/autosave/describeSession';
@@ -10,8 +11,8 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
   const [sessions, setSessions] = useState(request.sessions);
   return (
     <>
-      <Dialog.Title>Unsaved work was found</Dialog.Title>
-      <Dialog.Description>The editor was closed before these scenes were saved.</Dialog.Description>
+      <Dialog.Title>{t('Unsaved work was found')}</Dialog.Title>
+      <Dialog.Description>{t('The editor was closed before these scenes were saved.')}</Dialog.Description>
       <ul className="sessions">
         {sessions.map((session) => (
           <li key={session.id}>
@@ -32,7 +33,7 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
                 })
               }
             >
-              Discard
+              {t('Discard')}
             </button>
             <button
               type="button"
@@ -43,15 +44,17 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
                 editor.attempt(() => request.recover(session));
               }}
             >
-              Recover
+              {t('Recover')}
             </button>
           </li>
         ))}
       </ul>
       <div className="dialog-buttons">
-        <span className="dialog-hint">What is left for later stays: “Recover…” in the menu File offers it again.</span>
+        <span className="dialog-hint">
+          {t('What is left for later stays: “Recover…” in the menu File offers it again.')}
+        </span>
         <button type="button" className="button framed" onClick={onClose}>
-          Later
+          {t('Later')}
         </button>
       </div>
     </>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { views } from '@farol/renderer';
 import { addCreation } from '../../actions/addEntries';
 import { labelOf } from '../../api/Action';
@@ -21,22 +22,22 @@ export interface PaletteItem extends Findable {
   run(): unknown;
 }
 
-const groups: Readonly<Record<string, string>> = {
-  file: 'File',
-  edit: 'Edit',
-  view: 'View',
-  gizmo: 'Handles',
-  play: 'Play',
-  panels: 'Panels',
-  help: 'Help',
-};
+const groups = (): Readonly<Record<string, string>> => ({
+  file: t('File'),
+  edit: t('Edit'),
+  view: t('View'),
+  gizmo: t('Handles'),
+  play: t('Play'),
+  panels: t('Panels'),
+  help: t('Help'),
+});
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1).replaceAll('-', ' ');
 
 /** What an action belongs to, by the first part of its id. */
 export const groupOf = (id: string): string => {
   const first = id.split('.')[0];
-  return groups[first] ?? capital(first);
+  return groups()[first] ?? capital(first);
 };
 
 /** Objects are listed by name only when this many are found at most. */
@@ -59,7 +60,7 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
   const techniques = techniqueOptions(viewport.farol).map(({ value, label }): PaletteItem => ({
     id: `technique.${value}`,
     label,
-    group: 'Technique',
+    group: t('Technique'),
     icon: 'lamp',
     isCurrent: viewport.technique === value,
     run: () => (viewport.technique = value),
@@ -67,7 +68,7 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
   const shown = views.map((view): PaletteItem => ({
     id: `shown.${view}`,
     label: viewLabel(view),
-    group: 'Show',
+    group: t('Show'),
     icon: 'eye',
     isCurrent: viewport.view === view,
     run: () => (viewport.view = view),
@@ -75,7 +76,7 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
   const added = creations(document.scene).map((creation): PaletteItem => ({
     id: `add.${creation.folder ?? ''}.${creation.label}`,
     label: creation.label,
-    group: creation.folder ? `Add, ${creation.folder}` : 'Add',
+    group: creation.folder ? t('Add, {folder}', { folder: creation.folder }) : t('Add'),
     icon: 'add',
     run: () => addCreation(editor, creation, null),
   }));
@@ -90,7 +91,7 @@ export function objectItems(editor: EditorApi): PaletteItem[] {
     items.push({
       id: `object.${id}`,
       label: name,
-      group: 'Select',
+      group: t('Select'),
       icon: 'object',
       run() {
         document.selection.set([id]);

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
 import { exportScene } from '../../actions/exportScene';
@@ -41,13 +42,13 @@ export function Toolbar(): ReactNode {
           Farol
         </span>
         <MenuButton
-          label="File"
+          label={t('File')}
           entries={() => [
-            { label: 'New', icon: 'scene', entries: newEntries },
+            { label: t('New'), icon: 'scene', entries: newEntries },
             ...[open, save, saveAs, exportScene, measure, recover].map((action) => actionEntry(action, editor)),
           ]}
         />
-        <div className="button-group" role="toolbar" aria-label="File and history">
+        <div className="button-group" role="toolbar" aria-label={t('File and history')}>
           <ActionButton action={open} />
           <ActionButton action={save} />
           <span className="bar-line" />
@@ -57,21 +58,21 @@ export function Toolbar(): ReactNode {
           <ActionButton action={duplicate} />
           <ActionButton action={remove} />
         </div>
-        <MenuButton label="Add" icon="add" entries={() => addEntries(editor)} />
-        <MenuButton label="Panels" icon="panels" entries={() => panelEntries(editor)} />
+        <MenuButton label={t('Add')} icon="add" entries={() => addEntries(editor)} />
+        <MenuButton label={t('Panels')} icon="panels" entries={() => panelEntries(editor)} />
       </div>
-      <div className="button-group play" role="toolbar" aria-label="Simulation">
+      <div className="button-group play" role="toolbar" aria-label={t('Simulation')}>
         {[play, pause, step, stop].map((action) => (
           <ActionButton key={action.id} action={action} />
         ))}
       </div>
       <div className="toolbar-part end">
         <div className="labelled">
-          <span aria-hidden="true">Technique</span>
+          <span aria-hidden="true">{t('Technique')}</span>
           <SelectBox
             value={viewport.technique}
             options={techniqueOptions(viewport.farol)}
-            label="Technique"
+            label={t('Technique')}
             onChange={(technique) =>
               editor.attempt(() => {
                 viewport.technique = technique;
@@ -80,11 +81,11 @@ export function Toolbar(): ReactNode {
           />
         </div>
         <div className="labelled">
-          <span aria-hidden="true">View</span>
+          <span aria-hidden="true">{t('View')}</span>
           <SelectBox
             value={viewport.view}
-            options={viewOptions}
-            label="View"
+            options={viewOptions()}
+            label={t('View')}
             onChange={(view) =>
               editor.attempt(() => {
                 viewport.view = view;
