@@ -40,9 +40,10 @@ export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
 export { Transform } from './core/Transform';
 
-export type { Asset, AssetChange, AssetFile, TakenAsset } from './assets/Asset';
+export type { Asset, AssetChange, AssetFile, MaterialUser, TakenAsset } from './assets/Asset';
 export { AssetError } from './assets/AssetError';
 export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';
 export { importModel } from './components/importModel';
+export { MaterialAsset } from './assets/MaterialAsset';
 export type { FetchBytes, FetchOptions } from './assets/loadAsset';
 export { Model } from './assets/Model';
