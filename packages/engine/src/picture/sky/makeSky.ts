@@ -32,7 +32,14 @@ export interface SkyGradient {
 const PRESET_WIDTH = 1024;
 const GRADIENT_WIDTH = 256;
 
-function pictureOf(look: SkyLook, width: number): Sky {
+/** What a sky is painted of, as three takes it. */
+interface Painted {
+  readonly halves: Uint16Array<ArrayBuffer>;
+  readonly width: number;
+  readonly horizon: Vector3Tuple;
+}
+
+function paint(look: SkyLook, width: number): Painted {
   const height = width / 2;
   const pixels = paintSky(look, width, height);
   const halves = new Uint16Array(width * height * 4);
@@ -43,13 +50,17 @@ function pictureOf(look: SkyLook, width: number): Sky {
     halves[to + 2] = DataUtils.toHalfFloat(pixels[from + 2]);
     halves[to + 3] = one;
   }
-  const texture = new DataTexture(halves, width, height, RGBAFormat, HalfFloatType);
+  return { halves, width, horizon: horizonOf(pixels, width, height) };
+}
+
+function skyOf({ halves, width, horizon }: Painted): Sky {
+  const texture = new DataTexture(halves, width, width / 2, RGBAFormat, HalfFloatType);
   texture.mapping = EquirectangularReflectionMapping;
   texture.wrapS = RepeatWrapping;
   texture.wrapT = ClampToEdgeWrapping;
   texture.minFilter = texture.magFilter = LinearFilter;
   texture.needsUpdate = true;
-  return { texture, horizon: horizonOf(pixels, width, height) };
+  return { texture, horizon };
 }
 
 /** Mean of the first rows above the horizon. */
@@ -62,9 +73,16 @@ function horizonOf(pixels: Float32Array, width: number, height: number): Vector3
   return [sum[0] / width, sum[1] / width, sum[2] / width];
 }
 
+/** Presets that were painted: each takes about 0.1 s and 4 MB. */
+const painted = new Map<SkyPreset, Painted>();
+
 /** Makes one of the skies. */
-export const makePresetSky = (preset: SkyPreset): Sky => pictureOf(skyLooks[preset], PRESET_WIDTH);
+export function makePresetSky(preset: SkyPreset): Sky {
+  let one = painted.get(preset);
+  if (!one) painted.set(preset, (one = paint(skyLooks[preset], PRESET_WIDTH)));
+  return skyOf(one);
+}
 
 /** Makes a sky of three colours. */
 export const makeGradientSky = (colours: SkyGradient): Sky =>
-  pictureOf({ ...colours, disc: null, clouds: null, stars: 0, boxes: [] }, GRADIENT_WIDTH);
+  skyOf(paint({ ...colours, disc: null, clouds: null, stars: 0, boxes: [] }, GRADIENT_WIDTH));
