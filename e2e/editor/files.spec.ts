@@ -50,7 +50,7 @@ test('what a killed tab leaves is found, recovered, and stored again', async ({ 
   await next.getByRole('menuitem', { name: 'Recover…' }).click();
   await expect(dialog).toContainText('Unsaved work was found');
   await dialog.getByRole('button', { name: 'Recover' }).click();
-  await dialog.getByRole('button', { name: 'Discard changes' }).click();
+  await dialog.getByRole('button', { name: 'Don’t save' }).click();
   await expect(next.getByRole('treeitem', { name: 'Precious' })).toBeVisible();
   expect(await serialized(next)).toBe(work);
   expect(await next.evaluate(() => window.editor.commands.isDirty)).toBe(true);

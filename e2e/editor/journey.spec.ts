@@ -290,8 +290,8 @@ test('lists all that is wrong with a broken file, and keeps the scene', async ({
   await writeFile(path, JSON.stringify(file));
 
   const chooser = page.waitForEvent('filechooser');
+  // what is broken is told of before anything is asked
   await page.keyboard.press('Control+o');
-  await page.getByRole('button', { name: 'Discard changes' }).click();
   await (await chooser).setFiles(path);
   const dialog = page.getByRole('dialog', { name: 'broken.json cannot be opened' });
   await expect(dialog.getByRole('listitem')).toHaveCount(3);
@@ -308,8 +308,17 @@ test('lists all that is wrong with a broken file, and keeps the scene', async ({
   await writeFile(path, JSON.stringify(strange));
   const again = page.waitForEvent('filechooser');
   await page.keyboard.press('Control+o');
-  await page.getByRole('button', { name: 'Discard changes' }).click();
   await (await again).setFiles(path);
+  const question = page.getByRole('dialog', { name: 'Unsaved changes' });
+  await question.getByRole('button', { name: 'Cancel' }).click();
+  expect(await serialized(page)).toBe(before);
+  expect(await page.evaluate(() => window.editor.commands.isDirty)).toBe(true);
+  const third = page.waitForEvent('filechooser');
+  await page.keyboard.press('Control+o');
+  await (await third).setFiles(path);
+  const download = page.waitForEvent('download');
+  await question.getByRole('button', { name: 'Save', exact: true }).click();
+  await (await download).cancel();
   await expect(page.locator('.notices')).toContainText('kept as data: Teleporter. Add the plugin');
   expect(JSON.parse(await serialized(page))).toEqual(strange);
 });

@@ -1,6 +1,6 @@
-import { type ReactNode, useLayoutEffect, useRef, useState, useSyncExternalStore } from 'react';
+import { type CSSProperties, type ReactNode, useLayoutEffect, useRef, useState, useSyncExternalStore } from 'react';
 import { groupWith } from '../../layout/LayoutNode';
-import { placeLayout, type Rectangle } from '../../layout/placeLayout';
+import { type PlacedGroup, placeLayout, type Rectangle } from '../../layout/placeLayout';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dock.css';
 import { DockEdge } from './DockEdge';
@@ -42,7 +42,7 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
   const placed = alone ? { groups: [{ group: alone, rectangle: { x: 0, y: 0, width, height } }], edges: [] } : all;
   const drag = useTabDrag(place, placed.groups);
   return (
-    <main ref={place} className="dock">
+    <main ref={place} className="dock" style={pictureStyle(placed.groups, height)}>
       {size !== null && (
         <>
           {placed.groups.map(({ group, rectangle }) => (
@@ -68,6 +68,17 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
       {children}
     </main>
   );
+}
+
+/** Where the picture is, for what is shown in a corner of it: none of this while it is behind another panel. */
+function pictureStyle(groups: readonly PlacedGroup[], height: number): CSSProperties | undefined {
+  const rectangle = groups.find(({ group }) => group.active === 'viewport')?.rectangle;
+  if (!rectangle) return undefined;
+  return {
+    '--picture-left': `${rectangle.x}px`,
+    '--picture-bottom': `${height - rectangle.y - rectangle.height}px`,
+    '--picture-width': `${rectangle.width}px`,
+  } as CSSProperties;
 }
 
 const belowTabs = ({ x, y, width, height }: Rectangle): Rectangle => ({
