@@ -10,6 +10,7 @@ test('a text is that of the language, with its values, and the English one where
   expect(t('Sphere')).toBe('Sphere');
   expect(t('toString')).toBe('toString');
   expect(t('Box {number}', {})).toBe('Caja {number}');
+  expect(t('Scale##verb')).toBe('Scale');
   expect([tCount(2, '{count} light', '{count} lights'), tCount(1, '{count} light', '{count} lights')]).toEqual([
     '2 luces',
     '1 light',
