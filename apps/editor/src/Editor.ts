@@ -156,7 +156,7 @@ export class Editor implements EditorApi {
 
   libraryForNext(): AssetLibrary {
     const { assets } = this.document;
-    if (assets.files.length === 0) return assets;
+    if (!assets.hasOwn) return assets;
     return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
 

@@ -23,7 +23,17 @@ export {
   withIntensity,
   withScreenColour,
 } from './fields/screenColour';
+export {
+  type NumberEdit,
+  type NumberProblem,
+  type NumberRange,
+  readNumber,
+  readNumberInRange,
+} from './fields/readNumber';
+export { roundToStep } from './fields/roundToStep';
 export { stepOf } from './fields/stepOf';
 
+export { nearestEuler } from './gizmo/nearestEuler';
+export { type PoseValues, roundPose } from './gizmo/roundPose';
 export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
 export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';

@@ -1,3 +1,4 @@
+import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import type { Action } from '../api/Action';
 import { deselect } from './deselect';
@@ -15,6 +16,7 @@ import { open } from './open';
 import { pause, play, step, stop } from './play';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
+import { toggleOrthographic, turns } from './projection';
 import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
@@ -67,6 +69,9 @@ export const actions: readonly Action[] = [
   continuous,
   showStatistics,
   ...lookFrom,
+  toggleOrthographic,
+  ...turns,
+  ...cameraActions,
   play,
   pause,
   step,

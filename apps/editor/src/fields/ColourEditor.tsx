@@ -73,6 +73,9 @@ export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {
                 description={t('Factor above what a screen can show')}
                 handle={<span className="grip" />}
                 onPreview={(next) => onPreview(withIntensity(next))}
+                onPreviewEach={(update) =>
+                  onPreview((before) => withIntensity(update(splitColour(before).intensity))(before))
+                }
                 onCommit={() => onCommit()}
                 onDiscard={onDiscard}
               />

@@ -3,6 +3,7 @@ import type { AssetLibrary } from '@farol/engine';
 import { decodedUri, expandZips, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { withProgress } from './withProgress';
+import { freeAssetName } from '../model/assetEdits';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
 
@@ -10,15 +11,6 @@ import type { FileMap } from '@farol/engine/files';
 const importable = readableEndings.replace('.gltf,', '.gltf, .obj, .stl, .zip,');
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
-
-/** A name that is free: 'robot 2.glb' when there is a 'robot.glb'. */
-export function freeName(assets: AssetLibrary, name: string): string {
-  const dot = name.indexOf('.', 1);
-  const [stem, ending] = dot < 0 ? [name, ''] : [name.slice(0, dot), name.slice(dot)];
-  let free = name;
-  for (let n = 2; assets.has(free); n++) free = `${stem} ${n}${ending}`;
-  return free;
-}
 
 async function sameBytes(a: Blob, b: Blob): Promise<boolean> {
   if (a.size !== b.size) return false;
@@ -104,7 +96,7 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
       names.push(known);
       return;
     }
-    const name = freeName(assets, fileName);
+    const name = freeAssetName(assets, fileName);
     assets.registerFile(name, blob);
     try {
       await assets.load(name, signal);

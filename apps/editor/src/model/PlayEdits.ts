@@ -1,11 +1,11 @@
 import { type Command, type CommandStack, labelOfField, SetFields, Signal, t } from '@farol/editing';
-import type { Component, Scene, SceneChange, SceneSettings } from '@farol/engine';
+import type { Component, MaterialAsset, Scene, SceneChange, SceneSettings } from '@farol/engine';
 import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { CommandList } from './commands/CommandList';
 
 /** A value that was edited while the scene played. */
 export interface PlayChange {
-  readonly owner: Component | SceneSettings;
+  readonly owner: Component | SceneSettings | MaterialAsset;
   /** Name of the field. */
   readonly name: string;
   /** What it is, as before playing. */
@@ -81,8 +81,9 @@ export class PlayEdits {
 
   /** Something of the scene changed, by an edit or by a component. */
   note(change: SceneChange): void {
-    if (!this.isRecording || (change.kind !== 'field' && change.kind !== 'settings')) return;
-    const owner = change.kind === 'field' ? change.component : this.document.scene.settings;
+    if (!this.isRecording) return;
+    if (change.kind !== 'field' && change.kind !== 'settings' && change.kind !== 'material') return;
+    const owner = ownerOf(change, this.document.scene);
     let fields = this.before.get(owner);
     if (!fields) this.before.set(owner, (fields = new Map()));
     if (!fields.has(change.field)) fields.set(change.field, change.before);
@@ -132,6 +133,14 @@ export class PlayEdits {
     for (const command of this.all) command.forget?.(false);
     this.all = [];
   }
+}
+
+function ownerOf(
+  change: Extract<SceneChange, { kind: 'field' | 'settings' | 'material' }>,
+  scene: Scene,
+): PlayChange['owner'] {
+  if (change.kind === 'field') return change.component;
+  return change.kind === 'material' ? change.material : scene.settings;
 }
 
 /** What a change is of, such as 'intensity of Lamp'. */
