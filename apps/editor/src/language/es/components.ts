@@ -269,7 +269,6 @@ export const components: Texts = {
   'Equirectangular texture that lights every standard and physical material from all sides.':
     'Textura equirrectangular que ilumina por todos lados los materiales estándar y físicos.',
   'Environment intensity': 'Intensidad del entorno',
-  'Factor of the light that comes from the environment.': 'Factor de la luz que viene del entorno.',
   Fog: 'Niebla',
   'Fog that fades objects into a colour.': 'Niebla que funde los objetos con un color.',
   linear: 'lineal',

@@ -174,4 +174,9 @@ export const messages: Texts = {
   'Second colours of lights are left out': 'Se omiten los segundos colores de las luces',
   'the graphics device was lost: export again when the picture is back.':
     'se perdió el dispositivo gráfico: hay que exportar de nuevo cuando vuelva la imagen.',
+  '{name} is locked: unlock it to move it.': '{name} está bloqueado: hay que desbloquearlo para moverlo.',
+  '{name} is below {parent}, which is scaled unevenly: scale it evenly to move the camera.':
+    '{name} está dentro de {parent}, que tiene una escala desigual: hay que igualarla para mover la cámara.',
+  'The scene plays: stop it to move this camera.':
+    'La escena se está reproduciendo: hay que detenerla para mover esta cámara.',
 };
