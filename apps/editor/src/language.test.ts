@@ -34,6 +34,7 @@ function wantedTexts(): Set<string> {
   const texts = [
     ...editor.flatMap(([path, source]) => textsOf(path, source).texts),
     ...actions.flatMap(({ label, menu }) => [typeof label === 'string' ? label : '', menu?.submenu ?? '']),
+    ...editor.flatMap(([path, source]) => propertyTexts(path, source, 'submenu')),
     ...panels.map(({ title }) => title),
     ...creations(scene).flatMap(({ label, folder }) => [label, folder ?? '']),
     ...[...builtinComponents.types.values()].flatMap((type) => [

@@ -1,4 +1,5 @@
 import { afterEach, expect, test } from 'vitest';
+import { formatTime } from './formatTime';
 import { setTexts, t, tCount } from './translate';
 
 afterEach(() => setTexts({}));
@@ -15,4 +16,13 @@ test('a text is that of the language, with its values, and the English one where
     '2 luces',
     '1 light',
   ]);
+});
+
+test('times are of the language that is shown', () => {
+  const noon = new Date(2026, 0, 31, 12, 5, 9).getTime();
+  setTexts({}, 'es');
+  expect(formatTime(noon)).toBe('12:05:09');
+  expect(formatTime(noon, true)).toMatch(/^31 ene 2026/);
+  setTexts({});
+  expect(formatTime(noon, true)).toMatch(/^Jan 31, 2026/);
 });

@@ -121,4 +121,8 @@ export const actions: Texts = {
   Top: 'Arriba',
   Bottom: 'Abajo',
   Back: 'Atrás',
+  Space: 'Espacio',
+  Backspace: 'Retroceso',
+  Shift: 'Mayús',
+  Del: 'Supr',
 };

@@ -136,7 +136,7 @@ export const components: Texts = {
   'Ambient colour': 'Color ambiente',
   'Light added to every surface in reach, whichever way it faces.':
     'Luz que se suma a toda superficie al alcance, mire a donde mire.',
-  'Own highlight colour': 'Color de brillo propio',
+  'Own highlight colour': 'Brillo propio',
   'Give highlights a colour of their own.': 'Dar a los brillos un color propio.',
   'Highlight colour': 'Color de brillo',
   'Colour of highlights.': 'Color de los brillos.',

@@ -220,6 +220,7 @@ export const panels: Texts = {
   'no drafts since {time}': 'sin borradores desde las {time}',
   'nothing selected': 'nada seleccionado',
   '{count} selected': '{count} seleccionados',
+  '{count} selected##one': '{count} seleccionado',
   'Theme: system': 'Tema: del sistema',
   'Theme: dark': 'Tema: oscuro',
   'Theme: light': 'Tema: claro',
