@@ -10,6 +10,7 @@ import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '
 import { registerSceneAssets, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
 import { actions } from './actions';
+import { allActions } from './actions/allActions';
 import type { EditorPlugin } from './api/EditorPlugin';
 import type { CustomFieldEditor, DraftKeeper, EditorApi, OpenFile } from './api/EditorApi';
 import type { Action } from './api/Action';
@@ -103,7 +104,15 @@ export class Editor implements EditorApi {
   constructor(canvas: HTMLCanvasElement, options: EditorOptions = {}) {
     const { urls = {}, scene = null, storage = 'farol-editor' } = options;
     this.urls = urls;
-    this.keys = new KeyBindings(this.actions, `${storage}-keys`);
+    const all = (): Action[] => allActions(this);
+    this.keys = new KeyBindings(
+      {
+        get list() {
+          return all();
+        },
+      },
+      `${storage}-keys`,
+    );
     this.layout = new PanelLayout(this.panels, `${storage}-layout`);
     this.preferences = createPreferences(storage);
     this.document = new EditorDocument(makeLibrary({ urls }), this.components);

@@ -7,6 +7,7 @@ export const hide: Action = {
   label: ({ document }) => (document.selectedObjects.some(({ active }) => active) ? 'Hide' : 'Show'),
   keys: ['H'],
   icon: 'eye',
+  menu: { menu: 'object', group: 'state' },
   run({ document, commands }) {
     const { selectedObjects } = document;
     commands.run(setActive(selectedObjects, !selectedObjects.some(({ active }) => active)));

@@ -8,6 +8,7 @@ import { gizmoSpace } from './gizmoSpace';
 import { group, ungroup } from './group';
 import { hide } from './hide';
 import { lock } from './lock';
+import { goToMenuBar } from './menuBar';
 import { measure } from './measure';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
@@ -26,6 +27,7 @@ import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showP
 import { lookFrom } from './sides';
 import { snap } from './snap';
 import { showStatistics } from './statistics';
+import { themes } from './themes';
 import { undo } from './undo';
 import { continuous, showGrid, showIcons, showRanges } from './viewportToggles';
 
@@ -70,10 +72,12 @@ export const actions: readonly Action[] = [
   pause,
   step,
   stop,
-  nextPanel,
-  previousPanel,
   maximiseViewport,
   resetPanels,
+  goToMenuBar,
+  nextPanel,
+  previousPanel,
+  ...themes,
   showPalette,
   showKeys,
 ];

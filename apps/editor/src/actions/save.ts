@@ -61,6 +61,7 @@ export const save: Action = {
   keys: ['Ctrl+S'],
   inFields: true,
   icon: 'save',
+  menu: { menu: 'file', group: 'save' },
   run: (editor) => write(editor, editor.file.handle),
 };
 
@@ -69,5 +70,6 @@ export const saveAs: Action = {
   label: 'Save as…',
   keys: ['Ctrl+Shift+S'],
   inFields: true,
+  menu: { menu: 'file', group: 'save' },
   run: (editor) => write(editor, null),
 };

@@ -26,6 +26,7 @@ export const nextPanel: Action = {
   label: 'Go to the next panel',
   keys: ['F6'],
   inFields: true,
+  menu: { menu: 'view', group: 'window', submenu: 'Go to' },
   run: () => goRound(1),
 };
 
@@ -34,14 +35,16 @@ export const previousPanel: Action = {
   label: 'Go to the panel before',
   keys: ['Shift+F6'],
   inFields: true,
+  menu: { menu: 'view', group: 'window', submenu: 'Go to' },
   run: () => goRound(-1),
 };
 
 export const maximiseViewport: Action = {
   id: 'panels.maximise',
-  label: ({ layout }) => (layout.maximised() === null ? 'Maximise the viewport' : 'Show all panels'),
+  label: 'Maximise the viewport',
   keys: ['Space'],
   icon: 'maximise',
+  menu: { menu: 'view', group: 'panels' },
   run: ({ layout }) => layout.maximise(layout.maximised() === null ? 'viewport' : null),
   checked: ({ layout }) => layout.maximised() !== null,
 };
@@ -50,6 +53,7 @@ export const resetPanels: Action = {
   id: 'panels.reset',
   label: 'Panels as at first',
   icon: 'panels',
+  menu: { menu: 'view', group: 'panels' },
   run: ({ layout }) => layout.reset(),
 };
 
@@ -59,6 +63,7 @@ export const showPanels = ({ panels }: EditorApi): Action[] =>
     id: `panels.show.${id}`,
     label: title,
     icon,
+    menu: { menu: 'view', group: 'panels', submenu: 'Panels' },
     run({ layout }) {
       if (groupWith(layout.current(), id)?.active === id) layout.close(id);
       else {

@@ -15,6 +15,7 @@ export const sides = [
 export const lookFrom: readonly Action[] = sides.map(([side, direction]) => ({
   id: `view.${side}`,
   label: `Look from the ${side}`,
+  menu: { menu: 'view', group: 'camera', submenu: 'Look from' },
   run({ viewport }) {
     viewport.lookThrough = null;
     viewport.editorCamera.lookFrom(new Vector3(...direction));

@@ -7,6 +7,7 @@ export const snap: Action = {
     return `Snap: ${translate} m, ${rotate}°, ${scale} (hold Ctrl for once)`;
   },
   icon: 'magnet',
+  menu: { menu: 'edit', group: 'handles', submenu: 'Handles' },
   run({ viewport }) {
     viewport.snapping = !viewport.snapping;
   },

@@ -1,26 +1,21 @@
 import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
-import { exportScene } from '../../actions/exportScene';
 import { duplicate } from '../../actions/duplicate';
-import { measure } from '../../actions/measure';
-import { newScene, openExamples } from '../../actions/newScene';
 import { open } from '../../actions/open';
-import { panelEntries } from '../../actions/panelEntries';
 import { pause, play, step, stop } from '../../actions/play';
-import { recover } from '../../actions/recover';
 import { redo } from '../../actions/redo';
 import { remove } from '../../actions/remove';
-import { save, saveAs } from '../../actions/save';
+import { save } from '../../actions/save';
 import { showKeys } from '../../actions/showKeys';
 import { undo } from '../../actions/undo';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
-import { actionEntry } from '../../api/MenuEntry';
 import { SelectBox } from '../../ui/SelectBox';
 import { techniqueOptions } from '../../ui/techniqueOptions';
 import { viewOptions } from '../../ui/viewOptions';
+import { MenuBar } from './MenuBar';
 import { ThemeButton } from './ThemeButton';
 import './toolbar.css';
 
@@ -32,7 +27,6 @@ export function Toolbar(): ReactNode {
   useSignal(document.selection.changed);
   useSignal(document.simulation.changed);
   useSignal(viewport.changed);
-  const newEntries = [newScene, ...openExamples].map((action) => actionEntry(action, editor));
   return (
     <header className="toolbar">
       <div className="toolbar-part">
@@ -40,13 +34,7 @@ export function Toolbar(): ReactNode {
           <Icon name="lamp" size={18} />
           Farol
         </span>
-        <MenuButton
-          label="File"
-          entries={() => [
-            { label: 'New', icon: 'scene', entries: newEntries },
-            ...[open, save, saveAs, exportScene, measure, recover].map((action) => actionEntry(action, editor)),
-          ]}
-        />
+        <MenuBar />
         <div className="button-group" role="toolbar" aria-label="File and history">
           <ActionButton action={open} />
           <ActionButton action={save} />
@@ -58,7 +46,6 @@ export function Toolbar(): ReactNode {
           <ActionButton action={remove} />
         </div>
         <MenuButton label="Add" icon="add" entries={() => addEntries(editor)} />
-        <MenuButton label="Panels" icon="panels" entries={() => panelEntries(editor)} />
       </div>
       <div className="button-group play" role="toolbar" aria-label="Simulation">
         {[play, pause, step, stop].map((action) => (

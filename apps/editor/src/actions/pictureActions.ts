@@ -1,0 +1,31 @@
+import { type View, views } from '@farol/renderer';
+import type { Action } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
+
+/** What a view is called. */
+export const viewLabel = (view: View): string => view.charAt(0).toUpperCase() + view.slice(1).replaceAll('-', ' ');
+
+/** One action for each technique of the renderer: draws by it. */
+export const techniqueActions = ({ viewport: { farol } }: EditorApi): Action[] =>
+  Object.entries(farol.techniques).map(([name, { label }]) => ({
+    id: `technique.${name}`,
+    label,
+    icon: 'lamp',
+    menu: { menu: 'view', group: 'picture', submenu: 'Technique' },
+    run({ viewport }) {
+      viewport.technique = name as typeof viewport.technique;
+    },
+    checked: ({ viewport }) => viewport.technique === name,
+  }));
+
+/** One action for each view of the renderer: the picture, or what it is made of. */
+export const viewActions: readonly Action[] = views.map((view) => ({
+  id: `shown.${view}`,
+  label: viewLabel(view),
+  icon: 'eye',
+  menu: { menu: 'view', group: 'picture', submenu: 'Show' },
+  run({ viewport }) {
+    viewport.view = view;
+  },
+  checked: ({ viewport }) => viewport.view === view,
+}));
