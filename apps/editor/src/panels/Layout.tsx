@@ -7,6 +7,7 @@ import { Dock } from './dock/Dock';
 import { StatusBar } from './status/StatusBar';
 import { Toolbar } from './toolbar/Toolbar';
 
+const PlayTint = lazy(async () => ({ default: (await import('./play/PlayTint')).PlayTint }));
 const PlayChanges = lazy(async () => ({ default: (await import('./play/PlayChanges')).PlayChanges }));
 
 /** The editor's window: bar, panels, status. */
@@ -15,6 +16,8 @@ export function Layout(): ReactNode {
   useLayoutEffect(() => {
     document.documentElement.dataset.theme = theme;
   }, [theme]);
+  const { simulation } = useEditor().document;
+  const hasPlayed = useSignal(simulation.changed) > 0;
   return (
     <div className="layout">
       <Toolbar />
@@ -24,6 +27,7 @@ export function Layout(): ReactNode {
       </Dock>
       <StatusBar />
       <DialogHost />
+      <Suspense fallback={null}>{hasPlayed && <PlayTint />}</Suspense>
     </div>
   );
 }

@@ -1,5 +1,5 @@
 import { Dialog } from '@base-ui/react/dialog';
-import { lazy, type ReactNode, Suspense } from 'react';
+import { lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef } from 'react';
 import type { DialogRequest } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dialogs.css';
@@ -18,18 +18,34 @@ export function DialogHost(): ReactNode {
   const { dialogs } = useEditor();
   useSignal(dialogs.changed);
   const { current } = dialogs;
+  const popup = useRef<HTMLDivElement>(null);
   return (
     <Dialog.Root open={current !== null} onOpenChange={(open) => !open && dialogs.close(false)}>
       <Dialog.Portal>
         <Dialog.Backdrop className="backdrop" />
-        <Dialog.Popup className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
+        <Dialog.Popup ref={popup} className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
           <Suspense fallback={null}>
-            {current && <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />}
+            {current && (
+              <>
+                <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />
+                <FocusField popup={popup} />
+              </>
+            )}
           </Suspense>
         </Dialog.Popup>
       </Dialog.Portal>
     </Dialog.Root>
   );
+}
+
+/** Puts the focus into the first field of a dialog whose content was fetched after it opened. */
+function FocusField({ popup }: { popup: RefObject<HTMLElement | null> }): null {
+  useEffect(() => {
+    const { activeElement } = document;
+    const isInside = activeElement !== popup.current && popup.current?.contains(activeElement);
+    if (!isInside) popup.current?.querySelector<HTMLElement>('input, textarea')?.focus();
+  }, [popup]);
+  return null;
 }
 
 function Content({ request, onClose }: { request: DialogRequest; onClose(agreed: boolean): void }): ReactNode {
