@@ -71,7 +71,7 @@ export async function openEditor(page: Page, scene?: 'empty'): Promise<void> {
     Reflect.deleteProperty(window, 'showOpenFilePicker');
     Reflect.deleteProperty(window, 'showSaveFilePicker');
   });
-  await page.goto(scene ? `./?scene=${scene}` : './');
+  await page.goto(scene ? `./?scene=${scene}` : './?welcome=no');
   await waitUntilReady(page);
 }
 

@@ -27,7 +27,9 @@ import { Dialogs } from './model/Dialogs';
 import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
+import { RecentFiles } from './model/RecentFiles';
 import { Registry } from './model/Registry';
+import { Tour } from './model/Tour';
 import { panels } from './panels';
 import { Viewport } from './viewport/Viewport';
 import { Plugins } from './plugins/Plugins';
@@ -89,6 +91,8 @@ export class Editor implements EditorApi {
   readonly log = new ConsoleLog();
   readonly notices = new Notices(this.log);
   readonly drafts = new Drafts();
+  readonly recentFiles = new RecentFiles();
+  readonly tour = new Tour();
   readonly renameRequested = new Signal();
   readonly fileChanged = new Signal();
   readonly plugins: Plugins = new Plugins(this);
@@ -189,6 +193,7 @@ export class Editor implements EditorApi {
         }),
       );
       this.show(scene, file);
+      if (typeof bytes !== 'string') this.remember(bytes);
       return true;
     } catch (error) {
       if (assets !== this.document.assets) assets.dispose();
@@ -267,6 +272,15 @@ export class Editor implements EditorApi {
     if (unknown.length === 0) return;
     const text = `What brings these components is not here, so they are kept as data: ${unknown.join(', ')}`;
     this.notices.show('warning', `${text}. Add the plugin that they belong to.`, 'plugin');
+  }
+
+  /** Puts the file that was just opened among the recent ones. */
+  private remember(bytes: Uint8Array): void {
+    const content = new Blob([bytes as Uint8Array<ArrayBuffer>]);
+    this.attempt(async () => {
+      const { noteRecent } = await import('./files/recent/noteRecent');
+      await noteRecent(this, content, false);
+    });
   }
 
   private watchPreferences(): void {

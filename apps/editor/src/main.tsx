@@ -5,6 +5,7 @@ import { handleKey } from './actions/handleKey';
 import { Editor } from './Editor';
 import { fetchAhead } from './fetchAhead';
 import { isLink } from './files/share/isLink';
+import { welcomeUser } from './files/welcomeUser';
 import { watchDrops } from './files/watchDrops';
 import { Layout } from './panels/Layout';
 import { startPlugins } from './plugins/startPlugins';
@@ -23,16 +24,17 @@ declare global {
 
 const place = document.getElementById('app')!;
 try {
+  const asked = new URLSearchParams(location.search);
   const editor = new Editor(document.createElement('canvas'), {
     urls: dragonUrl ? { dragon: dragonUrl } : {},
-    scene: isLink(location.hash) ? 'empty' : new URLSearchParams(location.search).get('scene'),
+    scene: isLink(location.hash) ? 'empty' : asked.get('scene'),
   });
   window.editor = editor;
   watchDrops(editor);
-  const autosave = async (): Promise<void> => {
-    const { startAutosave } = await import('./files/autosave/startAutosave');
-    editor.autosave = await startAutosave(editor);
-  };
+  // an address that says what to edit has no welcome, unless it says ?welcome=yes
+  const saysScene = isLink(location.hash) || asked.has('scene');
+  const wanted = asked.get('welcome') ?? (saysScene || !editor.preferences.getState().showWelcome ? 'no' : 'yes');
+  const offer = welcomeUser(editor, wanted === 'yes');
   const openLink = async (): Promise<void> => {
     const { decodeLink } = await import('./files/share/linkText');
     const text = await decodeLink(location.hash, editor.mayUnpack);
@@ -40,9 +42,16 @@ try {
   };
   const plugins = startPlugins(editor).catch((error: Error) => editor.notices.show('error', error.message, 'plugin'));
   // a scene may hold components of plugins
-  void Promise.allSettled([editor.ready, plugins]).then(() => {
+  const opened = Promise.allSettled([editor.ready, plugins]);
+  const autosave = async (): Promise<void> => {
+    const { startAutosave } = await import('./files/autosave/startAutosave');
+    editor.autosave = await startAutosave(editor, opened, (recovery) => void recent.then(() => offer(recovery)));
+  };
+  const loadRecent = async (): Promise<void> => (await import('./files/recent/noteRecent')).loadRecent(editor);
+  const recent = loadRecent().catch(() => {});
+  editor.attempt(autosave);
+  void opened.then(() => {
     if (isLink(location.hash)) editor.attempt(openLink);
-    editor.attempt(autosave);
     void fetchAhead().then((isFetched) => (editor.worksOffline = isFetched));
   });
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));

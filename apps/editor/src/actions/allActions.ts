@@ -1,11 +1,13 @@
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import { techniqueActions, viewActions } from './pictureActions';
+import { recentActions } from './recentActions';
 import { showPanels } from './showPanels';
 
-/** The actions of the registry, and those for each panel, technique and view that there is. */
+/** The actions of the registry, and those for each recent file, technique, view and panel that there is. */
 export const allActions = (editor: EditorApi): Action[] => [
   ...editor.actions.list,
+  ...recentActions(editor),
   ...techniqueActions(editor),
   ...viewActions,
   ...showPanels(editor),

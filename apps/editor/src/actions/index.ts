@@ -6,6 +6,7 @@ import { focus } from './focus';
 import { gizmoModes } from './gizmoModes';
 import { gizmoSpace } from './gizmoSpace';
 import { group, ungroup } from './group';
+import { about, guides } from './guides';
 import { hide } from './hide';
 import { lock } from './lock';
 import { goToMenuBar } from './menuBar';
@@ -29,10 +30,12 @@ import { snap } from './snap';
 import { showStatistics } from './statistics';
 import { themes } from './themes';
 import { undo } from './undo';
+import { startTour, welcome } from './welcome';
 import { continuous, showGrid, showIcons, showRanges } from './viewportToggles';
 
 /** Everything built in that the user can do by a key or a menu. A new action is a file and a line here. */
 export const actions: readonly Action[] = [
+  welcome,
   newScene,
   ...openExamples,
   open,
@@ -80,4 +83,7 @@ export const actions: readonly Action[] = [
   ...themes,
   showPalette,
   showKeys,
+  startTour,
+  ...guides,
+  about,
 ];

@@ -21,6 +21,9 @@ export const menuNames = Object.keys(menus) as readonly MenuName[];
 export const menuLabel = (name: MenuName): string =>
   ({ file: t('File'), edit: t('Edit'), object: t('Object'), view: t('View'), help: t('Help') })[name];
 
+/** Actions that are in a second menu too. */
+const alsoIn: Readonly<Record<string, MenuPlace>> = { 'file.welcome': { menu: 'help', group: 'learn' } };
+
 /** Where actions of plugins are that name no place. */
 const PLUGINS: MenuPlace = { menu: 'edit', group: 'plugins', submenu: 'Plugins' };
 
@@ -39,7 +42,10 @@ function groupsBy<T>(list: readonly T[], keyOf: (item: T) => string): Map<string
 /** The lines of a menu of the bar: the actions whose place it is, in groups with lines between, and submenus. */
 export function menuEntries(editor: EditorApi, menu: MenuName): MenuEntry[] {
   const placed = allActions(editor)
-    .map((action) => ({ action, place: action.menu ?? PLUGINS }))
+    .flatMap((action) => {
+      const places = [action.menu ?? PLUGINS, alsoIn[action.id]].filter((place) => place !== undefined);
+      return places.map((place) => ({ action, place }));
+    })
     .filter(({ place }) => place.menu === menu);
   const groups = groupsBy(placed, ({ place }) => place.group);
   const order = [...new Set([...menus[menu], ...groups.keys()])];

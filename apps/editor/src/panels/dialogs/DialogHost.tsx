@@ -7,11 +7,17 @@ import './dialogs.css';
 const CommandPalette = lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette }));
 const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
 const RecoverDialog = lazy(async () => ({ default: (await import('./RecoverDialog')).RecoverDialog }));
+const Welcome = lazy(async () => ({ default: (await import('../welcome/Welcome')).Welcome }));
+const AboutDialog = lazy(async () => ({ default: (await import('./AboutDialog')).AboutDialog }));
 const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).TextDialog }));
 const ProgressDialog = lazy(async () => ({ default: (await import('./ProgressDialog')).ProgressDialog }));
 const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog }));
 
-const shapes: Partial<Record<DialogRequest['kind'], string>> = { palette: 'palette', keys: 'keys-page' };
+const shapes: Partial<Record<DialogRequest['kind'], string>> = {
+  palette: 'palette',
+  keys: 'keys-page',
+  welcome: 'welcome-dialog',
+};
 
 /** Shows the dialog that the editor asks for. */
 export function DialogHost(): ReactNode {
@@ -43,7 +49,7 @@ function FocusField({ popup }: { popup: RefObject<HTMLElement | null> }): null {
   useEffect(() => {
     const { activeElement } = document;
     const isInside = activeElement !== popup.current && popup.current?.contains(activeElement);
-    if (!isInside) popup.current?.querySelector<HTMLElement>('input, textarea')?.focus();
+    if (!isInside) popup.current?.querySelector<HTMLElement>('.input, .palette-input, textarea')?.focus();
   }, [popup]);
   return null;
 }
@@ -59,6 +65,8 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
     );
   }
   if (request.kind === 'recover') return <RecoverDialog request={request} onClose={() => onClose(false)} />;
+  if (request.kind === 'welcome') return <Welcome request={request} onClose={() => onClose(false)} />;
+  if (request.kind === 'about') return <AboutDialog onClose={() => onClose(false)} />;
   if (request.kind === 'text') return <TextDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'progress') return <ProgressDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'export') return <ExportDialog onClose={() => onClose(false)} />;

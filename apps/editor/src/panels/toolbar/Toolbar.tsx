@@ -45,7 +45,7 @@ export function Toolbar(): ReactNode {
           <ActionButton action={duplicate} />
           <ActionButton action={remove} />
         </div>
-        <MenuButton label="Add" icon="add" entries={() => addEntries(editor)} />
+        <MenuButton label="Add" icon="add" className="button toolbar-add" entries={() => addEntries(editor)} />
       </div>
       <div className="button-group play" role="toolbar" aria-label="Simulation">
         {[play, pause, step, stop].map((action) => (
