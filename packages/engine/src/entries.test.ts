@@ -16,7 +16,7 @@ const names = {
     ...['Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
     ...['RandomMovement', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],
-  assets: ['AssetLibrary', 'AssetError', 'Model', 'importModel'],
+  assets: ['AssetLibrary', 'AssetError', 'MaterialAsset', 'Model', 'importModel'],
 };
 
 test('the main entry exports these names', () => {

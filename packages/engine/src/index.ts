@@ -5,6 +5,7 @@
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
 export { followEffects } from './app/followEffects';
+export { PictureRenderer, type PictureRendererOptions, type ScenePainter } from './picture/PictureRenderer';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 
@@ -40,9 +41,10 @@ export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
 export { Transform } from './core/Transform';
 
-export type { Asset, AssetChange, AssetFile, TakenAsset } from './assets/Asset';
+export type { Asset, AssetChange, AssetFile, MaterialUser, TakenAsset } from './assets/Asset';
 export { AssetError } from './assets/AssetError';
 export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';
 export { importModel } from './components/importModel';
+export { MaterialAsset } from './assets/MaterialAsset';
 export type { FetchBytes, FetchOptions } from './assets/loadAsset';
 export { Model } from './assets/Model';

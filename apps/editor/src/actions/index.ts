@@ -1,3 +1,4 @@
+import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import type { Action } from '../api/Action';
 import { deselect } from './deselect';
@@ -8,6 +9,7 @@ import { gizmoSpace } from './gizmoSpace';
 import { group, ungroup } from './group';
 import { about, guides } from './guides';
 import { hide } from './hide';
+import { chooseLanguage } from './language';
 import { lock } from './lock';
 import { goToMenuBar } from './menuBar';
 import { measure } from './measure';
@@ -16,6 +18,7 @@ import { open } from './open';
 import { pause, play, step, stop } from './play';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
+import { toggleOrthographic, turns } from './projection';
 import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
@@ -71,6 +74,9 @@ export const actions: readonly Action[] = [
   continuous,
   showStatistics,
   ...lookFrom,
+  toggleOrthographic,
+  ...turns,
+  ...cameraActions,
   play,
   pause,
   step,
@@ -85,5 +91,6 @@ export const actions: readonly Action[] = [
   showKeys,
   startTour,
   ...guides,
+  ...chooseLanguage,
   about,
 ];

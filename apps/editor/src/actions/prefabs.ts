@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { instanceRootOf } from '@farol/engine/prefabs';
 import { createPrefab, unpackInstance } from '../model/prefabEdits';
 import type { Action } from '../api/Action';
@@ -11,7 +12,7 @@ export const makePrefab: Action = {
   run({ document, commands, notices }) {
     const [object] = document.selectedObjects;
     commands.run(createPrefab(document.scene, object, document.selection.ids));
-    notices.show('info', `${object.name} is a prefab: place it from Assets`);
+    notices.show('info', t('{name} is a prefab: place it from Assets', { name: object.name }));
   },
   enabled: ({ document }) => {
     const { selectedObjects } = document;

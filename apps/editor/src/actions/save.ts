@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { containerContent, inlineAssets, writeContainer } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { fileNameOf } from '../files/fileNameOf';
@@ -35,7 +36,7 @@ async function write(editor: EditorApi, handle: FileSystemFileHandle | null): Pr
   try {
     await writeTo(editor, handle);
     notices.remove(failures.get(editor) ?? 0);
-    notices.show('info', `Saved ${editor.file.name}`);
+    notices.show('info', t('Saved {name}', { name: editor.file.name ?? '' }));
   } catch (error) {
     if (!(error instanceof Error) || error.name === 'AbortError') throw error;
     failures.set(editor, notices.show('error', error.message, 'file'));

@@ -1,9 +1,10 @@
-import { lowerFirst } from '@farol/editing';
+import { lowerFirst, t } from '@farol/editing';
 import type { Action } from '../api/Action';
 
 export const undo: Action = {
   id: 'edit.undo',
-  label: ({ commands }) => (commands.undoLabel ? `Undo ${lowerFirst(commands.undoLabel)}` : 'Undo'),
+  label: ({ commands }) =>
+    commands.undoLabel ? t('Undo {edit}', { edit: lowerFirst(commands.undoLabel) }) : t('Undo'),
   keys: ['Ctrl+Z'],
   inFields: true,
   icon: 'undo',

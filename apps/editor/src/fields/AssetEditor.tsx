@@ -1,9 +1,19 @@
+import { t } from '@farol/editing';
 import type { AssetField } from '@farol/engine/fields';
 import { type ReactNode, useMemo, useState } from 'react';
 import { draggedAsset, isAssetDrag } from '../files/dragAsset';
 import { useEditor, useSignal } from '../ui/EditorContext';
 import { SearchSelect } from '../ui/SearchSelect';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
+
+const noneOf = (type: AssetField['assetType']): string =>
+  ({
+    mesh: t('No mesh'),
+    texture: t('No texture'),
+    material: t('No material'),
+    shader: t('No shader'),
+    model: t('No model'),
+  })[type];
 
 /** The name of an asset: chosen from a list, or dropped from the Assets panel. */
 export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
@@ -23,7 +33,7 @@ export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
         .map((name) => ({ value: name, label: name })),
     [names],
   );
-  const placeholder = mixed ? '—' : `No ${assetType}`;
+  const placeholder = mixed ? '—' : noneOf(assetType);
   return (
     <div
       className="asset-slot"

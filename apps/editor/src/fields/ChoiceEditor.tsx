@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ChoiceField } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { SelectBox } from '../ui/SelectBox';
@@ -5,6 +6,6 @@ import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 export function ChoiceEditor(props: FieldEditorProps<ChoiceField>): ReactNode {
   const { field, value, label, description, disabled, onCommit } = props;
-  const options = field.options.map((option) => ({ value: option, label: option }));
+  const options = field.options.map((option) => ({ value: option, label: t(option) }));
   return <SelectBox {...{ value, options, label, description, disabled }} onChange={onCommit} />;
 }

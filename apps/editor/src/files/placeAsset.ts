@@ -1,4 +1,4 @@
-import { SetFields } from '@farol/editing';
+import { SetFields, t } from '@farol/editing';
 import { GameObject, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import { instanceRootOf } from '@farol/engine/prefabs';
@@ -58,7 +58,7 @@ function makeObject(editor: EditorApi, { kind, name }: DraggedAsset): GameObject
 export function useAsEnvironment(editor: EditorApi, name: string): void {
   const { settings } = editor.document.scene;
   editor.commands.run(
-    new SetFields(`Light by ${name}`, [
+    new SetFields(t('Light by {name}', { name }), [
       { owner: settings, name: 'environment', value: name },
       { owner: settings, name: 'background', value: 'environment' },
     ]),
@@ -72,7 +72,7 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
   const field = kind === 'texture' ? 'map' : kind;
   const cleared = kind === 'texture' ? ['shader', 'material'] : kind === 'material' ? ['shader'] : [];
   editor.commands.run(
-    new SetFields(`Give ${target!.name} ${name}`, [
+    new SetFields(t('Give {object} {asset}', { object: target!.name, asset: name }), [
       { owner, name: field, value: name },
       ...cleared.map((each) => ({ owner, name: each, value: null })),
     ]),
@@ -93,10 +93,15 @@ export async function placeAsset(editor: EditorApi, asset: DraggedAsset, place: 
   const point = place.point ?? (editor.viewport.editorCamera.target.toArray() as Vector3Tuple);
   if (asset.kind === 'prefab') {
     const prefab = scene.prefabs.get(asset.name);
-    if (!prefab) throw new Error('This prefab is not in the scene any more.');
+    if (!prefab) throw new Error(t('This prefab is not in the scene any more.'));
     if (!canPlacePrefab(scene, prefab, parent)) {
       const outer = 'prefabLink' in parent ? instanceRootOf(parent)?.name : '';
-      throw new Error(`${prefab.name} cannot be placed within itself: '${outer}' is, or holds, an instance of it.`);
+      throw new Error(
+        t("{name} cannot be placed within itself: '{outer}' is, or holds, an instance of it.", {
+          name: prefab.name,
+          outer: outer ?? '',
+        }),
+      );
     }
     commands.run(placePrefab(scene, prefab, parent, selection.ids, parent === scene ? point : undefined));
     return;

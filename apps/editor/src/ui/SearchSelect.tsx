@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Combobox } from '@base-ui/react/combobox';
 import type { ReactNode } from 'react';
 import { Icon } from './Icon';
@@ -42,8 +43,8 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
           <button
             type="button"
             className="button small"
-            aria-label={`Clear ${label}`}
-            title="Clear"
+            aria-label={t('Clear {label}', { label })}
+            title={t('Clear')}
             onClick={() => onChange(null)}
           >
             <Icon name="close" size={12} />
@@ -53,8 +54,8 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
       <Combobox.Portal>
         <Combobox.Positioner className="positioner" sideOffset={3} align="end">
           <Combobox.Popup className="popup search-popup" aria-label={label}>
-            <Combobox.Input className="input" placeholder="Search" aria-label={`Search ${label}`} />
-            <Combobox.Empty className="menu-empty">Nothing of that name.</Combobox.Empty>
+            <Combobox.Input className="input" placeholder={t('Search')} aria-label={t('Search: {label}', { label })} />
+            <Combobox.Empty className="menu-empty">{t('Nothing of that name.')}</Combobox.Empty>
             <Combobox.List className="menu-list">
               {(option: SearchOption) => (
                 <Combobox.Item key={option.value} value={option} className="menu-item">

@@ -3,4 +3,4 @@ import { viewLabel } from '../actions/pictureActions';
 import type { SelectOption } from './SelectBox';
 
 /** The views, as lines of a menu. */
-export const viewOptions: readonly SelectOption<View>[] = views.map((value) => ({ value, label: viewLabel(value) }));
+export const viewOptions = (): SelectOption<View>[] => views.map((value) => ({ value, label: viewLabel(value) }));

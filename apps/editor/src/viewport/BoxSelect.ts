@@ -93,7 +93,7 @@ export class BoxSelect {
     this.isOpen = false;
     this.element.hidden = true;
     this.viewport.editorCamera.oneFinger = true;
-    this.viewport.editorCamera.enabled = this.viewport.lookThrough === null;
+    this.viewport.editorCamera.enabled = true;
   };
 
   private readonly keyDown = (event: KeyboardEvent): void => {

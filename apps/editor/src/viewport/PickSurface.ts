@@ -12,8 +12,6 @@ export interface PickSurface {
   /** `isHot`: whether the pointer is over a handle. */
   readonly gizmo: { readonly isHot: boolean };
   readonly mode: GizmoMode;
-  /** Not null while the picture is that of a camera of the scene. */
-  readonly lookThrough: object | null;
   /** The GameObject that is seen at a point. @param point - normalised device coordinates */
   pick(point: Vector2): GameObject | null;
   /** The GameObjects within a box (normalised device coordinates). */

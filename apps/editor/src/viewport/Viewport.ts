@@ -8,6 +8,7 @@ import {
 } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry } from '@farol/renderer';
 import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
+import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { Registry } from '../model/Registry';
 import { BoxSelect } from './BoxSelect';
@@ -80,19 +81,18 @@ export class Viewport extends ViewportSettings implements PickSurface {
     });
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
-    canvas.setAttribute('aria-label', 'Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
     this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
     this.effects = new ViewportEffects(this.farol, this.redraw, (error) => this.onError(error));
     const dragged = (isDragging: boolean): void => {
-      this.editorCamera.enabled = !isDragging && this.lookThrough === null;
+      this.editorCamera.enabled = !isDragging;
     };
     // the handles hear of the pointer before the camera does, so that a handle is taken and the camera stays
     const loaded = (): void => this.editorCamera.listenLast();
     this.gizmo = new Gizmo(document, canvas, dragged, this.redraw, loaded);
-    this.editorCamera = new EditorCamera(canvas);
-    this.pictureCamera = new PictureCamera(document, this.editorCamera);
+    this.editorCamera = new EditorCamera(canvas, () => !this.sceneListens);
+    this.pictureCamera = new PictureCamera(document, this.editorCamera, canvas);
     this.place = new CanvasPlace(canvas, () => this.resize());
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);
@@ -135,7 +135,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     return this.pictureCamera.selected;
   }
 
-  /** The camera of the scene that is looked through; null for the editor's own. Only then does input go to the scene. */
+  /** The camera of the scene that is looked through; null for the editor's own. */
   get lookThrough(): CameraComponent | null {
     return this.pictureCamera.lookThrough;
   }
@@ -143,6 +143,16 @@ export class Viewport extends ViewportSettings implements PickSurface {
   set lookThrough(camera: CameraComponent | null) {
     this.pictureCamera.lookThrough = camera;
     this.changed.emit();
+  }
+
+  /** Why the camera that is looked through cannot be moved, in a sentence with the mend; null where it can. */
+  get flightProblem(): string | null {
+    return this.pictureCamera.flight.problem;
+  }
+
+  /** What the editor's own camera sees. */
+  get viewed(): CameraView {
+    return this.pictureCamera.view;
   }
 
   /** Whether pointer and keys go to the scene's own components. */
@@ -153,6 +163,11 @@ export class Viewport extends ViewportSettings implements PickSurface {
   /** The three camera of the picture. */
   get camera(): Camera {
     return this.pictureCamera.current;
+  }
+
+  /** Sees the same as `camera`; rays that begin at its eye meet all that is seen. */
+  get rayCamera(): Camera {
+    return this.pictureCamera.rays;
   }
 
   /** Size of the picture in CSS pixels. */
@@ -182,7 +197,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.lookThrough?.setViewport(width, height);
     followEffects(this.farol, this.document.scene, this.redraw);
     (this.painter ?? this.farol).render(this.document.scene.three, this.camera);
-    this.gizmo.update(this.camera);
+    this.gizmo.update(this.rayCamera);
     if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
       this.helpers.render(this.webgl, this.camera, this.lookThrough, this.gizmo.isDragging);
     const { previewed } = this;
@@ -202,8 +217,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
    * @param point - normalised device coordinates
    */
   pick(point: Vector2): GameObject | null {
-    const mesh = pick(this.document.scene, this.camera, point);
-    const icon = this.helpers.pickIcon(this.camera, point, this.place.width, this.place.height);
+    const mesh = pick(this.document.scene, this.rayCamera, point);
+    const icon = this.helpers.pickIcon(this.rayCamera, point, this.place.width, this.place.height);
     if (icon && (!mesh || icon.distance < mesh.distance + ICON_REACH)) return icon.object;
     return mesh?.object ?? null;
   }
@@ -222,6 +237,18 @@ export class Viewport extends ViewportSettings implements PickSurface {
   /** Looks at the selection, or at everything. */
   focus(): void {
     this.pictureCamera.focus();
+  }
+
+  /** The editor's own camera looks otherwise: draws, and tells. */
+  viewChanged(): void {
+    this.changed.emit();
+  }
+
+  /** Brings the editor's own camera to where a camera of the scene is. */
+  alignTo(camera: CameraComponent): void {
+    this.lookThrough = null;
+    this.pictureCamera.match(camera);
+    this.invalidate();
   }
 
   /** Puts the canvas into an element, whose size it follows. */
@@ -245,6 +272,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.input.dispose();
     this.gizmo.dispose();
     this.helpers.dispose();
+    this.pictureCamera.dispose();
     this.editorCamera.dispose();
     this.ownPainter?.dispose();
     this.effects.dispose();
@@ -284,7 +312,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private advance(seconds: number): boolean {
     const { simulation } = this.document;
     simulation.advance(seconds);
-    if (this.editorCamera.update(Math.min(seconds, 0.1))) this.invalidate();
+    if (this.pictureCamera.update(Math.min(seconds, 0.1))) this.invalidate();
     return simulation.isPlaying;
   }
 }

@@ -5,10 +5,25 @@
 export type Texts = Readonly<Record<string, string>>;
 
 let texts: Texts = {};
+let language = 'en';
 
-/** Says what is shown from now on. @param wanted - texts by their English ones; none for English */
-export function setTexts(wanted: Texts): void {
+/**
+ * Says what is shown from now on.
+ * @param wanted - texts by their English ones; none for English
+ * @param name - of the language, such as 'es'
+ */
+export function setTexts(wanted: Texts, name = 'en'): void {
   texts = wanted;
+  language = name;
+}
+
+/**
+ * The language that is shown, as dates and lists need it: as the browser has it, with its country, else by itself.
+ * @returns a tag of BCP 47, such as 'es-MX'
+ */
+export function textLocale(): string {
+  const ofBrowser = globalThis.navigator?.languages ?? [];
+  return ofBrowser.find((tag) => tag.split('-')[0].toLowerCase() === language) ?? language;
 }
 
 /**

@@ -1,4 +1,4 @@
-import { Signal } from '@farol/editing';
+import { Signal, t } from '@farol/editing';
 import { createId } from '@farol/engine/files';
 import type { DraftKeeper, EditorApi } from '../../api/EditorApi';
 import { AutosaveStore, lockOf } from './AutosaveStore';
@@ -125,7 +125,7 @@ export class Autosave implements DraftKeeper {
     editor.commands.markUnsaved();
     this.replaced = id;
     this.wake();
-    editor.notices.show('info', `${name} is as it was. Save it to keep it.`);
+    editor.notices.show('info', t('{name} is as it was. Save it to keep it.', { name }));
   }
 
   /** Another scene: nothing is stored until it is changed. */
@@ -264,7 +264,7 @@ export class Autosave implements DraftKeeper {
       this.refusals = 0;
       this.editor.drafts.work();
       this.editor.notices.remove(this.notice);
-      this.editor.notices.show('info', 'Drafts are kept again.');
+      this.editor.notices.show('info', t('Drafts are kept again.'));
     }
     this.stored.emit();
     // what changed meanwhile

@@ -1,3 +1,4 @@
+import { t, tCount } from '@farol/editing';
 import type { SessionInfo } from '../../model/SessionInfo';
 
 const when = new Intl.DateTimeFormat(undefined, { dateStyle: 'medium', timeStyle: 'medium' });
@@ -7,7 +8,8 @@ const integer = new Intl.NumberFormat('en');
 export function describeSession({ time, fileName, objects, edit }: SessionInfo): string {
   const parts = [when.format(time)];
   if (fileName) parts.push(fileName);
-  if (objects !== undefined) parts.push(`${integer.format(objects)} ${objects === 1 ? 'object' : 'objects'}`);
-  if (edit) parts.push(`last edit: ${edit}`);
+  if (objects !== undefined)
+    parts.push(tCount(objects, '{objects} object', '{objects} objects', { objects: integer.format(objects) }));
+  if (edit) parts.push(t('last edit: {edit}', { edit }));
   return parts.join(' · ');
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { ContextMenu } from '@base-ui/react/context-menu';
 import { fileOpen } from 'browser-fs-access';
 import { type ReactNode, useMemo, useRef, useState } from 'react';
@@ -17,14 +18,14 @@ import './assets.css';
 
 type Filter = AssetKind | 'all' | 'own';
 
-const filters: readonly SelectOption<Filter>[] = [
-  { value: 'all', label: 'Everything' },
-  { value: 'own', label: 'Imported' },
-  { value: 'prefab', label: 'Prefabs' },
-  { value: 'model', label: 'Models' },
-  { value: 'mesh', label: 'Meshes' },
-  { value: 'texture', label: 'Textures' },
-  { value: 'material', label: 'Materials' },
+const filters = (): SelectOption<Filter>[] => [
+  { value: 'all', label: t('Everything') },
+  { value: 'own', label: t('Imported') },
+  { value: 'prefab', label: t('Prefabs') },
+  { value: 'model', label: t('Models') },
+  { value: 'mesh', label: t('Meshes') },
+  { value: 'texture', label: t('Textures') },
+  { value: 'material', label: t('Materials') },
 ];
 
 const makers = new WeakMap<EditorApi, ThumbnailMaker>();
@@ -56,7 +57,11 @@ const endings = [
 ];
 
 async function choose(editor: EditorApi): Promise<void> {
-  const files = await fileOpen({ description: 'Models, textures, environments', extensions: endings, multiple: true });
+  const files = await fileOpen({
+    description: t('Models, textures, environments'),
+    extensions: endings,
+    multiple: true,
+  });
   await importFiles(editor, new Map(files.map((file) => [file.name, file])));
 }
 
@@ -94,20 +99,20 @@ export function AssetsPanel(): ReactNode {
   };
 
   return (
-    <section className="panel assets" aria-label="Assets">
+    <section className="panel assets" aria-label={t('Assets')}>
       <div className="assets-bar">
         <input
           className="input"
           type="search"
           value={search}
-          placeholder="Search assets"
-          aria-label="Search assets"
+          placeholder={t('Search assets')}
+          aria-label={t('Search assets')}
           onChange={(event) => setSearch(event.target.value)}
         />
-        <SelectBox<Filter> value={filter} options={filters} label="Kind of asset" onChange={setFilter} />
+        <SelectBox<Filter> value={filter} options={filters()} label={t('Kind of asset')} onChange={setFilter} />
         <button type="button" className="button framed" onClick={() => editor.attempt(() => choose(editor))}>
           <Icon name="open" />
-          <span>Import…</span>
+          <span>{t('Import…')}</span>
         </button>
       </div>
       <ContextMenu.Root>
@@ -129,7 +134,7 @@ export function AssetsPanel(): ReactNode {
           }}
         >
           {entries.length === 0 && (
-            <p className="assets-empty">Nothing of that name. Drop files here to import them.</p>
+            <p className="assets-empty">{t('Nothing of that name. Drop files here to import them.')}</p>
           )}
           <ul className="assets-grid">
             {entries.map((entry) => (
@@ -152,7 +157,7 @@ export function AssetsPanel(): ReactNode {
                 entries={() =>
                   pressed.current
                     ? assetMenu(editor, pressed.current)
-                    : [{ label: 'Import…', icon: 'open', run: () => editor.attempt(() => choose(editor)) }]
+                    : [{ label: t('Import…'), icon: 'open', run: () => editor.attempt(() => choose(editor)) }]
                 }
               />
             </ContextMenu.Popup>

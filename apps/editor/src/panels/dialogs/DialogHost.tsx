@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import { lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef } from 'react';
 import type { DialogRequest } from '../../model/Dialogs';
@@ -58,7 +59,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
   if (request.kind === 'keys') {
     return (
       <>
-        <Dialog.Title>Keys</Dialog.Title>
+        <Dialog.Title>{t('Keys')}</Dialog.Title>
         <KeysPage />
         <Buttons onClose={onClose} />
       </>
@@ -77,7 +78,11 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
       <Dialog.Description>{request.text}</Dialog.Description>
       {request.kind === 'problems' && (
         // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
-        <ul className="problems" tabIndex={0} aria-label={request.listLabel ?? (request.action ? 'Uses' : 'Problems')}>
+        <ul
+          className="problems"
+          tabIndex={0}
+          aria-label={request.listLabel ?? (request.action ? t('Uses') : t('Problems'))}
+        >
           {request.problems.map(({ path, problem }, i) => (
             // oxlint-disable-next-line react/no-array-index-key -- two objects may have the same name
             <li key={i}>
@@ -101,11 +106,11 @@ interface ButtonsProps {
   onClose(agreed: boolean): void;
 }
 
-function Buttons({ action, refusal = 'Cancel', onClose }: ButtonsProps): ReactNode {
+function Buttons({ action, refusal = t('Cancel'), onClose }: ButtonsProps): ReactNode {
   return (
     <div className="dialog-buttons">
       <button type="button" className="button framed" onClick={() => onClose(false)}>
-        {action ? refusal : 'Close'}
+        {action ? refusal : t('Close')}
       </button>
       {action && (
         <button type="button" className="button primary" onClick={() => onClose(true)}>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
 import { Toggle } from '../../ui/Toggle';
@@ -6,24 +7,24 @@ import { usePreferences } from '../../ui/usePreferences';
 import type { Antialiasing, EffectChoice, SwitchedEffect } from '../../viewport/ViewportEffects';
 import { Section } from '../inspector/Section';
 
-const antialiasings: readonly SelectOption<Antialiasing>[] = [
-  { value: 'auto', label: 'Automatic', help: 'Multisampled where the technique can be, else SMAA.' },
-  { value: 'none', label: 'Of the technique', help: 'Techniques with a G-buffer have none.' },
-  { value: 'smaa', label: 'SMAA', help: 'Smooths the edges of each picture by itself.' },
-  { value: 'edges', label: 'Multisampled edges', help: 'Draws the geometry once more, with 4 samples a pixel.' },
-  { value: 'taa', label: 'TAA', help: 'Gathers frames, each drawn a part of a pixel off.' },
+const antialiasings = (): SelectOption<Antialiasing>[] => [
+  { value: 'auto', label: t('Automatic'), help: t('Multisampled where the technique can be, else SMAA.') },
+  { value: 'none', label: t('Of the technique'), help: t('Techniques with a G-buffer have none.') },
+  { value: 'smaa', label: t('SMAA'), help: t('Smooths the edges of each picture by itself.') },
+  { value: 'edges', label: t('Multisampled edges'), help: t('Draws the geometry once more, with 4 samples a pixel.') },
+  { value: 'taa', label: t('TAA'), help: t('Gathers frames, each drawn a part of a pixel off.') },
 ];
 
-const switches: readonly { id: SwitchedEffect; label: string; help: string }[] = [
+const switches = (): { id: SwitchedEffect; label: string; help: string }[] => [
   {
     id: 'ambient-occlusion',
-    label: 'Ambient occlusion',
-    help: 'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.',
+    label: t('Ambient occlusion'),
+    help: t('Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.'),
   },
   {
     id: 'order-independent-transparency',
-    label: 'Unsorted transparency',
-    help: 'Transparent layers are averaged, not sorted: they may pass through one another.',
+    label: t('Unsorted transparency'),
+    help: t('Transparent layers are averaged, not sorted: they may pass through one another.'),
   },
 ];
 
@@ -39,26 +40,26 @@ export function EffectsSection(): ReactNode {
   return (
     <Section
       id="Frame effects"
-      title="Effects"
-      help="What takes part in the picture beside the technique."
+      title={t('Effects')}
+      help={t('What takes part in the picture beside the technique.')}
       icon="contrast"
     >
       <div className="field">
-        <span className="field-label">Anti-aliasing</span>
+        <span className="field-label">{t('Anti-aliasing')}</span>
         <SelectBox
           value={antialiasing}
-          options={antialiasings}
-          label="Anti-aliasing"
+          options={antialiasings()}
+          label={t('Anti-aliasing')}
           onChange={(value) => choose({ antialiasing: value })}
         />
       </div>
-      {[...switches, ...addedEffects.list].map(({ id, label, help }) => (
+      {[...switches(), ...addedEffects.list].map(({ id, label, help }) => (
         <div key={id} className="field">
-          <span className="field-label">{label}</span>
+          <span className="field-label">{t(label)}</span>
           <Toggle
             value={on.includes(id)}
-            label={label}
-            description={help}
+            label={t(label)}
+            description={t(help)}
             onChange={(isOn) => choose({ on: isOn ? [...on, id] : on.filter((each) => each !== id) })}
           />
         </div>

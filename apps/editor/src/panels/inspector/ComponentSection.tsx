@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Component } from '@farol/engine';
 import { type ReactNode, useState } from 'react';
 import { setEnabled } from '../../model/edits';
@@ -32,19 +33,25 @@ export function ComponentSection(props: { components: readonly Component[] }): R
     <Section
       id={typeName}
       title={title}
-      help={componentClass.help}
+      help={t(componentClass.help)}
       icon={componentIcon(typeName)}
       controls={
         <>
           {!isTransform && (
             <Toggle
               value={mixed ? null : enabled}
-              label={`${title} enabled`}
-              description="Whether the component is switched on."
+              label={t('{title} enabled', { title })}
+              description={t('Whether the component is switched on.')}
               onChange={(next) => commands.run(setEnabled(components, next))}
             />
           )}
-          <MenuButton label={`${title} menu`} icon="more" iconOnly className="button small" entries={menu} />
+          <MenuButton
+            label={t('{title} menu', { title })}
+            icon="more"
+            iconOnly
+            className="button small"
+            entries={menu}
+          />
         </>
       }
     >

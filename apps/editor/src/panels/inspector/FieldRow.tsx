@@ -1,4 +1,4 @@
-import { FieldGesture, type FieldUpdate, describeField, labelOfField } from '@farol/editing';
+import { describeField, FieldGesture, type FieldUpdate, labelOfField, t } from '@farol/editing';
 import type { Field, FieldOwner, FieldValue } from '@farol/engine/fields';
 import { type ComponentType, memo, type ReactNode, useCallback, useMemo } from 'react';
 import { fieldEditors } from '../../fields';
@@ -48,11 +48,13 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
           <button
             type="button"
             className="field-reset"
-            aria-label="Reset to default"
+            aria-label={t('Reset to default')}
             aria-description={label}
-            title={`Reset ${label} to its default`}
+            title={t('Reset {label} to its default', { label })}
             onClick={() =>
-              editor.attempt(() => editor.commands.run(resetFields(`Reset ${label.toLowerCase()}`, owners, [name])))
+              editor.attempt(() =>
+                editor.commands.run(resetFields(t('Reset {label}', { label: label.toLowerCase() }), owners, [name])),
+              )
             }
           >
             <Icon name="undo" size={11} />

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type FocusEvent, type PointerEvent, type ReactNode, useDeferredValue, useState } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './inspector.css';
@@ -21,7 +22,7 @@ export function InspectorPanel(): ReactNode {
   return (
     <section
       className="panel inspector"
-      aria-label="Inspector"
+      aria-label={t('Inspector')}
       aria-busy={ids !== document.selection.ids}
       onPointerOver={show}
       onFocus={show}

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type Component, ObjectRenderer } from '@farol/engine';
 import { type ReactNode, useEffect, useRef, useState } from 'react';
 import type { Material } from 'three';
@@ -34,7 +35,7 @@ export function MaterialPreview({ components }: { components: readonly Component
   if (!hasMaterial || components.length > 1) return null;
   return (
     <div className="material-preview">
-      <canvas ref={canvas} width={SIZE * 2} height={SIZE * 2} role="img" aria-label="A ball of this material" />
+      <canvas ref={canvas} width={SIZE * 2} height={SIZE * 2} role="img" aria-label={t('A ball of this material')} />
     </div>
   );
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { addCreation } from '../../actions/addEntries';
 import { labelOf } from '../../api/Action';
 import { showPalette } from '../../actions/showPalette';
@@ -18,23 +19,24 @@ export interface PaletteItem extends Findable {
   run(): unknown;
 }
 
-const groups: Readonly<Record<string, string>> = {
-  file: 'File',
-  edit: 'Edit',
-  view: 'View',
-  gizmo: 'Handles',
-  play: 'Play',
-  panels: 'Panels',
-  help: 'Help',
-  shown: 'Show',
-};
+const groups = (): Readonly<Record<string, string>> => ({
+  file: t('File'),
+  edit: t('Edit'),
+  view: t('View'),
+  gizmo: t('Handles'),
+  play: t('Play'),
+  panels: t('Panels'),
+  help: t('Help'),
+  technique: t('Technique'),
+  shown: t('Show'),
+});
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1).replaceAll('-', ' ');
 
 /** What an action belongs to, by the first part of its id. */
 export const groupOf = (id: string): string => {
   const first = id.split('.')[0];
-  return groups[first] ?? capital(first);
+  return groups()[first] ?? capital(first);
 };
 
 /** Objects are listed by name only when this many are found at most. */
@@ -57,7 +59,7 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
   const added = creations(document.scene).map((creation): PaletteItem => ({
     id: `add.${creation.folder ?? ''}.${creation.label}`,
     label: creation.label,
-    group: creation.folder ? `Add, ${creation.folder}` : 'Add',
+    group: creation.folder ? t('Add, {folder}', { folder: creation.folder }) : t('Add'),
     icon: 'add',
     run: () => addCreation(editor, creation, null),
   }));
@@ -72,7 +74,7 @@ export function objectItems(editor: EditorApi): PaletteItem[] {
     items.push({
       id: `object.${id}`,
       label: name,
-      group: 'Select',
+      group: t('Select'),
       icon: 'object',
       run() {
         document.selection.set([id]);

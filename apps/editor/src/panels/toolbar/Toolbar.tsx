@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
 import { duplicate } from '../../actions/duplicate';
@@ -35,7 +36,7 @@ export function Toolbar(): ReactNode {
           Farol
         </span>
         <MenuBar />
-        <div className="button-group" role="toolbar" aria-label="File and history">
+        <div className="button-group" role="toolbar" aria-label={t('File and history')}>
           <ActionButton action={open} />
           <ActionButton action={save} />
           <span className="bar-line" />
@@ -45,20 +46,20 @@ export function Toolbar(): ReactNode {
           <ActionButton action={duplicate} />
           <ActionButton action={remove} />
         </div>
-        <MenuButton label="Add" icon="add" className="button toolbar-add" entries={() => addEntries(editor)} />
+        <MenuButton label={t('Add')} icon="add" className="button toolbar-add" entries={() => addEntries(editor)} />
       </div>
-      <div className="button-group play" role="toolbar" aria-label="Simulation">
+      <div className="button-group play" role="toolbar" aria-label={t('Simulation')}>
         {[play, pause, step, stop].map((action) => (
           <ActionButton key={action.id} action={action} />
         ))}
       </div>
       <div className="toolbar-part end">
         <div className="labelled">
-          <span aria-hidden="true">Technique</span>
+          <span aria-hidden="true">{t('Technique')}</span>
           <SelectBox
             value={viewport.technique}
             options={techniqueOptions(viewport.farol)}
-            label="Technique"
+            label={t('Technique')}
             onChange={(technique) =>
               editor.attempt(() => {
                 viewport.technique = technique;
@@ -67,11 +68,11 @@ export function Toolbar(): ReactNode {
           />
         </div>
         <div className="labelled">
-          <span aria-hidden="true">View</span>
+          <span aria-hidden="true">{t('View')}</span>
           <SelectBox
             value={viewport.view}
-            options={viewOptions}
-            label="View"
+            options={viewOptions()}
+            label={t('View')}
             onChange={(view) =>
               editor.attempt(() => {
                 viewport.view = view;

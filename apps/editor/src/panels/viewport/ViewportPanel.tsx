@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { lazy, type ReactNode, Suspense, useLayoutEffect, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
@@ -21,12 +22,13 @@ export function ViewportPanel(): ReactNode {
   useSignal(simulation.changed);
   const place = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
+    viewport.canvas.ariaLabel = t('Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
     viewport.attach(place.current!);
     return () => viewport.detach();
   }, [viewport]);
   const isGrid = viewport.painter?.isGrid ?? false;
   return (
-    <section className="panel viewport" aria-label="Viewport">
+    <section className="panel viewport" aria-label={t('Viewport')}>
       <div ref={place} className="viewport-place" />
       <ViewportMenu />
       {!isGrid && <ViewportToolbar />}

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { Camera } from '@farol/engine';
 import { gizmoModes } from '../../actions/gizmoModes';
@@ -30,11 +31,11 @@ export function ViewportToolbar(): ReactNode {
   const cameras = document.scene.componentsOf(Camera).map((camera) => ({
     value: camera.id,
     label: camera.gameObject.name,
-    help: 'Keys and mouse go to the scene while it plays.',
+    help: t('Keys and mouse go to the scene while it plays.'),
   }));
   return (
     <div className="viewport-bar">
-      <div className="button-group" role="toolbar" aria-label="Handles">
+      <div className="button-group" role="toolbar" aria-label={t('Handles')}>
         {gizmoModes.map((action) => (
           <ActionButton key={action.id} action={action} />
         ))}
@@ -43,7 +44,7 @@ export function ViewportToolbar(): ReactNode {
         <ActionButton action={snap} />
         <SnapSteps />
       </div>
-      <div className="button-group" role="toolbar" aria-label="Display">
+      <div className="button-group" role="toolbar" aria-label={t('Display')}>
         <ActionButton action={showGrid} />
         <ActionButton action={showIcons} />
         <ActionButton action={showRanges} />
@@ -52,8 +53,8 @@ export function ViewportToolbar(): ReactNode {
         <span className="bar-line" />
         <SelectBox
           value={viewport.lookThrough?.id ?? EDITOR_CAMERA}
-          options={[{ value: EDITOR_CAMERA, label: "Editor's camera" }, ...cameras]}
-          label="Look through"
+          options={[{ value: EDITOR_CAMERA, label: t("Editor's camera") }, ...cameras]}
+          label={t('Look through')}
           onChange={(id) => lookThrough(viewport, id)}
         />
       </div>

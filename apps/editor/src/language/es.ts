@@ -1,0 +1,4 @@
+import type { Texts } from '@farol/editing';
+
+/** All texts of the editor in Spanish, by their English ones. */
+export const es: Texts = {};
