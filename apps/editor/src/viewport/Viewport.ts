@@ -19,7 +19,7 @@ import { FrameLoop } from './FrameLoop';
 import { FrameStatistics } from './FrameStatistics';
 import { Gizmo } from './Gizmo';
 import { Helpers } from './Helpers';
-import { MaterialBall } from './MaterialBall';
+import { type BallTurn, MaterialBall } from './MaterialBall';
 import { pick } from './pick';
 import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
@@ -228,10 +228,14 @@ export class Viewport extends ViewportSettings implements PickSurface {
     return pickBox(this.document.scene, this.camera, box);
   }
 
-  /** Draws a ball of a material on a canvas of the page. @returns fulfilled when it is there */
-  drawMaterial(material: Material, canvas: HTMLCanvasElement): Promise<void> {
+  /**
+   * Draws a ball of a material on a canvas of the page.
+   * @param turn - how the ball is turned: to the right and up (rad)
+   * @returns fulfilled when it is there
+   */
+  drawMaterial(material: Material, canvas: HTMLCanvasElement, turn: BallTurn = [0, 0]): Promise<void> {
     this.ball ??= new MaterialBall(this.webgl);
-    return this.ball.draw(material, this.document.scene.three.environment, canvas);
+    return this.ball.draw(material, this.document.scene.three.environment, canvas, turn);
   }
 
   /** Looks at the selection, or at everything. */
