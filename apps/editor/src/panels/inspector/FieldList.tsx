@@ -1,7 +1,8 @@
 import { sharedValue } from '@farol/editing';
 import { type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
-import type { ReactNode } from 'react';
+import type { ReactElement, ReactNode } from 'react';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { FieldGroup } from './FieldGroup';
 import { FieldRow } from './FieldRow';
 import { useLiveTexts } from './useLiveTexts';
 
@@ -17,7 +18,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
   useOwnersRevision(owners);
   const places = useLiveTexts(owners.length === 1 ? owners[0] : null);
   const [owner] = owners;
-  return (names ?? Object.keys(owner.fields))
+  const rows = (names ?? Object.keys(owner.fields))
     .filter((name) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
     .map((name) => {
       const field = owner.fields[name];
@@ -36,4 +37,21 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
         />
       );
     });
+  return inGroups(owner, rows);
+}
+
+/** Fields that name a group stand together, below its title, where the first of them stands. */
+function inGroups(owner: FieldOwner, rows: readonly ReactElement[]): ReactNode {
+  const groupOf = ({ key }: ReactElement): string | undefined => owner.fields[key!].group;
+  return rows.map((row) => {
+    const group = groupOf(row);
+    if (group === undefined) return row;
+    const members = rows.filter((each) => groupOf(each) === group);
+    if (members[0] !== row) return null;
+    return (
+      <FieldGroup key={`group ${group}`} id={`${owner.ownerName}/${group}`} title={group}>
+        {members}
+      </FieldGroup>
+    );
+  });
 }

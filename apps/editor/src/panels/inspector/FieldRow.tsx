@@ -7,6 +7,7 @@ import { resetFields } from '../../model/edits';
 import { ownersName } from '../../model/ownersName';
 import { OverrideMark } from '../prefab/OverrideMark';
 import { useEditor } from '../../ui/EditorContext';
+import { useIsFound } from '../../ui/FieldFilter';
 import { Icon } from '../../ui/Icon';
 
 interface FieldRowProps {
@@ -44,6 +45,8 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
     },
     [places, name],
   );
+  const isFound = useIsFound(label, name);
+  if (!isFound) return null;
   return (
     <div className={`field field-${field.kind}`} data-field={name} data-help={description}>
       <span className="field-label" title={description}>

@@ -1,6 +1,7 @@
 import { t } from '@farol/editing';
-import { type FocusEvent, type PointerEvent, type ReactNode, useDeferredValue, useState } from 'react';
+import { type FocusEvent, type PointerEvent, type ReactNode, useDeferredValue, useMemo, useState } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { FieldFilter, wordsOfFilter } from '../../ui/FieldFilter';
 import './inspector.css';
 import { AssetInspector } from '../material/AssetInspector';
 import { ObjectInspector } from './ObjectInspector';
@@ -13,6 +14,8 @@ export function InspectorPanel(): ReactNode {
   useSignal(document.assetSelection.changed);
   useSignal(document.opened);
   const [help, setHelp] = useState('');
+  const [filter, setFilter] = useState('');
+  const words = useMemo(() => wordsOfFilter(filter), [filter]);
   // who walks through the tree by a key that is held down waits for the tree alone
   const ids = useDeferredValue(document.selection.ids);
 
@@ -34,7 +37,28 @@ export function InspectorPanel(): ReactNode {
       onFocus={show}
       onPointerLeave={() => setHelp('')}
     >
-      <div className="inspector-body">{content}</div>
+      <header className="panel-header">
+        <input
+          className="input search"
+          type="search"
+          value={filter}
+          placeholder={t('Find a field')}
+          aria-label={t('Find a field')}
+          autoComplete="off"
+          spellCheck={false}
+          onChange={(event) => setFilter(event.target.value)}
+          onKeyDown={(event) => {
+            if (event.key !== 'Escape') return;
+            event.stopPropagation();
+            setFilter('');
+            event.currentTarget.blur();
+          }}
+        />
+      </header>
+      <div className="inspector-body" data-filtered={words.length > 0}>
+        <FieldFilter value={words}>{content}</FieldFilter>
+        <p className="inspector-none">{t('No field here is called that.')}</p>
+      </div>
       <p className="inspector-help">{help}</p>
     </section>
   );
