@@ -13,6 +13,7 @@ import { measure } from './measure';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { pause, play, step, stop } from './play';
+import { makeMaterial, newMaterial, unpackModel } from './materials';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
 import { redo } from './redo';
@@ -57,6 +58,9 @@ export const actions: readonly Action[] = [
   deselect,
   makePrefab,
   unpackPrefab,
+  newMaterial,
+  makeMaterial,
+  unpackModel,
   ...gizmoModes,
   gizmoSpace,
   snap,
