@@ -3,7 +3,6 @@ import {
   AssetLibrary,
   builtinComponents,
   ComponentRegistry,
-  followEffects,
   KeyController,
   MouseController,
   type Scene,
@@ -83,8 +82,7 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
     scene.update(last === 0 ? 0 : Math.min((now - last) / 1000, 0.1));
     last = now;
     controls.update();
-    followEffects(app.renderer, scene);
-    app.renderer.render(scene.three, camera);
+    app.picture.render(scene, camera, scene.activeCamera);
     requestAnimationFrame(frame);
   };
   requestAnimationFrame(frame);

@@ -4,7 +4,7 @@ import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
 import { builtinComponents } from '../components/index';
 import { Scene } from '../core/Scene';
 import { createWebGLRenderer } from './createWebGLRenderer';
-import { followEffects } from './followEffects';
+import { PictureRenderer } from '../picture/PictureRenderer';
 import { InputRouter } from './InputRouter';
 import { MicroShaderOverrides } from './MicroShaderOverrides';
 
@@ -45,6 +45,8 @@ export class App {
   readonly webgl: WebGLRenderer;
   /** Farol's renderer, which draws the scene. */
   readonly renderer: FarolRenderer;
+  /** Draws by `renderer` what the scene's settings say of the picture. */
+  readonly picture: PictureRenderer;
 
   private readonly input: InputRouter;
   private readonly listeners = new Set<(frame: FrameInfo) => void>();
@@ -72,6 +74,7 @@ export class App {
     this.canvas = this.webgl.domElement;
     if (!options.webgl) this.webgl.shadowMap.enabled = true;
     this.renderer = new FarolRenderer(this.webgl, options.technique ? { technique: options.technique } : {});
+    this.picture = new PictureRenderer(this.renderer, { redraw: () => this.redrawAtRest() });
     this.currentScene = options.scene ?? new Scene({ registry: builtinComponents });
     this.maxDelta = options.maxDelta ?? 0.1;
     this.overrides = new MicroShaderOverrides(this.renderer.microshaders);
@@ -153,8 +156,7 @@ export class App {
       return;
     }
     camera.setViewport(this.aspectWidth, this.aspectHeight);
-    followEffects(this.renderer, this.currentScene, this.redrawAtRest);
-    this.renderer.render(this.currentScene.three, camera.three);
+    this.picture.render(this.currentScene, camera.three, camera);
   }
 
   /**
@@ -206,6 +208,7 @@ export class App {
     this.input.dispose();
     this.listeners.clear();
     this.unwatch();
+    this.picture.dispose();
     this.renderer.dispose();
     if (this.ownsWebgl) this.webgl.dispose();
     if (this.ownsCanvas) this.canvas.remove();

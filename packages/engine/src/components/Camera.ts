@@ -2,7 +2,9 @@ import { Matrix4, OrthographicCamera, PerspectiveCamera } from 'three';
 import { component } from '../fields/component';
 import { angle, boolean, choice, number } from '../fields/fields';
 import type { Transform } from '../core/Transform';
+import { toneMappingNames } from '../picture/toneMappings';
 
+const ownFocus = { visibleWhen: { field: 'depthOfField', equals: ['own'] } };
 const perspective = { visibleWhen: { field: 'projection', equals: ['perspective'] } };
 
 /**
@@ -34,6 +36,43 @@ export class Camera extends component({
   }),
   near: number(0.1, { unit: 'm', min: 0.0001, help: 'Distance of the nearest thing that is seen.' }),
   far: number(200, { unit: 'm', min: 0.001, help: 'Distance of the farthest thing that is seen.' }),
+  toneMapping: choice('scene', ['scene', ...toneMappingNames], {
+    help: 'Tone mapping of what this camera sees; "scene" is what the scene has.',
+    label: 'Tone mapping',
+  }),
+  exposureCompensation: number(0, {
+    min: -20,
+    max: 20,
+    step: 0.1,
+    help: 'Steps of exposure beside the scene’s: 1 is twice the light, -1 half of it. Needs a tone mapping.',
+    label: 'Exposure compensation',
+  }),
+  depthOfField: choice('scene', ['scene', 'off', 'own'], {
+    help: 'Depth of field: the scene’s, none, or one of this camera.',
+    label: 'Depth of field',
+  }),
+  focusDistance: number(10, {
+    unit: 'm',
+    min: 0.01,
+    help: 'Distance of what is sharp.',
+    label: 'Focus distance',
+    ...ownFocus,
+  }),
+  focusRange: number(5, {
+    unit: 'm',
+    min: 0.01,
+    help: 'How far from the focus things are as blurred as they become.',
+    label: 'Focus range',
+    ...ownFocus,
+  }),
+  focusBlur: number(2, {
+    min: 0,
+    max: 10,
+    step: 0.1,
+    help: 'How blurred things far from the focus are.',
+    label: 'Blur strength',
+    ...ownFocus,
+  }),
 }) {
   static override readonly typeName: string = 'Camera';
   static override readonly unique: boolean = true;

@@ -3,48 +3,25 @@ import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldValue, ValuesOf } from '../fields/Field';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
-import { asset, choice, colour, number } from '../fields/fields';
+import { fogFields, pictureFields, skyFields } from '../picture/pictureFields';
+import type { Sky } from '../picture/sky/makeSky';
+import { SkySource } from '../picture/sky/SkySource';
 
-const linearFog = { visibleWhen: { field: 'fog', equals: ['linear'] } };
-
-export const sceneFields = {
-  background: choice('colour', ['colour', 'environment'], { help: 'What is seen where there is no object.' }),
-  backgroundColour: colour([0.02, 0.025, 0.035], { help: 'Colour behind the objects.', label: 'Background colour' }),
-  environment: asset('texture', null, {
-    help: 'Equirectangular texture that lights every standard and physical material from all sides.',
-  }),
-  environmentIntensity: number(1, {
-    min: 0,
-    step: 0.05,
-    help: 'Factor of the light that comes from the environment.',
-    label: 'Environment intensity',
-  }),
-  fog: choice('none', ['none', 'linear', 'exponential'], { help: 'Fog that fades objects into a colour.' }),
-  fogColour: colour([0.5, 0.55, 0.6], {
-    help: 'Colour of the fog.',
-    label: 'Fog colour',
-    visibleWhen: { field: 'fog', equals: ['linear', 'exponential'] },
-  }),
-  fogNear: number(10, { unit: 'm', min: 0, help: 'Distance where the fog begins.', label: 'Fog near', ...linearFog }),
-  fogFar: number(100, { unit: 'm', min: 0, help: 'Distance of full fog.', label: 'Fog far', ...linearFog }),
-  fogDensity: number(0.02, {
-    unit: '1/m',
-    min: 0,
-    step: 0.001,
-    help: 'Growth of exponential fog with distance.',
-    label: 'Fog density',
-    visibleWhen: { field: 'fog', equals: ['exponential'] },
-  }),
-};
+export const sceneFields = pictureFields;
 
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- the properties are made from the table
 export interface SceneSettings extends ValuesOf<typeof sceneFields> {}
 
-/** What belongs to a scene as a whole: background, environment, fog. Writes them to its three scene. */
+/**
+ * What belongs to a scene as a whole: all that makes its picture beside the objects. Writes background, environment and fog
+ * to its three scene; by the rest a `PictureRenderer` draws.
+ */
 export class SceneSettings extends BaseFieldOwner {
   static readonly fields = sceneFields;
 
   private environmentTexture: Texture | null = null;
+  private readonly skySource = new SkySource(() => this.apply());
+  private count = 0;
 
   /** @param changed - called after a setting got another value; `before` is the value until then */
   constructor(
@@ -60,41 +37,64 @@ export class SceneSettings extends BaseFieldOwner {
     return 'Scene';
   }
 
+  /** Grows by one with each change. */
+  get revision(): number {
+    return this.count;
+  }
+
+  /** Fulfilled when the sky is there that was asked for last. @throws Error (as a rejection) when its code cannot be fetched */
+  get skyReady(): Promise<void> {
+    return this.skySource.ready;
+  }
+
   protected override get assetNames(): AssetNames {
     return this.assets;
   }
 
   protected override fieldChanged(name: string, before: FieldValue): void {
-    this.apply();
+    this.count++;
+    if (Object.hasOwn(skyFields, name) || Object.hasOwn(fogFields, name)) this.apply();
     this.changed(name, before);
   }
 
   /** Lets go of the environment. */
   dispose(): void {
     this.useTexture(null);
+    this.skySource.dispose();
   }
 
-  /** Writes every setting to the three scene. */
+  /** Writes sky and fog to the three scene. */
   private apply(): void {
     const { three } = this;
-    this.applyEnvironment(three);
+    this.count++;
+    const sky = this.skySource.of(this);
+    this.applyEnvironment(three, sky);
+    const seen = sky ? sky.texture : this.background === 'environment' ? this.environmentTexture : null;
+    three.background = seen ?? new Color().setRGB(...this.backgroundColour);
     three.environmentIntensity = this.environmentIntensity;
-    const useTexture = this.background === 'environment' && this.environmentTexture !== null;
-    three.background = useTexture ? this.environmentTexture : new Color().setRGB(...this.backgroundColour);
-    three.backgroundIntensity = this.environmentIntensity;
+    three.backgroundIntensity = this.environmentIntensity * this.backgroundIntensity;
+    three.backgroundBlurriness = this.background === 'gradient' ? 0 : this.backgroundBlur;
+    three.backgroundRotation.y = three.environmentRotation.y = this.backgroundRotation;
+    this.applyFog(three, sky);
+  }
+
+  private applyFog(three: ThreeScene, sky: Sky | null): void {
     const fogColour = new Color().setRGB(...this.fogColour);
+    if (this.fogFromSky && sky) fogColour.setRGB(...sky.horizon).multiplyScalar(three.backgroundIntensity);
+    else if (this.fogFromSky) fogColour.setRGB(...this.backgroundColour);
     if (this.fog === 'linear') three.fog = new Fog(fogColour, this.fogNear, this.fogFar);
     else if (this.fog === 'exponential') three.fog = new FogExp2(fogColour, this.fogDensity);
     else three.fog = null;
   }
 
-  private applyEnvironment(three: ThreeScene): void {
-    const name = this.environment;
+  private applyEnvironment(three: ThreeScene, sky: Sky | null): void {
+    const isSky = this.background === 'sky' || this.background === 'gradient';
+    const name = isSky ? null : this.environment;
     const { assets } = this;
     if (name === null) this.useTexture(null);
     else if (assets.isReady('texture', name)) this.useTexture(assets.texture(name));
     else assets.whenReady('texture', name, () => this.environment === name && this.apply());
-    three.environment = this.environmentTexture;
+    three.environment = sky && this.skyLight ? sky.texture : this.environmentTexture;
   }
 
   private useTexture(texture: Texture | null): void {

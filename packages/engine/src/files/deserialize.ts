@@ -144,7 +144,7 @@ async function allowedOrigins(file: FarolFile, { mayFetch }: DeserializeOptions)
 }
 
 /**
- * Makes a scene of a file: all of it or nothing. Waits for the assets that it names, and for the normals of their meshes.
+ * Makes a scene of a file: all of it or nothing. Waits for the assets that it names, the normals of their meshes, and its sky.
  * @param file - a FarolFile, JSON text, or what JSON.parse made of it; it is checked in any case
  * @throws FileError (as a rejection) listing everything that is wrong, see `parseFile`; what `options.signal` was aborted
  * with
@@ -174,7 +174,7 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     for (const name of Object.keys(checked.settings)) scene.settings.set(name, checked.settings[name]);
     const camera = checked.activeCamera === null ? null : scene.findById(checked.activeCamera);
     scene.activeCamera = camera?.components.find(isCameraComponent) ?? null;
-    await cancellable(scene.assets.meshesPrepared(), signal, () => {});
+    await cancellable(Promise.all([scene.assets.meshesPrepared(), scene.settings.skyReady]), signal, () => {});
     return scene;
   } catch (error) {
     for (const name of registered) scene.assets.unregister(name);

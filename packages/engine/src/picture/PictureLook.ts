@@ -1,0 +1,32 @@
+import type { ToneMapping } from 'three';
+import { Camera } from '../components/Camera';
+import type { CameraComponent } from '../core/SceneGraph';
+import type { SceneSettings } from '../core/SceneSettings';
+import { toneMappings } from './toneMappings';
+
+/** What a frame's picture is made by, where a camera may have its own. The same object each frame. */
+export class PictureLook {
+  toneMapping: ToneMapping = toneMappings.none;
+  /** Factor of all light. */
+  exposure = 1;
+  depthOfField = false;
+  /** Metres. */
+  focusDistance = 0;
+  /** Metres. */
+  focusRange = 0;
+  focusBlur = 0;
+
+  /** Takes what the scene says, and what the camera that is looked through says otherwise. */
+  take(settings: SceneSettings, camera: CameraComponent | null): this {
+    const own = camera instanceof Camera ? camera : null;
+    const toneMapping = own === null || own.toneMapping === 'scene' ? settings.toneMapping : own.toneMapping;
+    this.toneMapping = toneMappings[toneMapping];
+    this.exposure = settings.exposure * (own === null ? 1 : 2 ** own.exposureCompensation);
+    const focus = own?.depthOfField === 'own' ? own : settings;
+    this.depthOfField = own === null || own.depthOfField === 'scene' ? settings.depthOfField : focus === own;
+    this.focusDistance = focus.focusDistance;
+    this.focusRange = focus.focusRange;
+    this.focusBlur = focus.focusBlur;
+    return this;
+  }
+}

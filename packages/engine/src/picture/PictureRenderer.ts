@@ -1,0 +1,208 @@
+import type { FarolEffect, FarolRenderer, PassInfo, TechniqueName } from '@farol/renderer';
+import { type Camera, Color, NoToneMapping, type Scene as ThreeScene, Vector4, type WebGLRenderTarget } from 'three';
+import { followEffects } from '../app/followEffects';
+import type { CameraComponent, Scene } from '../core/SceneGraph';
+import type { PictureChain } from './chain/PictureChain';
+import { PictureEffects } from './PictureEffects';
+import { PictureLook } from './PictureLook';
+
+type PictureCode = typeof import('./chain');
+
+const takesPicture = (effect: FarolEffect): boolean => effect.takesPicture === true;
+const isGBuffer = ({ name }: PassInfo): boolean => name === 'g-buffer';
+
+/** What draws a three scene: a FarolRenderer, or several side by side. */
+export interface ScenePainter {
+  render(scene: ThreeScene, camera: Camera): void;
+}
+
+export interface PictureRendererOptions {
+  /** Called when a frame is to be drawn, for hosts that draw none unless asked to. */
+  readonly redraw?: () => void;
+  /** Called when something that the scene asks for cannot be drawn; told in the console when absent. */
+  readonly failed?: (error: unknown) => void;
+  /**
+   * False: technique, anti-aliasing, ambient occlusion and the like stay the host's, for small pictures of the same scene.
+   * Default true.
+   */
+  readonly followsRendering?: boolean;
+}
+
+/**
+ * Draws scenes with all that their settings say of the picture: technique and effects of the renderer, tone mapping, bloom,
+ * depth of field, grading. Without any of the latter a frame is what `FarolRenderer.render` draws, and costs no more; the
+ * code of the others is fetched when a scene first asks for it.
+ */
+export class PictureRenderer {
+  /** Effects of the renderer. */
+  readonly effects: PictureEffects;
+  /** Whether bloom, depth of field, grading and vignette are drawn. Default true. */
+  showsEffects = true;
+  private readonly redraw: () => void;
+  private readonly failed: (error: unknown) => void;
+  private readonly followsRendering: boolean;
+  private readonly look = new PictureLook();
+  private readonly viewport = new Vector4();
+  private readonly background = new Color();
+  private technique = 'auto';
+  private code: PictureCode | null = null;
+  private isFetching = false;
+  private chain: PictureChain | null = null;
+  private waitsFor: Promise<void> | null = null;
+  private isDisposed = false;
+
+  constructor(
+    readonly farol: FarolRenderer,
+    options: PictureRendererOptions = {},
+  ) {
+    this.redraw = options.redraw ?? (() => {});
+    this.failed = options.failed ?? ((error) => console.error((error as Error).message));
+    this.followsRendering = options.followsRendering ?? true;
+    this.effects = new PictureEffects(farol, this.redraw, this.failed);
+    farol.webgl.domElement.addEventListener('webglcontextlost', this.free);
+  }
+
+  /**
+   * Draws to the render target, viewport and scissor of the WebGLRenderer.
+   * @param camera - what is looked through
+   * @param component - the component that the camera is of, whose own settings count; null for a camera of the host's
+   */
+  render(scene: Scene, camera: Camera, component: CameraComponent | null = null): void {
+    const { farol, look } = this;
+    this.prepare(scene);
+    look.take(scene.settings, component);
+    const chain = farol.view === 'final' ? this.chainFor(scene) : null;
+    if (chain === null) this.renderPlain(farol, scene, camera);
+    else this.renderByChain(chain, scene, camera);
+    if (this.followsRendering) this.effects.update(scene.settings);
+  }
+
+  /** Has something else draw the scene, in the tones of the picture and without its effects. */
+  renderBy(painter: ScenePainter, scene: Scene, camera: Camera, component: CameraComponent | null = null): void {
+    this.prepare(scene);
+    this.look.take(scene.settings, component);
+    this.renderPlain(painter, scene, camera);
+    if (this.followsRendering) this.effects.update(scene.settings);
+  }
+
+  dispose(): void {
+    this.isDisposed = true;
+    this.farol.webgl.domElement.removeEventListener('webglcontextlost', this.free);
+    this.free();
+    this.effects.dispose();
+  }
+
+  /** Brings the renderer up to what the scene needs. */
+  private prepare(scene: Scene): void {
+    const { farol } = this;
+    const { settings } = scene;
+    followEffects(farol, scene, this.redraw);
+    const { skyReady } = settings;
+    if (skyReady !== this.waitsFor) {
+      this.waitsFor = skyReady;
+      skyReady.then(this.redraw, this.failed);
+    }
+    if (!this.followsRendering) return;
+    if (settings.technique !== this.technique) this.take(settings.technique);
+    this.effects.update(settings);
+  }
+
+  /** A technique that is not there, or that the device cannot run, is told; 'auto' draws. */
+  private take(technique: string): void {
+    const { farol } = this;
+    this.technique = technique;
+    try {
+      farol.technique = technique as TechniqueName;
+    } catch (error) {
+      farol.technique = 'auto';
+      this.failed(error);
+    }
+  }
+
+  private renderPlain(painter: ScenePainter, scene: Scene, camera: Camera): void {
+    const { webgl } = this.farol;
+    const { toneMapping, exposure } = this.look;
+    if (toneMapping === NoToneMapping) {
+      painter.render(scene.three, camera);
+      return;
+    }
+    const { background } = scene.three;
+    const colour = webgl.getRenderTarget() === null && background instanceof Color ? background : null;
+    const before = webgl.toneMapping;
+    const exposureBefore = webgl.toneMappingExposure;
+    webgl.toneMapping = toneMapping;
+    webgl.toneMappingExposure = exposure;
+    if (colour !== null) {
+      this.background.copy(colour);
+      this.ask()?.toneMapColour(colour, toneMapping, exposure);
+    }
+    try {
+      painter.render(scene.three, camera);
+    } finally {
+      webgl.toneMapping = before;
+      webgl.toneMappingExposure = exposureBefore;
+      colour?.copy(this.background);
+    }
+  }
+
+  private renderByChain(chain: PictureChain, scene: Scene, camera: Camera): void {
+    const { farol, look, viewport } = this;
+    const { webgl } = farol;
+    const target = webgl.getRenderTarget() as WebGLRenderTarget | null;
+    const { autoClear } = webgl;
+    webgl.getCurrentViewport(viewport);
+    const own = chain.begin(viewport.z, viewport.w, this.samples);
+    const face = webgl.getActiveCubeFace();
+    const level = webgl.getActiveMipmapLevel();
+    try {
+      webgl.setRenderTarget(own);
+      webgl.autoClear = true;
+      farol.render(scene.three, camera);
+    } finally {
+      webgl.autoClear = autoClear;
+      webgl.setRenderTarget(target, face, level);
+    }
+    chain.draw(scene, look, camera, target);
+  }
+
+  /** Samples a pixel: as the canvas has, unless what shades a G-buffer or smooths edges has no use for them. */
+  private get samples(): number {
+    const { webgl, info, effects } = this.farol;
+    if (webgl.getContextAttributes()?.antialias !== true || effects.some(takesPicture)) return 0;
+    return info.passes.some(isGBuffer) ? 0 : 4;
+  }
+
+  /** What draws the picture's effects; null where there are none, or their code is not there yet. */
+  private chainFor({ settings }: Scene): PictureChain | null {
+    const { look } = this;
+    const { bloom, grading, vignette } = settings;
+    const has = this.showsEffects && (bloom || grading || vignette || look.depthOfField);
+    // three tone maps to the canvas alone
+    const isApart = this.farol.webgl.getRenderTarget() !== null && look.toneMapping !== NoToneMapping;
+    if (!has && !isApart) return null;
+    const code = this.ask();
+    if (code === null || !code.PictureChain.isPossible(this.farol.webgl)) return null;
+    this.chain ??= new code.PictureChain(this.farol.webgl, this.redraw);
+    this.chain.showsEffects = this.showsEffects;
+    return this.chain;
+  }
+
+  /** The code of tone mapping and effects; null until it is fetched. */
+  private ask(): PictureCode | null {
+    if (this.code !== null || this.isFetching) return this.code;
+    this.isFetching = true;
+    import('./chain').then(
+      (code) => {
+        this.code = code;
+        if (!this.isDisposed) this.redraw();
+      },
+      (error: unknown) => this.failed(error),
+    );
+    return null;
+  }
+
+  private readonly free = (): void => {
+    this.chain?.dispose();
+    this.chain = null;
+  };
+}

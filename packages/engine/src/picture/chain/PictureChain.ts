@@ -1,0 +1,270 @@
+import {
+  BlendFunction,
+  BloomEffect,
+  BrightnessContrastEffect,
+  DepthOfFieldEffect,
+  type Effect,
+  EffectPass,
+  HueSaturationEffect,
+  LUT3DEffect,
+  ToneMappingEffect,
+  ToneMappingMode,
+  VignetteEffect,
+} from 'postprocessing';
+import {
+  ACESFilmicToneMapping,
+  AgXToneMapping,
+  AlwaysDepth,
+  type Camera,
+  CineonToneMapping,
+  type Data3DTexture,
+  DepthTexture,
+  FloatType,
+  HalfFloatType,
+  LinearFilter,
+  LinearToneMapping,
+  NeutralToneMapping,
+  NoToneMapping,
+  type PerspectiveCamera,
+  ReinhardToneMapping,
+  type Texture,
+  type ToneMapping,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import type { Scene } from '../../core/SceneGraph';
+import type { PictureLook } from '../PictureLook';
+import { makeLookupTable } from './makeLookupTable';
+import { DepthEffect, WhiteBalanceEffect } from './ownEffects';
+import { whiteBalance } from './whiteBalance';
+
+const modes: Partial<Record<ToneMapping, ToneMappingMode>> = {
+  [LinearToneMapping]: ToneMappingMode.LINEAR,
+  [ReinhardToneMapping]: ToneMappingMode.REINHARD,
+  [CineonToneMapping]: ToneMappingMode.CINEON,
+  [ACESFilmicToneMapping]: ToneMappingMode.ACES_FILMIC,
+  [AgXToneMapping]: ToneMappingMode.AGX,
+  [NeutralToneMapping]: ToneMappingMode.NEUTRAL,
+};
+
+/** Bits of what is on. */
+const BLOOM = 1;
+const FOCUS = 2;
+const GRADING = 4;
+const TABLE = 8;
+const VIGNETTE = 16;
+const TONES = 32;
+
+/**
+ * Makes a finished picture of linear light: depth of field, bloom, white balance, tone mapping, contrast, saturation, a table
+ * of colours, vignette; those that are on, in this order, by pmndrs' postprocessing. Its programs are made anew when one is
+ * switched, not when a number changes.
+ */
+export class PictureChain {
+  /** Whether more than tone mapping is drawn. */
+  showsEffects = true;
+  private target: WebGLRenderTarget | null = null;
+  /** Holds what depth of field has made, for the bloom of that. */
+  private focused: WebGLRenderTarget | null = null;
+  private on = -1;
+  private passes: EffectPass[] = [];
+  private camera: Camera | null = null;
+  private near = 0;
+  private far = 0;
+  private table: Data3DTexture | null = null;
+  private tableOf: Texture | null = null;
+  private waitsFor = '';
+  private readonly focus: DepthOfFieldEffect;
+  private readonly bloom: BloomEffect;
+  private readonly balance = new WhiteBalanceEffect();
+  private readonly tones = new ToneMappingEffect({ mode: ToneMappingMode.LINEAR });
+  private readonly contrast = new BrightnessContrastEffect();
+  private readonly saturation = new HueSaturationEffect();
+  private lookup: LUT3DEffect | null = null;
+  private readonly vignette = new VignetteEffect();
+  private readonly depth = new DepthEffect();
+
+  /** Whether a device draws to colours of floats. */
+  static isPossible({ extensions }: WebGLRenderer): boolean {
+    return extensions.has('EXT_color_buffer_float') || extensions.has('EXT_color_buffer_half_float');
+  }
+
+  /** @param redraw - called when a table of colours is there that was waited for */
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly redraw: () => void,
+  ) {
+    this.focus = new DepthOfFieldEffect(undefined, { resolutionScale: 0.5 });
+    this.bloom = new BloomEffect({ blendFunction: BlendFunction.ADD, mipmapBlur: true, luminanceSmoothing: 0.1 });
+  }
+
+  /**
+   * What the scene is to be drawn to: linear light, with depth as a texture.
+   * @param width - pixels
+   * @param height - pixels
+   * @param samples - of a pixel; 0 for one
+   */
+  begin(width: number, height: number, samples: number): WebGLRenderTarget {
+    if (this.target !== null && this.target.samples !== samples) this.freeTarget();
+    if (this.target === null) {
+      this.target = new WebGLRenderTarget(width, height, {
+        type: HalfFloatType,
+        minFilter: LinearFilter,
+        magFilter: LinearFilter,
+        samples,
+        depthTexture: new DepthTexture(width, height, FloatType),
+      });
+      this.target.texture.name = 'Picture';
+      this.on = -1;
+    }
+    const { target } = this;
+    if (target.width !== width || target.height !== height) {
+      target.setSize(width, height);
+      this.focused?.setSize(width, height);
+      for (const pass of this.passes) pass.setSize(width, height);
+    }
+    return target;
+  }
+
+  /**
+   * Makes the picture of what was drawn to the target since `begin`.
+   * @param to - what it is drawn to, bound already; null for the canvas. It gets the depth of the scene too
+   */
+  draw(scene: Scene, look: PictureLook, camera: Camera, to: WebGLRenderTarget | null): void {
+    const { webgl } = this;
+    this.setUp(scene, look, camera);
+    const { autoClear, toneMappingExposure } = webgl;
+    webgl.autoClear = false;
+    webgl.toneMappingExposure = look.exposure;
+    try {
+      let from = this.target!;
+      for (let i = 0; i < this.passes.length; i++) {
+        const next = i === this.passes.length - 1 ? to : this.focused;
+        this.passes[i].render(webgl, from, next as WebGLRenderTarget, 0);
+        if (next !== null) from = next;
+      }
+    } finally {
+      webgl.autoClear = autoClear;
+      webgl.toneMappingExposure = toneMappingExposure;
+    }
+  }
+
+  dispose(): void {
+    this.freePasses();
+    this.freeTarget();
+    for (const effect of this.all) effect.dispose();
+    this.table?.dispose();
+    this.table = this.tableOf = null;
+  }
+
+  private get all(): Effect[] {
+    const { focus, bloom, balance, tones, contrast, saturation, vignette, depth, lookup } = this;
+    return [focus, bloom, balance, tones, contrast, saturation, vignette, depth, ...(lookup ? [lookup] : [])];
+  }
+
+  private setUp(scene: Scene, look: PictureLook, camera: Camera): void {
+    const { settings } = scene;
+    const { showsEffects } = this;
+    const grading = showsEffects && settings.grading;
+    let on = look.toneMapping === NoToneMapping ? 0 : TONES;
+    if (showsEffects && settings.bloom) on |= BLOOM;
+    if (showsEffects && look.depthOfField) on |= FOCUS;
+    if (showsEffects && settings.vignette) on |= VIGNETTE;
+    if (grading) on |= GRADING;
+    if (grading && settings.lut !== null && this.takeTable(scene, settings.lut)) on |= TABLE;
+    this.tones.mode = modes[look.toneMapping] ?? ToneMappingMode.LINEAR;
+    if (on !== this.on) this.make(on, camera);
+    this.setCamera(camera);
+    const { bloom, focus, vignette, lookup } = this;
+    bloom.intensity = settings.bloomIntensity;
+    bloom.luminanceMaterial.threshold = settings.bloomThreshold;
+    (bloom as BloomEffect & { mipmapBlurPass: { radius: number } }).mipmapBlurPass.radius = settings.bloomRadius;
+    focus.cocMaterial.focusDistance = look.focusDistance;
+    focus.cocMaterial.focusRange = look.focusRange;
+    if (focus.bokehScale !== look.focusBlur) focus.bokehScale = look.focusBlur;
+    this.contrast.contrast = settings.contrast;
+    this.saturation.saturation = settings.saturation;
+    if (grading) whiteBalance(settings.temperature, settings.tint, this.balance.balance);
+    if (lookup) lookup.blendMode.opacity.value = settings.lutStrength;
+    vignette.darkness = settings.vignetteDarkness;
+    vignette.offset = settings.vignetteSize;
+    this.depth.texture = this.target!.depthTexture;
+  }
+
+  /** Makes the passes of what is on. */
+  private make(on: number, camera: Camera): void {
+    this.freePasses();
+    this.on = on;
+    const { webgl } = this;
+    const target = this.target!;
+    const { width, height } = target;
+    const light: Effect[] = [];
+    if (on & BLOOM) light.push(this.bloom);
+    if (on & GRADING) light.push(this.balance);
+    if (on & TONES) light.push(this.tones);
+    if (on & GRADING) light.push(this.contrast, this.saturation);
+    if (on & TABLE) light.push(this.lookup!);
+    if (on & VIGNETTE) light.push(this.vignette);
+    light.push(this.depth);
+    if (on & FOCUS) this.passes.push(new EffectPass(camera, this.focus));
+    this.passes.push(new EffectPass(camera, ...light));
+    for (const pass of this.passes) {
+      pass.initialize(webgl, false, HalfFloatType);
+      pass.setDepthTexture(target.depthTexture!);
+      pass.setSize(width, height);
+    }
+    const { fullscreenMaterial } = this.passes.at(-1)!;
+    fullscreenMaterial.depthTest = fullscreenMaterial.depthWrite = true;
+    fullscreenMaterial.depthFunc = AlwaysDepth;
+    if (this.passes.length > 1) {
+      this.focused ??= new WebGLRenderTarget(width, height, { type: HalfFloatType, depthBuffer: false });
+      this.focused.setSize(width, height);
+    }
+    this.camera = null;
+  }
+
+  /** Tells the passes what they look through; they make programs anew, so only when it is another. */
+  private setCamera(camera: Camera): void {
+    const { near, far } = camera as PerspectiveCamera;
+    if (camera === this.camera && near === this.near && far === this.far) return;
+    this.camera = camera;
+    this.near = near;
+    this.far = far;
+    for (const pass of this.passes) pass.mainCamera = camera;
+  }
+
+  /** Has the table of colours ready. @returns whether it is there */
+  private takeTable({ assets }: Scene, name: string): boolean {
+    if (!assets.isReady('texture', name)) {
+      if (name !== this.waitsFor) assets.whenReady('texture', name, this.redraw);
+      this.waitsFor = name;
+      return false;
+    }
+    const texture = assets.texture(name);
+    if (texture === this.tableOf) return this.table !== null;
+    this.table?.dispose();
+    this.tableOf = texture;
+    this.table = makeLookupTable(texture);
+    if (this.table === null) return false;
+    if (this.lookup === null) this.lookup = new LUT3DEffect(this.table, { blendFunction: BlendFunction.NORMAL });
+    else this.lookup.lut = this.table;
+    return true;
+  }
+
+  /** The effects stay: they are taken out first, so that they are not disposed with their pass. */
+  private freePasses(): void {
+    for (const pass of this.passes) {
+      (pass as unknown as { setEffects(effects: Effect[]): void }).setEffects([]);
+      pass.dispose();
+    }
+    this.passes = [];
+    this.on = -1;
+  }
+
+  private freeTarget(): void {
+    this.target?.depthTexture?.dispose();
+    this.target?.dispose();
+    this.focused?.dispose();
+    this.target = this.focused = null;
+  }
+}

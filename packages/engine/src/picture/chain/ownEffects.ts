@@ -1,0 +1,37 @@
+import { BlendFunction, Effect } from 'postprocessing';
+import { Matrix3, type Texture, Uniform } from 'three';
+
+const balanceCode = `uniform mat3 balance;
+void mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor) {
+  outputColor = vec4(max(balance * inputColor.rgb, vec3(0.0)), inputColor.a);
+}`;
+
+/** Makes the picture warmer or cooler by a matrix of linear colours. */
+export class WhiteBalanceEffect extends Effect {
+  readonly balance = new Matrix3();
+
+  constructor() {
+    super('WhiteBalanceEffect', balanceCode, { blendFunction: BlendFunction.SRC });
+    this.uniforms.set('balance', new Uniform(this.balance));
+  }
+}
+
+const depthCode = `uniform highp sampler2D sceneDepth;
+void mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor) {
+  gl_FragDepth = texture2D(sceneDepth, uv).r;
+  outputColor = inputColor;
+}`;
+
+/** Hands on the depth of the scene: what is drawn over the picture finds it there. */
+export class DepthEffect extends Effect {
+  private readonly sceneDepth = new Uniform<Texture | null>(null);
+
+  constructor() {
+    super('DepthEffect', depthCode, { blendFunction: BlendFunction.SRC });
+    this.uniforms.set('sceneDepth', this.sceneDepth);
+  }
+
+  set texture(texture: Texture | null) {
+    this.sceneDepth.value = texture;
+  }
+}

@@ -1,0 +1,280 @@
+import type { FieldCondition, FieldType } from '../fields/Field';
+import { angle, asset, boolean, choice, colour, custom, number, string } from '../fields/fields';
+import { toneMappingNames } from './toneMappings';
+
+/** Shown only while a switch is on. */
+const on = (field: string): { visibleWhen: FieldCondition } => ({ visibleWhen: { field, equals: [true] } });
+const when = (field: string, ...equals: string[]): { visibleWhen: FieldCondition } => ({
+  visibleWhen: { field, equals },
+});
+
+/** Names of the renderer's `techniques`. Of one that is not there, the renderer's default takes the place. */
+export const techniqueType: FieldType = {
+  name: 'technique',
+  allows: 'the name of a technique, of 1 to 100 letters',
+  check: (value) => typeof value === 'string' && value.length > 0 && value.length <= 100,
+};
+
+/** Skies that are made in code. */
+export const skyPresets = ['clear-day', 'overcast', 'sunset', 'night', 'studio'] as const;
+export type SkyPreset = (typeof skyPresets)[number];
+
+export const skyFields = {
+  background: choice('colour', ['colour', 'gradient', 'sky', 'environment'], {
+    help: 'What is seen where there is no object.',
+  }),
+  backgroundColour: colour([0.02, 0.025, 0.035], {
+    help: 'Colour behind the objects.',
+    label: 'Background colour',
+    ...when('background', 'colour', 'environment'),
+  }),
+  sky: choice('clear-day', skyPresets, {
+    help: 'A sky that is made in code.',
+    label: 'Preset',
+    ...when('background', 'sky'),
+  }),
+  skyTop: colour([0.08, 0.2, 0.5], { help: 'Colour straight above.', label: 'Top', ...when('background', 'gradient') }),
+  skyHorizon: colour([0.55, 0.65, 0.75], {
+    help: 'Colour at the horizon.',
+    label: 'Horizon',
+    ...when('background', 'gradient'),
+  }),
+  skyGround: colour([0.12, 0.11, 0.1], {
+    help: 'Colour straight below.',
+    label: 'Ground',
+    ...when('background', 'gradient'),
+  }),
+  environment: asset('texture', null, {
+    help: 'Equirectangular texture that lights every standard and physical material from all sides.',
+    ...when('background', 'colour', 'environment'),
+  }),
+  skyLight: boolean(true, {
+    help: 'The sky lights every standard and physical material from all sides.',
+    label: 'Light from the sky',
+    ...when('background', 'gradient', 'sky'),
+  }),
+  environmentIntensity: number(1, {
+    min: 0,
+    step: 0.05,
+    help: 'Factor of the light that comes from the environment or the sky, and of how bright it is seen.',
+    label: 'Environment intensity',
+  }),
+  backgroundIntensity: number(1, {
+    min: 0,
+    step: 0.05,
+    help: 'Factor of how bright the sky is seen; it lights the scene the same.',
+    label: 'Background intensity',
+    ...when('background', 'gradient', 'sky', 'environment'),
+  }),
+  backgroundRotation: angle(0, {
+    min: -2 * Math.PI,
+    max: 2 * Math.PI,
+    help: 'Turns environment and sky about the vertical.',
+    label: 'Rotation',
+  }),
+  backgroundBlur: number(0, {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    help: 'How blurred the sky is seen; 0 is sharp.',
+    label: 'Blur',
+    ...when('background', 'sky', 'environment'),
+  }),
+};
+
+export const fogFields = {
+  fog: choice('none', ['none', 'linear', 'exponential'], { help: 'Fog that fades objects into a colour.' }),
+  fogFromSky: boolean(false, {
+    help: 'The fog has the colour of the sky at the horizon, or of the background.',
+    label: 'Colour from the sky',
+    ...when('fog', 'linear', 'exponential'),
+  }),
+  fogColour: colour([0.5, 0.55, 0.6], {
+    help: 'Colour of the fog.',
+    label: 'Fog colour',
+    visibleWhen: { field: 'fogFromSky', equals: [false] },
+  }),
+  fogNear: number(10, {
+    unit: 'm',
+    min: 0,
+    help: 'Distance where the fog begins.',
+    label: 'Fog near',
+    ...when('fog', 'linear'),
+  }),
+  fogFar: number(100, {
+    unit: 'm',
+    min: 0,
+    help: 'Distance of full fog.',
+    label: 'Fog far',
+    ...when('fog', 'linear'),
+  }),
+  fogDensity: number(0.02, {
+    unit: '1/m',
+    min: 0,
+    step: 0.001,
+    help: 'Growth of exponential fog with distance.',
+    label: 'Fog density',
+    ...when('fog', 'exponential'),
+  }),
+};
+
+export const toneMappingFields = {
+  toneMapping: choice('none', toneMappingNames, {
+    help: 'How light of any brightness becomes colours of a screen; three’s tone mappings.',
+    label: 'Tone mapping',
+  }),
+  exposure: number(1, {
+    min: 0,
+    max: 1000,
+    step: 0.05,
+    help: 'Factor of all light before it is tone mapped.',
+    visibleWhen: { field: 'toneMapping', equals: toneMappingNames.slice(1) },
+  }),
+};
+
+export const bloomFields = {
+  bloom: boolean(false, { help: 'What is bright shines over what is beside it.' }),
+  bloomIntensity: number(0.6, {
+    min: 0,
+    max: 10,
+    step: 0.05,
+    help: 'How much it shines.',
+    label: 'Strength',
+    ...on('bloom'),
+  }),
+  bloomThreshold: number(1, {
+    min: 0,
+    max: 100,
+    step: 0.05,
+    help: 'Luminance from which on things shine; 1 is a white surface in full light.',
+    label: 'Threshold',
+    ...on('bloom'),
+  }),
+  bloomRadius: number(0.8, {
+    min: 0,
+    max: 1,
+    step: 0.01,
+    help: 'How far it reaches.',
+    label: 'Radius',
+    ...on('bloom'),
+  }),
+};
+
+export const depthOfFieldFields = {
+  depthOfField: boolean(false, {
+    help: 'What is nearer or farther than the focus is blurred. A camera can have its own.',
+    label: 'Depth of field',
+  }),
+  focusDistance: number(10, {
+    unit: 'm',
+    min: 0.01,
+    help: 'Distance from the camera of what is sharp.',
+    label: 'Focus distance',
+    ...on('depthOfField'),
+  }),
+  focusRange: number(5, {
+    unit: 'm',
+    min: 0.01,
+    help: 'How far from the focus things are as blurred as they become.',
+    label: 'Focus range',
+    ...on('depthOfField'),
+  }),
+  focusBlur: number(2, {
+    min: 0,
+    max: 10,
+    step: 0.1,
+    help: 'How blurred things far from the focus are.',
+    label: 'Blur strength',
+    ...on('depthOfField'),
+  }),
+};
+
+export const gradingFields = {
+  grading: boolean(false, { help: 'Changes the colours of the finished picture.', label: 'Colour grading' }),
+  temperature: number(0, { min: -1, max: 1, step: 0.02, help: 'Below 0 cooler, above 0 warmer.', ...on('grading') }),
+  tint: number(0, { min: -1, max: 1, step: 0.02, help: 'Below 0 greener, above 0 more magenta.', ...on('grading') }),
+  contrast: number(0, { min: -1, max: 1, step: 0.02, help: 'Below 0 flatter, above 0 stronger.', ...on('grading') }),
+  saturation: number(0, { min: -1, max: 1, step: 0.02, help: '-1 is grey, above 0 more colourful.', ...on('grading') }),
+  lut: asset('texture', null, {
+    help: 'Table of colours (LUT): a .cube file, or an image of its slices in a row.',
+    label: 'Look-up table',
+    ...on('grading'),
+  }),
+  lutStrength: number(1, {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    help: 'How much of the look-up table is seen.',
+    label: 'Table strength',
+    ...on('grading'),
+  }),
+};
+
+export const vignetteFields = {
+  vignette: boolean(false, { help: 'The picture darkens towards its corners.' }),
+  vignetteDarkness: number(0.5, {
+    min: 0,
+    max: 1,
+    step: 0.02,
+    help: 'How dark the corners are.',
+    label: 'Darkness',
+    ...on('vignette'),
+  }),
+  vignetteSize: number(0.5, {
+    min: 0,
+    max: 1,
+    step: 0.02,
+    help: 'How far it reaches into the picture.',
+    label: 'Reach',
+    ...on('vignette'),
+  }),
+};
+
+export const renderingFields = {
+  technique: custom(techniqueType, 'auto', { help: 'By what the scene is drawn; "Automatic" picks what is fastest.' }),
+  antialiasing: choice('auto', ['auto', 'none', 'smaa', 'edges', 'taa'], {
+    help: 'How edges are smoothed; "auto" is multisampled where the technique can be, else SMAA.',
+    label: 'Anti-aliasing',
+  }),
+  ambientOcclusion: boolean(false, {
+    help: 'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.',
+    label: 'Ambient occlusion',
+  }),
+  occlusionRadius: number(0.5, {
+    unit: 'm',
+    min: 0.01,
+    max: 100,
+    step: 0.05,
+    help: 'How far off things close a corner.',
+    label: 'Occlusion radius',
+    ...on('ambientOcclusion'),
+  }),
+  occlusionStrength: number(1, {
+    min: 0,
+    max: 4,
+    step: 0.05,
+    help: 'How dark corners become; 1 is as computed.',
+    label: 'Occlusion strength',
+    ...on('ambientOcclusion'),
+  }),
+  unsortedTransparency: boolean(false, {
+    help: 'Transparent layers are averaged, not sorted: they may pass through one another.',
+    label: 'Unsorted transparency',
+  }),
+  pluginEffects: string('', {
+    help: 'Names of effects of plugins that are on, with commas between them.',
+    label: 'Effects of plugins',
+  }),
+};
+
+/** All that makes the picture of a scene beside its objects. */
+export const pictureFields = {
+  ...skyFields,
+  ...fogFields,
+  ...toneMappingFields,
+  ...bloomFields,
+  ...depthOfFieldFields,
+  ...gradingFields,
+  ...vignetteFields,
+  ...renderingFields,
+};

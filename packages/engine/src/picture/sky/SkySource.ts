@@ -1,0 +1,64 @@
+import type { SceneSettings } from '../../core/SceneSettings';
+import type { Sky } from './makeSky';
+
+type SkyCode = typeof import('./makeSky');
+
+let code: SkyCode | null = null;
+let loading: Promise<void> | null = null;
+
+/** Fetches what makes skies, which scenes without one do without. @throws Error when it cannot be fetched; try again */
+export function loadSkyCode(): Promise<void> {
+  loading ??= import('./makeSky').then(
+    (module) => void (code = module),
+    (cause: unknown) => {
+      loading = null;
+      throw new Error('The code of skies could not be fetched: see that the network is there, and choose one again.', {
+        cause,
+      });
+    },
+  );
+  return loading;
+}
+
+/** The sky that a scene's settings ask for, made when they change. */
+export class SkySource {
+  /** Fulfilled when the sky that was asked for last is there; rejected when its code could not be fetched. */
+  ready: Promise<void> = Promise.resolve();
+  private made: Sky | null = null;
+  private key = '';
+
+  /** @param came - called when the sky is there after it was not */
+  constructor(private readonly came: () => void) {}
+
+  /** What is asked for; null for none, and until its code is there. */
+  of(settings: SceneSettings): Sky | null {
+    const key = keyOf(settings);
+    if (key === this.key) return this.made;
+    if (key !== '' && code === null) {
+      this.ready = loadSkyCode().then(this.came);
+      // told to who waits for it
+      this.ready.catch(() => {});
+      return null;
+    }
+    this.dispose();
+    this.key = key;
+    if (key !== '') this.made = make(settings, code!);
+    return this.made;
+  }
+
+  dispose(): void {
+    this.made?.texture.dispose();
+    this.made = null;
+    this.key = '';
+  }
+}
+
+function keyOf({ background, sky, skyTop, skyHorizon, skyGround }: SceneSettings): string {
+  if (background === 'sky') return sky;
+  return background === 'gradient' ? [skyTop, skyHorizon, skyGround].join(' ') : '';
+}
+
+function make(settings: SceneSettings, { makePresetSky, makeGradientSky }: SkyCode): Sky {
+  const { background, sky, skyTop: top, skyHorizon: horizon, skyGround: ground } = settings;
+  return background === 'sky' ? makePresetSky(sky) : makeGradientSky({ top, horizon, ground });
+}

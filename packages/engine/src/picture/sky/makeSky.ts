@@ -1,0 +1,88 @@
+import {
+  ClampToEdgeWrapping,
+  DataTexture,
+  DataUtils,
+  EquirectangularReflectionMapping,
+  HalfFloatType,
+  LinearFilter,
+  RepeatWrapping,
+  RGBAFormat,
+} from 'three';
+import type { Vector3Tuple } from '../../fields/Field';
+import type { SkyPreset } from '../pictureFields';
+import { paintSky } from './paintSky';
+import { type SkyLook, skyLooks } from './skyLooks';
+
+/** A sky as three draws it, and lights by. */
+export interface Sky {
+  /** Equirectangular, linear radiance. */
+  readonly texture: DataTexture;
+  /** Mean radiance at the horizon. */
+  readonly horizon: Vector3Tuple;
+}
+
+/** Three colours from below to above. */
+export interface SkyGradient {
+  readonly top: Vector3Tuple;
+  readonly horizon: Vector3Tuple;
+  readonly ground: Vector3Tuple;
+}
+
+/** Columns of the picture of a preset, whose discs and stars are small, and of a gradient. */
+const PRESET_WIDTH = 1024;
+const GRADIENT_WIDTH = 256;
+
+/** What a sky is painted of, as three takes it. */
+interface Painted {
+  readonly halves: Uint16Array<ArrayBuffer>;
+  readonly width: number;
+  readonly horizon: Vector3Tuple;
+}
+
+function paint(look: SkyLook, width: number): Painted {
+  const height = width / 2;
+  const pixels = paintSky(look, width, height);
+  const halves = new Uint16Array(width * height * 4);
+  const one = DataUtils.toHalfFloat(1);
+  for (let from = 0, to = 0; from < pixels.length; from += 3, to += 4) {
+    halves[to] = DataUtils.toHalfFloat(pixels[from]);
+    halves[to + 1] = DataUtils.toHalfFloat(pixels[from + 1]);
+    halves[to + 2] = DataUtils.toHalfFloat(pixels[from + 2]);
+    halves[to + 3] = one;
+  }
+  return { halves, width, horizon: horizonOf(pixels, width, height) };
+}
+
+function skyOf({ halves, width, horizon }: Painted): Sky {
+  const texture = new DataTexture(halves, width, width / 2, RGBAFormat, HalfFloatType);
+  texture.mapping = EquirectangularReflectionMapping;
+  texture.wrapS = RepeatWrapping;
+  texture.wrapT = ClampToEdgeWrapping;
+  texture.minFilter = texture.magFilter = LinearFilter;
+  texture.needsUpdate = true;
+  return { texture, horizon };
+}
+
+/** Mean of the first rows above the horizon. */
+function horizonOf(pixels: Float32Array, width: number, height: number): Vector3Tuple {
+  const first = (height / 2) * width * 3;
+  const count = width * 3;
+  const sum = [0, 0, 0];
+  // what shines is left out: fog does not
+  for (let at = first; at < first + count; at++) sum[at % 3] += Math.min(1.5, pixels[at]);
+  return [sum[0] / width, sum[1] / width, sum[2] / width];
+}
+
+/** Presets that were painted: each takes about 0.1 s and 4 MB. */
+const painted = new Map<SkyPreset, Painted>();
+
+/** Makes one of the skies. */
+export function makePresetSky(preset: SkyPreset): Sky {
+  let one = painted.get(preset);
+  if (!one) painted.set(preset, (one = paint(skyLooks[preset], PRESET_WIDTH)));
+  return skyOf(one);
+}
+
+/** Makes a sky of three colours. */
+export const makeGradientSky = (colours: SkyGradient): Sky =>
+  skyOf(paint({ ...colours, disc: null, clouds: null, stars: 0, boxes: [] }, GRADIENT_WIDTH));

@@ -1,0 +1,70 @@
+import { expect, test } from 'vitest';
+import { skyPresets } from '../pictureFields';
+import { makeGradientSky, makePresetSky } from './makeSky';
+import { paintSky } from './paintSky';
+import { skyLooks } from './skyLooks';
+
+const WIDTH = 256;
+const HEIGHT = 128;
+
+/** Mean luminance of the rows from one elevation to another (0 is straight below, 1 straight above). */
+function meanOf(pixels: Float32Array, from: number, to: number): number {
+  const first = Math.floor(from * HEIGHT) * WIDTH * 3;
+  const last = Math.ceil(to * HEIGHT) * WIDTH * 3;
+  let sum = 0;
+  for (let at = first; at < last; at += 3)
+    sum += 0.2126 * pixels[at] + 0.7152 * pixels[at + 1] + 0.0722 * pixels[at + 2];
+  return sum / ((last - first) / 3);
+}
+
+test.each(skyPresets)(
+  '%s is light that can be drawn, the same each time, and meets itself behind the camera',
+  (preset) => {
+    const pixels = paintSky(skyLooks[preset], WIDTH, HEIGHT);
+    expect(pixels.every((value) => value >= 0 && value < 100)).toBe(true);
+    const again = paintSky(skyLooks[preset], WIDTH, HEIGHT);
+    expect(again.every((value, i) => value === pixels[i])).toBe(true);
+    // at the seam neighbours differ no more than clouds and lamps differ elsewhere
+    for (let row = HEIGHT / 2; row < HEIGHT; row += 8) {
+      const at = (row * WIDTH + WIDTH - 1) * 3;
+      expect(Math.abs(pixels[at] - pixels[row * WIDTH * 3])).toBeLessThan(0.2);
+    }
+  },
+);
+
+test('days are bright, nights dark, and the sky is brighter than the ground', () => {
+  const light = (preset: (typeof skyPresets)[number]): number =>
+    meanOf(paintSky(skyLooks[preset], WIDTH, HEIGHT), 0.5, 1);
+  expect(light('clear-day')).toBeGreaterThan(0.3);
+  expect(light('overcast')).toBeGreaterThan(0.3);
+  expect(light('sunset')).toBeLessThan(light('overcast'));
+  expect(light('night')).toBeLessThan(0.05);
+  const day = paintSky(skyLooks['clear-day'], WIDTH, HEIGHT);
+  expect(meanOf(day, 0, 0.4)).toBeLessThan(meanOf(day, 0.6, 1));
+});
+
+test('the sun is where it is said to be', () => {
+  const { disc } = skyLooks.sunset;
+  const { texture } = makePresetSky('sunset');
+  const { width, height, data } = texture.image as { width: number; height: number; data: Uint16Array };
+  const column = Math.floor((disc!.azimuth / (2 * Math.PI) + 0.5) * width);
+  const row = Math.floor((disc!.elevation / Math.PI + 0.5) * height);
+  let brightest = 0;
+  for (let at = 0; at < data.length; at += 4) if (data[at] > data[brightest]) brightest = at;
+  const pixel = brightest / 4;
+  expect(Math.abs((pixel % width) - column)).toBeLessThan(6);
+  expect(Math.abs(Math.floor(pixel / width) - row)).toBeLessThan(6);
+});
+
+test('a gradient goes from the ground by the horizon to the top', () => {
+  const top = [0, 0, 1] as const;
+  const horizon = [0, 1, 0] as const;
+  const ground = [1, 0, 0] as const;
+  const sky = makeGradientSky({ top, horizon, ground });
+  expect(sky.horizon[1]).toBeGreaterThan(0.85);
+  const picture = paintSky({ top, horizon, ground, disc: null, clouds: null, stars: 0, boxes: [] }, 8, 64);
+  const of = (row: number): number[] => [...picture.slice(row * 24, row * 24 + 3)];
+  expect(of(0)[0]).toBeCloseTo(1, 1);
+  expect(of(63)[2]).toBeCloseTo(1, 1);
+  sky.texture.dispose();
+});
