@@ -48,18 +48,18 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
   return inGroups(owner, rows);
 }
 
-/** Fields that name a group stand together, below its title, where the first of them stands. */
+/** Fields of a group stand together below its title, after those that are in none. */
 function inGroups(owner: FieldOwner, rows: readonly ReactElement[]): ReactNode {
   const groupOf = ({ key }: ReactElement): string | undefined => owner.fields[key!].group;
-  return rows.map((row) => {
-    const group = groupOf(row);
-    if (group === undefined) return row;
-    const members = rows.filter((each) => groupOf(each) === group);
-    if (members[0] !== row) return null;
-    return (
-      <FieldGroup key={`group ${group}`} id={`${owner.ownerName}/${group}`} title={group}>
-        {members}
+  const groups = new Set(rows.map(groupOf));
+  groups.delete(undefined);
+  if (groups.size === 0) return rows;
+  return [
+    ...rows.filter((row) => groupOf(row) === undefined),
+    ...[...groups].map((group) => (
+      <FieldGroup key={`group ${group}`} id={`${owner.ownerName}/${group}`} title={group!}>
+        {rows.filter((row) => groupOf(row) === group)}
       </FieldGroup>
-    );
-  });
+    )),
+  ];
 }
