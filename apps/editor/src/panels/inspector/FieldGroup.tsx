@@ -15,7 +15,8 @@ interface FieldGroupProps {
 /** Fields of a section that belong together; they fold, and stay so. */
 export function FieldGroup({ id, title, children }: FieldGroupProps): ReactNode {
   const { preferences } = useEditor();
-  const isFolded = usePreferences(({ folded }) => folded[id] ?? false) && !useIsFiltering();
+  const isFiltering = useIsFiltering();
+  const isFolded = usePreferences(({ folded }) => folded[id] ?? false) && !isFiltering;
   const fold = (): void => {
     preferences.setState((before) => ({ folded: { ...before.folded, [id]: !isFolded } }));
   };
