@@ -33,7 +33,12 @@ test('on a page that knows nothing of Farol: select, edit, undo', async ({ page 
   expect(await x()).toBe(0.5); // a preview, which Escape takes back
   await input.press('Escape');
   expect(await x()).toBe(-2);
-  await input.fill('0.5');
+  await input.fill('50q');
+  await input.press('Enter'); // no number: it stays, marked, with the reason
+  await expect(input).toHaveValue('50q');
+  await expect(page.getByText('“q” is neither a unit nor a function.')).toBeVisible();
+  expect(await x()).toBe(-2);
+  await input.fill('50cm');
   await input.press('Enter');
   expect(await x()).toBe(0.5);
   expect((await picture(page)).equals(before)).toBe(false); // although the page draws no frames by itself

@@ -1,3 +1,4 @@
+export { sharedIcons } from './appearance/sharedIcons';
 export { Signal } from './Signal';
 export { Selection } from './Selection';
 export { countLabel, lowerFirst, namesOf } from './labels';
