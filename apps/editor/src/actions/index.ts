@@ -3,6 +3,7 @@ import { copy, cut, paste, pasteBelow } from './clipboard';
 import type { Action } from '../api/Action';
 import { deselect } from './deselect';
 import { duplicate } from './duplicate';
+import { duplicateMany } from './duplicateMany';
 import { focus } from './focus';
 import { gizmoModes } from './gizmoModes';
 import { gizmoSpace } from './gizmoSpace';
@@ -55,6 +56,7 @@ export const actions: readonly Action[] = [
   paste,
   pasteBelow,
   duplicate,
+  duplicateMany,
   group,
   ungroup,
   remove,
