@@ -299,10 +299,11 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    const apply = ({ snapSteps, effects }: Preferences): void => {
+    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, effects }: Preferences): void => {
       this.viewport.setEffects(effects);
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
+      Object.assign(this.viewport, { snapTo, alignsToSurface, pivot });
     };
     apply(this.preferences.getState());
     this.preferences.subscribe(apply);

@@ -14,7 +14,7 @@ export const duplicateMany: Action = {
     // a tool that is open puts back what it shows, before the next one looks at the scene
     tools.end();
     const tool: { current: InstanceType<typeof DuplicateTool> | null } = { current: null };
-    tool.current = new DuplicateTool(document, viewport.camera, () => tools.end(tool.current));
+    tool.current = new DuplicateTool(document, viewport.rayCamera, () => tools.end(tool.current));
     tools.open(tool.current);
   },
   enabled: hasSelection,

@@ -13,8 +13,8 @@ export function pointInPicture({ viewport }: EditorApi, at?: { readonly x: numbe
 
 /** What placing needs to know of an editor's picture. */
 export function landingView({ document, viewport }: EditorApi): LandingView {
-  const { camera, editorCamera, snapping, gizmo } = viewport;
-  const step = snapping ? gizmo.snapSteps.translate : 0.001;
+  const { rayCamera: camera, editorCamera, snapping, snapTo, gizmo } = viewport;
+  const step = snapping && snapTo === 'grid' ? gizmo.snapSteps.translate : 0.001;
   return { scene: document.scene, camera, target: editorCamera.target, step };
 }
 

@@ -5,6 +5,7 @@ import './tools.css';
 /** What is shown for each tool, by its id. A new tool is a line here. */
 const boxes: Readonly<Record<string, ComponentType<{ tool: never }>>> = {
   duplicate: lazy(async () => ({ default: (await import('./DuplicateBox')).DuplicateBox })),
+  measure: lazy(async () => ({ default: (await import('./MeasureBox')).MeasureBox })),
 };
 
 /** The box of the tool that is open over the picture. */
