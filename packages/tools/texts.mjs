@@ -103,3 +103,25 @@ export function propertyTexts(path, source, ...names) {
   visit(parseSync(path, source).program);
   return texts;
 }
+
+/**
+ * A file's objects of texts alone, as one: of `export const a = { 'One': 'Uno' }` { One: 'Uno' }.
+ *
+ * @param {string} path
+ * @param {string} source
+ * @returns {Record<string, string>}
+ */
+export function tableOf(path, source) {
+  /** @type {Record<string, string>} */
+  const table = {};
+  /** @param {any} node */
+  const visit = (node) => {
+    if (Array.isArray(node)) node.forEach(visit);
+    if (typeof node?.type !== 'string') return;
+    if (node.type === 'Property' && typeof node.value.value === 'string')
+      table[node.key.name ?? node.key.value] = node.value.value;
+    for (const key of Object.keys(node)) if (key !== 'parent') visit(node[key]);
+  };
+  visit(parseSync(path, source).program);
+  return table;
+}
