@@ -10,6 +10,7 @@ import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '
 import { registerSceneAssets, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
 import { actions } from './actions';
+import { allActions } from './actions/allActions';
 import type { EditorPlugin } from './api/EditorPlugin';
 import type { CustomFieldEditor, DraftKeeper, EditorApi, OpenFile } from './api/EditorApi';
 import type { Action } from './api/Action';
@@ -26,7 +27,9 @@ import { Dialogs } from './model/Dialogs';
 import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
+import { RecentFiles } from './model/RecentFiles';
 import { Registry } from './model/Registry';
+import { Tour } from './model/Tour';
 import { panels } from './panels';
 import { Viewport } from './viewport/Viewport';
 import { Plugins } from './plugins/Plugins';
@@ -88,6 +91,8 @@ export class Editor implements EditorApi {
   readonly log = new ConsoleLog();
   readonly notices = new Notices(this.log);
   readonly drafts = new Drafts();
+  readonly recentFiles = new RecentFiles();
+  readonly tour = new Tour();
   readonly renameRequested = new Signal();
   readonly fileChanged = new Signal();
   readonly plugins: Plugins = new Plugins(this);
@@ -103,7 +108,15 @@ export class Editor implements EditorApi {
   constructor(canvas: HTMLCanvasElement, options: EditorOptions = {}) {
     const { urls = {}, scene = null, storage = 'farol-editor' } = options;
     this.urls = urls;
-    this.keys = new KeyBindings(this.actions, `${storage}-keys`);
+    const all = (): Action[] => allActions(this);
+    this.keys = new KeyBindings(
+      {
+        get list() {
+          return all();
+        },
+      },
+      `${storage}-keys`,
+    );
     this.layout = new PanelLayout(this.panels, `${storage}-layout`);
     this.preferences = createPreferences(storage);
     this.document = new EditorDocument(makeLibrary({ urls }), this.components);
@@ -186,6 +199,7 @@ export class Editor implements EditorApi {
           }),
       );
       this.show(scene, file);
+      if (typeof bytes !== 'string') this.remember(bytes);
       return true;
     } catch (error) {
       if (assets !== this.document.assets) assets.dispose();
@@ -270,6 +284,15 @@ export class Editor implements EditorApi {
       { names: unknown.join(', ') },
     );
     this.notices.show('warning', text, 'plugin');
+  }
+
+  /** Puts the file that was just opened among the recent ones. */
+  private remember(bytes: Uint8Array): void {
+    const content = new Blob([bytes as Uint8Array<ArrayBuffer>]);
+    this.attempt(async () => {
+      const { noteRecent } = await import('./files/recent/noteRecent');
+      await noteRecent(this, content, false);
+    });
   }
 
   private watchPreferences(): void {

@@ -6,6 +6,7 @@ import { handleKey } from './actions/handleKey';
 import { Editor } from './Editor';
 import { fetchAhead } from './fetchAhead';
 import { isLink } from './files/share/isLink';
+import { welcomeUser } from './files/welcomeUser';
 import { watchDrops } from './files/watchDrops';
 import { showLanguage } from './language/shownLanguage';
 import { storedLanguage } from './language/storedLanguage';
@@ -32,18 +33,19 @@ const place = document.getElementById('app')!;
 
 /** @param problem - why the texts of the user's language are not there; null when they are */
 function start(problem: Error | null): void {
+  const asked = new URLSearchParams(location.search);
   const editor = new Editor(document.createElement('canvas'), {
     urls: dragonUrl ? { dragon: dragonUrl } : {},
-    scene: isLink(location.hash) ? 'empty' : new URLSearchParams(location.search).get('scene'),
+    scene: isLink(location.hash) ? 'empty' : asked.get('scene'),
     storage: STORAGE,
   });
   window.editor = editor;
   if (problem) editor.notices.show('warning', problem.message);
   watchDrops(editor);
-  const autosave = async (): Promise<void> => {
-    const { startAutosave } = await import('./files/autosave/startAutosave');
-    editor.autosave = await startAutosave(editor);
-  };
+  // an address that says what to edit has no welcome, unless it says ?welcome=yes
+  const saysScene = isLink(location.hash) || asked.has('scene');
+  const wanted = asked.get('welcome') ?? (saysScene || !editor.preferences.getState().showWelcome ? 'no' : 'yes');
+  const offer = welcomeUser(editor, wanted === 'yes');
   const openLink = async (): Promise<void> => {
     const { decodeLink } = await import('./files/share/linkText');
     const text = await decodeLink(location.hash, editor.mayUnpack);
@@ -51,9 +53,16 @@ function start(problem: Error | null): void {
   };
   const plugins = startPlugins(editor).catch((error: Error) => editor.notices.show('error', error.message, 'plugin'));
   // a scene may hold components of plugins
-  void Promise.allSettled([editor.ready, plugins]).then(() => {
+  const opened = Promise.allSettled([editor.ready, plugins]);
+  const autosave = async (): Promise<void> => {
+    const { startAutosave } = await import('./files/autosave/startAutosave');
+    editor.autosave = await startAutosave(editor, opened, (recovery) => void recent.then(() => offer(recovery)));
+  };
+  const loadRecent = async (): Promise<void> => (await import('./files/recent/noteRecent')).loadRecent(editor);
+  const recent = loadRecent().catch(() => {});
+  editor.attempt(autosave);
+  void opened.then(() => {
     if (isLink(location.hash)) editor.attempt(openLink);
-    editor.attempt(autosave);
     void fetchAhead().then((isFetched) => (editor.worksOffline = isFetched));
   });
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));

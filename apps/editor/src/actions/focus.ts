@@ -4,6 +4,7 @@ export const focus: Action = {
   id: 'view.focus',
   label: 'Focus on the selection',
   keys: ['F', 'NumpadDecimal'],
+  menu: { menu: 'view', group: 'camera' },
   run: ({ viewport }) => viewport.focus(),
   enabled: ({ viewport }) => viewport.lookThrough === null,
 };

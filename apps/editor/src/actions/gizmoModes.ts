@@ -15,6 +15,7 @@ export const gizmoModes: readonly Action[] = modes.map(([mode, label, key]) => (
   label,
   keys: [key],
   icon: mode,
+  menu: { menu: 'edit', group: 'handles', submenu: 'Handles' },
   run({ viewport }) {
     viewport.mode = mode;
   },

@@ -1,12 +1,11 @@
-import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 
 export const gizmoSpace: Action = {
   id: 'gizmo.space',
-  label: ({ viewport }) =>
-    viewport.space === 'local' ? t("Handles along the object's axes") : t("Handles along the world's axes"),
+  label: "Handles along the object's axes, not the world's",
   keys: ['X'],
   icon: 'local',
+  menu: { menu: 'edit', group: 'handles', submenu: 'Handles' },
   run({ viewport }) {
     viewport.space = viewport.space === 'local' ? 'world' : 'local';
   },

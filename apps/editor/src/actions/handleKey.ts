@@ -1,5 +1,6 @@
 import type { EditorApi } from '../api/EditorApi';
 import type { Action } from '../api/Action';
+import { allActions } from './allActions';
 import { matchKey } from './matchKey';
 
 /** What the focus is in. A menu or a list takes letters as text does: they choose what begins with them. */
@@ -37,7 +38,7 @@ export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: bo
   // a scene that is played through one of its cameras has the letters for itself
   if (editor.viewport.sceneListens && !event.ctrlKey && !event.metaKey && event.key.length === 1) return false;
   const focus = focusOf(event.target);
-  for (const action of editor.actions.list) {
+  for (const action of allActions(editor)) {
     if ((action.inFields ?? false) !== isCapture) continue;
     const combination = editor.keys.keysOf(action).find((keys) => matchKey(keys, event));
     if (combination === undefined || !counts(action, focus)) continue;

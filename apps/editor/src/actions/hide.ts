@@ -8,6 +8,7 @@ export const hide: Action = {
   label: ({ document }) => (document.selectedObjects.some(({ active }) => active) ? t('Hide') : t('Show')),
   keys: ['H'],
   icon: 'eye',
+  menu: { menu: 'object', group: 'state' },
   run({ document, commands }) {
     const { selectedObjects } = document;
     commands.run(setActive(selectedObjects, !selectedObjects.some(({ active }) => active)));

@@ -7,9 +7,11 @@ import { focus } from './focus';
 import { gizmoModes } from './gizmoModes';
 import { gizmoSpace } from './gizmoSpace';
 import { group, ungroup } from './group';
+import { about, guides } from './guides';
 import { hide } from './hide';
 import { chooseLanguage } from './language';
 import { lock } from './lock';
+import { goToMenuBar } from './menuBar';
 import { measure } from './measure';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
@@ -29,11 +31,14 @@ import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showP
 import { lookFrom } from './sides';
 import { snap } from './snap';
 import { showStatistics } from './statistics';
+import { themes } from './themes';
 import { undo } from './undo';
+import { startTour, welcome } from './welcome';
 import { continuous, showGrid, showIcons, showRanges } from './viewportToggles';
 
 /** Everything built in that the user can do by a key or a menu. A new action is a file and a line here. */
 export const actions: readonly Action[] = [
+  welcome,
   newScene,
   ...openExamples,
   open,
@@ -76,11 +81,16 @@ export const actions: readonly Action[] = [
   pause,
   step,
   stop,
-  nextPanel,
-  previousPanel,
   maximiseViewport,
   resetPanels,
+  goToMenuBar,
+  nextPanel,
+  previousPanel,
+  ...themes,
   showPalette,
   showKeys,
+  startTour,
+  ...guides,
   ...chooseLanguage,
+  about,
 ];

@@ -8,6 +8,7 @@ export const lock: Action = {
   label: ({ document }) => (document.selectedObjects.some(({ locked }) => !locked) ? t('Lock') : t('Unlock')),
   keys: ['L'],
   icon: 'lock',
+  menu: { menu: 'object', group: 'state' },
   run({ document, commands }) {
     const { selectedObjects } = document;
     commands.run(

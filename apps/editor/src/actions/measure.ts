@@ -7,6 +7,7 @@ export const measure: Action = {
   id: 'file.measure',
   label: 'Measure this scene',
   icon: 'gauge',
+  menu: { menu: 'file', group: 'share' },
   run: (editor) =>
     openBeside('lab', t('the Lab'), {
       fragment: '#preset=custom&series=own:pixels:230,922,2074',

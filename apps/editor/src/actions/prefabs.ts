@@ -8,6 +8,7 @@ export const makePrefab: Action = {
   id: 'prefab.make',
   label: 'Make prefab',
   icon: 'prefab',
+  menu: { menu: 'object', group: 'prefab' },
   run({ document, commands, notices }) {
     const [object] = document.selectedObjects;
     commands.run(createPrefab(document.scene, object, document.selection.ids));
@@ -26,6 +27,7 @@ export const unpackPrefab: Action = {
   id: 'prefab.unpack',
   label: 'Unpack prefab',
   icon: 'object',
+  menu: { menu: 'object', group: 'prefab' },
   run({ document, commands }) {
     const root = instanceRootOf(document.selectedObjects[0]);
     if (root) commands.run(unpackInstance(document.scene, root, document.selection.ids));

@@ -6,6 +6,7 @@ export const recover: Action = {
   id: 'file.recover',
   label: 'Recover…',
   icon: 'undo',
+  menu: { menu: 'file', group: 'recover' },
   async run(editor) {
     if (!editor.autosave) return;
     if (await editor.autosave.offerRecovery()) return;

@@ -8,6 +8,7 @@ export const redo: Action = {
   keys: ['Ctrl+Y', 'Ctrl+Shift+Z'],
   inFields: true,
   icon: 'redo',
+  menu: { menu: 'edit', group: 'history' },
   run: ({ commands }) => commands.redo(),
   enabled: ({ commands }) => commands.redoLabel !== null,
 };

@@ -48,12 +48,16 @@ async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): 
   const { saveFile } = await import('../files/saveFile');
   const step = editor.commands.last;
   // the picker gives the file; a browser without one downloads, and gives none
-  let saved = await saveFile(await bytesFor(editor, fileName), { ...fileType, fileName }, handle);
+  let content = await bytesFor(editor, fileName);
+  let saved = await saveFile(content, { ...fileType, fileName }, handle);
   if (saved && saved.name.endsWith('.json') !== fileName.endsWith('.json')) {
     // another kind was chosen in the picker than the name stood for
-    saved = await saveFile(await bytesFor(editor, saved.name), { ...fileType, fileName: saved.name }, saved);
+    content = await bytesFor(editor, saved.name);
+    saved = await saveFile(content, { ...fileType, fileName: saved.name }, saved);
   }
   editor.saved({ name: saved?.name ?? fileName, handle: saved }, step);
+  const { noteRecent } = await import('../files/recent/noteRecent');
+  void noteRecent(editor, content, true);
 }
 
 export const save: Action = {
@@ -62,6 +66,7 @@ export const save: Action = {
   keys: ['Ctrl+S'],
   inFields: true,
   icon: 'save',
+  menu: { menu: 'file', group: 'save' },
   run: (editor) => write(editor, editor.file.handle),
 };
 
@@ -70,5 +75,6 @@ export const saveAs: Action = {
   label: 'Save as…',
   keys: ['Ctrl+Shift+S'],
   inFields: true,
+  menu: { menu: 'file', group: 'save' },
   run: (editor) => write(editor, null),
 };

@@ -8,6 +8,7 @@ export const snap: Action = {
     return t('Snap: {translate} m, {rotate}°, {scale} (hold Ctrl for once)', { translate, rotate, scale });
   },
   icon: 'magnet',
+  menu: { menu: 'edit', group: 'handles', submenu: 'Handles' },
   run({ viewport }) {
     viewport.snapping = !viewport.snapping;
   },

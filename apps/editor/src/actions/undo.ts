@@ -8,6 +8,7 @@ export const undo: Action = {
   keys: ['Ctrl+Z'],
   inFields: true,
   icon: 'undo',
+  menu: { menu: 'edit', group: 'history' },
   run: ({ commands }) => commands.undo(),
   enabled: ({ commands }) => commands.undoLabel !== null || commands.isGestureOpen,
 };

@@ -3,6 +3,8 @@ import type { Field, ValueOf } from '@farol/engine/fields';
 /** What an editor of one kind of field gets. */
 export interface FieldEditorProps<F extends Field> {
   readonly field: F;
+  /** The field's name, such as 'normalMap'. */
+  readonly name: string;
   /** Null where several objects are edited and their values differ. */
   readonly value: ValueOf<F> | null;
   /** Of a vector whose values differ: the coordinates that all have in common, null for the others. */

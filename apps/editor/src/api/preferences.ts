@@ -13,6 +13,8 @@ export interface Preferences {
   language: Language | null;
   /** By what drags of the handles go while they snap: metres, degrees, part of the size; each above 0. */
   snapSteps: { readonly translate: number; readonly rotate: number; readonly scale: number };
+  /** Whether the welcome is shown when the editor opens. */
+  showWelcome: boolean;
   /** What takes part in the picture beside the technique. */
   effects: EffectChoice;
 }
@@ -28,6 +30,7 @@ export const createPreferences = (storage: string): PreferenceStore =>
         theme: 'dark',
         language: null,
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
+        showWelcome: true,
         effects: { antialiasing: 'auto', on: [] },
       }),
       { name: storage },

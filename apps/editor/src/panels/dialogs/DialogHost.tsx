@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
-import { lazy, type ReactNode, Suspense } from 'react';
+import { lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef } from 'react';
 import type { DialogRequest } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dialogs.css';
@@ -8,29 +8,51 @@ import './dialogs.css';
 const CommandPalette = lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette }));
 const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
 const RecoverDialog = lazy(async () => ({ default: (await import('./RecoverDialog')).RecoverDialog }));
+const Welcome = lazy(async () => ({ default: (await import('../welcome/Welcome')).Welcome }));
+const AboutDialog = lazy(async () => ({ default: (await import('./AboutDialog')).AboutDialog }));
 const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).TextDialog }));
 const ProgressDialog = lazy(async () => ({ default: (await import('./ProgressDialog')).ProgressDialog }));
 const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog }));
 
-const shapes: Partial<Record<DialogRequest['kind'], string>> = { palette: 'palette', keys: 'keys-page' };
+const shapes: Partial<Record<DialogRequest['kind'], string>> = {
+  palette: 'palette',
+  keys: 'keys-page',
+  welcome: 'welcome-dialog',
+};
 
 /** Shows the dialog that the editor asks for. */
 export function DialogHost(): ReactNode {
   const { dialogs } = useEditor();
   useSignal(dialogs.changed);
   const { current } = dialogs;
+  const popup = useRef<HTMLDivElement>(null);
   return (
     <Dialog.Root open={current !== null} onOpenChange={(open) => !open && dialogs.close(false)}>
       <Dialog.Portal>
         <Dialog.Backdrop className="backdrop" />
-        <Dialog.Popup className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
+        <Dialog.Popup ref={popup} className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
           <Suspense fallback={null}>
-            {current && <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />}
+            {current && (
+              <>
+                <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />
+                <FocusField popup={popup} />
+              </>
+            )}
           </Suspense>
         </Dialog.Popup>
       </Dialog.Portal>
     </Dialog.Root>
   );
+}
+
+/** Puts the focus into the first field of a dialog whose content was fetched after it opened. */
+function FocusField({ popup }: { popup: RefObject<HTMLElement | null> }): null {
+  useEffect(() => {
+    const { activeElement } = document;
+    const isInside = activeElement !== popup.current && popup.current?.contains(activeElement);
+    if (!isInside) popup.current?.querySelector<HTMLElement>('.input, .palette-input, textarea')?.focus();
+  }, [popup]);
+  return null;
 }
 
 function Content({ request, onClose }: { request: DialogRequest; onClose(agreed: boolean): void }): ReactNode {
@@ -44,6 +66,8 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
     );
   }
   if (request.kind === 'recover') return <RecoverDialog request={request} onClose={() => onClose(false)} />;
+  if (request.kind === 'welcome') return <Welcome request={request} onClose={() => onClose(false)} />;
+  if (request.kind === 'about') return <AboutDialog onClose={() => onClose(false)} />;
   if (request.kind === 'text') return <TextDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'progress') return <ProgressDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'export') return <ExportDialog onClose={() => onClose(false)} />;

@@ -65,6 +65,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
       <div className="field-editor">
         <Editor
           field={field}
+          name={name}
           value={value as never}
           mixed={mixed}
           parts={parts ? (JSON.parse(parts) as (number | null)[]) : undefined}

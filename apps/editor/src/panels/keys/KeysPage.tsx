@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useState } from 'react';
 import { type Action, labelOf } from '../../api/Action';
-import { showPanels } from '../../actions/showPanels';
+import { allActions } from '../../actions/allActions';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { useKeyBindings } from '../../ui/useKeyBindings';
@@ -18,7 +18,7 @@ export function KeysPage(): ReactNode {
   const { chosen } = bindings.store.getState();
   useSignal(editor.actions.changed);
   const [query, setQuery] = useState('');
-  const lines = [...editor.actions.list, ...showPanels(editor)].map((action) => ({
+  const lines = allActions(editor).map((action) => ({
     action,
     label: labelOf(action, editor),
     group: groupOf(action.id),

@@ -1,14 +1,11 @@
 import { t } from '@farol/editing';
-import { views } from '@farol/renderer';
 import { addCreation } from '../../actions/addEntries';
 import { labelOf } from '../../api/Action';
 import { showPalette } from '../../actions/showPalette';
-import { showPanels } from '../../actions/showPanels';
+import { allActions } from '../../actions/allActions';
 import type { EditorApi } from '../../api/EditorApi';
 import { creations } from '../../model/creations';
 import type { IconName } from '../../style/iconPaths';
-import { techniqueOptions } from '../../ui/techniqueOptions';
-import { viewLabel } from '../../ui/viewOptions';
 import type { Findable } from './matchItems';
 
 /** A line of the command palette. */
@@ -30,6 +27,8 @@ const groups = (): Readonly<Record<string, string>> => ({
   play: t('Play'),
   panels: t('Panels'),
   help: t('Help'),
+  technique: t('Technique'),
+  shown: t('Show'),
 });
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1).replaceAll('-', ' ');
@@ -45,8 +44,8 @@ export const OBJECTS = 30;
 
 /** Everything that can be done now. */
 export function paletteItems(editor: EditorApi): PaletteItem[] {
-  const { viewport, document } = editor;
-  const done = [...editor.actions.list, ...showPanels(editor)]
+  const { document } = editor;
+  const done = allActions(editor)
     .filter((action) => action !== showPalette && (action.enabled?.(editor) ?? true))
     .map((action): PaletteItem => ({
       id: action.id,
@@ -57,22 +56,6 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
       isCurrent: action.checked?.(editor),
       run: () => action.run(editor),
     }));
-  const techniques = techniqueOptions(viewport.farol).map(({ value, label }): PaletteItem => ({
-    id: `technique.${value}`,
-    label,
-    group: t('Technique'),
-    icon: 'lamp',
-    isCurrent: viewport.technique === value,
-    run: () => (viewport.technique = value),
-  }));
-  const shown = views.map((view): PaletteItem => ({
-    id: `shown.${view}`,
-    label: viewLabel(view),
-    group: t('Show'),
-    icon: 'eye',
-    isCurrent: viewport.view === view,
-    run: () => (viewport.view = view),
-  }));
   const added = creations(document.scene).map((creation): PaletteItem => ({
     id: `add.${creation.folder ?? ''}.${creation.label}`,
     label: creation.label,
@@ -80,7 +63,7 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
     icon: 'add',
     run: () => addCreation(editor, creation, null),
   }));
-  return [...done, ...techniques, ...shown, ...added];
+  return [...done, ...added];
 }
 
 /** The objects of the scene, as lines that select them. */

@@ -1,27 +1,22 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
-import { exportScene } from '../../actions/exportScene';
 import { duplicate } from '../../actions/duplicate';
-import { measure } from '../../actions/measure';
-import { newScene, openExamples } from '../../actions/newScene';
 import { open } from '../../actions/open';
-import { panelEntries } from '../../actions/panelEntries';
 import { pause, play, step, stop } from '../../actions/play';
-import { recover } from '../../actions/recover';
 import { redo } from '../../actions/redo';
 import { remove } from '../../actions/remove';
-import { save, saveAs } from '../../actions/save';
+import { save } from '../../actions/save';
 import { showKeys } from '../../actions/showKeys';
 import { undo } from '../../actions/undo';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
-import { actionEntry } from '../../api/MenuEntry';
 import { SelectBox } from '../../ui/SelectBox';
 import { techniqueOptions } from '../../ui/techniqueOptions';
 import { viewOptions } from '../../ui/viewOptions';
+import { MenuBar } from './MenuBar';
 import { ThemeButton } from './ThemeButton';
 import './toolbar.css';
 
@@ -33,7 +28,6 @@ export function Toolbar(): ReactNode {
   useSignal(document.selection.changed);
   useSignal(document.simulation.changed);
   useSignal(viewport.changed);
-  const newEntries = [newScene, ...openExamples].map((action) => actionEntry(action, editor));
   return (
     <header className="toolbar">
       <div className="toolbar-part">
@@ -41,13 +35,7 @@ export function Toolbar(): ReactNode {
           <Icon name="lamp" size={18} />
           Farol
         </span>
-        <MenuButton
-          label={t('File')}
-          entries={() => [
-            { label: t('New'), icon: 'scene', entries: newEntries },
-            ...[open, save, saveAs, exportScene, measure, recover].map((action) => actionEntry(action, editor)),
-          ]}
-        />
+        <MenuBar />
         <div className="button-group" role="toolbar" aria-label={t('File and history')}>
           <ActionButton action={open} />
           <ActionButton action={save} />
@@ -58,8 +46,7 @@ export function Toolbar(): ReactNode {
           <ActionButton action={duplicate} />
           <ActionButton action={remove} />
         </div>
-        <MenuButton label={t('Add')} icon="add" entries={() => addEntries(editor)} />
-        <MenuButton label={t('Panels')} icon="panels" entries={() => panelEntries(editor)} />
+        <MenuButton label={t('Add')} icon="add" className="button toolbar-add" entries={() => addEntries(editor)} />
       </div>
       <div className="button-group play" role="toolbar" aria-label={t('Simulation')}>
         {[play, pause, step, stop].map((action) => (

@@ -8,6 +8,7 @@ import { ViewportMenu } from './ViewportMenu';
 import { ViewportToolbar } from './ViewportToolbar';
 
 const PainterOverlay = lazy(async () => ({ default: (await import('../frame/PainterOverlay')).PainterOverlay }));
+const PlayFrame = lazy(async () => ({ default: (await import('../play/PlayFrame')).PlayFrame }));
 const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
 
 /** Views whose colours stand for numbers. */
@@ -15,8 +16,10 @@ const counts: ReadonlySet<string> = new Set(['light-count', 'overdraw']);
 
 /** The picture. The canvas is the Viewport's own: React only gives it a place. */
 export function ViewportPanel(): ReactNode {
-  const { viewport } = useEditor();
+  const { viewport, document } = useEditor();
   useSignal(viewport.changed);
+  const { simulation } = document;
+  useSignal(simulation.changed);
   const place = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     viewport.canvas.ariaLabel = t('Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
@@ -33,6 +36,7 @@ export function ViewportPanel(): ReactNode {
       {!isGrid && <PreviewFrame />}
       <Suspense fallback={null}>
         {viewport.painter && <PainterOverlay />}
+        {simulation.state !== 'stopped' && <PlayFrame />}
         {counts.has(viewport.view) && !viewport.painter && <HeatScale />}
       </Suspense>
     </section>
