@@ -7,7 +7,7 @@ const shownAttributes = new Set([
 ]);
 
 /** Names and units that are the same in all languages. */
-const sameInAll = /\b(Farol|glTF|PSNR|SMAA|TAA|[CG]PU|FPS|ms|[kM]B|dB)\b/g;
+const sameInAll = /\b(Farol|three\.js|MIT|glTF|PSNR|SMAA|TAA|[CG]PU|FPS|ms|[kM]B|dB)\b/g;
 
 const hasWords = (/** @type {string} */ text) => /\p{L}{2}/u.test(text.replaceAll(sameInAll, ''));
 

@@ -6,11 +6,11 @@ import { expect, test } from 'vitest';
 import { sourceFiles } from '@farol/tools/sourceFiles';
 import { propertyTexts, tableOf, textsOf } from '@farol/tools/texts';
 import { actions } from './actions';
+import { englishViewLabel } from './actions/pictureActions';
 import { es } from './language/es';
 import { firstLanguage } from './language/languages';
 import { creations } from './model/creations';
 import { panels } from './panels';
-import { englishViewLabel } from './ui/viewOptions';
 
 const sources = [...sourceFiles()].filter(([path]) => !/\.(test|bench)\.tsx?$|\/testing\//.test(path));
 const below = (...folders: string[]): [string, string][] =>
