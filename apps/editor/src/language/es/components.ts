@@ -284,4 +284,9 @@ export const components: Texts = {
   'Kept as it is.': 'Se conserva como está.',
   'Part of the light that comes and goes.': 'Parte de la luz que va y viene.',
   'How fast it flickers.': 'Lo rápido que parpadea.',
+  Clip: 'Clip',
+  'The clip that plays while the scene plays.': 'El clip que se reproduce con la escena.',
+  Animator: 'Animador',
+  'Plays a clip of a model on the objects below.': 'Reproduce un clip de un modelo en los objetos que contiene.',
+  'The model whose clips it plays.': 'El modelo cuyos clips reproduce.',
 };

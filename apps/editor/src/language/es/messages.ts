@@ -183,4 +183,10 @@ export const messages: Texts = {
   '{label} keeps its name: it came with Farol, or is a part of a model.':
     '{label} conserva su nombre: viene con Farol o es parte de un modelo.',
   'No object uses it.': 'Ningún objeto lo usa.',
+  'a skeleton': 'un esqueleto',
+  'morph targets': 'formas de mezcla',
+  'instances of a mesh': 'instancias de una malla',
+  'points or lines': 'puntos o líneas',
+  '{name} stays one object: it has {what}, which only a whole model keeps.':
+    '{name} se queda como un solo objeto: tiene {what}, que solo conserva un modelo entero.',
 };

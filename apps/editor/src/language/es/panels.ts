@@ -321,4 +321,12 @@ export const panels: Texts = {
   '{keys} stops and puts everything back': '{keys} detiene y deja todo como estaba',
   'Stop puts everything back; {keys} plays on': 'Detener deja todo como estaba; {keys} continúa',
   Menus: 'Menús',
+  None: 'Ninguna',
+  '{name} (not there)': '{name} (no está)',
+  'Size of the panel': 'Tamaño del panel',
+  'Makes a tree of it: meshes, lights and cameras as objects, materials as assets':
+    'Lo convierte en un árbol: mallas, luces y cámaras como objetos, materiales como recursos',
+  'The objects and clips of the model': 'Los objetos y clips del modelo',
+  'Look inside': 'Mirar dentro',
+  'Unpack model': 'Desempaquetar el modelo',
 };
