@@ -113,9 +113,6 @@ export const components: Texts = {
   'A whole model, such as a glTF, with its animations.': 'Un modelo entero, por ejemplo glTF, con sus animaciones.',
   Model: 'Modelo',
   'The model that is drawn.': 'El modelo que se dibuja.',
-  Animation: 'Animación',
-  'Name of the animation that plays while the scene plays; none when empty.':
-    'Nombre de la animación que se reproduce con la escena; ninguna si está vacío.',
   Speed: 'Velocidad',
   'Factor of the speed; below 0 it runs backwards.': 'Factor de la velocidad; por debajo de 0 va hacia atrás.',
   'Ambient, hemisphere, directional, point or spot light.': 'Luz ambiente, hemisférica, direccional, puntual o focal.',

@@ -321,7 +321,7 @@ export const panels: Texts = {
   '{keys} stops and puts everything back': '{keys} detiene y deja todo como estaba',
   'Stop puts everything back; {keys} plays on': 'Detener deja todo como estaba; {keys} continúa',
   Menus: 'Menús',
-  None: 'Ninguna',
+  None: 'Ninguno',
   '{name} (not there)': '{name} (no está)',
   'Size of the panel': 'Tamaño del panel',
   'Makes a tree of it: meshes, lights and cameras as objects, materials as assets':
