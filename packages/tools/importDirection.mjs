@@ -11,7 +11,20 @@ const aroundTheCore = [
 
 /** Folders of the editor's sources, each after those that it may import. */
 const editorFolders = [
-  ...['style', 'language', 'model', 'microshaders', 'viewport', 'layout', 'api', 'files', 'actions', 'ui', 'fields', 'panels'],
+  ...[
+    'style',
+    'language',
+    'model',
+    'microshaders',
+    'viewport',
+    'layout',
+    'api',
+    'files',
+    'actions',
+    'ui',
+    'fields',
+    'panels',
+  ],
   'plugins',
 ];
 

@@ -6,7 +6,7 @@ const modes: readonly [GizmoMode & IconName, string, string][] = [
   ['select', 'Select', 'Q'],
   ['translate', 'Move', 'W'],
   ['rotate', 'Rotate', 'E'],
-  ['scale', 'Scale', 'R'],
+  ['scale', 'Scale##verb', 'R'],
 ];
 
 /** What the handles in the viewport do. */

@@ -16,6 +16,7 @@ import { measure } from './measure';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { pause, play, step, stop } from './play';
+import { makeMaterial, newMaterial, unpackModel } from './materials';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
 import { toggleOrthographic, turns } from './projection';
@@ -64,6 +65,9 @@ export const actions: readonly Action[] = [
   deselect,
   makePrefab,
   unpackPrefab,
+  newMaterial,
+  makeMaterial,
+  unpackModel,
   ...gizmoModes,
   gizmoSpace,
   snap,

@@ -1,4 +1,4 @@
-import { setTexts, Signal, type Texts } from '@farol/editing';
+import { setTexts, Signal, t, type Texts } from '@farol/editing';
 import type { Language } from './languages';
 
 const loaders: Readonly<Record<Language, () => Promise<Texts>>> = {
@@ -26,7 +26,7 @@ export async function showLanguage(language: Language): Promise<void> {
   try {
     texts = await loaders[language]();
   } catch (cause) {
-    throw new Error('The texts of this language could not be loaded: is the server there?', { cause });
+    throw new Error(t('The texts of this language could not be loaded: is the server there?'), { cause });
   }
   if (asked !== language || shown === language) return;
   shown = language;

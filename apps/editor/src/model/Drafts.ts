@@ -1,6 +1,4 @@
-import { Signal, t } from '@farol/editing';
-
-const clock = new Intl.DateTimeFormat(undefined, { timeStyle: 'medium' });
+import { formatTime, Signal, t } from '@farol/editing';
 
 /** Whether changes are kept for a tab that is killed, as the user is told it. */
 export class Drafts {
@@ -18,7 +16,7 @@ export class Drafts {
       ? t('This browser keeps no drafts here: {reason} Save to a file by Ctrl+S.', { reason })
       : t('This browser keeps no drafts here since {time}: {reason} Save to a file by Ctrl+S.', {
           reason,
-          time: clock.format(this.lastKept),
+          time: formatTime(this.lastKept),
         });
   }
 

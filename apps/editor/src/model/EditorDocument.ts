@@ -60,7 +60,7 @@ export class EditorDocument {
     this.current = new Scene({ name: t('Untitled'), assets, registry });
     this.watchAssets();
     this.unsubscribe = this.watch(this.current);
-    this.selection.changed.subscribe(() => this.assetSelection.clear());
+    this.selection.onSet = () => this.assetSelection.clear();
   }
 
   get scene(): Scene {
@@ -145,11 +145,21 @@ export class EditorDocument {
       if (change.kind === 'failed' && change.error) this.onAssetFailed(change.error);
       // of a value of a material the scene tells
       if (change.kind !== 'changed') this.assetsChanged.emit();
+      if (change.kind === 'removed') this.dropLostAssets();
     });
+  }
+
+  /** Deselects assets that are gone. */
+  private dropLostAssets(): void {
+    const { items } = this.assetSelection;
+    const found = items.filter((name) => this.assets.has(name) || this.scene.prefabs.get(name));
+    if (found.length < items.length) this.assetSelection.set(found);
   }
 
   /** Deselects what is no longer in the scene. */
   private dropLost(): void {
-    this.selection.set(this.selection.ids.filter((id) => this.scene.findById(id)));
+    const { ids } = this.selection;
+    const found = ids.filter((id) => this.scene.findById(id));
+    if (found.length < ids.length) this.selection.set(found);
   }
 }

@@ -17,12 +17,14 @@ interface SearchSelectProps {
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;
+  /** A small picture before the name of an option. */
+  pictureOf?(option: SearchOption): ReactNode;
   onChange(value: string | null): void;
 }
 
 /** One of many values, found by typing a part of its name; or none. */
 export function SearchSelect(props: SearchSelectProps): ReactNode {
-  const { value, options, placeholder, label, description, disabled, onChange } = props;
+  const { value, options, placeholder, label, description, disabled, pictureOf, onChange } = props;
   const current = value === null ? null : (options.find((option) => option.value === value) ?? { value, label: value });
   return (
     <Combobox.Root
@@ -36,6 +38,7 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
     >
       <div className="search-select">
         <Combobox.Trigger className="select" aria-label={label} aria-description={description}>
+          {current && pictureOf && <span className="option-picture">{pictureOf(current)}</span>}
           <span className="select-value">{current?.label ?? placeholder}</span>
           <Icon name="down" size={12} />
         </Combobox.Trigger>
@@ -64,6 +67,7 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
                       <Icon name="check" size={12} />
                     </Combobox.ItemIndicator>
                   </span>
+                  {pictureOf && <span className="option-picture">{pictureOf(option)}</span>}
                   <span className="menu-text">{option.label}</span>
                 </Combobox.Item>
               )}

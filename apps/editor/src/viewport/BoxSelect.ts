@@ -80,7 +80,7 @@ export class BoxSelect {
   };
 
   private box(): Box2 {
-    const { left, top, width, height } = this.viewport.canvas.getBoundingClientRect();
+    const { left, top, width, height } = this.viewport.bounds;
     const inPicture = ({ x, y }: Vector2): Vector2 =>
       new Vector2(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2);
     return new Box2().setFromPoints([inPicture(this.from), inPicture(this.to)]);

@@ -75,6 +75,7 @@ export class EditorCamera {
   private widens = true;
   private isWanted = true;
   private isAllowed = true;
+  private isActive = false;
 
   /** @param hasKeys - asked at each key whether it is the controls' */
   constructor(
@@ -93,6 +94,7 @@ export class EditorCamera {
     controls.minDistance = 0.05;
     controls.maxDistance = 2000;
     this.controls = controls;
+    controls.enabled = false;
     this.glides = true;
     this.fly = new FlyControls(
       canvas,
@@ -154,6 +156,17 @@ export class EditorCamera {
   set allowed(allowed: boolean) {
     this.isAllowed = allowed;
     this.enable();
+  }
+
+  /** Whether pointer and keys are for this camera among those of the canvas. False at first. */
+  set active(active: boolean) {
+    this.isActive = active;
+    this.enable();
+  }
+
+  /** From the eye to the target (m). */
+  get distance(): number {
+    return this.controls.distance;
   }
 
   /** Whether it comes to rest softly; never for those who prefer reduced motion. */
@@ -262,12 +275,6 @@ export class EditorCamera {
     void this.controls.rotate(azimuth, polar, true);
   }
 
-  /** Part of the canvas that the picture is in: CSS pixels, from the left lower corner. */
-  setViewport(x: number, y: number, width: number, height: number): void {
-    this.controls.setViewport(x, y, width, height);
-    this.resize(width, height);
-  }
-
   /** From now on hears of the pointer after all that listens to the canvas now. */
   listenLast(): void {
     this.controls.disconnect();
@@ -282,7 +289,7 @@ export class EditorCamera {
   }
 
   private enable(): void {
-    const enabled = this.isWanted && this.isAllowed;
+    const enabled = this.isWanted && this.isAllowed && this.isActive;
     if (this.controls.enabled !== enabled) this.controls.enabled = enabled;
   }
 

@@ -31,7 +31,7 @@ export interface SnapSteps {
   readonly scale: number;
 }
 
-const labels = () => ({ select: t('Select'), translate: t('Move'), rotate: t('Rotate'), scale: t('Scale') });
+const labels = () => ({ select: t('Select'), translate: t('Move'), rotate: t('Rotate'), scale: t('Scale##verb') });
 const euler = new Euler();
 const middle = new Vector3();
 

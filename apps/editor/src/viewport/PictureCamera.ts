@@ -110,9 +110,9 @@ export class PictureCamera {
   }
 
   /** Looks at the selection, or at everything. */
-  focus(): void {
+  focus(camera: EditorCamera = this.own): void {
     const { selectedObjects, scene } = this.document;
     const box = boundsOf(selectedObjects.length > 0 ? selectedObjects : scene.roots);
-    if (!box.isEmpty()) this.own.focus(box);
+    if (!box.isEmpty()) camera.focus(box);
   }
 }

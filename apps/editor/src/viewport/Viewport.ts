@@ -6,7 +6,7 @@ import {
   type GameObject,
   InputRouter,
 } from '@farol/engine';
-import { FarolRenderer, type MicroShaderRegistry } from '@farol/renderer';
+import { FarolRenderer, type MicroShaderRegistry, type TechniqueName } from '@farol/renderer';
 import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
 import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
@@ -14,18 +14,23 @@ import type { Registry } from '../model/Registry';
 import { BoxSelect } from './BoxSelect';
 import { CameraPreview } from './CameraPreview';
 import { CanvasPlace } from './CanvasPlace';
-import { EditorCamera } from './EditorCamera';
+import type { EditorCamera } from './EditorCamera';
 import { FrameLoop } from './FrameLoop';
 import { FrameStatistics } from './FrameStatistics';
 import { Gizmo } from './Gizmo';
 import { Helpers } from './Helpers';
-import { MaterialBall } from './MaterialBall';
+import { type BallTurn, MaterialBall } from './MaterialBall';
 import { pick } from './pick';
 import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
+import { Panes } from './panes/Panes';
+import { type Bounds, paneSurface } from './panes/paneSurface';
+import type { ViewPane } from './panes/ViewPane';
 import type { PickSurface } from './PickSurface';
 import { PictureCamera } from './PictureCamera';
 import { PointerPicker } from './PointerPicker';
+import type { PlainShading } from './shading/PlainShading';
+import { type Shading, techniqueOf } from './shading/Shading';
 import { type AddedEffect, type EffectChoice, ViewportEffects } from './ViewportEffects';
 import { ViewportSettings } from './ViewportSettings';
 
@@ -50,7 +55,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly statistics = new FrameStatistics();
   readonly webgl: WebGLRenderer;
   readonly farol: FarolRenderer;
-  readonly editorCamera: EditorCamera;
+  /** The views of the picture: one, or four. */
+  readonly panes: Panes;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
   readonly picker: PointerPicker;
@@ -60,6 +66,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private readonly input: InputRouter;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
+  /** Draws without lights; null while it is fetched, undefined before. */
+  private plain: PlainShading | null | undefined;
   private assetChanges = 0;
   private readonly endings: (() => void)[] = [];
   private readonly pictureCamera: PictureCamera;
@@ -88,19 +96,23 @@ export class Viewport extends ViewportSettings implements PickSurface {
     const dragged = (isDragging: boolean): void => {
       this.editorCamera.enabled = !isDragging;
     };
+    this.panes = new Panes(
+      canvas,
+      () => !this.keysGoToScene,
+      () => this.paneActivated(),
+    );
+    const surface = paneSurface(canvas, () => this.panes.bounds);
     // the handles hear of the pointer before the camera does, so that a handle is taken and the camera stays
-    const loaded = (): void => this.editorCamera.listenLast();
-    this.gizmo = new Gizmo(document, canvas, dragged, this.redraw, loaded);
-    this.editorCamera = new EditorCamera(canvas, () => !this.sceneListens);
-    this.pictureCamera = new PictureCamera(document, this.editorCamera, canvas);
+    this.gizmo = new Gizmo(document, surface, dragged, this.redraw, () => this.panes.listenLast());
+    this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas);
     this.place = new CanvasPlace(canvas, () => this.resize());
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);
     this.boxSelect = new BoxSelect(this);
     this.picker = new PointerPicker(this);
-    this.input = new InputRouter(canvas, window, {
+    this.input = new InputRouter(surface, window, {
       dispatchPointer: (event) => this.sceneListens && document.scene.dispatchPointer(event),
-      dispatchKey: (event) => this.sceneListens && document.scene.dispatchKey(event),
+      dispatchKey: (event) => (this.keysGoToScene || event.type === 'up') && document.scene.dispatchKey(event),
     });
     for (const signal of [document.edited, document.selection.changed, document.simulation.changed, this.changed]) {
       this.endings.push(signal.subscribe(this.redraw));
@@ -126,6 +138,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     if (painter === this.ownPainter) return;
     this.ownPainter?.dispose();
     this.ownPainter = painter;
+    if (painter) this.panes.isQuad = false;
     this.effects.suspended = painter !== null;
     this.changed.emit();
   }
@@ -155,19 +168,66 @@ export class Viewport extends ViewportSettings implements PickSurface {
     return this.pictureCamera.view;
   }
 
-  /** Whether pointer and keys go to the scene's own components. */
+  /** Whether the pointer goes to the scene's own components. */
   get sceneListens(): boolean {
     return this.lookThrough !== null && this.document.simulation.isPlaying;
   }
 
-  /** The three camera of the picture. */
+  /** Whether keys go to the scene's own components. */
+  get keysGoToScene(): boolean {
+    return this.sceneListens;
+  }
+
+  /** The editor's own camera of the active view. */
+  get editorCamera(): EditorCamera {
+    return this.panes.active.editorCamera;
+  }
+
+  /** The three camera of the active view. */
   get camera(): Camera {
-    return this.pictureCamera.current;
+    return this.cameraOf(this.panes.active);
+  }
+
+  /** The active view's part of the page. */
+  get bounds(): Bounds {
+    return this.panes.bounds;
+  }
+
+  /** Whether there are four views: from above, from the front, from the right, and the one there always is. */
+  get isQuad(): boolean {
+    return this.panes.isQuad;
+  }
+
+  set isQuad(isQuad: boolean) {
+    if (isQuad === this.panes.isQuad) return;
+    if (isQuad) this.painter = null;
+    this.panes.isQuad = isQuad;
+    this.changed.emit();
+  }
+
+  /** How the active view shows the scene. @throws Error naming what the device lacks */
+  get shading(): Shading {
+    return this.panes.active.shading;
+  }
+
+  set shading(shading: Shading) {
+    this.shade(this.panes.active, shading);
+  }
+
+  /** Says how a view shows the scene. @throws Error naming what the device lacks */
+  shade(pane: ViewPane, shading: Shading): void {
+    if (shading === 'unlit') {
+      const { view } = this.farol;
+      this.farol.view = 'albedo';
+      this.farol.view = view;
+    }
+    pane.shading = shading;
+    this.changed.emit();
   }
 
   /** Sees the same as `camera`; rays that begin at its eye meet all that is seen. */
   get rayCamera(): Camera {
-    return this.pictureCamera.rays;
+    return this.raysOf(this.panes.active);
   }
 
   /** Size of the picture in CSS pixels. */
@@ -194,12 +254,16 @@ export class Viewport extends ViewportSettings implements PickSurface {
   /** Draws now. */
   renderNow(): void {
     const { width, height } = this.place;
-    this.lookThrough?.setViewport(width, height);
+    const { list, active } = this.panes;
     followEffects(this.farol, this.document.scene, this.redraw);
-    (this.painter ?? this.farol).render(this.document.scene.three, this.camera);
-    this.gizmo.update(this.rayCamera);
-    if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
-      this.helpers.render(this.webgl, this.camera, this.lookThrough, this.gizmo.isDragging);
+    if (list.length > 1) this.webgl.clear();
+    for (let i = 0; i < list.length; i++) if (list[i] !== active) this.drawPane(list[i]);
+    // last, since the handles are taken where they were drawn last
+    this.drawPane(active);
+    if (list.length > 1) {
+      this.webgl.setScissorTest(false);
+      this.webgl.setViewport(0, 0, width, height);
+    }
     const { previewed } = this;
     if (previewed) {
       this.preview ??= this.makePreview();
@@ -218,7 +282,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
    */
   pick(point: Vector2): GameObject | null {
     const mesh = pick(this.document.scene, this.rayCamera, point);
-    const icon = this.helpers.pickIcon(this.rayCamera, point, this.place.width, this.place.height);
+    const { width, height } = this.panes.active.rectangle;
+    const icon = this.helpers.pickIcon(this.rayCamera, point, width, height);
     if (icon && (!mesh || icon.distance < mesh.distance + ICON_REACH)) return icon.object;
     return mesh?.object ?? null;
   }
@@ -228,15 +293,19 @@ export class Viewport extends ViewportSettings implements PickSurface {
     return pickBox(this.document.scene, this.camera, box);
   }
 
-  /** Draws a ball of a material on a canvas of the page. @returns fulfilled when it is there */
-  drawMaterial(material: Material, canvas: HTMLCanvasElement): Promise<void> {
+  /**
+   * Draws a ball of a material on a canvas of the page.
+   * @param turn - how the ball is turned: to the right and up (rad)
+   * @returns fulfilled when it is there
+   */
+  drawMaterial(material: Material, canvas: HTMLCanvasElement, turn: BallTurn = [0, 0]): Promise<void> {
     this.ball ??= new MaterialBall(this.webgl);
-    return this.ball.draw(material, this.document.scene.three.environment, canvas);
+    return this.ball.draw(material, this.document.scene.three.environment, canvas, turn);
   }
 
   /** Looks at the selection, or at everything. */
   focus(): void {
-    this.pictureCamera.focus();
+    this.pictureCamera.focus(this.editorCamera);
   }
 
   /** The editor's own camera looks otherwise: draws, and tells. */
@@ -273,11 +342,80 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.gizmo.dispose();
     this.helpers.dispose();
     this.pictureCamera.dispose();
-    this.editorCamera.dispose();
+    this.panes.dispose();
+    this.plain?.dispose();
     this.ownPainter?.dispose();
     this.effects.dispose();
     this.farol.dispose();
     this.webgl.dispose();
+  }
+
+  private cameraOf(pane: ViewPane): Camera {
+    return pane === this.panes.main ? this.pictureCamera.current : pane.editorCamera.camera;
+  }
+
+  private raysOf(pane: ViewPane): Camera {
+    return pane === this.panes.main ? this.pictureCamera.rays : pane.editorCamera.rayCamera;
+  }
+
+  private drawPane(pane: ViewPane): void {
+    const { webgl, panes } = this;
+    const { x, y, width, height } = pane.rectangle;
+    if (panes.list.length > 1) {
+      // counted from below
+      const bottom = this.place.height - y - height;
+      webgl.setViewport(x, bottom, width, height);
+      webgl.setScissor(x, bottom, width, height);
+      webgl.setScissorTest(true);
+    }
+    const camera = this.cameraOf(pane);
+    const lookThrough = pane === panes.main ? this.lookThrough : null;
+    lookThrough?.setViewport(width, height);
+    this.drawScene(pane, camera);
+    this.gizmo.update(this.raysOf(pane));
+    if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
+      this.helpers.render(webgl, camera, lookThrough, this.gizmo.isDragging);
+  }
+
+  private drawScene({ shading }: ViewPane, camera: Camera): void {
+    const { farol } = this;
+    const scene = this.document.scene.three;
+    if ((shading === 'clay' || shading === 'wireframe') && this.painter === null && this.plainShading()) {
+      this.plain!.render(scene, camera, shading);
+      return;
+    }
+    const { view, technique } = farol;
+    const own = techniqueOf(shading);
+    try {
+      if (shading === 'unlit' && view === 'final') farol.view = 'albedo';
+      if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
+      (this.painter ?? farol).render(scene, camera);
+    } finally {
+      farol.view = view;
+      farol.technique = technique;
+    }
+  }
+
+  /** Fetches what draws without lights. @returns whether it is there */
+  private plainShading(): boolean {
+    if (this.plain === undefined) {
+      this.plain = null;
+      import('./shading/PlainShading').then(
+        ({ PlainShading }) => {
+          this.plain = new PlainShading(this.webgl);
+          this.invalidate();
+        },
+        (error) => this.onError(error),
+      );
+    }
+    return this.plain !== null;
+  }
+
+  /** The handles are where the active view has them. */
+  private paneActivated(): void {
+    this.gizmo.update(this.rayCamera);
+    this.helpers.scene.updateMatrixWorld();
+    this.changed.emit();
   }
 
   private makePreview(): CameraPreview {
@@ -300,7 +438,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     const { width, height } = this.place;
     this.webgl.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.webgl.setSize(width, height);
-    this.editorCamera.resize(width, height);
+    this.panes.resize(width, height);
     this.resized.emit();
     // a canvas that was resized is empty until it is drawn
     this.renderNow();
@@ -312,7 +450,9 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private advance(seconds: number): boolean {
     const { simulation } = this.document;
     simulation.advance(seconds);
-    if (this.pictureCamera.update(Math.min(seconds, 0.1))) this.invalidate();
+    const step = Math.min(seconds, 0.1);
+    const moved = this.pictureCamera.update(step);
+    if (this.panes.update(step) || moved) this.invalidate();
     return simulation.isPlaying;
   }
 }

@@ -8,7 +8,7 @@ import type { Gizmo } from '../viewport/Gizmo';
 const modes = (): Record<TransformMode, string> => ({
   translate: t('Move'),
   rotate: t('Rotate'),
-  scale: t('Scale'),
+  scale: t('Scale##verb'),
 });
 
 /** Buttons: undo and redo, what the gizmo does, copies and deletion, and closing. */

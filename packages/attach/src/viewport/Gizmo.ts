@@ -7,7 +7,7 @@ import { poseOf, SetPoses } from './SetPoses';
 const labels = (): Record<TransformMode, string> => ({
   translate: t('Move'),
   rotate: t('Rotate'),
-  scale: t('Scale'),
+  scale: t('Scale##verb'),
 });
 const middle = new Vector3();
 const place = new Vector3();

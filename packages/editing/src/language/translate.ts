@@ -28,16 +28,22 @@ export function textLocale(): string {
 
 /**
  * A text in the language that is shown. The English text is its name: `t('Box {number}', { number: 2 })`. Call it where
- * the text is shown, not where a module begins: the language may change.
+ * the text is shown, not where a module begins: the language may change. What follows '##' is a note, which is not shown:
+ * 'Scale##verb', where other languages have another word for what one does than for what one has.
  * @param english - a literal, so that a test finds it and misses no text of another language
  * @param values - what stands for `{name}`; a name without a value stays as it is
  */
 export function t(english: string, values?: Readonly<Record<string, string | number>>): string {
-  const text = Object.hasOwn(texts, english) ? texts[english]! : english;
+  const text = Object.hasOwn(texts, english) ? texts[english]! : withoutNote(english);
   if (!values) return text;
   return text.replace(/\{(\w+)\}/g, (whole, name: string) =>
     Object.hasOwn(values, name) ? String(values[name]) : whole,
   );
+}
+
+function withoutNote(english: string): string {
+  const end = english.indexOf('##');
+  return end < 0 ? english : english.slice(0, end);
 }
 
 /**

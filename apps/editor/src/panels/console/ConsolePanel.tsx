@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { formatTime, t } from '@farol/editing';
 import { type ReactNode, useEffect, useRef, useState } from 'react';
 import type { ConsoleEntry, ConsoleKind, ConsoleSource } from '../../model/ConsoleLog';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -23,7 +23,6 @@ const sourceLabel = (source: ConsoleSource): string =>
   })[source];
 
 const kinds: readonly ConsoleKind[] = ['error', 'warning', 'info'];
-const clock = new Intl.DateTimeFormat('en-GB', { timeStyle: 'medium' });
 
 /** What was said: by shaders, files, assets, components, the picture and the page; the same once, with its count. */
 export function ConsolePanel(): ReactNode {
@@ -108,7 +107,7 @@ function ConsoleLine({ entry }: { entry: ConsoleEntry }): ReactNode {
       )}
       <span className="console-source">{sourceLabel(source)}</span>
       <time className="console-time" dateTime={new Date(time).toISOString()}>
-        {clock.format(time)}
+        {formatTime(time)}
       </time>
     </li>
   );

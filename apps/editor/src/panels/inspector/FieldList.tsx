@@ -1,18 +1,33 @@
 import { sharedValue } from '@farol/editing';
-import { type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
+import { type Field, type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { FieldRow } from './FieldRow';
 import { useLiveTexts } from './useLiveTexts';
 
-/** The fields of a component, or of several of one type, that matter at present. @param owners - memoised, at least one */
-export function FieldList({ owners }: { owners: readonly FieldOwner[] }): ReactNode {
+/** The texts that a field can be chosen from, each on a line; null where any text goes. */
+function choicesOf(owner: FieldOwner, field: Field): string | null {
+  if (field.kind !== 'string' || field.choices === undefined) return null;
+  const list = (owner as unknown as Readonly<Record<string, unknown>>)[field.choices];
+  return Array.isArray(list) ? list.join('\n') : '';
+}
+
+interface FieldListProps {
+  /** Memoised, at least one. */
+  readonly owners: readonly FieldOwner[];
+  /** These alone, in this order; all when absent. */
+  readonly names?: readonly string[];
+}
+
+/** The fields of a component, or of several of one type, that matter at present. */
+export function FieldList({ owners, names }: FieldListProps): ReactNode {
   useOwnersRevision(owners);
   const places = useLiveTexts(owners.length === 1 ? owners[0] : null);
   const [owner] = owners;
-  return Object.entries(owner.fields)
-    .filter(([name]) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
-    .map(([name, field]) => {
+  return (names ?? Object.keys(owner.fields))
+    .filter((name) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
+    .map((name) => {
+      const field = owner.fields[name];
       const { value, mixed, parts } = sharedValue(owners.map((each) => each.getAuthored(name)));
       return (
         <FieldRow
@@ -25,6 +40,7 @@ export function FieldList({ owners }: { owners: readonly FieldOwner[] }): ReactN
           parts={parts ? JSON.stringify(parts) : ''}
           isDefault={!mixed && sameValue(value, field.default)}
           places={places}
+          choices={choicesOf(owner, field)}
         />
       );
     });

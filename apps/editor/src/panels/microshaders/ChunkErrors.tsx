@@ -17,7 +17,7 @@ export function ChunkErrors({ name, problem }: { name: string; problem: MicroSha
             disabled={chunk === null || chunk.startsWith('three/')}
             onClick={() => editor.openMicroShader(chunk ?? name, line)}
           >
-            {chunk ?? 'shader'}:{line}
+            {chunk ?? t('shader')}:{line}
           </button>
           <span>{text}</span>
           {chunk !== name && <code>{code}</code>}

@@ -1,4 +1,4 @@
-import { t, tCount } from '@farol/editing';
+import { formatTime, t, tCount } from '@farol/editing';
 import { type ReactNode, useCallback, useEffect } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -8,7 +8,6 @@ import './status.css';
 /** How often the figures are read, a second. */
 const RATE = 4;
 
-const clock = new Intl.DateTimeFormat(undefined, { timeStyle: 'medium' });
 const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const short = new Intl.NumberFormat('en', { notation: 'compact', maximumFractionDigits: 1 });
 
@@ -73,11 +72,11 @@ export function StatusBar(): ReactNode {
           onClick={() => notices.show('warning', problem)}
         >
           <Icon name="warning" size={12} />
-          {drafts.since === null ? t('no drafts') : t('no drafts since {time}', { time: clock.format(drafts.since) })}
+          {drafts.since === null ? t('no drafts') : t('no drafts since {time}', { time: formatTime(drafts.since) })}
         </button>
       )}
       <span className="dim">
-        {selected === 0 ? t('nothing selected') : tCount(selected, '{count} selected', '{count} selected')}
+        {selected === 0 ? t('nothing selected') : tCount(selected, '{count} selected##one', '{count} selected')}
       </span>
       <span className="status-space" />
       <span className="status-passes" title={t('Time of each pass of the last frame (ms)')}>

@@ -19,12 +19,12 @@ const turns = {
 
 const sideName = (side: keyof typeof turns): string =>
   ({
-    right: t('right'),
-    left: t('left'),
-    top: t('top'),
-    bottom: t('bottom'),
-    front: t('front'),
-    back: t('back'),
+    right: t('right##side'),
+    left: t('left##side'),
+    top: t('top##side'),
+    bottom: t('bottom##side'),
+    front: t('front##side'),
+    back: t('back##side'),
   })[side];
 
 /** A cube that turns with the picture; a press on a face looks from that side. It costs no React while it turns. */
