@@ -10,7 +10,7 @@ import { es } from './language/es';
 import { firstLanguage } from './language/languages';
 import { creations } from './model/creations';
 import { panels } from './panels';
-import { englishViewLabel } from './ui/viewOptions';
+import { englishViewLabel } from './actions/pictureActions';
 
 const sources = [...sourceFiles()].filter(([path]) => !/\.(test|bench)\.tsx?$|\/testing\//.test(path));
 const below = (...folders: string[]): [string, string][] =>

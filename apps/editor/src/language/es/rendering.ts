@@ -122,8 +122,8 @@ export const rendering: Texts = {
   Lighting: 'Iluminación',
   'Light count': 'Número de luces',
   Overdraw: 'Sobredibujado',
-  'two lights or fewer: lists would cost more than they save':
-    'dos luces o menos: las listas costarían más de lo que ahorran',
+  'hardly any lights: lists would cost more than they save':
+    'apenas hay luces: las listas costarían más de lo que ahorran',
   'few lights over a pixel: a G-buffer would cost more than it saves':
     'pocas luces por píxel: un G-buffer costaría más de lo que ahorra',
   'many lights over a pixel: each surface is lit once, by the list of its cluster':
