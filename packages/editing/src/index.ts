@@ -38,6 +38,13 @@ export { stepOf } from './fields/stepOf';
 export { dragLabel } from './gizmo/dragLabel';
 export { nearestEuler } from './gizmo/nearestEuler';
 export { type PoseValues, roundPose } from './gizmo/roundPose';
-export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
+export {
+  type DragOptions,
+  type DragStart,
+  placePivot,
+  type Pose,
+  TransformDrag,
+  type TransformMode,
+} from './gizmo/TransformDrag';
 export { formatTime } from './language/formatTime';
 export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';

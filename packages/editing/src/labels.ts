@@ -2,8 +2,9 @@ import { t } from './language/translate';
 
 /** What objects are called together: 'chest', or '3 objects'. @param objects - at least one; one without a name goes by its type */
 export function namesOf(objects: readonly { readonly name: string; readonly type?: string }[]): string {
+  if (objects.length !== 1) return t('{count} objects', { count: objects.length });
   const [{ name, type = t('object') }] = objects;
-  return objects.length === 1 ? name || type : t('{count} objects', { count: objects.length });
+  return name || type;
 }
 
 /**
@@ -15,9 +16,8 @@ export function countLabel(
   verb: string,
   objects: readonly { readonly name: string; readonly type?: string }[],
 ): string {
-  const [{ name, type = t('object') }] = objects;
-  if (objects.length === 1) return t('{verb} {name}', { verb, name: name || type });
-  return t('{verb} {count} objects', { verb, count: objects.length });
+  if (objects.length !== 1) return t('{verb} {count} objects', { verb, count: objects.length });
+  return t('{verb} {name}', { verb, name: namesOf(objects) });
 }
 
 /** The label of a step within a sentence: 'Undo ' and 'delete chest'. */

@@ -82,7 +82,7 @@ export function duplicateMaterial(scene: Scene, name: string): { command: Comman
   const material = scene.assets.materialAsset(name);
   if (!material) throw new AssetError(name, 'is not made of fields: make a new material.');
   const made = addMaterial(scene, name, material.changedValues());
-  return { ...made, command: withLabel(t('Duplicate {name}', { name }), made.command) };
+  return { ...made, command: withLabel(t('Duplicated {name}', { name }), made.command) };
 }
 
 const withLabel = (label: string, command: Command): Command => new Sequence(label, [() => command]);
