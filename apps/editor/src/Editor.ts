@@ -261,8 +261,7 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    const apply = ({ snapSteps, effects }: Preferences): void => {
-      this.viewport.setEffects(effects);
+    const apply = ({ snapSteps }: Preferences): void => {
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
     };

@@ -1,6 +1,5 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
-import type { EffectChoice } from '../viewport/ViewportEffects';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
 export interface Preferences {
@@ -10,8 +9,6 @@ export interface Preferences {
   theme: 'dark' | 'light' | 'system';
   /** By what drags of the handles go while they snap: metres, degrees, part of the size; each above 0. */
   snapSteps: { readonly translate: number; readonly rotate: number; readonly scale: number };
-  /** What takes part in the picture beside the technique. */
-  effects: EffectChoice;
 }
 
 export type PreferenceStore = StoreApi<Preferences>;
@@ -24,7 +21,6 @@ export const createPreferences = (storage: string): PreferenceStore =>
         folded: {},
         theme: 'dark',
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
-        effects: { antialiasing: 'auto', on: [] },
       }),
       { name: storage },
     ),

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ChoiceField } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { SelectBox } from '../ui/SelectBox';
@@ -5,6 +6,10 @@ import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 export function ChoiceEditor(props: FieldEditorProps<ChoiceField>): ReactNode {
   const { field, value, label, description, disabled, onCommit } = props;
-  const options = field.options.map((option) => ({ value: option, label: option }));
+  const { optionLabels = {} } = field as ChoiceField<string>;
+  const options = field.options.map((option) => {
+    const shown = optionLabels[option];
+    return { value: option, label: shown === undefined ? option : t(shown) };
+  });
   return <SelectBox {...{ value, options, label, description, disabled }} onChange={onCommit} />;
 }

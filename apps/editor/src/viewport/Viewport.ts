@@ -2,14 +2,15 @@ import { Signal } from '@farol/editing';
 import {
   type Camera as CameraComponent,
   createWebGLRenderer,
-  followEffects,
   type GameObject,
   InputRouter,
+  PictureRenderer,
 } from '@farol/engine';
-import { FarolRenderer, type MicroShaderRegistry } from '@farol/renderer';
+import { FarolRenderer, type MicroShaderRegistry, type TechniqueName } from '@farol/renderer';
 import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { Registry } from '../model/Registry';
+import { type AddedEffect, AddedEffects } from './AddedEffects';
 import { BoxSelect } from './BoxSelect';
 import { CameraPreview } from './CameraPreview';
 import { CanvasPlace } from './CanvasPlace';
@@ -25,7 +26,6 @@ import type { Painter } from './Painter';
 import type { PickSurface } from './PickSurface';
 import { PictureCamera } from './PictureCamera';
 import { PointerPicker } from './PointerPicker';
-import { type AddedEffect, type EffectChoice, ViewportEffects } from './ViewportEffects';
 import { ViewportSettings } from './ViewportSettings';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
@@ -55,11 +55,15 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly picker: PointerPicker;
   readonly boxSelect: BoxSelect;
 
-  private readonly effects: ViewportEffects;
+  /** Draws by `farol` what the scene's settings say of the picture. */
+  readonly picture: PictureRenderer;
+
+  private readonly added: AddedEffects;
   private readonly input: InputRouter;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
   private assetChanges = 0;
+  private drawnBy: TechniqueName = 'auto';
   private readonly endings: (() => void)[] = [];
   private readonly pictureCamera: PictureCamera;
   private readonly place: CanvasPlace;
@@ -84,7 +88,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
-    this.effects = new ViewportEffects(this.farol, this.redraw, (error) => this.onError(error));
+    this.picture = new PictureRenderer(this.farol, { redraw: this.redraw, failed: (error) => this.onError(error) });
+    this.added = new AddedEffects(this.picture.effects);
     const dragged = (isDragging: boolean): void => {
       this.editorCamera.enabled = !isDragging && this.lookThrough === null;
     };
@@ -126,7 +131,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     if (painter === this.ownPainter) return;
     this.ownPainter?.dispose();
     this.ownPainter = painter;
-    this.effects.suspended = painter !== null;
+    this.picture.effects.suspended = painter !== null;
     this.changed.emit();
   }
 
@@ -163,36 +168,33 @@ export class Viewport extends ViewportSettings implements PickSurface {
 
   /** Has the next frame drawn, and those that an effect gathers. */
   invalidate(): void {
-    this.loop.ask(this.effects.frames);
-  }
-
-  /** Sets what takes part in the picture beside the technique. */
-  setEffects(choice: EffectChoice): void {
-    this.effects.choice = choice;
+    this.loop.ask(this.picture.effects.frames);
   }
 
   /** Effects of plugins. */
   get addedEffects(): Registry<AddedEffect> {
-    return this.effects.added;
+    return this.added.registry;
   }
 
   /** Draws now. */
   renderNow(): void {
     const { width, height } = this.place;
     this.lookThrough?.setViewport(width, height);
-    followEffects(this.farol, this.document.scene, this.redraw);
-    (this.painter ?? this.farol).render(this.document.scene.three, this.camera);
+    const { painter, picture } = this;
+    const { scene } = this.document;
+    if (painter === null) picture.render(scene, this.camera, this.lookThrough);
+    else picture.renderBy(painter, scene, this.camera, this.lookThrough);
+    this.noticeTechnique();
     this.gizmo.update(this.camera);
     if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
       this.helpers.render(this.webgl, this.camera, this.lookThrough, this.gizmo.isDragging);
     const { previewed } = this;
     if (previewed) {
       this.preview ??= this.makePreview();
-      const { scene, edited } = this.document;
+      const { edited } = this.document;
       const key = `${edited.revision} ${scene.time} ${this.assetChanges}`;
       this.preview.render(scene, previewed, width, height, key);
     }
-    this.effects.update();
     this.statistics.add(performance.now());
     this.drawn.emit();
   }
@@ -247,13 +249,13 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.helpers.dispose();
     this.editorCamera.dispose();
     this.ownPainter?.dispose();
-    this.effects.dispose();
+    this.picture.dispose();
     this.farol.dispose();
     this.webgl.dispose();
   }
 
   private makePreview(): CameraPreview {
-    const preview = new CameraPreview(this.webgl);
+    const preview = new CameraPreview(this.webgl, this.redraw);
     this.shareMicroShaders(preview.microshaders);
     return preview;
   }
@@ -261,6 +263,14 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private sceneOpened(): void {
     this.lookThrough = null;
     this.pictureCamera.showScene();
+  }
+
+  /** Another scene, or a step of the history, may have brought another technique. */
+  private noticeTechnique(): void {
+    const { technique } = this.farol;
+    if (technique === this.drawnBy) return;
+    this.drawnBy = technique;
+    this.changed.emit();
   }
 
   /** A camera that was taken out cannot be looked through. */

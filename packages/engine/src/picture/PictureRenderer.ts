@@ -85,6 +85,11 @@ export class PictureRenderer {
     if (this.followsRendering) this.effects.update(scene.settings);
   }
 
+  /** Has the scene's technique taken anew in the next frame, now that the renderer may know it. */
+  retakeTechnique(): void {
+    if (this.technique !== 'auto') this.technique = '';
+  }
+
   dispose(): void {
     this.isDisposed = true;
     this.farol.webgl.domElement.removeEventListener('webglcontextlost', this.free);

@@ -5,14 +5,22 @@ import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { FieldRow } from './FieldRow';
 import { useLiveTexts } from './useLiveTexts';
 
-/** The fields of a component, or of several of one type, that matter at present. @param owners - memoised, at least one */
-export function FieldList({ owners }: { owners: readonly FieldOwner[] }): ReactNode {
+interface FieldListProps {
+  /** Memoised, at least one. */
+  readonly owners: readonly FieldOwner[];
+  /** Those that are shown, in this order; all when absent. */
+  readonly names?: readonly string[];
+}
+
+/** The fields of a component, or of several of one type, that matter at present. */
+export function FieldList({ owners, names }: FieldListProps): ReactNode {
   useOwnersRevision(owners);
   const places = useLiveTexts(owners.length === 1 ? owners[0] : null);
   const [owner] = owners;
-  return Object.entries(owner.fields)
-    .filter(([name]) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
-    .map(([name, field]) => {
+  return (names ?? Object.keys(owner.fields))
+    .filter((name) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
+    .map((name) => {
+      const field = owner.fields[name];
       const { value, mixed, parts } = sharedValue(owners.map((each) => each.getAuthored(name)));
       return (
         <FieldRow
