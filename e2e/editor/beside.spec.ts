@@ -60,7 +60,7 @@ test('Measure this scene opens the Lab, which gets the scene as it is', async ({
   await openEditor(page, 'empty');
   await page.evaluate(() => (window.editor.document.scene.name = 'My hall'));
   const opening = context.waitForEvent('page');
-  await page.getByRole('button', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'File', exact: true }).click();
   await page.getByRole('menuitem', { name: 'Measure this scene' }).click();
   const lab = await opening;
   await expect(lab).toHaveTitle('My hall · Farol Lab');

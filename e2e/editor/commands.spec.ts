@@ -10,7 +10,8 @@ test('the palette finds what can be done, and does it', async ({ page }) => {
 
   // a technique, by its name
   await page.keyboard.press('Control+k');
-  await search.fill('tiled def');
+  await expect(search).toBeFocused();
+  await page.keyboard.type('tiled def');
   await expect(options.first()).toContainText('Tiled deferred');
   await page.keyboard.press('Enter');
   await expect(search).toHaveCount(0);
@@ -46,7 +47,7 @@ test('keys are chosen anew, clashes are told, and all of it is remembered and re
   const dialog = page.getByRole('dialog', { name: 'Keys' });
   const openKeys = async (): Promise<void> => {
     await page.getByRole('button', { name: 'Keys', exact: true }).click();
-    await expect(dialog).toBeVisible();
+    await expect(dialog.getByRole('searchbox', { name: 'Search keys' })).toBeFocused();
   };
   await page.getByRole('treeitem', { name: 'Sun' }).click();
   await openKeys();

@@ -16,6 +16,7 @@ export interface EditorHandle {
   readonly samples: Readonly<Record<string, { readonly parameters: object }>>;
   openScene(name: string, parameters?: Record<string, number>): Promise<void>;
   readonly microShaders: { textOf(name: string): string };
+  readonly dialogs: { show(request: { kind: 'keys' | 'export' | 'welcome'; recovery: null }): Promise<boolean> };
   readonly notices: { show(kind: 'error', text: string): void };
   openMicroShader(name: string, line?: number): void;
   readonly commands: {
@@ -71,7 +72,7 @@ export async function openEditor(page: Page, scene?: 'empty'): Promise<void> {
     Reflect.deleteProperty(window, 'showOpenFilePicker');
     Reflect.deleteProperty(window, 'showSaveFilePicker');
   });
-  await page.goto(scene ? `./?scene=${scene}` : './');
+  await page.goto(scene ? `./?scene=${scene}` : './?welcome=no');
   await waitUntilReady(page);
 }
 
@@ -84,9 +85,8 @@ export async function waitUntilReady(page: Page): Promise<void> {
 
 /** Goes from the temple to a scene that is quickly drawn: a camera, a sun and a sky. */
 export async function openEmptyScene(page: Page): Promise<void> {
-  await page.getByRole('button', { name: 'File', exact: true }).click();
-  await page.getByRole('menuitem', { name: 'New' }).press('ArrowRight');
-  await page.getByRole('menuitem', { name: 'Empty scene' }).click();
+  await page.getByRole('menuitem', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New empty scene' }).click();
   await page.waitForFunction(() => window.editor.document.scene.name === 'Untitled');
   await menuIsGone(page);
 }

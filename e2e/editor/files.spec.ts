@@ -46,7 +46,7 @@ test('what a killed tab leaves is found, recovered, and stored again', async ({ 
   await dialog.getByRole('button', { name: 'Later' }).click();
   await addObject(next, 'Mesh', 'Cone');
   await stored(next);
-  await next.getByRole('button', { name: 'File', exact: true }).click();
+  await next.getByRole('menuitem', { name: 'File', exact: true }).click();
   await next.getByRole('menuitem', { name: 'Recover…' }).click();
   await expect(dialog).toContainText('Unsaved work was found');
   await dialog.getByRole('button', { name: 'Recover' }).click();
@@ -354,8 +354,8 @@ test('files and samples are opened, and scenes saved, without a network once the
   const download = page.waitForEvent('download');
   await page.keyboard.press('Control+s');
   expect((await download).suggestedFilename()).toBe('own.farol');
-  await page.getByRole('button', { name: 'File', exact: true }).click();
-  await page.getByRole('menuitem', { name: 'New' }).press('ArrowRight');
+  await page.getByRole('menuitem', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Samples' }).press('ArrowRight');
   await page.getByRole('menuitem', { name: 'Planes and lights' }).click();
   await expect(page.getByRole('treeitem', { name: 'Planes' })).toBeVisible();
 });

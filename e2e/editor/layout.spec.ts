@@ -61,8 +61,9 @@ test('panels are dragged, moved by keys, closed, opened, resized, and remembered
   await expect(panel(page, 'Viewport')).toBeVisible();
   await expect(tab(page, 'History')).toHaveCount(0);
   expect(await boxOf(panel(page, 'Inspector'))).toEqual(positions);
-  await page.getByRole('button', { name: 'Panels', exact: true }).click();
-  await page.getByRole('menuitem', { name: 'History' }).click();
+  await page.getByRole('menuitem', { name: 'View', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Panels', exact: true }).press('ArrowRight');
+  await page.getByRole('menuitemcheckbox', { name: 'History' }).click();
   await expect(panel(page, 'History')).toBeVisible();
 
   // space gives the viewport the window, and gives it back

@@ -9,12 +9,17 @@ test('play, edit, stop: the scene is as it was, and values are kept one by one',
   const before = await serialized(page);
   await page.keyboard.press('Control+p');
   await expect(page.getByRole('button', { name: 'Play' })).toHaveAttribute('aria-pressed', 'true');
+  const mark = page.locator('.play-frame');
+  await expect(mark).toContainText('Playing');
+  await expect(page.locator('html')).toHaveAttribute('data-play', 'playing');
+  expect(await axeProblems(page, ['color-contrast'])).toEqual([]);
   await page.getByRole('treeitem', { name: 'Sun' }).click();
   const light = page.getByRole('region', { name: 'Light', exact: true });
   await light.getByLabel('Intensity', { exact: true }).fill('5');
   await page.keyboard.press('Enter');
   await page.keyboard.press('Control+Shift+p');
   await expect.poll(() => page.evaluate(() => window.editor.document.simulation.state)).toBe('paused');
+  await expect(mark).toContainText('Paused');
   const transform = page.getByRole('region', { name: 'Transform', exact: true });
   await transform.getByLabel('Position y').fill('9');
   await page.keyboard.press('Enter');
@@ -24,6 +29,8 @@ test('play, edit, stop: the scene is as it was, and values are kept one by one',
   await page.getByRole('button', { name: /^Stop/ }).click();
   expect(await serialized(page)).toBe(before);
   expect(await history(page)).toEqual([]);
+  await expect(mark).toHaveCount(0);
+  await expect(page.locator('html')).not.toHaveAttribute('data-play');
   const kept = page.getByRole('region', { name: 'Edited while playing' });
   await expect(kept).toContainText('2 → 5');
   expect(await axeProblems(page)).toEqual([]);

@@ -1,4 +1,4 @@
-import { type Command, type CommandStack, Signal } from '@farol/editing';
+import { type Command, type CommandStack, Signal, t } from '@farol/editing';
 import {
   AssetLibrary,
   type AssetLibraryOptions,
@@ -10,6 +10,7 @@ import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '
 import { registerSceneAssets, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
 import { actions } from './actions';
+import { allActions } from './actions/allActions';
 import type { EditorPlugin } from './api/EditorPlugin';
 import type { CustomFieldEditor, DraftKeeper, EditorApi, OpenFile } from './api/EditorApi';
 import type { Action } from './api/Action';
@@ -26,7 +27,9 @@ import { Dialogs } from './model/Dialogs';
 import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
+import { RecentFiles } from './model/RecentFiles';
 import { Registry } from './model/Registry';
+import { Tour } from './model/Tour';
 import { panels } from './panels';
 import { Viewport } from './viewport/Viewport';
 import { Plugins } from './plugins/Plugins';
@@ -88,6 +91,8 @@ export class Editor implements EditorApi {
   readonly log = new ConsoleLog();
   readonly notices = new Notices(this.log);
   readonly drafts = new Drafts();
+  readonly recentFiles = new RecentFiles();
+  readonly tour = new Tour();
   readonly renameRequested = new Signal();
   readonly fileChanged = new Signal();
   readonly plugins: Plugins = new Plugins(this);
@@ -103,7 +108,15 @@ export class Editor implements EditorApi {
   constructor(canvas: HTMLCanvasElement, options: EditorOptions = {}) {
     const { urls = {}, scene = null, storage = 'farol-editor' } = options;
     this.urls = urls;
-    this.keys = new KeyBindings(this.actions, `${storage}-keys`);
+    const all = (): Action[] => allActions(this);
+    this.keys = new KeyBindings(
+      {
+        get list() {
+          return all();
+        },
+      },
+      `${storage}-keys`,
+    );
     this.layout = new PanelLayout(this.panels, `${storage}-layout`);
     this.preferences = createPreferences(storage);
     this.document = new EditorDocument(makeLibrary({ urls }), this.components);
@@ -143,7 +156,10 @@ export class Editor implements EditorApi {
       await this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
       if (name === null) return;
       const text = name.length > 60 ? `${name.slice(0, 60)}…` : name;
-      this.notices.show('info', `There is no scene “${text}”: known are empty, ${Object.keys(scenes).join(', ')}.`);
+      this.notices.show(
+        'info',
+        t('There is no scene “{text}”: known are empty, {names}.', { text, names: Object.keys(scenes).join(', ') }),
+      );
     }
   }
 
@@ -153,7 +169,7 @@ export class Editor implements EditorApi {
 
   libraryForNext(): AssetLibrary {
     const { assets } = this.document;
-    if (assets.files.length === 0) return assets;
+    if (!assets.hasOwn) return assets;
     return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
 
@@ -168,31 +184,35 @@ export class Editor implements EditorApi {
       const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes, this.mayUnpack);
       const mayFetch = async (addresses: readonly ForeignAddress[]): Promise<boolean> => {
         const { askForHosts } = await import('./files/askForHosts');
-        return askForHosts(this.dialogs, file.name ?? 'The scene', addresses);
+        return askForHosts(this.dialogs, file.name ?? t('The scene'), addresses);
       };
-      const scene = await withProgress(this.dialogs, `Opening ${file.name ?? 'the scene'}`, (signal) =>
-        deserialize(content.text, {
-          assets,
-          registry: this.components,
-          fileOf: content.fileOf,
-          mayFetch,
-          signal,
-        }),
+      const scene = await withProgress(
+        this.dialogs,
+        t('Opening {file}', { file: file.name ?? t('the scene') }),
+        (signal) =>
+          deserialize(content.text, {
+            assets,
+            registry: this.components,
+            fileOf: content.fileOf,
+            mayFetch,
+            signal,
+          }),
       );
       this.show(scene, file);
+      if (typeof bytes !== 'string') this.remember(bytes);
       return true;
     } catch (error) {
       if (assets !== this.document.assets) assets.dispose();
       if (error instanceof DOMException && error.name === 'AbortError') return false;
       if (!(error instanceof FileError)) throw error;
-      const title = `${file.name ?? 'The file'} cannot be opened`;
+      const title = t('{file} cannot be opened', { file: file.name ?? t('The file') });
       const { problems } = error;
       for (const { path, problem } of problems)
-        this.log.add('error', 'file', `${file.name ?? 'The file'}: ${path} ${problem}`);
+        this.log.add('error', 'file', `${file.name ?? t('The file')}: ${path} ${problem}`);
       void this.dialogs.show({
         kind: 'problems',
         title,
-        text: 'Nothing has changed. What is wrong with it:',
+        text: t('Nothing has changed. What is wrong with it:'),
         problems,
       });
       return false;
@@ -202,18 +222,21 @@ export class Editor implements EditorApi {
   readonly mayUnpack = (sizes: UnpackQuestion): Promise<boolean> =>
     this.dialogs.show({
       kind: 'confirm',
-      title: 'A large scene',
-      text: `The scene grows ${sizesText(sizes)} when it is unpacked, which may take long or end this tab. Open it only if you know where it comes from.`,
-      action: 'Open it',
+      title: t('A large scene'),
+      text: t(
+        'The scene grows {sizes} when it is unpacked, which may take long or end this tab. Open it only if you know where it comes from.',
+        { sizes: sizesText(sizes) },
+      ),
+      action: t('Open it'),
     });
 
   async mayLoseChanges(): Promise<boolean> {
     if (!this.commands.isDirty) return true;
     return this.dialogs.show({
       kind: 'confirm',
-      title: 'Unsaved changes',
-      text: `“${this.document.scene.name}” has changes that are not saved. They will be lost.`,
-      action: 'Discard changes',
+      title: t('Unsaved changes'),
+      text: t('“{name}” has changes that are not saved. They will be lost.', { name: this.document.scene.name }),
+      action: t('Discard changes'),
     });
   }
 
@@ -222,8 +245,8 @@ export class Editor implements EditorApi {
       if (error instanceof DOMException && error.name === 'AbortError') return;
       if (error instanceof FileError) {
         const { problems } = error;
-        const text = 'Nothing has changed. What is wrong with it:';
-        void this.dialogs.show({ kind: 'problems', title: 'This cannot be read', text, problems });
+        const text = t('Nothing has changed. What is wrong with it:');
+        void this.dialogs.show({ kind: 'problems', title: t('This cannot be read'), text, problems });
         return;
       }
       this.notices.show('error', error instanceof Error ? error.message : String(error));
@@ -256,8 +279,20 @@ export class Editor implements EditorApi {
     this.viewport.renderNow();
     const unknown = unknownTypes(scene);
     if (unknown.length === 0) return;
-    const text = `What brings these components is not here, so they are kept as data: ${unknown.join(', ')}`;
-    this.notices.show('warning', `${text}. Add the plugin that they belong to.`, 'plugin');
+    const text = t(
+      'What brings these components is not here, so they are kept as data: {names}. Add the plugin that they belong to.',
+      { names: unknown.join(', ') },
+    );
+    this.notices.show('warning', text, 'plugin');
+  }
+
+  /** Puts the file that was just opened among the recent ones. */
+  private remember(bytes: Uint8Array): void {
+    const content = new Blob([bytes as Uint8Array<ArrayBuffer>]);
+    this.attempt(async () => {
+      const { noteRecent } = await import('./files/recent/noteRecent');
+      await noteRecent(this, content, false);
+    });
   }
 
   private watchPreferences(): void {
@@ -276,7 +311,9 @@ export class Editor implements EditorApi {
     let failedAt = 0;
     viewport.onError = (error) => {
       failedAt = performance.now();
-      const text = `The picture cannot be drawn: ${error instanceof Error ? error.message : String(error)}`;
+      const text = t('The picture cannot be drawn: {reason}', {
+        reason: error instanceof Error ? error.message : String(error),
+      });
       if (notices.current.some((notice) => notice.text === text)) return;
       console.error(error);
       failure = notices.show('error', text, 'picture');
@@ -288,7 +325,7 @@ export class Editor implements EditorApi {
     });
     let loss = 0;
     viewport.canvas.addEventListener('webglcontextlost', () => {
-      const text = 'The graphics device was lost. The picture comes back by itself; if not, save and reload.';
+      const text = t('The graphics device was lost. The picture comes back by itself; if not, save and reload.');
       loss = notices.show('error', text, 'picture');
     });
     viewport.canvas.addEventListener('webglcontextrestored', () => notices.remove(loss));

@@ -24,6 +24,7 @@ export async function fetchAhead(): Promise<boolean> {
       import('./files/readScene'),
       import('./files/saveFile'),
       import('./panels/dialogs/TextDialog'),
+      import('./panels/palette/CommandPalette'),
     ]);
     return true;
   } catch {

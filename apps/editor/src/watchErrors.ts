@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { explainCompileError } from '@farol/renderer';
 import type { EditorApi } from './api/EditorApi';
 
@@ -7,8 +8,12 @@ const messageOf = (error: unknown): string => (error instanceof Error ? error.me
 export function watchErrors(editor: EditorApi): void {
   const { document, viewport, log } = editor;
   document.onComponentError = (component, error) => {
-    const owner = component.isAttached ? component.gameObject.name : 'no object';
-    log.add('error', 'component', `${component.typeName} of ${owner}: ${messageOf(error)}`);
+    const owner = component.isAttached ? component.gameObject.name : t('no object');
+    log.add(
+      'error',
+      'component',
+      t('{component} of {owner}: {reason}', { component: component.typeName, owner, reason: messageOf(error) }),
+    );
   };
   viewport.webgl.debug.onShaderError = (gl, program, vertex, fragment) => {
     for (const shader of [vertex, fragment]) {
@@ -16,11 +21,16 @@ export function watchErrors(editor: EditorApi): void {
       const entries = explainCompileError(gl.getShaderInfoLog(shader) ?? '', gl.getShaderSource(shader) ?? '');
       for (const { chunk, line, message } of entries) {
         const place = chunk ? { chunk, line } : undefined;
-        log.add('error', 'shader', `${chunk ?? 'shader'}, line ${line}: ${message}`, place);
+        log.add(
+          'error',
+          'shader',
+          t('{chunk}, line {line}: {message}', { chunk: chunk ?? t('shader'), line, message }),
+          place,
+        );
       }
     }
     const linked = (gl.getProgramInfoLog(program) ?? '').trim();
-    editor.notices.show('error', `A shader does not compile: see the console. ${linked}`.trim(), 'shader');
+    editor.notices.show('error', `${t('A shader does not compile: see the console.')} ${linked}`.trim(), 'shader');
   };
   window.addEventListener('error', ({ message }) => log.add('error', 'page', message));
   window.addEventListener('unhandledrejection', ({ reason }) => log.add('error', 'page', messageOf(reason)));

@@ -1,4 +1,4 @@
-import type { CommandStack } from '@farol/editing';
+import { type CommandStack, t } from '@farol/editing';
 import type { FarolRenderer } from '@farol/renderer';
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 import type { AttachOptions } from './AttachOptions';
@@ -147,7 +147,7 @@ export class AttachedEditor {
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(style);
     root.adoptedStyleSheets = [sheet];
-    const editor = element('section', { className: 'editor', 'aria-label': 'Farol editor' }, ...children);
+    const editor = element('section', { className: 'editor', 'aria-label': t('Farol editor') }, ...children);
     editor.addEventListener('keydown', (event) => this.key(event));
     root.append(editor);
     return host;

@@ -13,7 +13,7 @@ export { sharedValue, type SharedValue, withCoordinate } from './fields/sharedVa
 export { toDegrees, toRadians } from './fields/angles';
 export { describeField } from './fields/describeField';
 export { formatNumber, shownDecimals } from './fields/formatNumber';
-export { labelOfField } from './fields/labelOfField';
+export { englishLabelOfField, labelOfField } from './fields/labelOfField';
 export { type NumberDisplay, numberDisplay } from './fields/NumberDisplay';
 export {
   joinColour,
@@ -23,7 +23,18 @@ export {
   withIntensity,
   withScreenColour,
 } from './fields/screenColour';
+export {
+  type NumberEdit,
+  type NumberProblem,
+  type NumberRange,
+  readNumber,
+  readNumberInRange,
+} from './fields/readNumber';
+export { roundToStep } from './fields/roundToStep';
 export { stepOf } from './fields/stepOf';
 
+export { nearestEuler } from './gizmo/nearestEuler';
+export { type PoseValues, roundPose } from './gizmo/roundPose';
 export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
-export { setTexts, t, tCount, type Texts } from './language/translate';
+export { formatTime } from './language/formatTime';
+export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
 import type { EditorApi } from '../api/EditorApi';
 import { addObject } from '../model/edits';
@@ -34,7 +35,7 @@ export function addEntries(editor: EditorApi, parent: GameObject | null = null):
     ...entries('object'),
     ...entries('camera'),
     'separator',
-    { label: 'Mesh', icon: 'mesh', entries: parts.length > 0 ? [...meshes, 'separator', ...parts] : meshes },
-    { label: 'Light', icon: 'point', entries: entries('light') },
+    { label: t('Mesh'), icon: 'mesh', entries: parts.length > 0 ? [...meshes, 'separator', ...parts] : meshes },
+    { label: t('Light'), icon: 'point', entries: entries('light') },
   ];
 }

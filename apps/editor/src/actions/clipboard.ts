@@ -13,6 +13,7 @@ export const copy: Action = {
   label: 'Copy',
   keys: ['Ctrl+C'],
   icon: 'copy',
+  menu: { menu: 'edit', group: 'clipboard' },
   run: copySelection,
   enabled: hasSelection,
 };
@@ -22,6 +23,7 @@ export const cut: Action = {
   label: 'Cut',
   keys: ['Ctrl+X'],
   icon: 'cut',
+  menu: { menu: 'edit', group: 'clipboard' },
   run(editor) {
     copySelection(editor);
     editor.commands.run(deleteObjects(editor.document.scene, editor.document.selectedObjects));
@@ -35,6 +37,7 @@ export const paste: Action = {
   label: 'Paste',
   keys: ['Ctrl+V'],
   icon: 'paste',
+  menu: { menu: 'edit', group: 'clipboard' },
   run({ document, commands, clipboard }) {
     const { scene, selection, selectedObjects } = document;
     const { text } = clipboard;
@@ -49,6 +52,7 @@ export const pasteBelow: Action = {
   label: 'Paste below the selected object',
   keys: ['Ctrl+Shift+V'],
   icon: 'paste',
+  menu: { menu: 'edit', group: 'clipboard' },
   run({ document, commands, clipboard }) {
     const { scene, selection, selectedObjects } = document;
     const { text } = clipboard;

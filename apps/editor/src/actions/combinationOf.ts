@@ -1,4 +1,4 @@
-import type { KeyPress } from './matchKey';
+import { isPadPress, type KeyPress } from './matchKey';
 
 const MODIFIERS = ['Control', 'Shift', 'Alt', 'Meta', 'AltGraph', 'CapsLock', 'Dead', 'Unidentified'];
 
@@ -8,6 +8,7 @@ export function combinationOf(press: KeyPress): string | null {
   let key = press.key === ' ' ? 'Space' : press.key;
   // with Alt held some systems type another sign: what is on the key counts
   if (press.altKey && /^Key[A-Z]$/.test(press.code)) key = press.code.slice(3);
+  if (isPadPress(press)) key = press.code;
   const isSign = /^[^a-z0-9]$/i.test(key);
   if (key.length === 1) key = key.toUpperCase();
   const held = [

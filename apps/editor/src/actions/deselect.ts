@@ -5,6 +5,7 @@ export const deselect: Action = {
   id: 'edit.deselect',
   label: 'Deselect',
   keys: ['Escape'],
+  menu: { menu: 'edit', group: 'select' },
   run({ document, viewport }) {
     if (!viewport.gizmo.cancel()) document.selection.clear();
   },

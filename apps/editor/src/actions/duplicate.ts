@@ -7,6 +7,7 @@ export const duplicate: Action = {
   label: 'Duplicate',
   keys: ['Ctrl+D'],
   icon: 'duplicate',
+  menu: { menu: 'edit', group: 'clipboard' },
   run: ({ document, commands }) => commands.run(duplicateObjects(document.scene, document.selectedObjects)),
   enabled: hasSelection,
 };

@@ -7,5 +7,6 @@ export const exportScene: Action = {
   keys: ['Ctrl+Shift+E'],
   inFields: true,
   icon: 'assets',
+  menu: { menu: 'file', group: 'share' },
   run: ({ dialogs }) => void dialogs.show({ kind: 'export' }),
 };

@@ -6,7 +6,7 @@ const modes: readonly [GizmoMode & IconName, string, string][] = [
   ['select', 'Select', 'Q'],
   ['translate', 'Move', 'W'],
   ['rotate', 'Rotate', 'E'],
-  ['scale', 'Scale', 'R'],
+  ['scale', 'Scale##verb', 'R'],
 ];
 
 /** What the handles in the viewport do. */
@@ -15,6 +15,7 @@ export const gizmoModes: readonly Action[] = modes.map(([mode, label, key]) => (
   label,
   keys: [key],
   icon: mode,
+  menu: { menu: 'edit', group: 'handles', submenu: 'Handles' },
   run({ viewport }) {
     viewport.mode = mode;
   },

@@ -2,10 +2,10 @@ import type { Action } from '../api/Action';
 
 export const gizmoSpace: Action = {
   id: 'gizmo.space',
-  label: ({ viewport }) =>
-    viewport.space === 'local' ? "Handles along the object's axes" : "Handles along the world's axes",
+  label: "Handles along the object's axes, not the world's",
   keys: ['X'],
   icon: 'local',
+  menu: { menu: 'edit', group: 'handles', submenu: 'Handles' },
   run({ viewport }) {
     viewport.space = viewport.space === 'local' ? 'world' : 'local';
   },

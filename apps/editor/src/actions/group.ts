@@ -7,6 +7,7 @@ export const group: Action = {
   label: 'Group',
   keys: ['Ctrl+G'],
   icon: 'folder',
+  menu: { menu: 'object', group: 'tree' },
   run: ({ document, commands }) => commands.run(groupObjects(document.scene, document.selectedObjects)),
   enabled: hasSelection,
 };
@@ -15,6 +16,7 @@ export const ungroup: Action = {
   id: 'edit.ungroup',
   label: 'Ungroup',
   keys: ['Ctrl+Shift+G'],
+  menu: { menu: 'object', group: 'tree' },
   run: ({ document, commands }) => commands.run(ungroupObjects(document.scene, document.selectedObjects)),
   enabled: ({ document }) => document.selectedObjects.some(({ children }) => children.length > 0),
 };

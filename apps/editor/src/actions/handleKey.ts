@@ -1,9 +1,10 @@
 import type { EditorApi } from '../api/EditorApi';
 import type { Action } from '../api/Action';
+import { allActions } from './allActions';
 import { matchKey } from './matchKey';
 
 /** What the focus is in. A menu or a list takes letters as text does: they choose what begins with them. */
-type Focus = 'page' | 'text' | 'number';
+type Focus = 'page' | 'text';
 
 function focusOf(target: EventTarget | null): Focus {
   if (!(target instanceof HTMLElement)) return 'page';
@@ -11,17 +12,14 @@ function focusOf(target: EventTarget | null): Focus {
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return 'text';
   if (!(target instanceof HTMLInputElement)) return 'page';
   if (['checkbox', 'radio', 'button', 'range'].includes(target.type)) return 'page';
-  return target.dataset.numeric === undefined ? 'text' : 'number';
+  // a number takes letters too: units, π, functions
+  return 'text';
 }
 
 /** What the space bar belongs to while it has the focus. */
 const PRESSABLE = 'button, a, input, select, summary, [role="tab"], [role="treeitem"], [role="option"]';
 
-function counts(action: Action, combination: string, focus: Focus): boolean {
-  if (focus === 'page' || action.inFields) return true;
-  // a letter cannot be typed into a number: it is a hot key there too
-  return focus === 'number' && /^[a-z]$/i.test(combination);
-}
+const counts = (action: Action, focus: Focus): boolean => focus === 'page' || (action.inFields ?? false);
 
 /** Whether what has the focus does this itself: a code editor has a history of its own. See `data-own-actions`. */
 function isOwnKey(target: EventTarget | null, action: Action): boolean {
@@ -40,10 +38,10 @@ export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: bo
   // a scene that is played through one of its cameras has the letters for itself
   if (editor.viewport.sceneListens && !event.ctrlKey && !event.metaKey && event.key.length === 1) return false;
   const focus = focusOf(event.target);
-  for (const action of editor.actions.list) {
+  for (const action of allActions(editor)) {
     if ((action.inFields ?? false) !== isCapture) continue;
     const combination = editor.keys.keysOf(action).find((keys) => matchKey(keys, event));
-    if (combination === undefined || !counts(action, combination, focus)) continue;
+    if (combination === undefined || !counts(action, focus)) continue;
     if (isOwnKey(event.target, action)) continue;
     if (combination === 'Space' && event.target instanceof Element && event.target.closest(PRESSABLE)) continue;
     takeOverField(event.target);

@@ -1,12 +1,14 @@
+import { t } from '@farol/editing';
 import { setActive } from '../model/edits';
 import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
 export const hide: Action = {
   id: 'edit.hide',
-  label: ({ document }) => (document.selectedObjects.some(({ active }) => active) ? 'Hide' : 'Show'),
+  label: ({ document }) => (document.selectedObjects.some(({ active }) => active) ? t('Hide') : t('Show')),
   keys: ['H'],
   icon: 'eye',
+  menu: { menu: 'object', group: 'state' },
   run({ document, commands }) {
     const { selectedObjects } = document;
     commands.run(setActive(selectedObjects, !selectedObjects.some(({ active }) => active)));

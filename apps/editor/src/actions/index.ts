@@ -1,3 +1,4 @@
+import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import type { Action } from '../api/Action';
 import { deselect } from './deselect';
@@ -6,14 +7,19 @@ import { focus } from './focus';
 import { gizmoModes } from './gizmoModes';
 import { gizmoSpace } from './gizmoSpace';
 import { group, ungroup } from './group';
+import { about, guides } from './guides';
 import { hide } from './hide';
+import { chooseLanguage } from './language';
 import { lock } from './lock';
+import { goToMenuBar } from './menuBar';
 import { measure } from './measure';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { pause, play, step, stop } from './play';
+import { makeMaterial, newMaterial, unpackModel } from './materials';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
+import { toggleOrthographic, turns } from './projection';
 import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
@@ -26,11 +32,14 @@ import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showP
 import { lookFrom } from './sides';
 import { snap } from './snap';
 import { showStatistics } from './statistics';
+import { themes } from './themes';
 import { undo } from './undo';
+import { startTour, welcome } from './welcome';
 import { continuous, showGrid, showIcons, showRanges } from './viewportToggles';
 
 /** Everything built in that the user can do by a key or a menu. A new action is a file and a line here. */
 export const actions: readonly Action[] = [
+  welcome,
   newScene,
   ...openExamples,
   open,
@@ -56,6 +65,9 @@ export const actions: readonly Action[] = [
   deselect,
   makePrefab,
   unpackPrefab,
+  newMaterial,
+  makeMaterial,
+  unpackModel,
   ...gizmoModes,
   gizmoSpace,
   snap,
@@ -66,14 +78,23 @@ export const actions: readonly Action[] = [
   continuous,
   showStatistics,
   ...lookFrom,
+  toggleOrthographic,
+  ...turns,
+  ...cameraActions,
   play,
   pause,
   step,
   stop,
-  nextPanel,
-  previousPanel,
   maximiseViewport,
   resetPanels,
+  goToMenuBar,
+  nextPanel,
+  previousPanel,
+  ...themes,
   showPalette,
   showKeys,
+  startTour,
+  ...guides,
+  ...chooseLanguage,
+  about,
 ];

@@ -27,6 +27,12 @@ describe('matchKey', () => {
     ['Ctrl+Alt+P', press('π', 'Alt', 'KeyP'), false],
     ['F2', press('F2'), true],
     ['Delete', press('Delete', 'Ctrl'), false],
+    ['Numpad1', press('1', '', 'Numpad1'), true],
+    ['Numpad1', press('1', '', 'Digit1'), false],
+    ['Numpad1', press('1', 'Ctrl', 'Numpad1'), false],
+    ['1', press('1', '', 'Numpad1'), false],
+    ['1', press('1', '', 'Digit1'), true],
+    ['Delete', press('Delete', '', 'NumpadDecimal'), true], // NumLock is off
   ])('%s for %o: %s', (combination, event, expected) => {
     expect(matchKey(combination, event)).toBe(expected);
   });
@@ -40,6 +46,8 @@ describe('combinationOf', () => {
     [press('π', 'Ctrl Alt', 'KeyP'), 'Ctrl+Alt+P'],
     [press('F6', 'Shift'), 'Shift+F6'],
     [press(' '), 'Space'],
+    [press('7', 'Ctrl', 'Numpad7'), 'Ctrl+Numpad7'],
+    [press('Home', '', 'Numpad7'), 'Home'],
     [press('Control', 'Ctrl'), null],
   ])('%o: %s, which matches it', (event, expected) => {
     const combination = combinationOf(event);

@@ -1,12 +1,14 @@
+import { t } from '@farol/editing';
 import { setLocked } from '../model/edits';
 import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
 export const lock: Action = {
   id: 'edit.lock',
-  label: ({ document }) => (document.selectedObjects.some(({ locked }) => !locked) ? 'Lock' : 'Unlock'),
+  label: ({ document }) => (document.selectedObjects.some(({ locked }) => !locked) ? t('Lock') : t('Unlock')),
   keys: ['L'],
   icon: 'lock',
+  menu: { menu: 'object', group: 'state' },
   run({ document, commands }) {
     const { selectedObjects } = document;
     commands.run(

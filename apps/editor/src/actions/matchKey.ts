@@ -8,19 +8,27 @@ export interface KeyPress {
   readonly altKey: boolean;
 }
 
+const isPadName = (name: string): boolean => /^Numpad(\d|Decimal)$/.test(name);
+
+/** Whether a press is of a digit or the dot of the number pad; what moves the caret, while NumLock is off, is not. */
+export const isPadPress = ({ key, code }: KeyPress): boolean => key.length === 1 && isPadName(code);
+
 /**
  * Whether a press is a combination such as 'Ctrl+Shift+Z', 'F2' or '?'. Ctrl stands for Command too. Letters go by what
- * the layout says; with Alt held, which types other signs on some systems, by the place of the key.
+ * the layout says; with Alt held, which types other signs on some systems, by the place of the key. 'Numpad1' and the like
+ * are keys of the number pad by their place, and '1' is none of them.
  */
 export function matchKey(combination: string, press: KeyPress): boolean {
   const parts = combination.split('+');
   const name = parts.pop()!;
   const key = name === 'Space' ? ' ' : name;
+  if (isPadPress(press) !== isPadName(name)) return false;
   const isSign = /^[^a-z0-9 ]$/i.test(key);
   if (parts.includes('Ctrl') !== (press.ctrlKey || press.metaKey)) return false;
   if (parts.includes('Alt') !== press.altKey) return false;
   // a sign such as '?' says itself whether it needs Shift
   if (!isSign && parts.includes('Shift') !== press.shiftKey) return false;
+  if (isPadName(name)) return press.code === name;
   if (press.key.toLowerCase() === key.toLowerCase()) return true;
   return press.altKey && press.code === `Key${key.toUpperCase()}`;
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { openBeside } from '@farol/engine/files';
 import type { Action } from '../api/Action';
 
@@ -6,8 +7,9 @@ export const measure: Action = {
   id: 'file.measure',
   label: 'Measure this scene',
   icon: 'gauge',
+  menu: { menu: 'file', group: 'share' },
   run: (editor) =>
-    openBeside('lab', 'the Lab', {
+    openBeside('lab', t('the Lab'), {
       fragment: '#preset=custom&series=own:pixels:230,922,2074',
       scene: {
         name: editor.document.scene.name,

@@ -5,7 +5,8 @@ import type { Action } from '../api/Action';
 /** A scene to begin with: a camera, a sun and a sky. */
 export const newScene: Action = {
   id: 'file.new',
-  label: 'Empty scene',
+  label: 'New empty scene',
+  menu: { menu: 'file', group: 'new' },
   async run(editor) {
     if (!(await editor.mayLoseChanges())) return;
     editor.show(makeEmptyScene(editor.libraryForNext()), { name: null, handle: null });
@@ -16,6 +17,7 @@ export const newScene: Action = {
 export const openExamples: readonly Action[] = Object.values(scenes).map(({ name, label }) => ({
   id: `file.new.${name}`,
   label,
+  menu: { menu: 'file', group: 'new', submenu: 'Samples' },
   async run(editor) {
     if (await editor.mayLoseChanges()) await editor.openScene(name);
   },

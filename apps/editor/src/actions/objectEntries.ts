@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { EditorApi } from '../api/EditorApi';
 import { actionEntry, type MenuEntry } from '../api/MenuEntry';
 import type { Action } from '../api/Action';
@@ -18,7 +19,7 @@ export function objectEntries(editor: EditorApi): MenuEntry[] | null {
   if (!selected) return null;
   const entries = (...actions: Action[]): MenuEntry[] => actions.map((action) => actionEntry(action, editor));
   return [
-    { label: 'Add below', icon: 'add', entries: addEntries(editor, selected) },
+    { label: t('Add below'), icon: 'add', entries: addEntries(editor, selected) },
     ...['separator' as const, ...entries(cut, copy, paste, pasteBelow, duplicate)],
     ...['separator' as const, ...entries(rename, group, ungroup, makePrefab, unpackPrefab, remove)],
     ...['separator' as const, ...entries(hide, lock, focus)],

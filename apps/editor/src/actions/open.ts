@@ -7,6 +7,7 @@ export const open: Action = {
   keys: ['Ctrl+O'],
   inFields: true,
   icon: 'open',
+  menu: { menu: 'file', group: 'open' },
   async run(editor) {
     if (!(await editor.mayLoseChanges())) return;
     const { fileOpen } = await import('browser-fs-access');

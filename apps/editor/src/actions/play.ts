@@ -6,6 +6,7 @@ export const play: Action = {
   keys: ['Ctrl+P'],
   inFields: true,
   icon: 'play',
+  menu: { menu: 'edit', group: 'play' },
   run({ document: { simulation } }) {
     if (simulation.isPlaying) simulation.stop();
     else simulation.play();
@@ -19,6 +20,7 @@ export const pause: Action = {
   keys: ['Ctrl+Shift+P'],
   inFields: true,
   icon: 'pause',
+  menu: { menu: 'edit', group: 'play' },
   run({ document: { simulation } }) {
     if (simulation.isPlaying) simulation.pause();
     else simulation.play();
@@ -33,6 +35,7 @@ export const step: Action = {
   keys: ['Ctrl+Alt+P'],
   inFields: true,
   icon: 'step',
+  menu: { menu: 'edit', group: 'play' },
   run: ({ document }) => document.simulation.step(),
 };
 
@@ -40,6 +43,7 @@ export const stop: Action = {
   id: 'play.stop',
   label: 'Stop, and put everything back',
   icon: 'stop',
+  menu: { menu: 'edit', group: 'play' },
   run: ({ document }) => document.simulation.stop(),
   enabled: ({ document }) => document.simulation.state !== 'stopped',
 };

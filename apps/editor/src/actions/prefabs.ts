@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { instanceRootOf } from '@farol/engine/prefabs';
 import { createPrefab, unpackInstance } from '../model/prefabEdits';
 import type { Action } from '../api/Action';
@@ -7,10 +8,11 @@ export const makePrefab: Action = {
   id: 'prefab.make',
   label: 'Make prefab',
   icon: 'prefab',
+  menu: { menu: 'object', group: 'prefab' },
   run({ document, commands, notices }) {
     const [object] = document.selectedObjects;
     commands.run(createPrefab(document.scene, object, document.selection.ids));
-    notices.show('info', `${object.name} is a prefab: place it from Assets`);
+    notices.show('info', t('{name} is a prefab: place it from Assets', { name: object.name }));
   },
   enabled: ({ document }) => {
     const { selectedObjects } = document;
@@ -25,6 +27,7 @@ export const unpackPrefab: Action = {
   id: 'prefab.unpack',
   label: 'Unpack prefab',
   icon: 'object',
+  menu: { menu: 'object', group: 'prefab' },
   run({ document, commands }) {
     const root = instanceRootOf(document.selectedObjects[0]);
     if (root) commands.run(unpackInstance(document.scene, root, document.selection.ids));

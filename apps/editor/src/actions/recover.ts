@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 
 /** Offers again what tabs that were closed without warning have left, and what was put off by Later. */
@@ -5,10 +6,11 @@ export const recover: Action = {
   id: 'file.recover',
   label: 'Recover…',
   icon: 'undo',
+  menu: { menu: 'file', group: 'recover' },
   async run(editor) {
     if (!editor.autosave) return;
     if (await editor.autosave.offerRecovery()) return;
-    editor.notices.show('info', 'There is nothing to recover: no tab was closed with unsaved work');
+    editor.notices.show('info', t('There is nothing to recover: no tab was closed with unsaved work'));
   },
   enabled: ({ autosave }) => autosave !== null,
 };

@@ -7,6 +7,7 @@ export const remove: Action = {
   label: 'Delete',
   keys: ['Delete', 'Backspace'],
   icon: 'remove',
+  menu: { menu: 'edit', group: 'clipboard' },
   run: ({ document, commands }) => commands.run(deleteObjects(document.scene, document.selectedObjects)),
   enabled: hasSelection,
 };

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { containerContent, inlineAssets, writeContainer } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { fileNameOf } from '../files/fileNameOf';
@@ -35,7 +36,7 @@ async function write(editor: EditorApi, handle: FileSystemFileHandle | null): Pr
   try {
     await writeTo(editor, handle);
     notices.remove(failures.get(editor) ?? 0);
-    notices.show('info', `Saved ${editor.file.name}`);
+    notices.show('info', t('Saved {name}', { name: editor.file.name ?? '' }));
   } catch (error) {
     if (!(error instanceof Error) || error.name === 'AbortError') throw error;
     failures.set(editor, notices.show('error', error.message, 'file'));
@@ -47,12 +48,16 @@ async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): 
   const { saveFile } = await import('../files/saveFile');
   const step = editor.commands.last;
   // the picker gives the file; a browser without one downloads, and gives none
-  let saved = await saveFile(await bytesFor(editor, fileName), { ...fileType, fileName }, handle);
+  let content = await bytesFor(editor, fileName);
+  let saved = await saveFile(content, { ...fileType, fileName }, handle);
   if (saved && saved.name.endsWith('.json') !== fileName.endsWith('.json')) {
     // another kind was chosen in the picker than the name stood for
-    saved = await saveFile(await bytesFor(editor, saved.name), { ...fileType, fileName: saved.name }, saved);
+    content = await bytesFor(editor, saved.name);
+    saved = await saveFile(content, { ...fileType, fileName: saved.name }, saved);
   }
   editor.saved({ name: saved?.name ?? fileName, handle: saved }, step);
+  const { noteRecent } = await import('../files/recent/noteRecent');
+  void noteRecent(editor, content, true);
 }
 
 export const save: Action = {
@@ -61,6 +66,7 @@ export const save: Action = {
   keys: ['Ctrl+S'],
   inFields: true,
   icon: 'save',
+  menu: { menu: 'file', group: 'save' },
   run: (editor) => write(editor, editor.file.handle),
 };
 
@@ -69,5 +75,6 @@ export const saveAs: Action = {
   label: 'Save as…',
   keys: ['Ctrl+Shift+S'],
   inFields: true,
+  menu: { menu: 'file', group: 'save' },
   run: (editor) => write(editor, null),
 };

@@ -4,6 +4,7 @@ export const selectAll: Action = {
   id: 'edit.select-all',
   label: 'Select everything',
   keys: ['Ctrl+A'],
+  menu: { menu: 'edit', group: 'select' },
   run({ document }) {
     const ids: string[] = [];
     document.scene.traverse((object) => {

@@ -5,5 +5,6 @@ export const showKeys: Action = {
   label: 'Keys',
   keys: ['?'],
   icon: 'keyboard',
+  menu: { menu: 'help', group: 'keys' },
   run: ({ dialogs }) => void dialogs.show({ kind: 'keys' }),
 };

@@ -6,5 +6,6 @@ export const showPalette: Action = {
   keys: ['Ctrl+K'],
   inFields: true,
   icon: 'search',
+  menu: { menu: 'help', group: 'keys' },
   run: ({ dialogs }) => void dialogs.show({ kind: 'palette' }),
 };

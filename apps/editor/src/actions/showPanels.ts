@@ -1,4 +1,3 @@
-import { groupWith } from '../layout/LayoutNode';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 
@@ -26,6 +25,7 @@ export const nextPanel: Action = {
   label: 'Go to the next panel',
   keys: ['F6'],
   inFields: true,
+  menu: { menu: 'view', group: 'window', submenu: 'Go to' },
   run: () => goRound(1),
 };
 
@@ -34,14 +34,16 @@ export const previousPanel: Action = {
   label: 'Go to the panel before',
   keys: ['Shift+F6'],
   inFields: true,
+  menu: { menu: 'view', group: 'window', submenu: 'Go to' },
   run: () => goRound(-1),
 };
 
 export const maximiseViewport: Action = {
   id: 'panels.maximise',
-  label: ({ layout }) => (layout.maximised() === null ? 'Maximise the viewport' : 'Show all panels'),
+  label: 'Maximise the viewport',
   keys: ['Space'],
   icon: 'maximise',
+  menu: { menu: 'view', group: 'panels' },
   run: ({ layout }) => layout.maximise(layout.maximised() === null ? 'viewport' : null),
   checked: ({ layout }) => layout.maximised() !== null,
 };
@@ -50,6 +52,7 @@ export const resetPanels: Action = {
   id: 'panels.reset',
   label: 'Panels as at first',
   icon: 'panels',
+  menu: { menu: 'view', group: 'panels' },
   run: ({ layout }) => layout.reset(),
 };
 
@@ -59,8 +62,9 @@ export const showPanels = ({ panels }: EditorApi): Action[] =>
     id: `panels.show.${id}`,
     label: title,
     icon,
+    menu: { menu: 'view', group: 'panels', submenu: 'Panels' },
     run({ layout }) {
-      if (groupWith(layout.current(), id)?.active === id) layout.close(id);
+      if (layout.isInFront(id)) layout.close(id);
       else {
         layout.open(id);
         focusPanel(id);

@@ -1,23 +1,55 @@
+import { t } from '@farol/editing';
 import { Vector3 } from 'three';
 import type { Action } from '../api/Action';
 
-/** The sides that a scene is looked at from: name, and direction from the scene to the camera. */
+/** The sides that a scene is looked at from: name, direction from the scene to the camera, and key. */
 export const sides = [
-  ['right', [1, 0, 0]],
-  ['left', [-1, 0, 0]],
-  ['top', [0, 1, 0]],
-  ['bottom', [0, -1, 0]],
-  ['front', [0, 0, 1]],
-  ['back', [0, 0, -1]],
+  ['right', [1, 0, 0], 'Numpad3'],
+  ['left', [-1, 0, 0], 'Ctrl+Numpad3'],
+  ['top', [0, 1, 0], 'Numpad7'],
+  ['bottom', [0, -1, 0], 'Ctrl+Numpad7'],
+  ['front', [0, 0, 1], 'Numpad1'],
+  ['back', [0, 0, -1], 'Ctrl+Numpad1'],
 ] as const;
 
-/** Looks from each side at the point that is orbited. */
-export const lookFrom: readonly Action[] = sides.map(([side, direction]) => ({
+export type Side = (typeof sides)[number][0];
+
+/** What a side is called. */
+export function sideName(side: Side): string {
+  switch (side) {
+    case 'right':
+      return t('Right');
+    case 'left':
+      return t('Left');
+    case 'top':
+      return t('Top');
+    case 'bottom':
+      return t('Bottom');
+    case 'front':
+      return t('Front');
+    case 'back':
+      return t('Back');
+  }
+}
+
+const labels: Readonly<Record<Side, string>> = {
+  right: 'Look from the right',
+  left: 'Look from the left',
+  top: 'Look from the top',
+  bottom: 'Look from the bottom',
+  front: 'Look from the front',
+  back: 'Look from the back',
+};
+
+/** Looks from each side at the point that is orbited, without perspective until the picture is turned. */
+export const lookFrom: readonly Action[] = sides.map(([side, direction, key]) => ({
   id: `view.${side}`,
-  label: `Look from the ${side}`,
+  label: labels[side],
+  keys: [key],
+  menu: { menu: 'view', group: 'side', submenu: 'Look from' },
   run({ viewport }) {
     viewport.lookThrough = null;
-    viewport.editorCamera.lookFrom(new Vector3(...direction));
-    viewport.invalidate();
+    viewport.editorCamera.lookFrom(new Vector3(...direction), true);
+    viewport.viewChanged();
   },
 }));

@@ -1,12 +1,14 @@
+import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 
 export const snap: Action = {
   id: 'gizmo.snap',
   label({ preferences }) {
     const { translate, rotate, scale } = preferences.getState().snapSteps;
-    return `Snap: ${translate} m, ${rotate}°, ${scale} (hold Ctrl for once)`;
+    return t('Snap: {translate} m, {rotate}°, {scale} (hold Ctrl for once)', { translate, rotate, scale });
   },
   icon: 'magnet',
+  menu: { menu: 'edit', group: 'handles', submenu: 'Handles' },
   run({ viewport }) {
     viewport.snapping = !viewport.snapping;
   },

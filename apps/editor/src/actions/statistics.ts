@@ -4,6 +4,7 @@ export const showStatistics: Action = {
   id: 'view.statistics',
   label: 'Figures of the frames',
   icon: 'chart',
+  menu: { menu: 'view', group: 'figures' },
   run({ viewport }) {
     viewport.showStatistics = !viewport.showStatistics;
   },

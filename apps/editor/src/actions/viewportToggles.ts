@@ -4,6 +4,7 @@ export const showGrid: Action = {
   id: 'view.grid',
   label: 'Grid',
   icon: 'grid',
+  menu: { menu: 'view', group: 'show' },
   run({ viewport }) {
     viewport.showGrid = !viewport.showGrid;
   },
@@ -14,6 +15,7 @@ export const showIcons: Action = {
   id: 'view.icons',
   label: 'Icons of lights and cameras',
   icon: 'point',
+  menu: { menu: 'view', group: 'show' },
   run({ viewport }) {
     viewport.showIcons = !viewport.showIcons;
   },
@@ -25,6 +27,7 @@ export const showRanges: Action = {
   id: 'view.ranges',
   label: 'Ranges of all lights, not of selected ones alone',
   icon: 'ranges',
+  menu: { menu: 'view', group: 'show' },
   run({ viewport }) {
     viewport.showRanges = !viewport.showRanges;
   },
@@ -35,6 +38,7 @@ export const continuous: Action = {
   id: 'view.continuous',
   label: 'Draw without pause, to see frame rates',
   icon: 'motion',
+  menu: { menu: 'view', group: 'figures' },
   run({ viewport }) {
     viewport.continuous = !viewport.continuous;
   },

@@ -14,7 +14,9 @@ import type { Dialogs } from '../model/Dialogs';
 import type { Drafts } from '../model/Drafts';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { Notices } from '../model/Notices';
+import type { RecentFiles } from '../model/RecentFiles';
 import type { Registry } from '../model/Registry';
+import type { Tour } from '../model/Tour';
 import type { Viewport } from '../viewport/Viewport';
 import type { Action } from './Action';
 import type { EditorPlugin } from './EditorPlugin';
@@ -62,6 +64,9 @@ export interface EditorApi {
   /** What the Console panel shows. */
   readonly log: ConsoleLog;
   readonly notices: Notices;
+  /** The files that were last opened or saved. */
+  readonly recentFiles: RecentFiles;
+  readonly tour: Tour;
   /** Whether changes are kept for a tab that is killed. */
   readonly drafts: Drafts;
 

@@ -11,6 +11,8 @@ export type MenuEntry =
       /** Key shown at the right. */
       readonly keys?: string;
       readonly disabled?: boolean;
+      /** For what is on or off: whether it is on. */
+      readonly checked?: boolean;
       run(): void;
     }
   | { readonly label: string; readonly icon?: IconName; readonly entries: readonly MenuEntry[] }
@@ -22,6 +24,7 @@ export function actionEntry(action: Action, editor: EditorApi): MenuEntry {
     label: labelOf(action, editor),
     icon: action.icon,
     keys: editor.keys.keysOf(action).at(0),
+    checked: action.checked?.(editor),
     disabled: !(action.enabled?.(editor) ?? true),
     run: () => editor.attempt(() => action.run(editor)),
   };

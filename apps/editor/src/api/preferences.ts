@@ -1,5 +1,6 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
+import type { Language } from '../language/languages';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
 export interface Preferences {
@@ -7,8 +8,12 @@ export interface Preferences {
   folded: Readonly<Record<string, boolean>>;
   /** 'system' follows the system's light or dark. */
   theme: 'dark' | 'light' | 'system';
+  /** Null for the first of the browser's that there is. */
+  language: Language | null;
   /** By what drags of the handles go while they snap: metres, degrees, part of the size; each above 0. */
   snapSteps: { readonly translate: number; readonly rotate: number; readonly scale: number };
+  /** Whether the welcome is shown when the editor opens. */
+  showWelcome: boolean;
 }
 
 export type PreferenceStore = StoreApi<Preferences>;
@@ -20,7 +25,9 @@ export const createPreferences = (storage: string): PreferenceStore =>
       (): Preferences => ({
         folded: {},
         theme: 'dark',
+        language: null,
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
+        showWelcome: true,
       }),
       { name: storage },
     ),

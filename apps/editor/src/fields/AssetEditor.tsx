@@ -1,29 +1,64 @@
-import type { AssetField } from '@farol/engine/fields';
+import { t } from '@farol/editing';
+import type { AssetLibrary } from '@farol/engine';
+import { type AssetField, type MaterialMap, materialMaps } from '@farol/engine/fields';
 import { type ReactNode, useMemo, useState } from 'react';
+import { assetEntries, type AssetEntry, holdsNormals } from '../files/assetKinds';
 import { draggedAsset, isAssetDrag } from '../files/dragAsset';
 import { useEditor, useSignal } from '../ui/EditorContext';
-import { SearchSelect } from '../ui/SearchSelect';
+import { type SearchOption, SearchSelect } from '../ui/SearchSelect';
+import { Thumbnail } from '../ui/Thumbnail';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
 
-/** The name of an asset: chosen from a list, or dropped from the Assets panel. */
+interface AssetOption extends SearchOption {
+  readonly entry: AssetEntry;
+}
+
+const nameOf = ({ name, kind, label }: AssetEntry): string => (kind === 'prefab' ? label : name);
+
+const noneOf = (type: AssetField['assetType']): string =>
+  ({
+    mesh: t('No mesh'),
+    texture: t('No texture'),
+    material: t('No material'),
+    shader: t('No shader'),
+    model: t('No model'),
+  })[type];
+
+/** What fits first: to a map of normals what holds normals, to others what does not; other sizes of a texture last. */
+function rankOf(assets: AssetLibrary, entry: AssetEntry, isForNormals: boolean | null): number {
+  if (entry.isVariant) return 2;
+  return isForNormals === null || holdsNormals(assets, entry.name) === isForNormals ? 0 : 1;
+}
+
+/** Whether a texture goes to a map of normals; null where a field is no map of a material. */
+function isForNormals(name: string): boolean | null {
+  const map: MaterialMap | undefined = (materialMaps as Readonly<Record<string, MaterialMap>>)[name];
+  return map ? (map.isNormals ?? false) : null;
+}
+
+/** The name of an asset: chosen from a list with pictures, or dropped from the Assets panel. */
 export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
-  const { field, value, mixed, label, description, disabled, onCommit } = props;
+  const { field, name, value, mixed, label, description, disabled, onCommit } = props;
   const editor = useEditor();
   const { document } = editor;
-  useSignal(document.assetsChanged);
-  const { assets } = document;
+  const revision = useSignal(document.assetsChanged);
+  const { scene, assets } = document;
   const { assetType } = field;
   const [isOver, setIsOver] = useState(false);
-  const names = assets.list(assetType).join('\n');
-  const options = useMemo(
-    () =>
-      names
-        .split('\n')
-        .filter(Boolean)
-        .map((name) => ({ value: name, label: name })),
-    [names],
-  );
-  const placeholder = mixed ? '—' : `No ${assetType}`;
+  const options = useMemo((): AssetOption[] => {
+    const normals = assetType === 'texture' ? isForNormals(name) : null;
+    const rank = ({ entry }: AssetOption): number => rankOf(assets, entry, normals);
+    return assetEntries(scene)
+      .filter(({ kind }) => kind === assetType)
+      .map((entry) => ({ value: entry.name, label: nameOf(entry), entry }))
+      .toSorted((a, b) => rank(a) - rank(b));
+    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the library
+  }, [scene, assets, assetType, name, revision]);
+  const placeholder = mixed ? '—' : noneOf(assetType);
+  const pictureOf = (option: SearchOption): ReactNode => {
+    const { entry } = option as Partial<AssetOption>;
+    return entry && <Thumbnail entry={entry} size={14} />;
+  };
   return (
     <div
       className="asset-slot"
@@ -46,7 +81,7 @@ export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
         });
       }}
     >
-      <SearchSelect {...{ value, options, label, description, disabled, placeholder }} onChange={onCommit} />
+      <SearchSelect {...{ value, options, label, description, disabled, placeholder, pictureOf }} onChange={onCommit} />
     </div>
   );
 }

@@ -1,5 +1,5 @@
 import { Popover } from '@base-ui/react/popover';
-import { splitColour, withIntensity, withScreenColour } from '@farol/editing';
+import { splitColour, t, withIntensity, withScreenColour } from '@farol/editing';
 import type { ColourField } from '@farol/engine/fields';
 import { type ReactNode, useRef } from 'react';
 import { HexColorPicker } from 'react-colorful';
@@ -58,7 +58,7 @@ export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {
             <div className="colour-fields">
               <TextInput
                 value={mixed ? null : hex}
-                label={`${label} as sRGB`}
+                label={t('{label} as sRGB', { label })}
                 onCommit={(text) => {
                   const update = withScreenColour(text);
                   if (update) onCommit(update);
@@ -69,10 +69,13 @@ export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {
                 min={1}
                 step={0.1}
                 unit="×"
-                label={`${label} intensity`}
-                description="Factor above what a screen can show"
+                label={t('{label} intensity', { label })}
+                description={t('Factor above what a screen can show')}
                 handle={<span className="grip" />}
                 onPreview={(next) => onPreview(withIntensity(next))}
+                onPreviewEach={(update) =>
+                  onPreview((before) => withIntensity(update(splitColour(before).intensity))(before))
+                }
                 onCommit={() => onCommit()}
                 onDiscard={onDiscard}
               />

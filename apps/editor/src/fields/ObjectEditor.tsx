@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ObjectField } from '@farol/engine/fields';
 import { type ReactNode, useMemo } from 'react';
 import { useEditor, useSignal } from '../ui/EditorContext';
@@ -14,6 +15,6 @@ export function ObjectEditor(props: FieldEditorProps<ObjectField>): ReactNode {
     return list;
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the tree
   }, [document, revision]);
-  const placeholder = mixed ? '—' : 'No object';
+  const placeholder = mixed ? '—' : t('No object');
   return <SearchSelect {...{ value, options, label, description, disabled, placeholder }} onChange={onCommit} />;
 }

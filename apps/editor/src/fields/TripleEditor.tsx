@@ -9,7 +9,7 @@ const axes = ['x', 'y', 'z'] as const;
 /** Three numbers side by side, one for each axis: a vector, or Euler angles in degrees. */
 export function TripleEditor(props: FieldEditorProps<Vector3Field | EulerField>): ReactNode {
   const { field, value, parts, label, onPreview, onCommit, ...rest } = props;
-  const { min, max, step, toShown, fromShown } = useMemo(() => numberDisplay(field), [field]);
+  const { unit, min, max, step, toShown, fromShown } = useMemo(() => numberDisplay(field), [field]);
   return (
     <div className="triple" role="group" aria-label={label}>
       {axes.map((axis, i) => {
@@ -17,13 +17,14 @@ export function TripleEditor(props: FieldEditorProps<Vector3Field | EulerField>)
         return (
           <NumberInput
             {...rest}
-            {...{ min, max, step }}
+            {...{ unit, min, max, step }}
             key={axis}
             digits="short"
             value={coordinate === null ? null : toShown(coordinate)}
             label={`${label} ${axis}`}
             handle={<span className={`axis axis-${axis}`}>{axis}</span>}
             onPreview={(next) => onPreview(withCoordinate(i, fromShown(next)))}
+            onPreviewEach={(update) => onPreview(withCoordinate(i, (before) => fromShown(update(toShown(before)))))}
             onCommit={() => onCommit()}
           />
         );

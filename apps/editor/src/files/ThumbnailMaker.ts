@@ -52,10 +52,14 @@ export class ThumbnailMaker {
   pictureOf(entry: AssetEntry): Promise<string | null> {
     const { scene, assets } = this.viewport.document;
     const prefab = entry.kind === 'prefab' ? scene.prefabs.get(entry.name) : null;
-    const owner: object = prefab ?? assets;
+    const material = entry.kind === 'material' ? assets.materialAsset(entry.name) : null;
+    const owner: object = prefab ?? material ?? assets;
     let known = this.pictures.get(owner);
     if (!known) this.pictures.set(owner, (known = new Map()));
-    const key = `${entry.kind}/${entry.name}`;
+    const revision = material ? this.viewport.document.ownerSignal(material).revision : 0;
+    const key = material ? String(revision) : `${entry.kind}/${entry.name}`;
+    // pictures of what the material was before
+    if (material && !known.has(key)) this.forget(known);
     let picture = known.get(key);
     if (!picture) {
       picture = this.last.then(idle).then(() => this.draw(entry, prefab));
@@ -65,6 +69,14 @@ export class ThumbnailMaker {
       void picture.then((address) => address ?? known.delete(key));
     }
     return picture;
+  }
+
+  /** Lets pictures go, once those that show them have had the time for others. */
+  private forget(pictures: Map<string, Promise<string | null>>): void {
+    for (const picture of pictures.values()) {
+      void picture.then((address) => address && setTimeout(() => URL.revokeObjectURL(address), 10_000));
+    }
+    pictures.clear();
   }
 
   /** Draws an asset, after a lost context once more. */

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { FileProblem, ForeignAddress } from '@farol/engine/files';
 import type { Dialogs } from '../model/Dialogs';
 
@@ -9,7 +10,8 @@ function wants(addresses: readonly ForeignAddress[]): FileProblem[] {
   return [...new Set(addresses.map(({ origin }) => origin))].map((path) => {
     const list = addresses.filter(({ origin }) => origin === path);
     const names = list.slice(0, LISTED).map(({ asset }) => asset);
-    const more = list.length > LISTED ? ` and ${(list.length - LISTED).toLocaleString('en')} more` : '';
+    const more =
+      list.length > LISTED ? t(' and {count} more', { count: (list.length - LISTED).toLocaleString('en') }) : '';
     return { path, problem: `${names.join(', ')}${more}` };
   });
 }
@@ -18,10 +20,10 @@ function wants(addresses: readonly ForeignAddress[]): FileProblem[] {
 export const askForHosts = (dialogs: Dialogs, name: string, addresses: readonly ForeignAddress[]): Promise<boolean> =>
   dialogs.show({
     kind: 'problems',
-    title: `${name} asks for files of other hosts`,
-    text: 'They would learn that you open it, and when. Without them the rest of the scene opens. It asks for:',
+    title: t('{name} asks for files of other hosts', { name }),
+    text: t('They would learn that you open it, and when. Without them the rest of the scene opens. It asks for:'),
     problems: wants(addresses),
-    action: 'Load from these hosts',
-    refusal: 'Open without them',
-    listLabel: 'Hosts',
+    action: t('Load from these hosts'),
+    refusal: t('Open without them'),
+    listLabel: t('Hosts'),
   });

@@ -1,5 +1,8 @@
+import { t } from '@farol/editing';
 import type { AssetLibrary, Scene } from '@farol/engine';
 import type { AssetType } from '@farol/engine/fields';
+import type { Texture } from 'three';
+import { canRename, splitName } from '../model/assetEdits';
 
 /** What the Assets panel shows: assets of the library, and prefabs. */
 export type AssetKind = AssetType | 'prefab';
@@ -12,23 +15,87 @@ export interface AssetEntry {
   readonly label: string;
   /** Whether it came with Farol, and cannot be deleted. */
   readonly isBuiltin: boolean;
+  /** Path of the folder that it is in; '' for the top. */
+  readonly folder: string;
+  /** Whether it is another one over again: a built-in texture of another size, or one picture twice in a model. */
+  readonly isVariant: boolean;
 }
 
 /** Whether a texture is one of light from all sides. */
 export const isEnvironment = (name: string): boolean => /\.(hdr|exr)$/i.test(name);
 
+/** What a kind of asset is called. @param isMany - of several */
+export const kindLabel = (kind: AssetKind, isMany = false): string =>
+  ({
+    prefab: isMany ? t('Prefabs') : t('Prefab'),
+    model: isMany ? t('Models') : t('Model'),
+    mesh: isMany ? t('Meshes') : t('Mesh'),
+    texture: isMany ? t('Textures') : t('Texture'),
+    material: isMany ? t('Materials') : t('Material'),
+    shader: isMany ? t('Shaders') : t('Shader'),
+  })[kind];
+
+/** A card of the Assets panel; null where nothing is of that name. @param name - of an asset, or id of a prefab */
+export function assetEntry(scene: Scene, name: string): AssetEntry | null {
+  const { assets } = scene;
+  const prefab = scene.prefabs.get(name);
+  const shared = { name, folder: '', isVariant: false, isBuiltin: false };
+  if (prefab) return { ...shared, kind: 'prefab', label: prefab.name };
+  const kind = assets.typeOf(name);
+  if (!kind) return null;
+  const { folder, leaf } = canRename(assets, name) ? splitName(name) : { folder: '', leaf: name };
+  const isPart = assets.modelOf(name) !== null;
+  return {
+    ...shared,
+    kind,
+    folder: isPart ? splitName(assets.modelOf(name)!).folder : folder,
+    label: isPart ? splitName(name).leaf : leaf,
+    isBuiltin: assets.isBuiltin(name),
+    isVariant: isOtherSize(assets, name),
+  };
+}
+
 /** Everything that can be used in a scene: its own first, parts of models after them. */
 export function assetEntries(scene: Scene): AssetEntry[] {
   const { assets } = scene;
-  const prefabs = scene.prefabs.list.map(({ id, name }): AssetEntry => {
-    return { kind: 'prefab', name: id, label: name, isBuiltin: false };
+  const names = [...scene.prefabs.list.map(({ id }) => id), ...assets.list()];
+  const pictures = new Set<unknown>();
+  const entries = names.flatMap((name): AssetEntry[] => {
+    const entry = assetEntry(scene, name);
+    if (!entry) return [];
+    const picture = pictureOf(assets, entry);
+    if (picture === null) return [entry];
+    const isTwice = pictures.has(picture);
+    pictures.add(picture);
+    return [isTwice ? { ...entry, isVariant: true } : entry];
   });
-  const entries = assets.list().map((name): AssetEntry => {
-    return { kind: assets.typeOf(name)!, name, label: labelOf(assets, name), isBuiltin: assets.isBuiltin(name) };
-  });
-  const rank = ({ name, isBuiltin }: AssetEntry): number => (isBuiltin ? 2 : assets.modelOf(name) ? 1 : 0);
-  return [...prefabs, ...entries.toSorted((a, b) => rank(a) - rank(b))];
+  const rank = ({ kind, name, isBuiltin }: AssetEntry): number => {
+    if (kind === 'prefab') return -1;
+    return isBuiltin ? 2 : assets.modelOf(name) ? 1 : 0;
+  };
+  return entries.toSorted((a, b) => rank(a) - rank(b));
 }
 
-const labelOf = (assets: AssetLibrary, name: string): string =>
-  assets.modelOf(name) ? name.slice(name.lastIndexOf('/') + 1) : name;
+/** A built-in texture of another size than the usual one: 'stone@512'. */
+const isOtherSize = (assets: AssetLibrary, name: string): boolean =>
+  assets.isBuiltin(name) && assets.has(name.replace(/@\d+$/, '')) && /@\d+$/.test(name);
+
+/** What the textures of a model share that show one picture; null for what is no part. */
+function pictureOf(assets: AssetLibrary, { kind, name }: AssetEntry): unknown {
+  if (kind !== 'texture' || assets.modelOf(name) === null || !assets.isReady('texture', name)) return null;
+  return (assets.texture(name) as Texture<unknown>).image;
+}
+
+/** Whether a texture holds normals, as its name says, or the material of the model that it is a part of. */
+export function holdsNormals(assets: AssetLibrary, name: string): boolean {
+  if (/(^|[^a-z])(normals?|nrm|nor|norm|n)([^a-z]|$)/i.test(splitName(name).leaf.replace(/\.\w+$/, ''))) return true;
+  const model = assets.modelOf(name);
+  if (model === null || !assets.isReady('texture', name)) return false;
+  const texture = assets.texture(name);
+  return assets
+    .partsOf(model)
+    .some((part) => assets.typeOf(part) === 'material' && normalMapOf(assets, part) === texture);
+}
+
+const normalMapOf = (assets: AssetLibrary, material: string): unknown =>
+  assets.isReady('material', material) ? (assets.material(material) as { normalMap?: Texture | null }).normalMap : null;

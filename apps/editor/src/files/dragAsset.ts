@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { AssetKind } from './assetKinds';
 
 /** What is dragged from the Assets panel. */
@@ -5,6 +6,8 @@ export interface DraggedAsset {
   readonly kind: AssetKind;
   /** Name of the asset, id of the prefab. */
   readonly name: string;
+  /** All that is dragged with it, itself included; itself alone when absent. */
+  readonly names?: readonly string[];
 }
 
 const TYPE = 'application/x-farol-asset';
@@ -12,8 +15,13 @@ const TYPE = 'application/x-farol-asset';
 /** Types can be read while something is dragged, what they hold only when it is dropped: the kind is in the type. */
 const typeOf = (kind: AssetKind): string => `${TYPE}-${kind}`;
 
-/** Begins a drag. */
-export function setDraggedAsset(transfer: DataTransfer, asset: DraggedAsset): void {
+/** Begins a drag. @param names - of all that are dragged with the asset, itself included */
+export function setDraggedAsset(
+  transfer: DataTransfer,
+  { kind, name }: DraggedAsset,
+  names: readonly string[] = [name],
+): void {
+  const asset: DraggedAsset = { kind, name, names };
   transfer.setData(TYPE, JSON.stringify(asset));
   transfer.setData(typeOf(asset.kind), asset.name);
   transfer.setData('text/plain', asset.name);
@@ -25,7 +33,7 @@ export const isAssetDrag = (transfer: DataTransfer, kind?: AssetKind): boolean =
   transfer.types.includes(kind ? typeOf(kind) : TYPE);
 
 /** Whether files are dragged from outside. */
-export const isFileDrag = (transfer: DataTransfer): boolean => transfer.types.includes('Files');
+export const isFileDrag = (transfer: DataTransfer): boolean => transfer.types.includes(t('Files'));
 
 /** What is dropped; null when it is no asset of the editor's. */
 export function draggedAsset(transfer: DataTransfer): DraggedAsset | null {

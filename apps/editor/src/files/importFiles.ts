@@ -1,7 +1,9 @@
+import { t } from '@farol/editing';
 import type { AssetLibrary } from '@farol/engine';
 import { decodedUri, expandZips, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { withProgress } from './withProgress';
+import { freeAssetName } from '../model/assetEdits';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
 
@@ -9,15 +11,6 @@ import type { FileMap } from '@farol/engine/files';
 const importable = readableEndings.replace('.gltf,', '.gltf, .obj, .stl, .zip,');
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
-
-/** A name that is free: 'robot 2.glb' when there is a 'robot.glb'. */
-export function freeName(assets: AssetLibrary, name: string): string {
-  const dot = name.indexOf('.', 1);
-  const [stem, ending] = dot < 0 ? [name, ''] : [name.slice(0, dot), name.slice(dot)];
-  let free = name;
-  for (let n = 2; assets.has(free); n++) free = `${stem} ${n}${ending}`;
-  return free;
-}
 
 async function sameBytes(a: Blob, b: Blob): Promise<boolean> {
   if (a.size !== b.size) return false;
@@ -83,7 +76,8 @@ export interface ImportResult {
  */
 export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportResult> {
   const [first] = files.keys();
-  const title = files.size === 1 ? `Reading ${nameIn(first)}` : `Reading ${files.size} files`;
+  const title =
+    files.size === 1 ? t('Reading {name}', { name: nameIn(first) }) : t('Reading {count} files', { count: files.size });
   return withProgress(editor.dialogs, title, async (signal) =>
     importAll(editor, await expandZips(files, editor.mayUnpack), signal),
   );
@@ -102,7 +96,7 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
       names.push(known);
       return;
     }
-    const name = freeName(assets, fileName);
+    const name = freeAssetName(assets, fileName);
     assets.registerFile(name, blob);
     try {
       await assets.load(name, signal);
@@ -112,7 +106,12 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
       assets.unregister(name);
       signal.throwIfAborted();
       const { cause } = error as Error;
-      problems.push(`${path} cannot be imported: ${cause instanceof Error ? cause.message : String(error)}`);
+      problems.push(
+        t('{path} cannot be imported: {reason}', {
+          path,
+          reason: cause instanceof Error ? cause.message : String(error),
+        }),
+      );
     }
   };
   const takeAll = async (): Promise<void> => {
@@ -128,7 +127,12 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
         await take(path, blob, nameIn(path).replace(/\.\w+$/, '.glb'));
       } catch (error) {
         signal.throwIfAborted();
-        problems.push(`${path} cannot be imported: ${error instanceof Error ? error.message : String(error)}`);
+        problems.push(
+          t('{path} cannot be imported: {reason}', {
+            path,
+            reason: error instanceof Error ? error.message : String(error),
+          }),
+        );
       }
     }
     for (const path of left) if (typeOfUrl(path)) await take(path, files.get(path)!, nameIn(path));
@@ -154,7 +158,9 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
     );
   }
   if (unknown.length > 0 && names.length + problems.length === 0) {
-    throw new Error(`${unknown.slice(0, 4).join(', ')} cannot be imported: only ${importable} can.`);
+    throw new Error(
+      t('{names} cannot be imported: only {importable} can.', { names: unknown.slice(0, 4).join(', '), importable }),
+    );
   }
   for (const problem of problems) editor.notices.show('error', problem);
   if (notes.length > 0) editor.notices.show('warning', notes.join('\n'));

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { MicroShaderCompileError } from '@farol/renderer';
 import type { EditorApi } from '../api/EditorApi';
 import { checkMicroShaders } from '../microshaders/checkMicroShaders';
@@ -6,11 +7,18 @@ import { checkMicroShaders } from '../microshaders/checkMicroShaders';
 function refusal(file: string, error: unknown): Error {
   const [first] = error instanceof MicroShaderCompileError ? error.entries : [];
   const reason = first
-    ? `${first.chunk ?? 'a chunk'}, line ${first.line}: ${first.message}`
+    ? t('{chunk}, line {line}: {message}', {
+        chunk: first.chunk ?? t('a chunk'),
+        line: first.line,
+        message: first.message,
+      })
     : error instanceof Error
       ? error.message
       : String(error);
-  return new Error(`${file} is not imported, and nothing has changed: ${reason.slice(0, 300)}`, { cause: error });
+  return new Error(
+    t('{file} is not imported, and nothing has changed: {reason}', { file, reason: reason.slice(0, 300) }),
+    { cause: error },
+  );
 }
 
 /**
@@ -41,22 +49,23 @@ export async function importMicroShaders(
   if (replaced.length > 0) {
     const isAgreed = await dialogs.show({
       kind: 'problems',
-      title: `${file} replaces microshaders that are there`,
-      text: 'What is drawn with them changes. History takes the import back in one step. It replaces:',
+      title: t('{file} replaces microshaders that are there', { file }),
+      text: t('What is drawn with them changes. History takes the import back in one step. It replaces:'),
       problems: replaced.map(({ name }) => ({
         path: name,
         problem: microShaders.isOwn(name)
-          ? 'of this scene'
+          ? t('of this scene')
           : microShaders.isChanged(name)
-            ? 'built in, edited'
-            : 'built in',
+            ? t('built in, edited')
+            : t('built in'),
       })),
-      action: 'Replace them',
-      listLabel: 'Microshaders',
+      action: t('Replace them'),
+      listLabel: t('Microshaders'),
     });
     if (!isAgreed) return null;
   }
-  if (document.scene !== scene) throw new Error(`${file} is not imported: another scene was opened meanwhile.`);
-  microShaders.takeOver(`Import ${file}`, edits);
+  if (document.scene !== scene)
+    throw new Error(t('{file} is not imported: another scene was opened meanwhile.', { file }));
+  microShaders.takeOver(t('Import {file}', { file }), edits);
   return names;
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { fileSave, type FirstFileSaveOptions } from 'browser-fs-access';
 import { browserReason } from './browserReason';
 
@@ -9,7 +10,7 @@ export interface SaveRequest extends FirstFileSaveOptions {
 /** What is said of a file that was not written, and by whose fault. */
 export function notSaved(fileName: string, error: unknown): Error {
   const { why, mend } = browserReason(error);
-  return new Error(`“${fileName}” was not saved: ${why}. ${mend}`, { cause: error });
+  return new Error(t('“{fileName}” was not saved: {why}. {mend}', { fileName, why, mend }), { cause: error });
 }
 
 /**

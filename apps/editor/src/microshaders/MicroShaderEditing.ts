@@ -1,4 +1,4 @@
-import { type Gesture, Signal } from '@farol/editing';
+import { type Gesture, Signal, t } from '@farol/editing';
 import { MicroShaderOverrides } from '@farol/engine';
 import {
   type MicroShader,
@@ -152,15 +152,19 @@ export class MicroShaderEditing {
   revert(name: string): void {
     this.discardDraft(name);
     const users = this.isOwn(name) ? this.registry.usersOf(name).filter((other) => other !== name) : [];
-    if (users.length > 0) throw new Error(`“${name}” is needed by ${users.join(', ')}: change those first.`);
-    const label = this.isOwn(name) ? `Delete microshader ${name}` : `Revert microshader ${name}`;
+    if (users.length > 0)
+      throw new Error(t('“{name}” is needed by {users}: change those first.', { name, users: users.join(', ') }));
+    const label = this.isOwn(name)
+      ? t('Delete microshader {name}', { name })
+      : t('Revert microshader {name}', { name });
     this.run(label, [{ name, text: null }]);
   }
 
   /** Adds a chunk of the scene's own. @throws Error for a name that is taken or cannot be */
   create(name: string): void {
-    if (this.names.includes(name)) throw new Error(`There is a microshader “${name}” already: choose another name.`);
-    this.run(`New microshader ${name}`, [{ name, text: TEMPLATE }]);
+    if (this.names.includes(name))
+      throw new Error(t('There is a microshader “{name}” already: choose another name.', { name }));
+    this.run(t('New microshader {name}', { name }), [{ name, text: TEMPLATE }]);
   }
 
   /** The chunks of a file of XML as texts. @throws Error with file and line */
@@ -242,7 +246,7 @@ export class MicroShaderEditing {
   private preview(name: string, text: string | null): void {
     const { commands, scene } = this.document;
     if (!this.gesture?.isOpen) this.gesture = commands.begin();
-    this.gesture.preview(new SetMicroShaders(`Edit microshader ${name}`, scene, [{ name, text }]));
+    this.gesture.preview(new SetMicroShaders(t('Edit microshader {name}', { name }), scene, [{ name, text }]));
   }
 
   /** Brings the scene's texts into the renderers: after an edit, an undo, or when another scene was opened. */

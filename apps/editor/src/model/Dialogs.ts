@@ -42,13 +42,29 @@ export interface PaletteDialog {
 }
 
 /** Scenes that were not saved when their tab was closed. */
-export interface RecoverDialog {
-  readonly kind: 'recover';
+export interface RecoveryOffer {
   readonly sessions: readonly SessionInfo[];
   /** Opens what a session left. */
   recover(session: SessionInfo): Promise<unknown>;
   /** Throws a session away. */
   discard(session: SessionInfo): Promise<void>;
+}
+
+/** Scenes that were not saved when their tab was closed. */
+export interface RecoverDialog extends RecoveryOffer {
+  readonly kind: 'recover';
+}
+
+/** Where one begins: samples, recent files, the tour. */
+export interface WelcomeDialog {
+  readonly kind: 'welcome';
+  /** Null where there is nothing to recover. */
+  readonly recovery: RecoveryOffer | null;
+}
+
+/** What the editor is. */
+export interface AboutDialog {
+  readonly kind: 'about';
 }
 
 /** The ways to give a scene away. */
@@ -78,6 +94,8 @@ export type DialogRequest =
   | KeysDialog
   | PaletteDialog
   | RecoverDialog
+  | WelcomeDialog
+  | AboutDialog
   | ExportDialog;
 
 /** The dialog that is asked for, one at a time. */

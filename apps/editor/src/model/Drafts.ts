@@ -1,6 +1,4 @@
-import { Signal } from '@farol/editing';
-
-const clock = new Intl.DateTimeFormat(undefined, { timeStyle: 'medium' });
+import { formatTime, Signal, t } from '@farol/editing';
 
 /** Whether changes are kept for a tab that is killed, as the user is told it. */
 export class Drafts {
@@ -13,8 +11,13 @@ export class Drafts {
   /** Why drafts are not kept, since when, and what to do: whole sentences. Null while they are. */
   get problem(): string | null {
     if (this.reason === null) return null;
-    const since = this.lastKept === null ? '' : ` since ${clock.format(this.lastKept)}`;
-    return `This browser keeps no drafts here${since}: ${this.reason} Save to a file by Ctrl+S.`;
+    const { reason } = this;
+    return this.lastKept === null
+      ? t('This browser keeps no drafts here: {reason} Save to a file by Ctrl+S.', { reason })
+      : t('This browser keeps no drafts here since {time}: {reason} Save to a file by Ctrl+S.', {
+          reason,
+          time: formatTime(this.lastKept),
+        });
   }
 
   /** When something was last kept, or should have been (ms since 1970); null where nothing ever can be. */

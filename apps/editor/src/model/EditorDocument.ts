@@ -1,4 +1,4 @@
-import { type Command, CommandStack, Signal } from '@farol/editing';
+import { type Command, CommandStack, Selection as AssetSelection, Signal, t } from '@farol/editing';
 import {
   AssetLibrary,
   type Component,
@@ -38,6 +38,10 @@ export class EditorDocument {
   /** Hears of every edit of the scene as it is made, previews included. */
   onSceneChange: (change: SceneChange) => void = () => {};
 
+  /** Emits when a field of a material of the library changes. */
+  readonly materials = new Signal();
+  /** The assets that are selected, by name, or id of a prefab: the last one is what the inspector shows. */
+  readonly assetSelection = new AssetSelection<string>();
   /** Emits when a microshader of the scene changes. */
   readonly microShaders = new Signal();
   /** Takes what a component throws while it is simulated. */
@@ -53,9 +57,10 @@ export class EditorDocument {
     assets: AssetLibrary = new AssetLibrary(),
     private readonly registry?: ComponentRegistry,
   ) {
-    this.current = new Scene({ name: 'Untitled', assets, registry });
+    this.current = new Scene({ name: t('Untitled'), assets, registry });
     this.watchAssets();
     this.unsubscribe = this.watch(this.current);
+    this.selection.onSet = () => this.assetSelection.clear();
   }
 
   get scene(): Scene {
@@ -82,6 +87,7 @@ export class EditorDocument {
     this.unsubscribe = this.watch(scene);
     this.simulation.restart();
     this.selection.clear();
+    this.assetSelection.clear();
     const library = before.assets;
     before.dispose();
     if (library !== scene.assets) library.dispose();
@@ -116,7 +122,10 @@ export class EditorDocument {
     this.playEdits.note(change);
     if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
     else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
-    else if (change.kind === 'microshader') this.microShaders.emit();
+    else if (change.kind === 'material') {
+      this.ownerSignals.get(change.material)?.emit();
+      this.materials.emit();
+    } else if (change.kind === 'microshader') this.microShaders.emit();
     else {
       if (change.kind === 'prefab' || (change.kind === 'object' && change.property === 'prefab')) this.prefabs.emit();
       this.structure.emit();
@@ -134,12 +143,23 @@ export class EditorDocument {
     this.endAssets();
     this.endAssets = this.assets.onChange((change) => {
       if (change.kind === 'failed' && change.error) this.onAssetFailed(change.error);
-      this.assetsChanged.emit();
+      // of a value of a material the scene tells
+      if (change.kind !== 'changed') this.assetsChanged.emit();
+      if (change.kind === 'removed') this.dropLostAssets();
     });
+  }
+
+  /** Deselects assets that are gone. */
+  private dropLostAssets(): void {
+    const { items } = this.assetSelection;
+    const found = items.filter((name) => this.assets.has(name) || this.scene.prefabs.get(name));
+    if (found.length < items.length) this.assetSelection.set(found);
   }
 
   /** Deselects what is no longer in the scene. */
   private dropLost(): void {
-    this.selection.set(this.selection.ids.filter((id) => this.scene.findById(id)));
+    const { ids } = this.selection;
+    const found = ids.filter((id) => this.scene.findById(id));
+    if (found.length < ids.length) this.selection.set(found);
   }
 }

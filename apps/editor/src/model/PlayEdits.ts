@@ -1,11 +1,11 @@
-import { type Command, type CommandStack, SetFields, Signal } from '@farol/editing';
-import type { Component, Scene, SceneChange, SceneSettings } from '@farol/engine';
+import { type Command, type CommandStack, labelOfField, SetFields, Signal, t } from '@farol/editing';
+import type { Component, MaterialAsset, Scene, SceneChange, SceneSettings } from '@farol/engine';
 import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { CommandList } from './commands/CommandList';
 
 /** A value that was edited while the scene played. */
 export interface PlayChange {
-  readonly owner: Component | SceneSettings;
+  readonly owner: Component | SceneSettings | MaterialAsset;
   /** Name of the field. */
   readonly name: string;
   /** What it is, as before playing. */
@@ -81,8 +81,9 @@ export class PlayEdits {
 
   /** Something of the scene changed, by an edit or by a component. */
   note(change: SceneChange): void {
-    if (!this.isRecording || (change.kind !== 'field' && change.kind !== 'settings')) return;
-    const owner = change.kind === 'field' ? change.component : this.document.scene.settings;
+    if (!this.isRecording) return;
+    if (change.kind !== 'field' && change.kind !== 'settings' && change.kind !== 'material') return;
+    const owner = ownerOf(change, this.document.scene);
     let fields = this.before.get(owner);
     if (!fields) this.before.set(owner, (fields = new Map()));
     if (!fields.has(change.field)) fields.set(change.field, change.before);
@@ -92,7 +93,7 @@ export class PlayEdits {
   keep(change: PlayChange): void {
     const { owner, name, to } = change;
     this.check(change);
-    this.document.commands.run(new SetFields(`Keep ${nameOf(change)}`, [{ owner, name, value: to }]));
+    this.document.commands.run(new SetFields(t('Keep {name}', { name: nameOf(change) }), [{ owner, name, value: to }]));
     this.values = this.values.filter((each) => !sameField(each, change));
     this.dropAll();
     this.changed.emit();
@@ -101,12 +102,12 @@ export class PlayEdits {
   /** Keeps what is left, as one step of history. @throws Error as `keep` does; nothing is kept then */
   keepAll(): void {
     if (this.canKeepAll) {
-      this.document.commands.run(new CommandList('Keep edits of playing', this.all));
+      this.document.commands.run(new CommandList(t('Keep edits of playing'), this.all));
       this.all = [];
     } else {
       for (const change of this.values) this.check(change);
       const edits = this.values.map(({ owner, name, to }) => ({ owner, name, value: to }));
-      this.document.commands.run(new SetFields('Keep edits of playing', edits));
+      this.document.commands.run(new SetFields(t('Keep edits of playing'), edits));
     }
     this.dismiss();
   }
@@ -120,7 +121,11 @@ export class PlayEdits {
 
   private check(change: PlayChange): void {
     if ('isAttached' in change.owner && change.owner.scene !== this.document.scene) {
-      throw new Error(`${nameOf(change)} cannot be kept: its object was added while playing. Keep all edits instead.`);
+      throw new Error(
+        t('{name} cannot be kept: its object was added while playing. Keep all edits instead.', {
+          name: nameOf(change),
+        }),
+      );
     }
   }
 
@@ -130,10 +135,21 @@ export class PlayEdits {
   }
 }
 
+function ownerOf(
+  change: Extract<SceneChange, { kind: 'field' | 'settings' | 'material' }>,
+  scene: Scene,
+): PlayChange['owner'] {
+  if (change.kind === 'field') return change.component;
+  return change.kind === 'material' ? change.material : scene.settings;
+}
+
 /** What a change is of, such as 'intensity of Lamp'. */
 export function nameOf({ owner, name }: PlayChange): string {
-  const field = (owner.fields[name].label ?? name).toLowerCase();
-  return `${field} of ${'isAttached' in owner && owner.isAttached ? owner.gameObject.name : owner.ownerName}`;
+  const field = labelOfField(name, owner.fields[name]).toLowerCase();
+  return t('{field} of {name}', {
+    field,
+    name: 'isAttached' in owner && owner.isAttached ? owner.gameObject.name : owner.ownerName,
+  });
 }
 
 /** The values that commands, which are undone, have set. */

@@ -1,7 +1,8 @@
-import { type Command, type FieldEdit, SetFields } from '@farol/editing';
+import { type Command, type FieldEdit, SetFields, t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
-import type { AssetType, FieldOwner, FieldTable, FieldValue } from '@farol/engine/fields';
+import type { AssetType, FieldTable, FieldValue } from '@farol/engine/fields';
 import type { Prefab } from '@farol/engine/prefabs';
+import { type AssetOwner, assetOwners } from './assetOwners';
 import { RemoveAsset } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';
 import { SetPrefab } from './commands/SetPrefab';
@@ -12,24 +13,19 @@ export interface AssetUsage {
   readonly place: string;
   /** What: 'ModelRenderer.model'. */
   readonly field: string;
+  /** Of an object: its id. */
+  readonly object?: string;
 }
 
 const isOne = (names: ReadonlySet<string>, value: FieldValue | undefined): boolean =>
   typeof value === 'string' && names.has(value);
 
-function editsOf(scene: Scene, names: ReadonlySet<string>): (FieldEdit & { readonly place: string })[] {
-  const edits: (FieldEdit & { readonly place: string })[] = [];
-  const visit = (owner: FieldOwner, place: string): void => {
-    for (const [name, field] of Object.entries(owner.fields)) {
-      if (field.kind !== 'asset' || !isOne(names, owner.getAuthored(name))) continue;
-      edits.push({ owner, name, value: null, place });
-    }
-  };
-  visit(scene.settings, 'Scene');
-  scene.traverse((object) => {
-    for (const component of object.components) visit(component, object.name);
-  });
-  return edits;
+function editsOf(scene: Scene, names: ReadonlySet<string>): (FieldEdit & AssetOwner)[] {
+  return assetOwners(scene).flatMap((each) =>
+    Object.entries(each.owner.fields).flatMap(([name, field]) =>
+      field.kind === 'asset' && isOne(names, each.owner.getAuthored(name)) ? [{ ...each, name, value: null }] : [],
+    ),
+  );
 }
 
 const assetFields = (fields: FieldTable): [string, AssetType][] =>
@@ -47,7 +43,10 @@ function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { ne
       for (const [name] of assetFields(scene.registry.get(component.type).fields)) {
         if (!isOne(names, values[name])) continue;
         values[name] = null;
-        usages.push({ place: `${object.name} (prefab ${prefab.name})`, field: `${component.type}.${name}` });
+        usages.push({
+          place: t('{name} (prefab {prefab})', { name: object.name, prefab: prefab.name }),
+          field: `${component.type}.${name}`,
+        });
       }
       return { ...component, values };
     }),
@@ -61,7 +60,11 @@ const withParts = (scene: Scene, asset: string): Set<string> => new Set([asset, 
 export function usagesOf(scene: Scene, asset: string): AssetUsage[] {
   const names = withParts(scene, asset);
   return [
-    ...editsOf(scene, names).map(({ owner, name, place }) => ({ place, field: `${owner.ownerName}.${name}` })),
+    ...editsOf(scene, names).map(({ owner, name, place, object }) => ({
+      place,
+      field: 'typeName' in owner ? `${owner.ownerName}.${name}` : name,
+      ...(object === undefined ? {} : { object }),
+    })),
     ...scene.prefabs.list.flatMap((prefab) => without(scene, prefab, names).usages),
   ];
 }
@@ -74,7 +77,7 @@ export function deleteAsset(scene: Scene, asset: string): Command {
     const { next, usages } = without(scene, prefab, names);
     return usages.length > 0 ? [next] : [];
   });
-  return new Sequence(`Delete ${asset}`, [
+  return new Sequence(t('Delete {asset}', { asset }), [
     ...prefabs.map((prefab) => () => new SetPrefab(scene, prefab.id, prefab)),
     ...(edits.length > 0 ? [() => new SetFields('Clear', edits)] : []),
     () => new RemoveAsset(scene.assets, asset),

@@ -1,18 +1,22 @@
-import { type Command, countLabel } from '@farol/editing';
-import { GameObject, type Scene } from '@farol/engine';
-import type { FieldValue } from '@farol/engine/fields';
+import { type Command, countLabel, t } from '@farol/editing';
+import { GameObject, type Scene, type TakenAsset } from '@farol/engine';
+import { type FieldValue, sameValue } from '@farol/engine/fields';
 import {
   FILE_VERSION,
   type FileAsset,
   FileError,
   type FileObject,
   makeObjects,
+  materialInFile,
   parseFile,
   serializeObject,
 } from '@farol/engine/files';
 import { Matrix4, Quaternion, Vector3 } from 'three';
+import { freeAssetName } from './assetEdits';
+import { AddAssets } from './commands/AddAssets';
 import { childrenOf, type Container, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';
+import { Sequence } from './commands/Sequence';
 
 /** Copied GameObjects as JSON data: what the clipboard holds. */
 export interface Clip {
@@ -50,6 +54,8 @@ export function copyObjects(scene: Scene, objects: readonly GameObject[]): strin
   const assets = [...names].flatMap((name): FileAsset[] => {
     const url = scene.assets.urlOf(name);
     const type = scene.assets.typeOf(name);
+    const material = scene.assets.materialAsset(name);
+    if (material) return [materialInFile(material)];
     return url && type ? [{ name, type, url }] : [];
   });
   const worlds = tops.map(({ transform }) => transform.modelMatrix.toArray());
@@ -77,6 +83,38 @@ function takeOuterReferences(objects: FileObject[], scene: Scene): [string, numb
   return taken;
 }
 
+/**
+ * The materials of a clip that the scene does not have, ready to be added. One whose name the scene has for another
+ * material gets a name of its own, which the objects are told.
+ */
+function takeMaterials(scene: Scene, list: readonly FileAsset[], objects: readonly FileObject[]): TakenAsset[] {
+  const { assets } = scene;
+  const names = new Map<string, string>();
+  const taken = list.flatMap(({ name, values }): TakenAsset[] => {
+    if (!values) return [];
+    const known = assets.materialAsset(name);
+    if (known && sameValues(known.changedValues(), values)) return [];
+    const free = freeAssetName(assets, name);
+    names.set(name, free);
+    assets.addMaterial(free, values);
+    return [assets.take(free)];
+  });
+  for (const { components } of names.size > 0 ? objects : []) {
+    for (const { type, values } of components) {
+      const fields = scene.registry.fieldsOf(type);
+      for (const [field, value] of Object.entries(values)) {
+        const isMaterial = fields[field]?.kind === 'asset' && typeof value === 'string';
+        if (isMaterial && names.has(value)) values[field] = names.get(value)!;
+      }
+    }
+  }
+  return taken;
+}
+
+const sameValues = (a: Readonly<Record<string, FieldValue>>, b: Readonly<Record<string, FieldValue>>): boolean =>
+  Object.keys(a).length === Object.keys(b).length &&
+  Object.keys(a).every((name) => name in b && sameValue(a[name], b[name]));
+
 /** Gives an object the place in the world that it had, as seen from a parent. */
 function placeInWorld(object: GameObject, world: readonly number[], parent: Container): void {
   matrix.fromArray(world);
@@ -98,7 +136,7 @@ export function pasteObjects(scene: Scene, text: string, parent: Container, sele
   try {
     clip = JSON.parse(text) as typeof clip;
   } catch (cause) {
-    throw new FileError([{ path: '', problem: 'The clipboard holds no objects: copy some first.' }], { cause });
+    throw new FileError([{ path: '', problem: t('The clipboard holds no objects: copy some first.') }], { cause });
   }
   const objects = Array.isArray(clip.objects) ? clip.objects.filter((each) => Array.isArray(each?.components)) : [];
   const outer = takeOuterReferences(objects, scene);
@@ -120,6 +158,7 @@ export function pasteObjects(scene: Scene, text: string, parent: Container, sele
   for (const { name, url, type } of file.assets) {
     if (url !== undefined && !scene.assets.has(name)) scene.assets.registerUrl(name, url, type);
   }
+  const materials = takeMaterials(scene, file.assets, file.objects);
   const made = makeObjects(file.objects, scene.registry);
   for (const [id, component, name, value] of outer) {
     for (const root of made) root.find(id)?.components[component]?.set(name, value);
@@ -134,8 +173,9 @@ export function pasteObjects(scene: Scene, text: string, parent: Container, sele
   for (const root of made) root.dispose();
   const end = childrenOf(parent).length;
   const placements = copies.map((object, i) => ({ object, parent, index: end + i }));
-  return new PlaceObjects(countLabel('Paste', copies), scene, 'add', placements, {
-    done: copies.map(({ id }) => id),
-    undone: selected,
-  });
+  const label = countLabel(t('Paste'), copies);
+  const selection = { done: copies.map(({ id }) => id), undone: selected };
+  const place = new PlaceObjects(label, scene, 'add', placements, selection);
+  if (materials.length === 0) return place;
+  return new Sequence(label, [() => new AddAssets(scene.assets, materials), () => place], selection);
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Camera, type ComponentClass, Decal, GameObject, Light, ObjectRenderer, type Scene } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 
@@ -31,8 +32,10 @@ function withComponent(name: string, type: ComponentClass, values: Values = {}):
   return object;
 }
 
+const lightLabel = (type: string): string => t(`${capital(type)} light`);
+
 function makeLight(type: string): GameObject {
-  const object = withComponent(`${capital(type)} light`, Light, { type, ...lightValues[type] });
+  const object = withComponent(lightLabel(type), Light, { type, ...lightValues[type] });
   // along its front, -Z: down, and for a sun aslant
   if (type === 'spot') object.transform.rotation = [-Math.PI / 2, 0, 0];
   if (type === 'directional') object.transform.rotation = [-0.9, 0.6, 0];
@@ -40,7 +43,7 @@ function makeLight(type: string): GameObject {
 }
 
 function makeDecal(): GameObject {
-  const object = withComponent('Decal', Decal);
+  const object = withComponent(t('Decal'), Decal);
   object.transform.rotation = [-Math.PI / 2, 0, 0]; // thrown down
   return object;
 }
@@ -49,24 +52,39 @@ const words = (name: string): string => capital(name.replaceAll(/[-_]/g, ' '));
 
 /** A mesh of the library; those of a scene, such as 'temple/column', are in a folder. */
 function meshCreation(mesh: string): Creation {
-  const [label, folder = null] = mesh.split('/').map(words).toReversed();
+  const [label, folder = null] = mesh
+    .split('/')
+    .map((name) => t(words(name)))
+    .toReversed();
   return { label, group: 'mesh', folder, kind: 'mesh', make: () => withComponent(label, ObjectRenderer, { mesh }) };
 }
 
 /** All that can be added, from the registries: a mesh or a type of light that is added there is here too. */
 export function creations(scene: Scene): Creation[] {
   const lights = Light.fields.type.options.map((type): Creation => ({
-    label: `${capital(type)} light`,
+    label: lightLabel(type),
     group: 'light',
     folder: null,
     kind: type,
     make: () => makeLight(type),
   }));
   return [
-    { label: 'Empty object', group: 'object', folder: null, kind: 'object', make: () => new GameObject('Object') },
-    { label: 'Decal', group: 'object', folder: null, kind: 'decal', make: makeDecal },
+    {
+      label: t('Empty object'),
+      group: 'object',
+      folder: null,
+      kind: 'object',
+      make: () => new GameObject(t('Object')),
+    },
+    { label: t('Decal'), group: 'object', folder: null, kind: 'decal', make: makeDecal },
     ...scene.assets.list('mesh').map(meshCreation),
     ...lights,
-    { label: 'Camera', group: 'camera', folder: null, kind: 'camera', make: () => withComponent('Camera', Camera) },
+    {
+      label: t('Camera'),
+      group: 'camera',
+      folder: null,
+      kind: 'camera',
+      make: () => withComponent(t('Camera'), Camera),
+    },
   ];
 }

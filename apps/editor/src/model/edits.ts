@@ -1,4 +1,4 @@
-import { type Command, countLabel, SetFields } from '@farol/editing';
+import { type Command, countLabel, SetFields, t } from '@farol/editing';
 import { type Component, type ComponentClass, GameObject, type Scene } from '@farol/engine';
 import type { FieldOwner, FieldValue } from '@farol/engine/fields';
 import { MoveComponents } from './commands/MoveComponents';
@@ -15,14 +15,20 @@ const ids = (objects: readonly GameObject[]): string[] => objects.map(({ id }) =
 /** Adds a new object at the end of a parent, and selects it. @param selected - what is selected now */
 export function addObject(scene: Scene, object: GameObject, parent: Container, selected: readonly string[]): Command {
   const placement = { object, parent, index: childrenOf(parent).length };
-  return new PlaceObjects(`Add ${object.name}`, scene, 'add', [placement], { done: [object.id], undone: selected });
+  return new PlaceObjects(t('Add {name}', { name: object.name }), scene, 'add', [placement], {
+    done: [object.id],
+    undone: selected,
+  });
 }
 
 /** Deletes objects with all below them. */
 export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const placements = tops.map((object) => placementOf(object, scene));
-  return new PlaceObjects(countLabel('Delete', tops), scene, 'remove', placements, { done: [], undone: ids(objects) });
+  return new PlaceObjects(countLabel(t('Delete'), tops), scene, 'remove', placements, {
+    done: [],
+    undone: ids(objects),
+  });
 }
 
 /** Puts a copy of each object, with all below it, after it, and selects the copies. */
@@ -36,7 +42,7 @@ export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): 
     return { object: source.clone(), parent, index: index + 1 + earlier };
   });
   const copies = placements.map(({ object }) => object);
-  return new PlaceObjects(countLabel('Duplicate', tops), scene, 'add', placements, {
+  return new PlaceObjects(countLabel(t('Duplicate'), tops), scene, 'add', placements, {
     done: ids(copies),
     undone: ids(objects),
   });
@@ -60,26 +66,28 @@ export function moveObjects(scene: Scene, objects: readonly GameObject[], parent
   const moving = new Set(tops);
   const staying = childrenOf(parent).filter((child) => !moving.has(child));
   const before = index === undefined ? null : (staying[index] ?? null);
-  const verb = tops.every((object) => containerOf(object, scene) === parent) ? 'Reorder' : 'Move';
+  const verb = tops.every((object) => containerOf(object, scene) === parent) ? t('Reorder') : t('Move');
   return new MoveObjects(countLabel(verb, tops), scene, tops, parent, before);
 }
 
 export function renameObject(object: GameObject, name: string): Command {
-  return new SetProperty(`Rename ${object.name}`, [object], 'name', name);
+  return new SetProperty(t('Rename {name}', { name: object.name }), [object], 'name', name);
 }
 
 /** Shows or hides objects, with all below them. */
 export function setActive(objects: readonly GameObject[], active: boolean): Command {
-  return new SetProperty(countLabel(active ? 'Show' : 'Hide', objects), objects, 'active', active);
+  return new SetProperty(countLabel(active ? t('Show') : t('Hide'), objects), objects, 'active', active);
 }
 
 /** Locks objects, with all below them, against being picked in the picture; or unlocks them. */
 export function setLocked(objects: readonly GameObject[], locked: boolean): Command {
-  return new SetProperty(countLabel(locked ? 'Lock' : 'Unlock', objects), objects, 'locked', locked);
+  return new SetProperty(countLabel(locked ? t('Lock') : t('Unlock'), objects), objects, 'locked', locked);
 }
 
 export function setEnabled(components: readonly Component[], enabled: boolean): Command {
-  const label = `${enabled ? 'Enable' : 'Disable'} ${components[0]?.typeName}`;
+  const label = enabled
+    ? t('Enable {name}', { name: components[0]?.typeName })
+    : t('Disable {name}', { name: components[0]?.typeName });
   return new SetProperty(label, components, 'enabled', enabled);
 }
 
@@ -101,7 +109,7 @@ export function addComponent(
       for (const name of Object.keys(values)) component.set(name, values[name]);
       return { component, object, index: object.components.length };
     });
-  return new PlaceComponents(`Add ${type.typeName}`, scene, 'add', places);
+  return new PlaceComponents(t('Add {name}', { name: type.typeName }), scene, 'add', places);
 }
 
 /** Takes components off their objects. */
@@ -112,12 +120,18 @@ export function removeComponents(scene: Scene, components: readonly Component[])
       return { component, object, index: object.components.indexOf(component) };
     })
     .toSorted((a, b) => a.index - b.index);
-  return new PlaceComponents(`Remove ${components[0]?.typeName}`, scene, 'remove', places);
+  return new PlaceComponents(t('Remove {name}', { name: components[0]?.typeName }), scene, 'remove', places);
 }
 
 /** Moves components among those of their objects. @param by - -1 for up, 1 for down */
 export function moveComponents(components: readonly Component[], by: number): Command {
-  return new MoveComponents(`Move ${components[0]?.typeName} ${by < 0 ? 'up' : 'down'}`, components, by);
+  return new MoveComponents(
+    by < 0
+      ? t('Move {name} up', { name: components[0]?.typeName })
+      : t('Move {name} down', { name: components[0]?.typeName }),
+    components,
+    by,
+  );
 }
 
 /** Gives each owner the same values; fields that an owner does not have are left out. */

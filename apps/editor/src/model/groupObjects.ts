@@ -1,4 +1,4 @@
-import { type Command, countLabel } from '@farol/editing';
+import { type Command, countLabel, t } from '@farol/editing';
 import { GameObject, type Scene } from '@farol/engine';
 import { Vector3 } from 'three';
 import { MoveObjects } from './commands/MoveObjects';
@@ -26,10 +26,10 @@ function middleOf(objects: readonly GameObject[], { parent }: Placement): Vector
 export function groupObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const place = placementOf(tops[0], scene);
-  const group = new GameObject('Group');
+  const group = new GameObject(t('Group'));
   group.transform.position = middleOf(tops, place).toArray();
   return new Sequence(
-    countLabel('Group', tops),
+    countLabel(t('Group'), tops),
     [
       () => new PlaceObjects('Add group', scene, 'add', [{ ...place, object: group }], none),
       () => new MoveObjects('Move into group', scene, tops, group, null),
@@ -50,8 +50,14 @@ export function ungroupObjects(scene: Scene, objects: readonly GameObject[]): Co
     },
     () => new PlaceObjects('Delete group', scene, 'remove', [placementOf(group, scene)], none),
   ]);
-  return new Sequence(groups.length === 1 ? `Ungroup ${groups[0].name}` : `Ungroup ${groups.length} groups`, steps, {
-    done: freed.map(({ id }) => id),
-    undone: objects.map(({ id }) => id),
-  });
+  return new Sequence(
+    groups.length === 1
+      ? t('Ungroup {name}', { name: groups[0].name })
+      : t('Ungroup {count} groups', { count: groups.length }),
+    steps,
+    {
+      done: freed.map(({ id }) => id),
+      undone: objects.map(({ id }) => id),
+    },
+  );
 }

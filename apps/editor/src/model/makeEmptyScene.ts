@@ -1,15 +1,16 @@
+import { t } from '@farol/editing';
 import { type AssetLibrary, Camera, GameObject, Light, Scene } from '@farol/engine';
 
 /** A scene to begin with: a camera, a sun and a sky. */
 export function makeEmptyScene(assets: AssetLibrary): Scene {
-  const scene = new Scene({ name: 'Untitled', assets });
-  const camera = new GameObject('Camera');
+  const scene = new Scene({ name: t('Untitled'), assets });
+  const camera = new GameObject(t('Camera'));
   camera.addComponent(Camera);
   camera.transform.lookAt([4, 3, 6], [0, 0.5, 0]);
-  const sun = new GameObject('Sun');
+  const sun = new GameObject(t('Sun'));
   sun.addComponent(Light, { type: 'directional', intensity: 2 });
   sun.transform.lookAt([6, 8, 4], [0, 0, 0]);
-  const sky = new GameObject('Sky');
+  const sky = new GameObject(t('Sky'));
   sky.addComponent(Light, { type: 'hemisphere', intensity: 0.4 });
   sky.transform.position = [0, 5, 0];
   for (const object of [camera, sun, sky]) scene.add(object);

@@ -7,6 +7,8 @@ import { Dock } from './dock/Dock';
 import { StatusBar } from './status/StatusBar';
 import { Toolbar } from './toolbar/Toolbar';
 
+const PlayTint = lazy(async () => ({ default: (await import('./play/PlayTint')).PlayTint }));
+const Tour = lazy(async () => ({ default: (await import('./tour/Tour')).Tour }));
 const PlayChanges = lazy(async () => ({ default: (await import('./play/PlayChanges')).PlayChanges }));
 
 /** The editor's window: bar, panels, status. */
@@ -15,6 +17,10 @@ export function Layout(): ReactNode {
   useLayoutEffect(() => {
     document.documentElement.dataset.theme = theme;
   }, [theme]);
+  const { document: edited, tour } = useEditor();
+  const { simulation } = edited;
+  const hasPlayed = useSignal(simulation.changed) > 0;
+  useSignal(tour.changed);
   return (
     <div className="layout">
       <Toolbar />
@@ -24,6 +30,8 @@ export function Layout(): ReactNode {
       </Dock>
       <StatusBar />
       <DialogHost />
+      <Suspense fallback={null}>{hasPlayed && <PlayTint />}</Suspense>
+      <Suspense fallback={null}>{tour.current !== null && <Tour />}</Suspense>
     </div>
   );
 }

@@ -3,7 +3,7 @@ import { makeUnknownComponent, restoreComponent, serializeObject, UnknownCompone
 import type { EditorApi } from '../api/EditorApi';
 import type { EditorPlugin } from '../api/EditorPlugin';
 import { type ComponentSwap, SwapComponents } from '../model/commands/SwapComponents';
-import { Signal } from '@farol/editing';
+import { Signal, t } from '@farol/editing';
 import { installPlugin } from './installPlugin';
 import { PluginStep } from './PluginStep';
 import { takenNames } from './takenNames';
@@ -45,17 +45,20 @@ export class Plugins {
     const taken = takenNames(this.editor, this.list, plugin);
     if (taken.length > 0) {
       throw new Error(
-        `The plugin '${plugin.name}' cannot be added: there is ${taken.join(', ')} already. Choose other names.`,
+        t("The plugin '{name}' cannot be added: there is {names} already. Choose other names.", {
+          name: plugin.name,
+          names: taken.join(', '),
+        }),
       );
     }
     this.install(plugin);
     const swaps = this.restored(plugin);
     if (swaps.length > 0) {
-      const label = `Bring back ${countsOf(swaps.map(({ after }) => after))}`;
+      const label = t('Bring back {components}', { components: countsOf(swaps.map(({ after }) => after)) });
       const step = new SwapComponents(label, document.scene, swaps);
       document.commands.run(new PluginStep(step, { do: () => this.install(plugin) }));
     }
-    log.add('info', 'plugin', `Added the plugin ${plugin.name}`);
+    log.add('info', 'plugin', t('Added the plugin {name}', { name: plugin.name }));
   }
 
   /**
@@ -65,7 +68,7 @@ export class Plugins {
    */
   remove(name: string): void {
     const plugin = this.list.find((each) => each.name === name);
-    if (!plugin) throw new Error(`There is no plugin '${name}' to remove.`);
+    if (!plugin) throw new Error(t("There is no plugin '{name}' to remove.", { name }));
     const { document, notices } = this.editor;
     const { commands } = document;
     document.simulation.stop();
@@ -74,12 +77,17 @@ export class Plugins {
     // steps of the history may hold components of the plugin: they are undone only where the plugin is
     if (components.length > 0 || (isInHistory && (plugin.components?.length ?? 0) > 0)) {
       const swaps = components.map((before) => ({ before, after: asUnknown(before) }));
-      const step = new SwapComponents(`Remove plugin ${name}`, document.scene, swaps);
+      const step = new SwapComponents(t('Remove plugin {name}', { name }), document.scene, swaps);
       commands.run(new PluginStep(step, { do: () => this.uninstall(plugin), undo: () => this.install(plugin) }));
     } else this.uninstall(plugin);
     const kept =
-      components.length === 0 ? '' : `: ${countsOf(components)} kept as data until the plugin is there again`;
-    notices.show('info', `The plugin ${name} is removed${kept}`, 'plugin');
+      components.length === 0
+        ? t('The plugin {name} is removed', { name })
+        : t('The plugin {name} is removed: {components} kept as data until the plugin is there again', {
+            name,
+            components: countsOf(components),
+          });
+    notices.show('info', kept, 'plugin');
   }
 
   private install(plugin: EditorPlugin): void {
@@ -123,7 +131,11 @@ export class Plugins {
         return { before, after };
       } catch (error) {
         const { name } = before.gameObject;
-        notices.show('error', `The ${type} of ${name} stays as data: ${(error as Error).message}`, 'plugin');
+        notices.show(
+          'error',
+          t('The {type} of {name} stays as data: {message}', { type, name, message: (error as Error).message }),
+          'plugin',
+        );
         return [];
       }
     });

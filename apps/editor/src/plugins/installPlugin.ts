@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { EditorApi } from '../api/EditorApi';
 import type { EditorPlugin } from '../api/EditorPlugin';
 
@@ -14,7 +15,10 @@ export function installPlugin(editor: EditorApi, plugin: EditorPlugin): () => vo
       if (kept.length === 0) return;
       notices.show(
         'warning',
-        `Microshaders of ${plugin.name} stay, since others need them: ${kept.join(', ')}`,
+        t('Microshaders of {name} stay, since others need them: {names}', {
+          name: plugin.name,
+          names: kept.join(', '),
+        }),
         'plugin',
       );
     });

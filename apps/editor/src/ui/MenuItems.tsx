@@ -3,6 +3,9 @@ import type { ReactNode } from 'react';
 import { Icon } from './Icon';
 import { keyText } from './keyText';
 import type { MenuEntry } from '../api/MenuEntry';
+import type { IconName } from '../style/iconPaths';
+
+type MenuLine = Extract<MenuEntry, { run(): void }>;
 
 /** The lines of a menu; submenus open beside it. */
 export function MenuItems({ entries }: { entries: readonly MenuEntry[] }): ReactNode {
@@ -10,17 +13,40 @@ export function MenuItems({ entries }: { entries: readonly MenuEntry[] }): React
     // oxlint-disable-next-line react/no-array-index-key -- lines between groups have nothing of their own
     if (entry === 'separator') return <Menu.Separator key={i} className="menu-line" />;
     if ('entries' in entry) return <Submenu key={entry.label} {...entry} />;
+    const { label, checked, disabled, run } = entry;
+    if (checked === undefined) {
+      return (
+        <Menu.Item key={label} className="menu-item" disabled={disabled} onClick={run}>
+          <Line entry={entry} icon={entry.icon} />
+        </Menu.Item>
+      );
+    }
     return (
-      <Menu.Item key={entry.label} className="menu-item" disabled={entry.disabled} onClick={entry.run}>
-        <span className="menu-check">{entry.icon && <Icon name={entry.icon} size={14} />}</span>
-        <span className="menu-text">
-          {entry.label}
-          {entry.help && <span className="menu-help">{entry.help}</span>}
-        </span>
-        {entry.keys && <kbd className="menu-keys">{keyText(entry.keys)}</kbd>}
-      </Menu.Item>
+      <Menu.CheckboxItem
+        key={label}
+        className="menu-item"
+        checked={checked}
+        disabled={disabled}
+        closeOnClick
+        onClick={run}
+      >
+        <Line entry={entry} icon={checked ? 'check' : undefined} />
+      </Menu.CheckboxItem>
     );
   });
+}
+
+function Line({ entry, icon }: { entry: MenuLine; icon?: IconName }): ReactNode {
+  return (
+    <>
+      <span className="menu-check">{icon && <Icon name={icon} size={14} />}</span>
+      <span className="menu-text">
+        {entry.label}
+        {entry.help && <span className="menu-help">{entry.help}</span>}
+      </span>
+      {entry.keys && <kbd className="menu-keys">{keyText(entry.keys)}</kbd>}
+    </>
+  );
 }
 
 function Submenu({ label, icon, entries }: Extract<MenuEntry, { entries: unknown }>): ReactNode {

@@ -1,6 +1,7 @@
-import { NumberField } from '@base-ui/react/number-field';
-import { shownDecimals } from '@farol/editing';
-import { type KeyboardEvent, type ReactNode, useRef } from 'react';
+import { formatNumber, readNumberInRange, roundToStep, t } from '@farol/editing';
+import { type KeyboardEvent, type ReactNode, useId, useRef, useState } from 'react';
+import { Slider } from './Slider';
+import { useScrub } from './useScrub';
 
 export interface NumberInputProps {
   /** Null where several values differ. */
@@ -9,7 +10,7 @@ export interface NumberInputProps {
   readonly max?: number;
   /** What an arrow key, or a pixel of a scrub, adds; ten times that with Shift, a tenth with Alt. */
   readonly step: number;
-  /** Shown after the number. */
+  /** Shown after the number; numbers that are typed without a unit are in it. */
   readonly unit?: string;
   /** How many decimals are shown: five, or three where there is little room. */
   readonly digits?: 'long' | 'short';
@@ -18,92 +19,214 @@ export interface NumberInputProps {
   readonly description?: string;
   /** What can be dragged to change the number. */
   readonly handle?: ReactNode;
+  /** Whether the label of the field that the number is in can be dragged as well. */
+  readonly scrubsLabel?: boolean;
+  /** Whether a slider stands beside it; it needs `min` and `max`. */
+  readonly slider?: boolean;
   readonly disabled?: boolean;
   onPreview(value: number): void;
+  /** A change of each value by its own, such as '+=0.5'; `onPreview` is called where this is absent. */
+  onPreviewEach?(update: (before: number) => number): void;
   onCommit(): void;
   onDiscard(): void;
 }
 
-/** The number itself keeps all its digits. */
-const formatOf = (digits: number): Intl.NumberFormatOptions => ({ maximumFractionDigits: digits, useGrouping: false });
-const formats = { long: formatOf(shownDecimals.long), short: formatOf(shownDecimals.short) };
+/** What is being typed. */
+interface Draft {
+  readonly text: string;
+  /** The value from before. */
+  readonly start: number | null;
+  /** Why it is no number; '' while it is one or may become one. */
+  readonly problem: string;
+}
 
 /**
- * A number that can be typed, stepped by arrow keys, and scrubbed by dragging its handle: many previews, one commit.
- * Enter takes a typed number, Escape goes back.
+ * A number that can be typed, stepped by arrow keys, and scrubbed by dragging its handle, its label or its slider: many
+ * previews, one commit. Enter takes what was typed, Escape goes back; both leave the field, so that keys are hot keys again.
+ * What is no number stays, marked, with the reason below it.
  */
 export function NumberInput(props: NumberInputProps): ReactNode {
-  const { value, min, max, step, unit, label, description, handle, disabled, digits = 'long' } = props;
-  /** Whether text was typed since the field got the focus, and whether it shall be let go. */
-  const typed = useRef(false);
-  const dropped = useRef(false);
+  const { value, min, max, step, unit, label, description, handle, disabled, digits = 'long', slider } = props;
+  const [draft, showDraft] = useState<Draft | null>(null);
+  /** The draft as it is at once: leaving the field comes before the next rendering. */
+  const current = useRef<Draft | null>(null);
+  const [hasFocus, setHasFocus] = useState(false);
+  const problemId = useId();
+  const input = useRef<HTMLInputElement>(null);
+  const grip = useRef<HTMLSpanElement>(null);
+  /** The value when an edit began, while one is under way. */
+  const start = useRef<{ value: number | null } | null>(null);
+  const scrubbed = useRef(0);
 
-  const keyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
-    const input = event.currentTarget;
-    if (event.key !== 'Enter' && event.key !== 'Escape') return;
-    event.stopPropagation();
-    dropped.current = event.key === 'Escape';
-    input.blur();
-    if (dropped.current) props.onDiscard();
-    dropped.current = false;
-    input.focus();
-    input.select();
+  // what is no number gives way to a value that came from elsewhere, such as an undo
+  if (draft?.problem && value !== draft.start && !hasFocus) showDraft(null);
+
+  const setDraft = (next: Draft | null): void => {
+    current.current = next;
+    showDraft(next);
+  };
+  const begin = (): { value: number | null } => (start.current ??= { value });
+  const limited = (next: number): number => Math.min(Math.max(next, min ?? -Infinity), max ?? Infinity);
+  const preview = (update: (before: number) => number, isRelative: boolean): void => {
+    const { value: before } = begin();
+    if (isRelative && props.onPreviewEach) props.onPreviewEach(update);
+    else if (before !== null || !isRelative) props.onPreview(update(before ?? 0));
+  };
+  const add = (amount: number): void => {
+    preview((before) => limited(roundToStep(before + amount, Math.min(step, Math.abs(amount) || step))), true);
+  };
+  const commit = (): void => {
+    if (!start.current) return;
+    start.current = null;
+    props.onCommit();
+  };
+  const discard = (): void => {
+    if (!start.current) return;
+    start.current = null;
+    props.onDiscard();
   };
 
+  const type = (text: string): void => {
+    const before = current.current ? current.current.start : value;
+    const read = readNumberInRange(text, { unit, min, max });
+    const isWrong = read.problem !== null && !read.isIncomplete;
+    setDraft({ text, start: before, problem: isWrong ? read.problem : '' });
+    if (read.problem === null) preview(read.valueFor, read.isRelative);
+    else if (isWrong || text.trim() === '') discard();
+  };
+  /** @returns whether nothing is left that is no number */
+  const takeOver = (): boolean => {
+    const { current: typed } = current;
+    if (!typed) {
+      commit();
+      return true;
+    }
+    const { problem } = readNumberInRange(typed.text, { unit, min, max });
+    if (problem !== null && typed.text.trim() !== '') {
+      discard();
+      setDraft({ ...typed, problem });
+      return false;
+    }
+    setDraft(null);
+    if (problem === null) commit();
+    else discard();
+    return true;
+  };
+  const giveBack = (): void => {
+    setDraft(null);
+    discard();
+  };
+  const leave = (): void => {
+    // a popup keeps the focus, else the page has it
+    const popup = input.current?.closest<HTMLElement>('.popup, .dialog');
+    if (popup) popup.focus();
+    else input.current?.blur();
+  };
+
+  const keyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
+    const { key } = event;
+    if (key === 'Enter') {
+      event.stopPropagation();
+      if (takeOver()) leave();
+    } else if (key === 'Escape') {
+      event.stopPropagation();
+      giveBack();
+      leave();
+    } else if (key === 'ArrowUp' || key === 'ArrowDown') {
+      event.preventDefault();
+      if (!takeOver()) return;
+      begin();
+      const factor = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
+      scrubbed.current += (key === 'ArrowUp' ? step : -step) * factor;
+      add(scrubbed.current);
+    }
+  };
+  const keyUp = ({ key }: KeyboardEvent): void => {
+    if (key !== 'ArrowUp' && key !== 'ArrowDown') return;
+    scrubbed.current = 0;
+    commit();
+  };
+
+  useScrub(
+    () =>
+      [
+        grip.current,
+        props.scrubsLabel ? grip.current?.closest('.field')?.querySelector('.field-name') : null,
+      ] as (HTMLElement | null)[],
+    {
+      begin() {
+        setDraft(null);
+        scrubbed.current = 0;
+        begin();
+      },
+      move(pixels, factor) {
+        scrubbed.current += pixels * step * factor;
+        add(scrubbed.current);
+      },
+      end(keeps) {
+        scrubbed.current = 0;
+        if (keeps) commit();
+        else discard();
+      },
+      click: () => input.current?.focus(),
+    },
+    disabled,
+  );
+
+  const problem = draft?.problem ?? '';
   return (
-    <NumberField.Root
-      className="number"
-      value={value}
-      min={min}
-      max={max}
-      step={step}
-      largeStep={step * 10}
-      smallStep={step / 10}
-      format={formats[digits]}
-      locale="en-US"
-      disabled={disabled}
-      onValueChange={(next, details) => {
-        const { reason } = details;
-        if (reason === 'input-change' || reason === 'input-paste' || reason === 'input-clear') typed.current = true;
-        // text that nobody has changed says less than the number does: its last digits are not shown
-        if (dropped.current || (reason === 'input-blur' && !typed.current)) details.cancel();
-        else if (next !== null) props.onPreview(next);
-      }}
-      onValueCommitted={(next) => {
-        typed.current = false;
-        if (dropped.current) return;
-        if (next === null) props.onDiscard();
-        else props.onCommit();
-      }}
-    >
-      {handle !== undefined && (
-        <NumberField.ScrubArea className="number-handle" pixelSensitivity={1}>
-          {handle}
-          <NumberField.ScrubAreaCursor className="scrub-cursor">
-            <svg width="22" height="12" viewBox="0 0 22 12" aria-hidden="true">
-              <path d="M6 1 1 6l5 5M16 1l5 5-5 5M1 6h20" fill="none" stroke="#000" strokeWidth="3.5" />
-              <path d="M6 1 1 6l5 5M16 1l5 5-5 5M1 6h20" fill="none" stroke="#fff" strokeWidth="1.5" />
-            </svg>
-          </NumberField.ScrubAreaCursor>
-        </NumberField.ScrubArea>
+    <>
+      <div className={slider ? 'number with-slider' : 'number'}>
+        {slider && min !== undefined && max !== undefined && (
+          <Slider
+            {...{ value, min, max, step, disabled }}
+            onSlide={(next) => preview(() => next, false)}
+            onEnd={(keeps) => (keeps ? commit() : discard())}
+          />
+        )}
+        {handle !== undefined && (
+          <span className="number-handle" ref={grip} aria-hidden="true">
+            {handle}
+          </span>
+        )}
+        <input
+          ref={input}
+          className="input"
+          type="text"
+          inputMode="decimal"
+          autoComplete="off"
+          spellCheck={false}
+          value={draft?.text ?? (value === null ? '' : formatNumber(value, digits))}
+          placeholder={value === null ? '—' : undefined}
+          disabled={disabled}
+          aria-label={label}
+          aria-description={description}
+          aria-invalid={problem !== ''}
+          aria-errormessage={problem === '' ? undefined : problemId}
+          onChange={(event) => type(event.target.value)}
+          onFocus={(event) => {
+            setHasFocus(true);
+            current.current = draft;
+            event.currentTarget.select();
+          }}
+          onBlur={() => {
+            setHasFocus(false);
+            takeOver();
+          }}
+          onKeyDown={keyDown}
+          onKeyUp={keyUp}
+        />
+        {unit && (
+          <span className="unit" aria-hidden="true">
+            {t(unit)}
+          </span>
+        )}
+      </div>
+      {problem !== '' && (
+        <p className="number-problem" id={problemId} role="alert">
+          {problem}
+        </p>
       )}
-      <NumberField.Input
-        className="input"
-        aria-label={label}
-        aria-description={description}
-        data-numeric=""
-        placeholder={value === null ? '—' : undefined}
-        onKeyDown={keyDown}
-        onFocus={(event) => {
-          typed.current = false;
-          event.currentTarget.select();
-        }}
-      />
-      {unit && (
-        <span className="unit" aria-hidden="true">
-          {unit}
-        </span>
-      )}
-    </NumberField.Root>
+    </>
   );
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Combobox } from '@base-ui/react/combobox';
 import { type ReactNode, useState } from 'react';
 import { Icon } from './Icon';
@@ -50,8 +51,8 @@ export function SearchMenu(props: SearchMenuProps): ReactNode {
       <Combobox.Portal>
         <Combobox.Positioner className="positioner" sideOffset={3} align="center">
           <Combobox.Popup className="popup search-popup" aria-label={label}>
-            <Combobox.Input className="input" placeholder="Search" aria-label={`Search: ${label}`} />
-            <Combobox.Empty className="menu-empty">Nothing of that name.</Combobox.Empty>
+            <Combobox.Input className="input" placeholder={t('Search')} aria-label={t('Search: {label}', { label })} />
+            <Combobox.Empty className="menu-empty">{t('Nothing of that name.')}</Combobox.Empty>
             <Combobox.List className="menu-list">
               {(item: SearchMenuItem) => (
                 <Combobox.Item key={item.value} value={item} disabled={item.disabled} className="menu-item">

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Combobox } from '@base-ui/react/combobox';
 import type { ReactNode } from 'react';
 import { Icon } from './Icon';
@@ -16,12 +17,14 @@ interface SearchSelectProps {
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;
+  /** A small picture before the name of an option. */
+  pictureOf?(option: SearchOption): ReactNode;
   onChange(value: string | null): void;
 }
 
 /** One of many values, found by typing a part of its name; or none. */
 export function SearchSelect(props: SearchSelectProps): ReactNode {
-  const { value, options, placeholder, label, description, disabled, onChange } = props;
+  const { value, options, placeholder, label, description, disabled, pictureOf, onChange } = props;
   const current = value === null ? null : (options.find((option) => option.value === value) ?? { value, label: value });
   return (
     <Combobox.Root
@@ -35,6 +38,7 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
     >
       <div className="search-select">
         <Combobox.Trigger className="select" aria-label={label} aria-description={description}>
+          {current && pictureOf && <span className="option-picture">{pictureOf(current)}</span>}
           <span className="select-value">{current?.label ?? placeholder}</span>
           <Icon name="down" size={12} />
         </Combobox.Trigger>
@@ -42,8 +46,8 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
           <button
             type="button"
             className="button small"
-            aria-label={`Clear ${label}`}
-            title="Clear"
+            aria-label={t('Clear {label}', { label })}
+            title={t('Clear')}
             onClick={() => onChange(null)}
           >
             <Icon name="close" size={12} />
@@ -53,8 +57,8 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
       <Combobox.Portal>
         <Combobox.Positioner className="positioner" sideOffset={3} align="end">
           <Combobox.Popup className="popup search-popup" aria-label={label}>
-            <Combobox.Input className="input" placeholder="Search" aria-label={`Search ${label}`} />
-            <Combobox.Empty className="menu-empty">Nothing of that name.</Combobox.Empty>
+            <Combobox.Input className="input" placeholder={t('Search')} aria-label={t('Search: {label}', { label })} />
+            <Combobox.Empty className="menu-empty">{t('Nothing of that name.')}</Combobox.Empty>
             <Combobox.List className="menu-list">
               {(option: SearchOption) => (
                 <Combobox.Item key={option.value} value={option} className="menu-item">
@@ -63,6 +67,7 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
                       <Icon name="check" size={12} />
                     </Combobox.ItemIndicator>
                   </span>
+                  {pictureOf && <span className="option-picture">{pictureOf(option)}</span>}
                   <span className="menu-text">{option.label}</span>
                 </Combobox.Item>
               )}

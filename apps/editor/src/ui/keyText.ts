@@ -1,7 +1,15 @@
+import { t } from '@farol/editing';
+
 const isMac = /Mac|iPhone|iPad/.test(navigator.platform);
 
-/** A combination such as 'Ctrl+Shift+Z' as the keyboard has it written. */
+/** A combination such as 'Ctrl+Shift+Z' as the keyboard has it written, in the language that is shown. */
 export function keyText(combination: string): string {
-  if (!isMac) return combination.replace('Delete', 'Del').replace('Escape', 'Esc');
-  return combination.replace('Ctrl+', '⌘').replace('Shift+', '⇧').replace('Alt+', '⌥').replace('Delete', '⌫');
+  combination = combination.replace('NumpadDecimal', 'Num .').replace('Numpad', 'Num ');
+  combination = combination.replace('Backspace', t('Backspace')).replace('Space', t('Space'));
+  if (isMac)
+    return combination.replace('Ctrl+', '⌘').replace('Shift+', '⇧').replace('Alt+', '⌥').replace('Delete', '⌫');
+  return combination
+    .replace('Shift+', `${t('Shift')}+`)
+    .replace('Delete', t('Del'))
+    .replace('Escape', 'Esc');
 }

@@ -1,6 +1,11 @@
+import { t } from '@farol/editing';
 import type { FarolRenderer, TechniqueName } from '@farol/renderer';
 import type { SelectOption } from './SelectBox';
 
 /** The techniques of a renderer, as lines of a menu. */
 export const techniqueOptions = ({ techniques }: FarolRenderer): SelectOption<TechniqueName>[] =>
-  Object.entries(techniques).map(([value, { label, help }]) => ({ value: value as TechniqueName, label, help }));
+  Object.entries(techniques).map(([value, { label, help }]) => ({
+    value: value as TechniqueName,
+    label: t(label),
+    help: t(help),
+  }));

@@ -1,8 +1,6 @@
 import { type View, views } from '@farol/renderer';
+import { viewLabel } from '../actions/pictureActions';
 import type { SelectOption } from './SelectBox';
 
-/** What a view is called. */
-export const viewLabel = (view: View): string => view.charAt(0).toUpperCase() + view.slice(1).replaceAll('-', ' ');
-
 /** The views, as lines of a menu. */
-export const viewOptions: readonly SelectOption<View>[] = views.map((value) => ({ value, label: viewLabel(value) }));
+export const viewOptions = (): SelectOption<View>[] => views.map((value) => ({ value, label: viewLabel(value) }));

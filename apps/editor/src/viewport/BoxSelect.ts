@@ -80,7 +80,7 @@ export class BoxSelect {
   };
 
   private box(): Box2 {
-    const { left, top, width, height } = this.viewport.canvas.getBoundingClientRect();
+    const { left, top, width, height } = this.viewport.bounds;
     const inPicture = ({ x, y }: Vector2): Vector2 =>
       new Vector2(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2);
     return new Box2().setFromPoints([inPicture(this.from), inPicture(this.to)]);
@@ -93,7 +93,7 @@ export class BoxSelect {
     this.isOpen = false;
     this.element.hidden = true;
     this.viewport.editorCamera.oneFinger = true;
-    this.viewport.editorCamera.enabled = this.viewport.lookThrough === null;
+    this.viewport.editorCamera.enabled = true;
   };
 
   private readonly keyDown = (event: KeyboardEvent): void => {

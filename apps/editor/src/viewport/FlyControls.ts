@@ -4,6 +4,9 @@ import { type PerspectiveCamera, Vector3 } from 'three';
 /** Turn for each pixel of motion (rad). */
 const TURN = 0.0035;
 
+/** Part of the distance that a metre a second is worth without perspective. */
+const FLAT_PART = 0.08;
+
 /** Steepest look, from the horizon (rad). */
 const PITCH_LIMIT = Math.PI / 2 - 0.01;
 
@@ -47,11 +50,13 @@ export class FlyControls {
    * @param canvas - where the button is pressed
    * @param controls - whose camera is moved; it is at rest meanwhile
    * @param isEnabled - asked when the button goes down
+   * @param isFlat - whether the picture is without perspective: motion orbits then, and forward is nearer
    */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly controls: CameraControls,
     private readonly isEnabled: () => boolean,
+    private readonly isFlat: () => boolean,
   ) {
     canvas.addEventListener('pointerdown', this.pointerDown);
     canvas.addEventListener('pointermove', this.pointerMove);
@@ -73,6 +78,7 @@ export class FlyControls {
     if (!this.isFlying) return false;
     const turned = this.yaw !== 0 || this.pitch !== 0;
     if (!turned && this.held.size === 0) return false;
+    if (this.isFlat()) return this.updateFlat(deltaSeconds);
     const { controls } = this;
     controls.getPosition(position, false);
     controls.getTarget(direction, false).sub(position);
@@ -103,6 +109,26 @@ export class FlyControls {
     window.removeEventListener('keydown', this.keyDown, true);
     window.removeEventListener('keyup', this.keyUp, true);
     window.removeEventListener('blur', this.end);
+  }
+
+  /** Without perspective nothing grows when it is nearer: what keys move by goes with the height of the picture. */
+  private updateFlat(deltaSeconds: number): boolean {
+    const { controls } = this;
+    if (this.yaw !== 0 || this.pitch !== 0) void controls.rotate(-this.yaw * TURN, -this.pitch * TURN, false);
+    this.yaw = 0;
+    this.pitch = 0;
+    move.set(0, 0, 0);
+    for (const code of this.held) {
+      const [x, y, z] = directions[code];
+      move.x += x;
+      move.y += y;
+      move.z += z;
+    }
+    const part = FLAT_PART * this.speed * (this.fast ? 4 : 1) * deltaSeconds;
+    if (move.x !== 0 || move.y !== 0)
+      void controls.truck(move.x * part * controls.distance, -move.y * part * controls.distance, false);
+    if (move.z !== 0) void controls.dollyTo(controls.distance * Math.exp(-move.z * part), false);
+    return true;
   }
 
   /** Turns `direction` by what the pointer moved. */

@@ -5,11 +5,13 @@ import {
   type Gesture,
   placePivot,
   type Pose,
+  type PoseValues,
+  roundPose,
   SetFields,
+  t,
   TransformDrag,
 } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
-import type { FieldValue } from '@farol/engine/fields';
 import { type Camera, Euler, MathUtils, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import type { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
 import { topmost } from '../model/commands/Placement';
@@ -29,7 +31,7 @@ export interface SnapSteps {
   readonly scale: number;
 }
 
-const labels = { select: 'Select', translate: 'Move', rotate: 'Rotate', scale: 'Scale' };
+const labels = () => ({ select: t('Select'), translate: t('Move'), rotate: t('Rotate'), scale: t('Scale##verb') });
 const euler = new Euler();
 const middle = new Vector3();
 
@@ -61,6 +63,8 @@ export class Gizmo {
   private readonly proxy = new Object3D();
   private transform: TransformDrag | null = null;
   private dragged: readonly GameObject[] = [];
+  /** What the dragged objects had when the drag began. */
+  private before: readonly PoseValues[] = [];
   private targetList: GameObject[] = [];
   private targetsRevision = -1;
   private gesture: Gesture | null = null;
@@ -175,7 +179,8 @@ export class Gizmo {
     const { TransformControls } = await import('three/examples/jsm/controls/TransformControls.js');
     if (this.isDisposed) return;
     const controls = new TransformControls(new PerspectiveCamera(), this.canvas);
-    controls.size = 0.85;
+    // a finger is wider than a pointer
+    controls.size = matchMedia('(pointer: coarse)').matches ? 1.3 : 0.85;
     controls.setColors('#f0525c', '#5fb83e', '#3f86f2', '#ffc857');
     controls.space = this.ownSpace;
     if (this.currentMode !== 'select') controls.mode = this.currentMode;
@@ -228,6 +233,7 @@ export class Gizmo {
     if (objects.length === 0) return; // locked since the last picture
     this.placeProxy(objects);
     this.dragged = objects;
+    this.before = objects.map(({ transform }) => transform.authoredValues() as unknown as PoseValues);
     this.transform = new TransformDrag(this.proxy, objects.map(startOf));
     this.gesture = this.document.commands.begin();
   }
@@ -235,8 +241,8 @@ export class Gizmo {
   private drag(): void {
     const { gesture, transform, dragged, currentMode: mode } = this;
     if (!gesture?.isOpen || !transform || mode === 'select') return;
-    const edits = transform.poses(mode).flatMap((pose, i) => editsOf(dragged[i], pose));
-    gesture.preview(new SetFields(countLabel(labels[mode], dragged), edits));
+    const edits = transform.poses(mode).flatMap((pose, i) => editsOf(dragged[i], this.before[i], pose));
+    gesture.preview(new SetFields(countLabel(labels()[mode], dragged), edits));
   }
 
   private end(): void {
@@ -260,14 +266,7 @@ export class Gizmo {
   };
 }
 
-function editsOf({ transform: owner }: GameObject, { position, quaternion, scale }: Partial<Pose>): FieldEdit[] {
-  const edits: FieldEdit[] = [];
-  const set = (name: string, value: FieldValue): void => void edits.push({ owner, name, value });
-  if (position) set('position', position.toArray());
-  if (quaternion) {
-    const { x, y, z } = euler.setFromQuaternion(quaternion, 'XYZ');
-    set('rotation', [x, y, z]);
-  }
-  if (scale) set('scale', scale.toArray());
-  return edits;
+/** Rounded as somebody would type it. @param before - the values before the drag */
+function editsOf({ transform: owner }: GameObject, before: PoseValues, pose: Partial<Pose>): FieldEdit[] {
+  return Object.entries(roundPose(before, pose)).map(([name, value]) => ({ owner, name, value }));
 }

@@ -77,6 +77,7 @@ export class Helpers {
       this.outlineKey = `${selection.changed.revision} ${edited.revision} ${this.assetChanges}`;
     }
     this.outline.render(webgl, camera, selectedObjects, this.outlineKey);
+    this.grid.update(camera);
     webgl.render(this.scene, camera);
     webgl.autoClear = autoClear;
   }

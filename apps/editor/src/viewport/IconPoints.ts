@@ -4,6 +4,7 @@ import {
   BufferGeometry,
   type Camera as ThreeCamera,
   DynamicDrawUsage,
+  OrthographicCamera,
   Points,
   ShaderMaterial,
   type Vector2,
@@ -68,8 +69,10 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     for (const object of this.shown) {
       if (object.lockedInHierarchy) continue;
       place.setFromMatrixPosition(object.object3D.matrixWorld);
-      const distance = place.distanceTo(cameraPlace.setFromMatrixPosition(camera.matrixWorld));
-      place.project(camera);
+      let distance = place.distanceTo(cameraPlace.setFromMatrixPosition(camera.matrixWorld));
+      if (camera instanceof OrthographicCamera) distance = -place.applyMatrix4(camera.matrixWorldInverse).z;
+      else place.applyMatrix4(camera.matrixWorldInverse);
+      place.applyMatrix4(camera.projectionMatrix);
       if (place.z < -1 || place.z > 1) continue;
       const away = Math.hypot(((place.x - point.x) * width) / 2, ((place.y - point.y) * height) / 2);
       if (away >= least) continue;

@@ -19,6 +19,9 @@ import {
 import { whenLost } from './whenLost';
 import { whenRestored } from './whenRestored';
 
+/** How a ball is turned: to the right and up (rad). */
+export type BallTurn = readonly [right: number, up: number];
+
 /**
  * Draws a ball of a material on a canvas of the page, without waiting for the GPU. The material is the scene's own: it is
  * drawn by three itself, under lights of its own.
@@ -37,7 +40,7 @@ export class MaterialBall {
 
   constructor(private readonly webgl: WebGLRenderer) {
     this.target.texture.colorSpace = SRGBColorSpace;
-    this.ball = new Mesh(new SphereGeometry(1, 48, 32));
+    this.ball = new Mesh(new SphereGeometry(1, 96, 64));
     const room = new MeshBasicMaterial({ color: 0x30343c, side: BackSide, toneMapped: false });
     this.own.push(room);
     const key = new DirectionalLight(0xffffff, 2.4);
@@ -55,15 +58,20 @@ export class MaterialBall {
    * @param canvas - filled by the picture
    * @param environment - what it mirrors; null for none
    */
-  async draw(material: Material, environment: Texture | null, canvas: HTMLCanvasElement): Promise<void> {
+  async draw(
+    material: Material,
+    environment: Texture | null,
+    canvas: HTMLCanvasElement,
+    turn: BallTurn = [0, 0],
+  ): Promise<void> {
     if (this.isBusy) {
-      this.next = () => void this.draw(material, environment, canvas);
+      this.next = () => void this.draw(material, environment, canvas, turn);
       return;
     }
     this.isBusy = true;
     try {
       do await whenRestored(this.webgl);
-      while (!this.isDisposed && !(await this.drawNow(material, environment, canvas)));
+      while (!this.isDisposed && !(await this.drawNow(material, environment, canvas, turn)));
     } finally {
       this.isBusy = false;
       const { next } = this;
@@ -86,12 +94,18 @@ export class MaterialBall {
   }
 
   /** @returns false when the context was lost before the picture was there */
-  private async drawNow(material: Material, environment: Texture | null, canvas: HTMLCanvasElement): Promise<boolean> {
+  private async drawNow(
+    material: Material,
+    environment: Texture | null,
+    canvas: HTMLCanvasElement,
+    [right, up]: BallTurn,
+  ): Promise<boolean> {
     const { webgl, target } = this;
     const { width, height } = canvas;
     const context = canvas.getContext('2d', { willReadFrequently: true });
     if (!context) return true;
     this.ball.material = material;
+    this.ball.rotation.set(up, right, 0);
     this.scene.environment = environment;
     target.setSize(width, height);
     const before = webgl.getRenderTarget();

@@ -20,7 +20,6 @@ describe('MenuPress', () => {
       return state.sceneListens;
     },
     gizmo: state,
-    lookThrough: null,
     editorCamera: {
       fly: state,
       set enabled(enabled: boolean) {

@@ -69,7 +69,7 @@ export class MenuPress {
     viewport.picker.cancel();
     viewport.boxSelect.cancel();
     viewport.editorCamera.enabled = false;
-    viewport.editorCamera.enabled = viewport.lookThrough === null;
+    viewport.editorCamera.enabled = true;
   };
 
   private readonly cancel = (): void => {

@@ -3,6 +3,7 @@ import type { Box2, Vector2 } from 'three';
 import type { Selection } from '../model/Selection';
 import type { EditorCamera } from './EditorCamera';
 import type { GizmoMode } from './Gizmo';
+import type { Bounds } from './panes/paneSurface';
 
 /** What selecting by the pointer needs of the viewport. */
 export interface PickSurface {
@@ -12,8 +13,8 @@ export interface PickSurface {
   /** `isHot`: whether the pointer is over a handle. */
   readonly gizmo: { readonly isHot: boolean };
   readonly mode: GizmoMode;
-  /** Not null while the picture is that of a camera of the scene. */
-  readonly lookThrough: object | null;
+  /** Where on the page the view is that the pointer works in. */
+  readonly bounds: Bounds;
   /** The GameObject that is seen at a point. @param point - normalised device coordinates */
   pick(point: Vector2): GameObject | null;
   /** The GameObjects within a box (normalised device coordinates). */

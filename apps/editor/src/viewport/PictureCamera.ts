@@ -1,20 +1,31 @@
-import { Camera as CameraComponent } from '@farol/engine';
-import { type Camera, Vector2 } from 'three';
+import { Camera as CameraComponent, type CameraComponent as AnyCamera } from '@farol/engine';
+import { type Camera, MathUtils, Sphere, Vector2, Vector3 } from 'three';
+import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import { boundsOf } from './boundsOf';
+import { CameraFlight } from './CameraFlight';
 import type { EditorCamera } from './EditorCamera';
 import { hitPoint } from './pick';
+import type { ViewPose } from './ViewPose';
 
 const middle = new Vector2();
 
 /** The camera of the picture: the editor's own, or one of the scene that is looked through. */
 export class PictureCamera {
+  /** Moves the camera that is looked through. */
+  readonly flight: CameraFlight;
+
   private through: CameraComponent | null = null;
+  /** From where the editor looked before a camera was looked through. */
+  private before: ViewPose | null = null;
 
   constructor(
     private readonly document: EditorDocument,
     private readonly own: EditorCamera,
-  ) {}
+    canvas: HTMLCanvasElement,
+  ) {
+    this.flight = new CameraFlight(document, own, canvas, (camera) => this.match(camera, true));
+  }
 
   /** The camera of the scene that is looked through; null for the editor's own. */
   get lookThrough(): CameraComponent | null {
@@ -22,8 +33,17 @@ export class PictureCamera {
   }
 
   set lookThrough(camera: CameraComponent | null) {
+    if (camera === this.through) return;
+    if (this.through === null) this.before = this.own.pose;
     this.through = camera;
-    this.own.enabled = camera === null;
+    this.flight.camera = camera;
+    if (camera === null && this.before) this.own.show(this.before, false);
+    this.own.allowed = this.steers;
+  }
+
+  /** Whether the controls move the picture: the editor's own camera, or the one that is looked through. */
+  get steers(): boolean {
+    return this.through === null || this.flight.problem === null;
   }
 
   /** Whether a camera is looked through that has been taken out of the scene. */
@@ -33,6 +53,20 @@ export class PictureCamera {
 
   get current(): Camera {
     return this.through?.isAttached ? this.through.three : this.own.camera;
+  }
+
+  /** Sees the same as `current`; rays that begin at its eye meet all that is seen. */
+  get rays(): Camera {
+    return this.through?.isAttached ? this.through.three : this.own.rayCamera;
+  }
+
+  /** Moves on. @returns whether the picture changes */
+  update(deltaSeconds: number): boolean {
+    this.own.allowed = this.steers;
+    this.flight.follow();
+    const hasMoved = this.own.update(deltaSeconds);
+    this.flight.update(hasMoved);
+    return hasMoved;
   }
 
   /** The selected camera, unless it is looked through; null when none is selected. */
@@ -46,14 +80,39 @@ export class PictureCamera {
     const { scene } = this.document;
     const { activeCamera } = scene;
     scene.three.updateMatrixWorld();
+    this.before = null;
     if (!activeCamera) return this.own.focus(boundsOf(scene.roots), false);
-    this.own.matchCamera(activeCamera, (camera) => hitPoint(scene, camera, middle)?.distance ?? null);
+    this.match(activeCamera);
+  }
+
+  /** Brings the editor's own camera to where a camera of the scene is. @param exact - see `EditorCamera.matchCamera` */
+  match(camera: AnyCamera, exact = false): void {
+    const { scene } = this.document;
+    this.own.matchCamera(camera, (three) => hitPoint(scene, three, middle)?.distance ?? null, exact);
+  }
+
+  /** What the editor's own camera sees. */
+  get view(): CameraView {
+    const { perspective, orthographic, height, target } = this.own;
+    const { position, quaternion } = perspective;
+    const fov = perspective.fov * MathUtils.DEG2RAD;
+    if (!orthographic) return { position, quaternion, fov, size: null, far: 0 };
+    // from so far back that all of the scene is before it
+    const sphere = boundsOf(this.document.scene.roots).getBoundingSphere(new Sphere());
+    const back = sphere.isEmpty() ? 0 : sphere.center.distanceTo(target) + sphere.radius + 1;
+    const distance = Math.max(position.distanceTo(target), back);
+    const eye = new Vector3(0, 0, distance).applyQuaternion(quaternion).add(target);
+    return { position: eye, quaternion, fov, size: height, far: distance + back };
+  }
+
+  dispose(): void {
+    this.flight.dispose();
   }
 
   /** Looks at the selection, or at everything. */
-  focus(): void {
+  focus(camera: EditorCamera = this.own): void {
     const { selectedObjects, scene } = this.document;
     const box = boundsOf(selectedObjects.length > 0 ? selectedObjects : scene.roots);
-    if (!box.isEmpty()) this.own.focus(box);
+    if (!box.isEmpty()) camera.focus(box);
   }
 }

@@ -26,7 +26,7 @@ export class PointerPicker {
   /** What is seen at a point of the page (CSS pixels). */
   objectAt(x: number, y: number): GameObject | null {
     const { viewport } = this;
-    const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
+    const { left, top, width, height } = viewport.bounds;
     return viewport.pick(this.point.set(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2));
   }
 

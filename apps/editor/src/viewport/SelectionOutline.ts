@@ -15,6 +15,7 @@ import {
   ShaderMaterial,
   SkinnedMesh,
   Vector2,
+  Vector4,
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
@@ -29,6 +30,7 @@ const MOST_MESHES = 2000;
 const WIDTH = 2;
 
 const size = new Vector2();
+const viewport = new Vector4();
 
 /** What stands in the mask for a mesh of the scene. */
 interface Stand {
@@ -99,7 +101,9 @@ export class SelectionOutline {
     }
     webgl.getDrawingBufferSize(size);
     this.target.setSize(size.x, size.y);
-    this.edge.uniforms.texel.value.set(1 / size.x, 1 / size.y);
+    // of what is drawn to, which may be a part of the canvas
+    webgl.getCurrentViewport(viewport);
+    this.edge.uniforms.texel.value.set(1 / viewport.z, 1 / viewport.w);
     this.edge.uniforms.radius.value = WIDTH * webgl.getPixelRatio();
     const before = webgl.getRenderTarget();
     const alpha = webgl.getClearAlpha();

@@ -8,24 +8,30 @@ import {
 } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName } from '@farol/renderer';
 import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
+import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { Registry } from '../model/Registry';
 import { type AddedEffect, AddedEffects } from './AddedEffects';
 import { BoxSelect } from './BoxSelect';
 import { CameraPreview } from './CameraPreview';
 import { CanvasPlace } from './CanvasPlace';
-import { EditorCamera } from './EditorCamera';
+import type { EditorCamera } from './EditorCamera';
 import { FrameLoop } from './FrameLoop';
 import { FrameStatistics } from './FrameStatistics';
 import { Gizmo } from './Gizmo';
 import { Helpers } from './Helpers';
-import { MaterialBall } from './MaterialBall';
+import { type BallTurn, MaterialBall } from './MaterialBall';
 import { pick } from './pick';
 import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
+import { Panes } from './panes/Panes';
+import { type Bounds, paneSurface } from './panes/paneSurface';
+import type { ViewPane } from './panes/ViewPane';
 import type { PickSurface } from './PickSurface';
 import { PictureCamera } from './PictureCamera';
 import { PointerPicker } from './PointerPicker';
+import type { PlainShading } from './shading/PlainShading';
+import { type Shading, techniqueOf } from './shading/Shading';
 import { ViewportSettings } from './ViewportSettings';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
@@ -49,7 +55,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly statistics = new FrameStatistics();
   readonly webgl: WebGLRenderer;
   readonly farol: FarolRenderer;
-  readonly editorCamera: EditorCamera;
+  /** The views of the picture: one, or four. */
+  readonly panes: Panes;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
   readonly picker: PointerPicker;
@@ -62,6 +69,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private readonly input: InputRouter;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
+  /** Draws without lights; null while it is fetched, undefined before. */
+  private plain: PlainShading | null | undefined;
   private assetChanges = 0;
   private drawnBy: TechniqueName = 'auto';
   private readonly endings: (() => void)[] = [];
@@ -84,28 +93,31 @@ export class Viewport extends ViewportSettings implements PickSurface {
     });
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
-    canvas.setAttribute('aria-label', 'Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
     this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
     this.picture = new PictureRenderer(this.farol, { redraw: this.redraw, failed: (error) => this.onError(error) });
     this.added = new AddedEffects(this.picture.effects);
     const dragged = (isDragging: boolean): void => {
-      this.editorCamera.enabled = !isDragging && this.lookThrough === null;
+      this.editorCamera.enabled = !isDragging;
     };
+    this.panes = new Panes(
+      canvas,
+      () => !this.keysGoToScene,
+      () => this.paneActivated(),
+    );
+    const surface = paneSurface(canvas, () => this.panes.bounds);
     // the handles hear of the pointer before the camera does, so that a handle is taken and the camera stays
-    const loaded = (): void => this.editorCamera.listenLast();
-    this.gizmo = new Gizmo(document, canvas, dragged, this.redraw, loaded);
-    this.editorCamera = new EditorCamera(canvas);
-    this.pictureCamera = new PictureCamera(document, this.editorCamera);
+    this.gizmo = new Gizmo(document, surface, dragged, this.redraw, () => this.panes.listenLast());
+    this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas);
     this.place = new CanvasPlace(canvas, () => this.resize());
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);
     this.boxSelect = new BoxSelect(this);
     this.picker = new PointerPicker(this);
-    this.input = new InputRouter(canvas, window, {
+    this.input = new InputRouter(surface, window, {
       dispatchPointer: (event) => this.sceneListens && document.scene.dispatchPointer(event),
-      dispatchKey: (event) => this.sceneListens && document.scene.dispatchKey(event),
+      dispatchKey: (event) => (this.keysGoToScene || event.type === 'up') && document.scene.dispatchKey(event),
     });
     for (const signal of [document.edited, document.selection.changed, document.simulation.changed, this.changed]) {
       this.endings.push(signal.subscribe(this.redraw));
@@ -131,6 +143,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     if (painter === this.ownPainter) return;
     this.ownPainter?.dispose();
     this.ownPainter = painter;
+    if (painter) this.panes.isQuad = false;
     this.picture.effects.suspended = painter !== null;
     this.changed.emit();
   }
@@ -140,7 +153,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     return this.pictureCamera.selected;
   }
 
-  /** The camera of the scene that is looked through; null for the editor's own. Only then does input go to the scene. */
+  /** The camera of the scene that is looked through; null for the editor's own. */
   get lookThrough(): CameraComponent | null {
     return this.pictureCamera.lookThrough;
   }
@@ -150,14 +163,76 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.changed.emit();
   }
 
-  /** Whether pointer and keys go to the scene's own components. */
+  /** Why the camera that is looked through cannot be moved, in a sentence with the mend; null where it can. */
+  get flightProblem(): string | null {
+    return this.pictureCamera.flight.problem;
+  }
+
+  /** What the editor's own camera sees. */
+  get viewed(): CameraView {
+    return this.pictureCamera.view;
+  }
+
+  /** Whether the pointer goes to the scene's own components. */
   get sceneListens(): boolean {
     return this.lookThrough !== null && this.document.simulation.isPlaying;
   }
 
-  /** The three camera of the picture. */
+  /** Whether keys go to the scene's own components. */
+  get keysGoToScene(): boolean {
+    return this.sceneListens;
+  }
+
+  /** The editor's own camera of the active view. */
+  get editorCamera(): EditorCamera {
+    return this.panes.active.editorCamera;
+  }
+
+  /** The three camera of the active view. */
   get camera(): Camera {
-    return this.pictureCamera.current;
+    return this.cameraOf(this.panes.active);
+  }
+
+  /** The active view's part of the page. */
+  get bounds(): Bounds {
+    return this.panes.bounds;
+  }
+
+  /** Whether there are four views: from above, from the front, from the right, and the one there always is. */
+  get isQuad(): boolean {
+    return this.panes.isQuad;
+  }
+
+  set isQuad(isQuad: boolean) {
+    if (isQuad === this.panes.isQuad) return;
+    if (isQuad) this.painter = null;
+    this.panes.isQuad = isQuad;
+    this.changed.emit();
+  }
+
+  /** How the active view shows the scene. @throws Error naming what the device lacks */
+  get shading(): Shading {
+    return this.panes.active.shading;
+  }
+
+  set shading(shading: Shading) {
+    this.shade(this.panes.active, shading);
+  }
+
+  /** Says how a view shows the scene. @throws Error naming what the device lacks */
+  shade(pane: ViewPane, shading: Shading): void {
+    if (shading === 'unlit') {
+      const { view } = this.farol;
+      this.farol.view = 'albedo';
+      this.farol.view = view;
+    }
+    pane.shading = shading;
+    this.changed.emit();
+  }
+
+  /** Sees the same as `camera`; rays that begin at its eye meet all that is seen. */
+  get rayCamera(): Camera {
+    return this.raysOf(this.panes.active);
   }
 
   /** Size of the picture in CSS pixels. */
@@ -179,15 +254,19 @@ export class Viewport extends ViewportSettings implements PickSurface {
   /** Draws now. */
   renderNow(): void {
     const { width, height } = this.place;
-    this.lookThrough?.setViewport(width, height);
-    const { painter, picture } = this;
+    const { list, active } = this.panes;
     const { scene } = this.document;
-    if (painter === null) picture.render(scene, this.camera, this.lookThrough);
-    else picture.renderBy(painter, scene, this.camera, this.lookThrough);
+    this.picture.follow(scene);
+    if (list.length > 1) this.webgl.clear();
+    for (let i = 0; i < list.length; i++) if (list[i] !== active) this.drawPane(list[i]);
+    // last, since the handles are taken where they were drawn last
+    this.drawPane(active);
+    if (list.length > 1) {
+      this.webgl.setScissorTest(false);
+      this.webgl.setViewport(0, 0, width, height);
+    }
+    this.picture.effects.update(scene.settings);
     this.noticeTechnique();
-    this.gizmo.update(this.camera);
-    if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
-      this.helpers.render(this.webgl, this.camera, this.lookThrough, this.gizmo.isDragging);
     const { previewed } = this;
     if (previewed) {
       this.preview ??= this.makePreview();
@@ -204,8 +283,9 @@ export class Viewport extends ViewportSettings implements PickSurface {
    * @param point - normalised device coordinates
    */
   pick(point: Vector2): GameObject | null {
-    const mesh = pick(this.document.scene, this.camera, point);
-    const icon = this.helpers.pickIcon(this.camera, point, this.place.width, this.place.height);
+    const mesh = pick(this.document.scene, this.rayCamera, point);
+    const { width, height } = this.panes.active.rectangle;
+    const icon = this.helpers.pickIcon(this.rayCamera, point, width, height);
     if (icon && (!mesh || icon.distance < mesh.distance + ICON_REACH)) return icon.object;
     return mesh?.object ?? null;
   }
@@ -215,15 +295,31 @@ export class Viewport extends ViewportSettings implements PickSurface {
     return pickBox(this.document.scene, this.camera, box);
   }
 
-  /** Draws a ball of a material on a canvas of the page. @returns fulfilled when it is there */
-  drawMaterial(material: Material, canvas: HTMLCanvasElement): Promise<void> {
+  /**
+   * Draws a ball of a material on a canvas of the page.
+   * @param turn - how the ball is turned: to the right and up (rad)
+   * @returns fulfilled when it is there
+   */
+  drawMaterial(material: Material, canvas: HTMLCanvasElement, turn: BallTurn = [0, 0]): Promise<void> {
     this.ball ??= new MaterialBall(this.webgl);
-    return this.ball.draw(material, this.document.scene.three.environment, canvas);
+    return this.ball.draw(material, this.document.scene.three.environment, canvas, turn);
   }
 
   /** Looks at the selection, or at everything. */
   focus(): void {
-    this.pictureCamera.focus();
+    this.pictureCamera.focus(this.editorCamera);
+  }
+
+  /** The editor's own camera looks otherwise: draws, and tells. */
+  viewChanged(): void {
+    this.changed.emit();
+  }
+
+  /** Brings the editor's own camera to where a camera of the scene is. */
+  alignTo(camera: CameraComponent): void {
+    this.lookThrough = null;
+    this.pictureCamera.match(camera);
+    this.invalidate();
   }
 
   /** Puts the canvas into an element, whose size it follows. */
@@ -247,11 +343,84 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.input.dispose();
     this.gizmo.dispose();
     this.helpers.dispose();
-    this.editorCamera.dispose();
+    this.pictureCamera.dispose();
+    this.panes.dispose();
+    this.plain?.dispose();
     this.ownPainter?.dispose();
     this.picture.dispose();
     this.farol.dispose();
     this.webgl.dispose();
+  }
+
+  private cameraOf(pane: ViewPane): Camera {
+    return pane === this.panes.main ? this.pictureCamera.current : pane.editorCamera.camera;
+  }
+
+  private raysOf(pane: ViewPane): Camera {
+    return pane === this.panes.main ? this.pictureCamera.rays : pane.editorCamera.rayCamera;
+  }
+
+  private drawPane(pane: ViewPane): void {
+    const { webgl, panes } = this;
+    const { x, y, width, height } = pane.rectangle;
+    if (panes.list.length > 1) {
+      // counted from below
+      const bottom = this.place.height - y - height;
+      webgl.setViewport(x, bottom, width, height);
+      webgl.setScissor(x, bottom, width, height);
+      webgl.setScissorTest(true);
+    }
+    const camera = this.cameraOf(pane);
+    const lookThrough = pane === panes.main ? this.lookThrough : null;
+    lookThrough?.setViewport(width, height);
+    this.drawScene(pane, camera, lookThrough);
+    this.gizmo.update(this.raysOf(pane));
+    if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
+      this.helpers.render(webgl, camera, lookThrough, this.gizmo.isDragging);
+  }
+
+  private drawScene(pane: ViewPane, camera: Camera, lookThrough: CameraComponent | null): void {
+    const { farol, painter, picture } = this;
+    const { shading } = pane;
+    const { scene } = this.document;
+    if ((shading === 'clay' || shading === 'wireframe') && painter === null && this.plainShading()) {
+      this.plain!.render(scene.three, camera, shading);
+      return;
+    }
+    const { view, technique } = farol;
+    const own = techniqueOf(shading);
+    try {
+      if (shading === 'unlit' && view === 'final') farol.view = 'albedo';
+      if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
+      // views beside the main one are for work: they go without blur, bloom and the like
+      if (painter === null && pane === this.panes.main) picture.draw(scene, camera, lookThrough);
+      else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
+    } finally {
+      farol.view = view;
+      farol.technique = technique;
+    }
+  }
+
+  /** Fetches what draws without lights. @returns whether it is there */
+  private plainShading(): boolean {
+    if (this.plain === undefined) {
+      this.plain = null;
+      import('./shading/PlainShading').then(
+        ({ PlainShading }) => {
+          this.plain = new PlainShading(this.webgl);
+          this.invalidate();
+        },
+        (error) => this.onError(error),
+      );
+    }
+    return this.plain !== null;
+  }
+
+  /** The handles are where the active view has them. */
+  private paneActivated(): void {
+    this.gizmo.update(this.rayCamera);
+    this.helpers.scene.updateMatrixWorld();
+    this.changed.emit();
   }
 
   private makePreview(): CameraPreview {
@@ -282,7 +451,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     const { width, height } = this.place;
     this.webgl.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.webgl.setSize(width, height);
-    this.editorCamera.resize(width, height);
+    this.panes.resize(width, height);
     this.resized.emit();
     // a canvas that was resized is empty until it is drawn
     this.renderNow();
@@ -294,7 +463,9 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private advance(seconds: number): boolean {
     const { simulation } = this.document;
     simulation.advance(seconds);
-    if (this.editorCamera.update(Math.min(seconds, 0.1))) this.invalidate();
+    const step = Math.min(seconds, 0.1);
+    const moved = this.pictureCamera.update(step);
+    if (this.panes.update(step) || moved) this.invalidate();
     return simulation.isPlaying;
   }
 }

@@ -1,5 +1,9 @@
-// Lines of a metre and of ten, one pixel wide, fading with distance.
+// Lines of a step and of ten, one pixel wide, fading with distance; the axes in their colours.
 uniform float extent;
+uniform float step;
+uniform vec3 middle;
+uniform vec3 axisU;
+uniform vec3 axisV;
 varying vec3 vPosition;
 
 float farol_editorGridLine(vec2 cell) {
@@ -10,14 +14,17 @@ float farol_editorGridLine(vec2 cell) {
 }
 
 void main() {
-  vec2 place = vPosition.xz;
-  float strength = max(0.10 * farol_editorGridLine(place), 0.22 * farol_editorGridLine(place / 10.0));
+  vec2 place = vec2(dot(vPosition, axisU), dot(vPosition, axisV));
+  vec2 cell = place / step;
+  float strength = max(0.10 * farol_editorGridLine(cell), 0.22 * farol_editorGridLine(cell / 10.0));
   vec2 axis = 1.0 - min(abs(place) / fwidth(place), vec2(1.0));
   vec3 colour = vec3(0.55);
-  if (axis.y > 0.0) colour = vec3(0.8, 0.12, 0.1);
-  if (axis.x > 0.0) colour = vec3(0.1, 0.25, 0.85);
+  // red along x, green along y, blue along z
+  mat3 colours = mat3(vec3(0.8, 0.12, 0.1), vec3(0.15, 0.55, 0.1), vec3(0.1, 0.25, 0.85));
+  if (axis.y > 0.0) colour = colours * axisU;
+  if (axis.x > 0.0) colour = colours * axisV;
   strength = max(strength, 0.45 * max(axis.x, axis.y));
-  strength *= 1.0 - smoothstep(0.3, 1.0, distance(vPosition, cameraPosition) / extent);
+  strength *= 1.0 - smoothstep(0.3, 1.0, distance(vPosition, middle) / extent);
   if (strength < 0.004) discard;
   gl_FragColor = vec4(colour, strength);
   #include <colorspace_fragment>

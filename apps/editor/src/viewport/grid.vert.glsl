@@ -1,8 +1,15 @@
-// A large plane at the height 0 of the world, round the camera.
+// A large plane round what is looked at: the ground, or in views from a side the plane that faces the eye.
 uniform float extent;
+uniform vec3 middle;
+uniform vec3 axisU;
+uniform vec3 axisV;
+uniform float behind;
 varying vec3 vPosition;
 
 void main() {
-  vPosition = vec3(position.x * extent + floor(cameraPosition.x), 0.0, position.z * extent + floor(cameraPosition.z));
+  vec3 origin = axisU * floor(dot(middle, axisU)) + axisV * floor(dot(middle, axisV));
+  vPosition = origin + extent * (position.x * axisU + position.z * axisV);
   gl_Position = projectionMatrix * viewMatrix * vec4(vPosition, 1.0);
+  // behind all that is there
+  gl_Position.z = mix(gl_Position.z, 0.99999 * gl_Position.w, behind);
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Camera, Light, Material, Mesh, Object3D } from 'three';
 import { cameraProperties } from './cameraProperties';
 import { lightProperties } from './lightProperties';
@@ -26,11 +27,14 @@ export function sectionsOf(objects: readonly Object3D[]): Section[] {
   const [first] = objects;
   const types = new Set(objects.map(({ type }) => type));
   const title = (common: string): string => (types.size === 1 ? first.type : common);
-  const sections = [section('Transform', objects, transformProperties), section('Object', objects, objectProperties)];
+  const sections = [
+    section(t('Transform'), objects, transformProperties),
+    section(t('Object'), objects, objectProperties),
+  ];
   if (objects.every((object) => (object as Light).isLight))
-    sections.push(section(title('Light'), objects, lightProperties));
+    sections.push(section(title(t('Light')), objects, lightProperties));
   if (objects.every((object) => (object as Camera).isCamera))
-    sections.push(section(title('Camera'), objects, cameraProperties));
+    sections.push(section(title(t('Camera')), objects, cameraProperties));
   const materials = objects.map(materialsOf);
   const all = [...new Set(materials.flat())];
   if (objects.length === 1) {
@@ -38,7 +42,7 @@ export function sectionsOf(objects: readonly Object3D[]): Section[] {
       sections.push(section(each.name ? `${each.type} ${each.name}` : each.type, [each], materialProperties));
     }
   } else if (materials.every((list) => list.length > 0)) {
-    const label = all.length === 1 ? all[0].type : `${all.length} materials`;
+    const label = all.length === 1 ? all[0].type : t('{count} materials', { count: all.length });
     sections.push(section(label, all, materialProperties));
   }
   return sections.filter(({ owners }) => Object.keys(owners[0].fields).length > 0);

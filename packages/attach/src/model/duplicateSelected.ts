@@ -1,4 +1,4 @@
-import { countLabel } from '@farol/editing';
+import { countLabel, t } from '@farol/editing';
 import type { DirectionalLight, Object3D } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { placementOf, PlaceObjects } from './PlaceObjects';
@@ -12,7 +12,10 @@ function copyOf(object: Object3D): Object3D {
   } catch (cause) {
     const reason = cause instanceof Error ? cause.message : String(cause);
     throw new Error(
-      `${object.name || object.type} cannot be duplicated: its class has no clone() that works (${reason}).`,
+      t('{name} cannot be duplicated: its class has no clone() that works ({reason}).', {
+        name: object.name || object.type,
+        reason,
+      }),
       {
         cause,
       },
@@ -36,7 +39,7 @@ export function duplicateSelected({ commands, selection, topmost: objects }: Ses
   const placements = objects.map((object) => ({ ...placementOf(object), object: copyOf(object) }));
   commands.run(
     new PlaceObjects(
-      countLabel('Duplicate', objects),
+      countLabel(t('Duplicate'), objects),
       'add',
       // after the original, and after the copies that come before it under the same parent
       placements.map((each) => {

@@ -1,4 +1,4 @@
-import { countLabel } from '@farol/editing';
+import { countLabel, t } from '@farol/editing';
 import type { Object3D } from 'three';
 import { placementOf, PlaceObjects } from './PlaceObjects';
 import type { Session } from './Session';
@@ -11,8 +11,8 @@ import type { Session } from './Session';
 export function removeSelected({ commands, topmost: objects, camera }: Session): void {
   if (objects.length === 0) return;
   for (let above: Object3D | null = camera; above; above = above.parent) {
-    if (objects.includes(above)) throw new Error('The page looks through this camera: it cannot be deleted.');
+    if (objects.includes(above)) throw new Error(t('The page looks through this camera: it cannot be deleted.'));
   }
   const selection = { done: [], undone: objects };
-  commands.run(new PlaceObjects(countLabel('Delete', objects), 'remove', objects.map(placementOf), selection));
+  commands.run(new PlaceObjects(countLabel(t('Delete'), objects), 'remove', objects.map(placementOf), selection));
 }

@@ -1,15 +1,19 @@
-import { lowerFirst, type TransformMode } from '@farol/editing';
+import { lowerFirst, t, type TransformMode } from '@farol/editing';
 import type { Session } from '../model/Session';
 import { duplicateSelected } from '../model/duplicateSelected';
 import { removeSelected } from '../model/removeSelected';
 import { element } from '../ui/element';
 import type { Gizmo } from '../viewport/Gizmo';
 
-const modes: Record<TransformMode, string> = { translate: 'Move', rotate: 'Rotate', scale: 'Scale' };
+const modes = (): Record<TransformMode, string> => ({
+  translate: t('Move'),
+  rotate: t('Rotate'),
+  scale: t('Scale##verb'),
+});
 
 /** Buttons: undo and redo, what the gizmo does, copies and deletion, and closing. */
 export class Bar {
-  readonly element = element('div', { className: 'bar', role: 'toolbar', 'aria-label': 'Editor' });
+  readonly element = element('div', { className: 'bar', role: 'toolbar', 'aria-label': t('Editor') });
   private readonly undo: HTMLButtonElement;
   private readonly redo: HTMLButtonElement;
   private readonly duplicate: HTMLButtonElement;
@@ -28,10 +32,10 @@ export class Bar {
       made.addEventListener('click', run);
       return made;
     };
-    this.undo = button('Undo', () => session.commands.undo());
-    this.redo = button('Redo', () => session.commands.redo());
+    this.undo = button(t('Undo'), () => session.commands.undo());
+    this.redo = button(t('Redo'), () => session.commands.redo());
     const press = (made: HTMLButtonElement, isPressed: boolean) => made.setAttribute('aria-pressed', String(isPressed));
-    const gizmos = Object.entries(modes).map(([mode, label]) => {
+    const gizmos = Object.entries(modes()).map(([mode, label]) => {
       const made = button(label, () => {
         gizmo.mode = mode as TransformMode;
         for (const each of gizmos) press(each, each === made);
@@ -39,19 +43,20 @@ export class Bar {
       press(made, gizmo.mode === mode);
       return made;
     });
-    const space = button('Local', () => {
+    const space = button(t('Local'), () => {
       gizmo.space = gizmo.space === 'local' ? 'world' : 'local';
       press(space, gizmo.space === 'local');
     });
     press(space, gizmo.space === 'local');
-    this.duplicate = button('Duplicate', () => session.attempt(() => duplicateSelected(session)));
-    this.remove = button('Delete', () => session.attempt(() => removeSelected(session)));
-    this.duplicate.title = 'Ctrl+D in the panels';
-    this.remove.title = 'Delete in the panels';
-    const fold = button('Hide', () => {
+    this.duplicate = button(t('Duplicate'), () => session.attempt(() => duplicateSelected(session)));
+    this.remove = button(t('Delete'), () => session.attempt(() => removeSelected(session)));
+    this.duplicate.title = t('Ctrl+D in the panels');
+    this.remove.title = t('Delete in the panels');
+    const fold = button(t('Hide'), () => {
       toggle();
-      fold.setAttribute('aria-expanded', String(fold.textContent === 'Show'));
-      fold.textContent = fold.textContent === 'Show' ? 'Hide' : 'Show';
+      const isFolded = fold.ariaExpanded === 'true';
+      fold.ariaExpanded = String(!isFolded);
+      fold.textContent = isFolded ? t('Show') : t('Hide');
     });
     fold.setAttribute('aria-expanded', 'true');
     this.element.append(this.undo, this.redo, this.duplicate, this.remove, ...gizmos, space, fold, this.problem);
@@ -69,9 +74,9 @@ export class Bar {
     const { undoLabel, redoLabel } = commands;
     // not `disabled`, which would take the focus, and with it the keys, from a button that was just pressed
     this.undo.ariaDisabled = String(undoLabel === null);
-    this.undo.title = undoLabel === null ? '' : `Undo ${lowerFirst(undoLabel)}`;
+    this.undo.title = undoLabel === null ? '' : t('Undo {edit}', { edit: lowerFirst(undoLabel) });
     this.redo.ariaDisabled = String(redoLabel === null);
-    this.redo.title = redoLabel === null ? '' : `Redo ${lowerFirst(redoLabel)}`;
+    this.redo.title = redoLabel === null ? '' : t('Redo {edit}', { edit: lowerFirst(redoLabel) });
     for (const each of [this.duplicate, this.remove]) each.ariaDisabled = String(topmost.length === 0);
     this.problem.hidden = problem === '';
     this.problem.textContent = problem;

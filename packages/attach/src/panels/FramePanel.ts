@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { View } from '@farol/renderer';
 import type { Drawer, Drawing } from '../model/Drawing';
 import type { Session } from '../model/Session';
@@ -7,7 +8,7 @@ import type { RenderHook } from '../viewport/RenderHook';
 /** Who draws and what is shown, and the figures of the last frame, pass by pass where Farol draws. */
 export class FramePanel {
   readonly element: HTMLElement;
-  private readonly load = element('button', { type: 'button' }, 'Draw with Farol');
+  private readonly load = element('button', { type: 'button' }, t('Draw with Farol'));
   private readonly technique = element('select', { id: 'technique' });
   private readonly view = element('select', { id: 'view' });
   private readonly timing = element('input', { id: 'timing', type: 'checkbox' });
@@ -29,16 +30,16 @@ export class FramePanel {
     this.menus = element(
       'div',
       { hidden: true },
-      row('technique', 'Technique', this.technique),
-      row('view', 'View', this.view),
-      row('timing', 'GPU times', this.timing),
+      row('technique', t('Technique'), this.technique),
+      row('view', t('View'), this.view),
+      row('timing', t('GPU times'), this.timing),
     );
-    const heads = ['Pass', 'Draws', 'CPU ms', 'GPU ms'].map((text) => element('th', { scope: 'col' }, text));
+    const heads = [t('Pass'), t('Draws'), 'CPU ms', 'GPU ms'].map((text) => element('th', { scope: 'col' }, text));
     this.table = element('table', { hidden: true }, element('thead', {}, element('tr', {}, ...heads)), this.rows);
     this.element = element(
       'details',
       { open: true, className: 'frame' },
-      ...[element('summary', {}, 'Frame'), this.load, this.menus, this.problem, this.figures, this.table],
+      ...[element('summary', {}, t('Frame')), this.load, this.menus, this.problem, this.figures, this.table],
     );
     this.load.addEventListener('click', () => void this.choose('auto'));
     this.technique.addEventListener('change', () => void this.choose(this.technique.value as Drawer));
@@ -63,8 +64,14 @@ export class FramePanel {
     const rate = ((this.hook.frames - this.counted.frames) * 1000) / Math.max(1, now - this.counted.at);
     this.counted = { frames: this.hook.frames, at: now };
     const { calls, triangles } = farol?.info ? { calls: farol.info.drawCalls, ...farol.info } : webgl.info.render;
-    const lights = farol ? `, ${farol.info.lights.visible} of ${farol.info.lights.total} lights` : '';
-    const text = `${rate.toFixed(0)} frames/s, ${calls} draws, ${triangles.toLocaleString('en')} triangles${lights}`;
+    const figures = { rate: rate.toFixed(0), calls, triangles: triangles.toLocaleString('en') };
+    const text = farol
+      ? t('{rate} frames/s, {calls} draws, {triangles} triangles, {visible} of {total} lights', {
+          ...figures,
+          visible: farol.info.lights.visible,
+          total: farol.info.lights.total,
+        })
+      : t('{rate} frames/s, {calls} draws, {triangles} triangles', figures);
     if (this.figures.textContent !== text) this.figures.textContent = text;
     if (!farol) return;
     const milliseconds = (value: number | null) => (value === null ? '–' : value.toFixed(2));
@@ -101,8 +108,9 @@ export class FramePanel {
     this.view.disabled = this.timing.disabled = farol === null;
     if (!module) return;
     if (this.technique.length === 0) {
-      if (!given) this.technique.append(new Option("three's own renderer", 'three'));
-      for (const [name, { label }] of Object.entries(module.techniques)) this.technique.append(new Option(label, name));
+      if (!given) this.technique.append(new Option(t("three's own renderer"), 'three'));
+      for (const [name, { label }] of Object.entries(module.techniques))
+        this.technique.append(new Option(t(label), name));
       this.view.append(...module.views.map((name) => new Option(name, name)));
     }
     this.technique.value = drawer;

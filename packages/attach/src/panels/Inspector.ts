@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { sectionsOf } from '../fields/sectionsOf';
 import type { Session } from '../model/Session';
 import { element } from '../ui/element';
@@ -5,7 +6,7 @@ import { FieldInput } from '../ui/FieldInput';
 
 /** The values of the selected objects: shown as they change, edited together and with undo. */
 export class Inspector {
-  readonly element = element('section', { className: 'inspector', 'aria-label': 'Inspector', tabIndex: 0 });
+  readonly element = element('section', { className: 'inspector', 'aria-label': t('Inspector'), tabIndex: 0 });
   private inputs: FieldInput[] = [];
   private readonly end: () => void;
 
@@ -33,12 +34,14 @@ export class Inspector {
     const { items: selection } = this.session.selection;
     this.inputs = [];
     if (selection.length === 0) {
-      const hint = 'Nothing is selected: choose an object in the tree, or click one in the picture.';
+      const hint = t('Nothing is selected: choose an object in the tree, or click one in the picture.');
       this.element.replaceChildren(element('p', { className: 'hint' }, hint));
       return;
     }
     this.element.replaceChildren(
-      ...(selection.length > 1 ? [element('p', { className: 'hint' }, `${selection.length} objects`)] : []),
+      ...(selection.length > 1
+        ? [element('p', { className: 'hint' }, t('{count} objects', { count: selection.length }))]
+        : []),
       ...sectionsOf(selection).map(({ title, owners }) => {
         const inputs = Object.keys(owners[0].fields).map((name) => new FieldInput(this.session, owners, name));
         this.inputs.push(...inputs);

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Object3D } from 'three';
 import type { Session } from '../model/Session';
 import { element } from '../ui/element';
@@ -24,12 +25,12 @@ export class Tree {
   readonly element = element('div', {
     className: 'tree',
     role: 'tree',
-    'aria-label': 'Hierarchy',
+    'aria-label': t('Hierarchy'),
     tabIndex: 0,
     ...MANY,
   });
   /** Text that names or types of objects must hold to be listed. */
-  readonly search = element('input', { type: 'search', placeholder: 'Search', 'aria-label': 'Search objects' });
+  readonly search = element('input', { type: 'search', placeholder: t('Search'), 'aria-label': t('Search objects') });
   private readonly spacer = element('div', { className: 'spacer', role: 'presentation' });
   private readonly open = new Set<Object3D>();
   private rows: Row[] = [];

@@ -3,6 +3,7 @@ import {
   numberDisplay,
   sharedColour,
   sharedValue,
+  t,
   withCoordinate,
   withIntensity,
   withScreenColour,
@@ -40,11 +41,11 @@ export function makeFieldParts(field: Field, id: string, label: string): FieldPa
     case 'angle':
       return [numberPart(field, id, label)];
     case 'colour':
-      return [screenColourPart(id), intensityPart(`${label} intensity`)];
+      return [screenColourPart(id), intensityPart(t('{label} intensity', { label }))];
     case 'boolean':
       return [booleanPart(id)];
     case 'choice': {
-      const select = element('select', { id }, ...field.options.map((option) => new Option(option, option)));
+      const select = element('select', { id }, ...field.options.map((option) => new Option(t(option), option)));
       return [textPart(select)];
     }
     default:

@@ -1,10 +1,14 @@
-import { countLabel, type Gesture, placePivot, TransformDrag, type TransformMode } from '@farol/editing';
+import { countLabel, type Gesture, placePivot, t, TransformDrag, type TransformMode } from '@farol/editing';
 import { Matrix4, Object3D, type PerspectiveCamera, Scene, type Vector2, Vector3 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { Session } from '../model/Session';
 import { poseOf, SetPoses } from './SetPoses';
 
-const labels: Record<TransformMode, string> = { translate: 'Move', rotate: 'Rotate', scale: 'Scale' };
+const labels = (): Record<TransformMode, string> => ({
+  translate: t('Move'),
+  rotate: t('Rotate'),
+  scale: t('Scale##verb'),
+});
 const middle = new Vector3();
 const place = new Vector3();
 
@@ -118,7 +122,7 @@ export class Gizmo {
   private preview(): void {
     if (!this.current) return;
     const { objects, transform, gesture } = this.current;
-    gesture.preview(new SetPoses(countLabel(labels[this.mode], objects), objects, transform.poses(this.mode)));
+    gesture.preview(new SetPoses(countLabel(labels()[this.mode], objects), objects, transform.poses(this.mode)));
     this.session.edited.emit();
   }
 }

@@ -4,6 +4,7 @@ import type { Gesture } from '../history/Gesture';
 import { labelOfField } from './labelOfField';
 import type { FieldTarget, FieldValue } from './FieldTarget';
 import { SetFields } from './SetFields';
+import { t } from '../language/translate';
 
 /** A new value, or each owner's value made from its own, such as another x and the same y and z. */
 export type FieldUpdate<Value extends FieldValue = FieldValue> = Value | ((before: Value) => Value);
@@ -77,7 +78,9 @@ export class FieldGesture<Item = string> {
   private get label(): string {
     const { owners, name } = this;
     const [{ fields, ownerName }] = owners;
-    const whose = owners.every((owner) => owner.ownerName === ownerName) ? ownerName : `${owners.length} objects`;
-    return `Set ${labelOfField(name, fields[name]).toLowerCase()} of ${whose}`;
+    const whose = owners.every((owner) => owner.ownerName === ownerName)
+      ? ownerName
+      : t('{count} objects', { count: owners.length });
+    return t('Set {field} of {name}', { field: labelOfField(name, fields[name]).toLowerCase(), name: whose });
   }
 }

@@ -5,6 +5,7 @@ import type { FieldDescription } from './FieldTarget';
 import { formatNumber } from './formatNumber';
 import { labelOfField } from './labelOfField';
 import { numberDisplay } from './NumberDisplay';
+import { roundToStep } from './roundToStep';
 import { stepOf } from './stepOf';
 
 const field = (kind: string, rest: Omit<FieldDescription, 'kind'>): FieldDescription => ({ kind, ...rest });
@@ -60,5 +61,14 @@ describe('numbers as they are shown', () => {
     expect([formatNumber(2, 'long'), formatNumber(0.1234567, 'long')]).toEqual(['2', '0.12346']);
     expect([formatNumber(-1.5, 'short'), formatNumber(0.1234567, 'short')]).toEqual(['-1.5', '0.123']);
     expect(formatNumber(-1e-9, 'short')).toBe('0');
+    expect([formatNumber(1.23e-4, 'short'), formatNumber(-2e-7, 'long')]).toEqual(['0.00012', '-2e-7']);
+  });
+
+  it('adds steps without leaving digits behind, and keeps those that were typed', () => {
+    expect(roundToStep(0.7 + 0.1, 0.1)).toBe(0.8);
+    expect(roundToStep(-1.6 + 0.8000000000000003, 0.1)).toBe(-0.8);
+    expect(roundToStep(0.12345678 + 0.1, 0.1)).toBe(0.22345678);
+    expect(roundToStep(0.0003 + 0.0001, 0.0001)).toBe(0.0004);
+    expect(roundToStep(30 + 10, 10)).toBe(40);
   });
 });

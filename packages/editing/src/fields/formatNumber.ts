@@ -1,7 +1,12 @@
 /** How many decimals are shown at most: where there is room, and in the three parts of a vector. */
 export const shownDecimals = { long: 5, short: 3 } as const;
 
-/** A number as text, without zeros at the end. */
+/** Smaller numbers are shown as 0: they come of calculating. */
+const SMALLEST = 1e-8;
+
+/** A number as text, without zeros at the end. One that would be shown as 0 and is not 0 keeps two digits. */
 export function formatNumber(value: number, length: keyof typeof shownDecimals): string {
-  return String(Number(value.toFixed(shownDecimals[length])));
+  const rounded = Number(value.toFixed(shownDecimals[length]));
+  if (rounded === 0 && Math.abs(value) >= SMALLEST) return String(Number(value.toPrecision(2)));
+  return String(rounded + 0);
 }

@@ -1,6 +1,13 @@
-/** The label of a field: its own, else its name in words, 'castShadow' as 'Cast shadow'. */
-export function labelOfField(name: string, field: { readonly label?: string }): string {
+import { t } from '../language/translate';
+
+/** The label of a field in English: its own, else its name in words, 'castShadow' as 'Cast shadow'. */
+export function englishLabelOfField(name: string, field: { readonly label?: string }): string {
   if (field.label) return field.label;
   const words = name.replaceAll(/([a-z0-9])([A-Z])/g, '$1 $2').toLowerCase();
   return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/** The label of a field, in the language that is shown. */
+export function labelOfField(name: string, field: { readonly label?: string }): string {
+  return t(englishLabelOfField(name, field));
 }

@@ -26,4 +26,5 @@ it('says of differing values what they share', () => {
 
 it('sets one coordinate, and leaves the others as they are', () => {
   expect(withCoordinate(1, 9)([0.1, 0.2, 0.3])).toEqual([0.1, 9, 0.3]);
+  expect(withCoordinate(2, (z) => z * 2)([0.1, 0.2, 0.3])).toEqual([0.1, 0.2, 0.6]);
 });

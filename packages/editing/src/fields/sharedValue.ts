@@ -20,8 +20,15 @@ export function sharedValue(values: readonly FieldValue[]): SharedValue {
   return { value: null, mixed: true, parts };
 }
 
-/** An update of one coordinate of a triple, for `FieldGesture`: each owner keeps its other two. @param axis 0 to 2 */
+/**
+ * An update of one coordinate of a triple, for `FieldGesture`: each owner keeps its other two.
+ * @param axis 0 to 2
+ * @param value the new one, or what makes it of the owner's own
+ */
 export const withCoordinate =
-  (axis: number, value: number) =>
+  (axis: number, value: number | ((before: number) => number)) =>
   (before: Triple): Triple =>
-    before.map((each, i) => (i === axis ? value : each)) as unknown as Triple;
+    before.map((each, i) => {
+      if (i !== axis) return each;
+      return typeof value === 'function' ? value(each) : value;
+    }) as unknown as Triple;

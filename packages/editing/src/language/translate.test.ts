@@ -1,4 +1,5 @@
 import { afterEach, expect, test } from 'vitest';
+import { formatTime } from './formatTime';
 import { setTexts, t, tCount } from './translate';
 
 afterEach(() => setTexts({}));
@@ -10,8 +11,18 @@ test('a text is that of the language, with its values, and the English one where
   expect(t('Sphere')).toBe('Sphere');
   expect(t('toString')).toBe('toString');
   expect(t('Box {number}', {})).toBe('Caja {number}');
+  expect(t('Scale##verb')).toBe('Scale');
   expect([tCount(2, '{count} light', '{count} lights'), tCount(1, '{count} light', '{count} lights')]).toEqual([
     '2 luces',
     '1 light',
   ]);
+});
+
+test('times are of the language that is shown', () => {
+  const noon = new Date(2026, 0, 31, 12, 5, 9).getTime();
+  setTexts({}, 'es');
+  expect(formatTime(noon)).toBe('12:05:09');
+  expect(formatTime(noon, true)).toMatch(/^31 ene 2026/);
+  setTexts({});
+  expect(formatTime(noon, true)).toMatch(/^Jan 31, 2026/);
 });

@@ -5,24 +5,45 @@
 export type Texts = Readonly<Record<string, string>>;
 
 let texts: Texts = {};
+let language = 'en';
 
-/** Says what is shown from now on. @param wanted - texts by their English ones; none for English */
-export function setTexts(wanted: Texts): void {
+/**
+ * Says what is shown from now on.
+ * @param wanted - texts by their English ones; none for English
+ * @param name - of the language, such as 'es'
+ */
+export function setTexts(wanted: Texts, name = 'en'): void {
   texts = wanted;
+  language = name;
+}
+
+/**
+ * The language that is shown, as dates and lists need it: as the browser has it, with its country, else by itself.
+ * @returns a tag of BCP 47, such as 'es-MX'
+ */
+export function textLocale(): string {
+  const ofBrowser = globalThis.navigator?.languages ?? [];
+  return ofBrowser.find((tag) => tag.split('-')[0].toLowerCase() === language) ?? language;
 }
 
 /**
  * A text in the language that is shown. The English text is its name: `t('Box {number}', { number: 2 })`. Call it where
- * the text is shown, not where a module begins: the language may change.
+ * the text is shown, not where a module begins: the language may change. What follows '##' is a note, which is not shown:
+ * 'Scale##verb', where other languages have another word for what one does than for what one has.
  * @param english - a literal, so that a test finds it and misses no text of another language
  * @param values - what stands for `{name}`; a name without a value stays as it is
  */
 export function t(english: string, values?: Readonly<Record<string, string | number>>): string {
-  const text = Object.hasOwn(texts, english) ? texts[english]! : english;
+  const text = Object.hasOwn(texts, english) ? texts[english]! : withoutNote(english);
   if (!values) return text;
   return text.replace(/\{(\w+)\}/g, (whole, name: string) =>
     Object.hasOwn(values, name) ? String(values[name]) : whole,
   );
+}
+
+function withoutNote(english: string): string {
+  const end = english.indexOf('##');
+  return end < 0 ? english : english.slice(0, end);
 }
 
 /**

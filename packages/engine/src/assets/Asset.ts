@@ -1,5 +1,6 @@
 import type { BufferGeometry, Material, ShaderMaterial, Texture } from 'three';
-import type { AssetType } from '../fields/Field';
+import type { AssetType, FieldValue } from '../fields/Field';
+import type { MaterialAsset } from './MaterialAsset';
 import type { Model } from './Model';
 
 /** What an asset is in three. A shader is a ShaderMaterial or RawShaderMaterial, used as it is. */
@@ -13,6 +14,8 @@ export type AssetSource =
       readonly partOf?: string;
       /** Made by code that a page has anyway: needs no file, and is not a user's to delete. */
       readonly isBuiltin?: boolean;
+      /** What it is made of, when its fields can be edited. */
+      readonly edited?: MaterialAsset;
     }
   | {
       readonly type: AssetType;
@@ -39,11 +42,30 @@ export interface TakenAsset {
 }
 
 /** Something that happened to an asset of a library. */
-export interface AssetChange {
-  readonly kind: 'registered' | 'loaded' | 'failed' | 'removed';
-  readonly name: string;
-  readonly type: AssetType;
-  readonly error?: Error;
+export type AssetChange =
+  | {
+      readonly kind: 'registered' | 'loaded' | 'failed' | 'removed';
+      readonly name: string;
+      readonly type: AssetType;
+      readonly error?: Error;
+    }
+  /** A folder came or went. */
+  | { readonly kind: 'folder'; readonly name: string; readonly error?: undefined }
+  /** A field of a material got another value; `before` is the value until then. */
+  | {
+      readonly kind: 'changed';
+      readonly name: string;
+      readonly type: 'material';
+      readonly material: MaterialAsset;
+      readonly field: string;
+      readonly before: FieldValue;
+      readonly error?: undefined;
+    };
+
+/** Something that draws with a material of a library. */
+export interface MaterialUser {
+  /** The material has become another one for three: it is to be asked for again. */
+  materialReplaced(): void;
 }
 
 /** The type of a three resource. */

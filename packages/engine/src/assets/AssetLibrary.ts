@@ -1,8 +1,24 @@
 import { shortText } from '@farol/renderer';
-import { BufferGeometry, type Material, RepeatWrapping, type Texture, type WebGLRenderer } from 'three';
-import type { AssetType } from '../fields/Field';
+import {
+  BufferGeometry,
+  type Material,
+  NoColorSpace,
+  RepeatWrapping,
+  SRGBColorSpace,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
+import type { AssetType, FieldValue } from '../fields/Field';
 import { cancellable } from '../core/cancellable';
-import { type Asset, type AssetChange, type AssetFile, type AssetSource, assetTypeOf, type TakenAsset } from './Asset';
+import {
+  type Asset,
+  type AssetChange,
+  type AssetFile,
+  type AssetSource,
+  assetTypeOf,
+  type MaterialUser,
+  type TakenAsset,
+} from './Asset';
 import { AssetError } from './AssetError';
 import { builtinAssets } from './builtinAssets';
 import {
@@ -14,6 +30,7 @@ import {
   typeOfUrl,
 } from './loadAsset';
 import { AddressRefusedError, foreignOrigin } from './foreignOrigin';
+import { MaterialAsset, type MaterialHost } from './MaterialAsset';
 import { MaterialCache } from './MaterialCache';
 import { MeshNormals } from './MeshNormals';
 import { Model } from './Model';
@@ -54,7 +71,7 @@ async function read(
 }
 
 /** The meshes, textures, materials and shaders that scenes name. Built-in ones are made on demand. */
-export class AssetLibrary {
+export class AssetLibrary implements MaterialHost {
   /** Materials made from the fields of ObjectRenderers, shared where the values are equal. */
   readonly materials = new MaterialCache(this);
   /** Users of shared geometries and textures. */
@@ -71,11 +88,13 @@ export class AssetLibrary {
   private readonly values = new Map<string, Asset>();
   private readonly loading = new Map<string, Promise<Asset>>();
   private readonly normals = new MeshNormals();
-  /** Textures by repeat, for each name. */
-  private readonly repeated = new Map<string, Map<number, Texture>>();
+  /** Textures by repeat and by whether they are data, for each name. */
+  private readonly repeated = new Map<string, Map<string, Texture>>();
   /** Names of parts by that of their model; some may be gone. */
   private readonly parts = new Map<string, Set<string>>();
   private readonly listeners = new Set<(change: AssetChange) => void>();
+  private readonly materialUsers = new Map<string, Set<MaterialUser>>();
+  private readonly ownFolders = new Set<string>();
   /** Names of those that were refused for their address, so that each is told once. */
   private readonly refused = new Set<string>();
   /** Addresses that the host gave. */
@@ -149,6 +168,97 @@ export class AssetLibrary {
     return this;
   }
 
+  /**
+   * Adds a material that is made of fields, to be shared by objects and edited.
+   * @param values - in place of the defaults; textures that they name may come later
+   * @throws AssetError when the name is taken; FieldError for a value that is not allowed
+   */
+  addMaterial(name: string, values: Readonly<Record<string, FieldValue>> = {}): MaterialAsset {
+    this.checkFree(name);
+    const edited = new MaterialAsset(this, name, values);
+    this.sources.set(name, { type: 'material', make: () => edited.three, edited });
+    this.tell({ kind: 'registered', name, type: 'material' });
+    return edited;
+  }
+
+  /** The material of this name whose fields can be edited; null when it is another asset, or one of a model. */
+  materialAsset(name: string): MaterialAsset | null {
+    const source = this.sources.get(name);
+    return (source && 'edited' in source && source.edited) || null;
+  }
+
+  /** Every material whose fields can be edited. */
+  get materialAssets(): MaterialAsset[] {
+    return [...this.sources.values()].flatMap((source) => ('edited' in source && source.edited) || []);
+  }
+
+  /** Whether anything is in it that a user made or brought: files, materials, folders. */
+  get hasOwn(): boolean {
+    return this.ownFolders.size > 0 || this.files.length > 0 || this.materialAssets.length > 0;
+  }
+
+  /** Folders that are there without an asset in them too, by path: 'Props', 'Props/Lamps'. */
+  get folders(): string[] {
+    return [...this.ownFolders].toSorted();
+  }
+
+  /** Adds a folder, or takes it out; assets have their folder in their name, 'Props/robot.glb'. @throws AssetError for a path that is none */
+  setFolder(path: string, isThere: boolean): void {
+    if (path.split('/').some((part) => part.trim() === '')) throw new AssetError(path, 'is no path of a folder.');
+    if (this.ownFolders.has(path) === isThere) return;
+    if (isThere) this.ownFolders.add(path);
+    else this.ownFolders.delete(path);
+    this.tell({ kind: 'folder', name: path });
+  }
+
+  /**
+   * Gives an asset another name, its parts with it. What names it is to be told: see `fields`.
+   * @returns the new name of everything that got one, by the old one
+   * @throws AssetError when it is built in, a part of a model or unknown, or the name is taken
+   */
+  rename(from: string, to: string): Map<string, string> {
+    const source = this.sources.get(from);
+    if (!source) throw new AssetError(from, 'is unknown: it is gone already.');
+    if (this.isBuiltin(from)) throw new AssetError(from, 'came with Farol, and keeps its name.');
+    if ('partOf' in source && source.partOf) throw new AssetError(from, `is a part of ${source.partOf}: rename that.`);
+    this.checkFree(to);
+    const names = new Map([[from, to]]);
+    for (const part of this.partsOf(from)) names.set(part, to + part.slice(from.length));
+    for (const name of names.values()) this.checkFree(name);
+    for (const [before, after] of names) this.renameOne(before, after, to);
+    this.parts.delete(from);
+    for (const [before, after] of names) {
+      const { type } = this.sources.get(after)!;
+      this.tell({ kind: 'removed', name: before, type });
+      this.tell({ kind: 'registered', name: after, type });
+    }
+    return names;
+  }
+
+  /** Tells a user of a material when it becomes another one. */
+  addMaterialUser(name: string, user: MaterialUser): void {
+    const users = this.materialUsers.get(name);
+    if (users) users.add(user);
+    else this.materialUsers.set(name, new Set([user]));
+  }
+
+  removeMaterialUser(name: string, user: MaterialUser): void {
+    const users = this.materialUsers.get(name);
+    users?.delete(user);
+    if (users?.size === 0) this.materialUsers.delete(name);
+  }
+
+  /** @internal */
+  materialChanged(material: MaterialAsset, field: string, before: FieldValue, isReplaced: boolean): void {
+    const { name } = material;
+    if (isReplaced) {
+      this.values.delete(name);
+      for (const user of [...(this.materialUsers.get(name) ?? [])]) user.materialReplaced();
+    }
+    if (this.materialAsset(name) === material)
+      this.tell({ kind: 'changed', name, type: 'material', material, field, before });
+  }
+
   /** The bytes that an asset is read from; null when it was not added as a file. */
   fileOf(name: string): Blob | null {
     const source = this.sources.get(name);
@@ -212,6 +322,7 @@ export class AssetLibrary {
     this.sources.delete(name);
     const value = this.values.get(name);
     if (value instanceof BufferGeometry) this.normals.forget(value);
+    if ('edited' in source) source.edited?.dispose();
     this.values.delete(name);
     this.repeated.delete(name);
     this.refused.delete(name);
@@ -337,18 +448,26 @@ export class AssetLibrary {
     return this.normals.settled();
   }
 
-  /** A texture, repeated `repeat` times over each unit of the texture coordinates. */
-  texture(name: string, repeat = 1): Texture {
+  /**
+   * A texture, repeated `repeat` times over each unit of the texture coordinates.
+   * @param isData - its bytes are numbers, such as normals, and no colours of sRGB
+   */
+  texture(name: string, repeat = 1, isData = false): Texture {
     const texture = this.getAs<Texture>('texture', name);
-    if (repeat === 1) return texture;
+    const isDecoded = isData && texture.colorSpace === SRGBColorSpace;
+    if (repeat === 1 && !isDecoded) return texture;
     let copies = this.repeated.get(name);
     if (!copies) this.repeated.set(name, (copies = new Map()));
-    let copy = copies.get(repeat);
+    const key = `${repeat}${isDecoded ? ' data' : ''}`;
+    let copy = copies.get(key);
     if (!copy) {
       copy = texture.clone();
-      copy.wrapS = copy.wrapT = RepeatWrapping;
-      copy.repeat.copy(texture.repeat).multiplyScalar(repeat);
-      copies.set(repeat, copy);
+      if (isDecoded) copy.colorSpace = NoColorSpace;
+      if (repeat !== 1) {
+        copy.wrapS = copy.wrapT = RepeatWrapping;
+        copy.repeat.copy(texture.repeat).multiplyScalar(repeat);
+      }
+      copies.set(key, copy);
     }
     return copy;
   }
@@ -377,6 +496,9 @@ export class AssetLibrary {
     this.normals.dispose();
     for (const copies of this.repeated.values()) for (const each of copies.values()) each.dispose();
     for (const value of this.values.values()) value.dispose();
+    for (const material of this.materialAssets) material.dispose();
+    this.materialUsers.clear();
+    this.ownFolders.clear();
     this.repeated.clear();
     this.values.clear();
     this.sources.clear();
@@ -435,6 +557,20 @@ export class AssetLibrary {
     const parts = this.parts.get(model);
     if (parts) parts.add(part);
     else this.parts.set(model, new Set([part]));
+  }
+
+  private renameOne(before: string, after: string, model: string): void {
+    const source = this.sources.get(before)!;
+    this.sources.delete(before);
+    const partOf = 'partOf' in source && source.partOf !== undefined ? model : undefined;
+    this.sources.set(after, partOf === undefined ? source : { ...source, partOf });
+    if (partOf !== undefined) this.addPart(model, after);
+    if ('edited' in source && source.edited) source.edited.name = after;
+    for (const map of [this.values, this.repeated, this.materialUsers] as Map<string, unknown>[]) {
+      if (map.has(before)) map.set(after, map.get(before));
+      map.delete(before);
+    }
+    if (this.refused.delete(before)) this.refused.add(after);
   }
 
   private checkFree(name: string): void {

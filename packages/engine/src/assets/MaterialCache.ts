@@ -9,7 +9,7 @@ export interface TextureSource {
   isReady(type: 'texture', name: string): boolean;
   /** Calls back once the texture can be had. */
   whenReady(type: 'texture', name: string, callback: () => void): void;
-  texture(name: string, repeat: number): Texture;
+  texture(name: string, repeat: number, isData: boolean): Texture;
 }
 
 interface Entry {
@@ -88,14 +88,14 @@ export class MaterialCache {
     const before = [...entry.textures];
     entry.textures.clear();
     const { key } = entry;
-    const lookUp = (name: string): Texture | null => {
+    const lookUp = (name: string, isData: boolean): Texture | null => {
       if (!this.assets.isReady('texture', name)) {
         this.assets.whenReady('texture', name, () => {
           if (entry.users > 0 && entry.key === key) this.write(entry, values);
         });
         return null;
       }
-      const texture = this.assets.texture(name, values.repeat);
+      const texture = this.assets.texture(name, values.repeat, isData);
       if (!entry.textures.has(texture)) {
         entry.textures.add(texture);
         this.assets.uses.acquire(texture);

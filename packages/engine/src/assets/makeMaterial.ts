@@ -39,18 +39,29 @@ export function materialSettings(values: MaterialValues): unknown[] {
 
 /**
  * Writes field values to a material of their kind.
- * @param texture - finds a texture by name; null while it is not loaded
+ * @param texture - finds a texture by name, and by whether it holds data in place of colours; null while it is not loaded
  */
 export function writeMaterial(
   material: Material,
   values: MaterialValues,
-  texture: (name: string) => Texture | null,
+  texture: (name: string, isData: boolean) => Texture | null,
 ): void {
-  const find = (name: string | null): Texture | null => (name === null ? null : texture(name));
+  const find = (name: string | null, isData = false): Texture | null => (name === null ? null : texture(name, isData));
   const coloured = material as LitMaterial | MeshBasicMaterial;
   const before = programState(coloured);
-  coloured.color.setRGB(...values.colour);
+  writeMaterialValues(material, values);
   coloured.map = find(values.map);
+  if (values.kind !== 'basic') (material as LitMaterial).normalMap = find(values.normalMap, true);
+  if (programState(coloured) !== before) material.needsUpdate = true;
+}
+
+/** Writes field values to a material of their kind, but for its textures. It may need another program afterwards. */
+export function writeMaterialValues(
+  material: Material,
+  values: Omit<MaterialValues, 'map' | 'normalMap' | 'repeat'>,
+): void {
+  const coloured = material as LitMaterial | MeshBasicMaterial;
+  coloured.color.setRGB(...values.colour);
   coloured.wireframe = values.wireframe;
   material.transparent = values.transparent;
   material.opacity = values.transparent ? values.opacity : 1;
@@ -58,12 +69,10 @@ export function writeMaterial(
   material.alphaTest = values.alphaTest;
   material.side = values.doubleSided ? DoubleSide : FrontSide;
   material.vertexColors = values.vertexColours;
-  if (values.kind !== 'basic') writeLit(material as LitMaterial, values, find);
-  if (programState(coloured) !== before) material.needsUpdate = true;
+  if (values.kind !== 'basic') writeLit(material as LitMaterial, values);
 }
 
-function writeLit(material: LitMaterial, values: MaterialValues, find: (name: string | null) => Texture | null): void {
-  material.normalMap = find(values.normalMap);
+function writeLit(material: LitMaterial, values: Omit<MaterialValues, 'map' | 'normalMap' | 'repeat'>): void {
   material.normalScale.setScalar(values.normalScale);
   material.flatShading = values.shading === 'flat';
   material.emissive.setRGB(...values.emissive);

@@ -36,6 +36,8 @@ export class ObjectRenderer extends component({
   private geometryInUse: BufferGeometry | null = null;
   private ownMaterial: Material | null = null;
   private inGroup = false;
+  /** The material of the library that it hears of. */
+  private watched: string | null = null;
   /** The mesh that the geometry is of. */
   private shown: string | null = null;
   /** Ends the wait for normals that are being computed. */
@@ -68,6 +70,11 @@ export class ObjectRenderer extends component({
 
   override onActiveChanged(): void {
     this.applyFlags();
+  }
+
+  /** @internal */
+  materialReplaced(): void {
+    this.refreshMaterial();
   }
 
   /** Takes the geometry of the present fields, at once or when its asset is loaded and has normals. */
@@ -127,6 +134,7 @@ export class ObjectRenderer extends component({
   private takeMaterial(scene: Scene): Material {
     const { assets } = scene;
     const given = this.givenMaterial(scene);
+    this.watch(scene, this.shader === null ? this.material : null);
     if (given) {
       this.releaseMaterial(scene);
       return given;
@@ -163,6 +171,13 @@ export class ObjectRenderer extends component({
     mesh.receiveShadow = this.receiveShadow;
   }
 
+  private watch(scene: Scene, material: string | null): void {
+    if (material === this.watched) return;
+    if (this.watched !== null) scene.assets.removeMaterialUser(this.watched, this);
+    if (material !== null) scene.assets.addMaterialUser(material, this);
+    this.watched = material;
+  }
+
   private releaseMaterial(scene: Scene): void {
     if (this.ownMaterial) scene.assets.materials.release(this.ownMaterial);
     this.ownMaterial = null;
@@ -177,6 +192,7 @@ export class ObjectRenderer extends component({
     this.mesh3D?.removeFromParent();
     this.mesh3D = null;
     this.releaseMaterial(scene);
+    this.watch(scene, null);
     if (this.geometryInUse) scene.assets.uses.release(this.geometryInUse);
     this.geometryInUse = null;
   }

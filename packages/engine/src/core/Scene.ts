@@ -48,6 +48,7 @@ class BaseScene implements SceneType {
   private ownName: string;
   private seconds = 0;
   private edits = 0;
+  private readonly endAssets: () => void;
 
   constructor(options: SceneOptions = {}) {
     this.ownName = options.name ?? 'Scene';
@@ -58,6 +59,11 @@ class BaseScene implements SceneType {
     this.settings = new SceneSettings(this.three, this.assets, (field, before) =>
       this.notify({ kind: 'settings', field, before }),
     );
+    this.endAssets = this.assets.onChange((change) => {
+      if (change.kind !== 'changed') return;
+      const { material, field, before } = change;
+      this.notify({ kind: 'material', material, field, before });
+    });
   }
 
   get name(): string {
@@ -214,6 +220,7 @@ class BaseScene implements SceneType {
 
   dispose(): void {
     this.listeners.clear();
+    this.endAssets();
     for (const root of this.childList.toReversed()) root.dispose();
     this.settings.dispose();
     this.three.clear();

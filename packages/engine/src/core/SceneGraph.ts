@@ -8,6 +8,7 @@ import type {
   Vector3,
 } from 'three';
 import type { AssetLibrary } from '../assets/AssetLibrary';
+import type { MaterialAsset } from '../assets/MaterialAsset';
 import type { FieldTable, FieldValue, Vector3Tuple } from '../fields/Field';
 import type { FieldOwner } from '../fields/FieldOwner';
 import type { PrefabLink } from '../prefabs/Prefab';
@@ -307,6 +308,13 @@ export type SceneChange =
     }
   | { readonly kind: 'enabled'; readonly component: Component }
   | { readonly kind: 'settings'; readonly field: string; readonly before: FieldValue }
+  | {
+      /** Of a material of the library, which the scene may use. */
+      readonly kind: 'material';
+      readonly material: MaterialAsset;
+      readonly field: string;
+      readonly before: FieldValue;
+    }
   | { readonly kind: 'microshader'; readonly name: string }
   | { readonly kind: 'prefab'; readonly id: string }
   | { readonly kind: 'active-camera' | 'name' };

@@ -6,3 +6,11 @@ export { component, type ComponentBase } from './component';
 export { FieldError } from './FieldError';
 export { type FieldOwner, sameValue } from './FieldOwner';
 export { isFieldVisible } from './isFieldVisible';
+export { materialAssetFields } from '../assets/materialAssetFields';
+export {
+  type MaterialMap,
+  type MaterialMapName,
+  materialMapNames,
+  materialMaps,
+  uvFieldEndings,
+} from '../assets/materialMaps';

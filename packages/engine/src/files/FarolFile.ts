@@ -55,14 +55,20 @@ export interface PrefabLink {
   readonly pinned?: readonly string[];
 }
 
-/** An asset that is read from an address, or from a file beside the scene in a `.farol` container: one of the two. */
+/**
+ * An asset that is read from an address, or from a file beside the scene in a `.farol` container, or a material that is
+ * made of fields: one of the three.
+ */
 export interface FileAsset {
+  /** With its folder: 'Props/robot.glb'. */
   name: string;
   type: AssetType;
   /** An address; `data:` holds the bytes themselves. */
   url?: string;
   /** Path in the container: 'assets/robot.glb'. */
   file?: string;
+  /** Of a material: the fields that differ from their defaults, see `materialAssetFields`. */
+  values?: Record<string, FieldValue>;
 }
 
 /** A scene as versioned JSON. Objects are in tree order, so siblings keep their order. */
@@ -75,6 +81,8 @@ export interface FarolFile {
   /** Id of the GameObject whose Camera is looked through, or null. */
   activeCamera: string | null;
   assets: FileAsset[];
+  /** Folders of assets that are there without an asset in them too, by path: 'Props/Lamps'. None when absent. */
+  assetFolders?: string[];
   /**
    * Microshaders of the scene, in place of the renderer's own or besides them: text in the form of a `.glsl` file (see
    * the renderer's `parseMicroShader`) by name. None when absent.

@@ -1,3 +1,4 @@
+import { materialAssetFields } from '../assets/materialAssetFields';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
 import { assetFields } from '../fields/assetFields';
@@ -27,6 +28,9 @@ function usesIn(
 export function assetUses(file: FarolFile, registry: ComponentRegistry): AssetUse[] {
   const list: AssetUse[] = [];
   usesIn(file.settings, sceneFields, () => 'settings', list);
+  file.assets.forEach(({ values }, i) => {
+    if (values) usesIn(values, materialAssetFields, () => `assets[${i}].values`, list);
+  });
   const visit = (objects: readonly FileObject[], path: string): void =>
     objects.forEach((object, i) => {
       object.components.forEach(({ type, values }, j) => {

@@ -56,8 +56,13 @@ async function registerAssets(
 ): Promise<void> {
   const inline = await readInline(file);
   const problems = new ProblemList();
-  file.assets.forEach(({ name, type, url, file: path }, i) => {
+  file.assets.forEach(({ name, type, url, file: path, values }, i) => {
     if (assets.has(name)) return;
+    if (values) {
+      assets.addMaterial(name, values);
+      registered.push(name);
+      return;
+    }
     const blob = path === undefined ? inline.get(name) : fileOf(path);
     if (path !== undefined && !blob) {
       const problem = `names '${shortText(path)}', which did not come with the scene: open the .farol file that holds both.`;
@@ -105,7 +110,8 @@ async function loadAssets(
   /** What has to be loaded before a name is known: the model of a part, else the asset itself. */
   const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
   const needed = new Map(uses.map((use) => [loadedFor(use.name), use.path]));
-  const names = [...needed.keys()];
+  // a material is made when it is drawn first, of textures that are there by then
+  const names = [...needed.keys()].filter((name) => !assets.materialAsset(name));
   const loads = Promise.allSettled(names.map((name) => assets.load(name, signal)));
   const results = await cancellable(loads, signal, () => {});
   signal?.throwIfAborted();
@@ -161,6 +167,7 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     signal?.throwIfAborted();
     await loadAssets(checked, registry, scene.assets, signal);
     scene.name = checked.name;
+    for (const folder of checked.assetFolders ?? []) scene.assets.setFolder(folder, true);
     for (const prefab of checked.prefabs ?? []) scene.prefabs.set(prefab);
     for (const root of makeObjects(checked.objects, registry)) scene.add(root);
     for (const [name, text] of Object.entries(checked.microShaders ?? {})) scene.microShaders.set(name, text);

@@ -1,5 +1,6 @@
 import { shortText } from '@farol/renderer';
 import type { AssetLibrary } from '../assets/AssetLibrary';
+import { materialAssetFields } from '../assets/materialAssetFields';
 import { builtinComponents } from '../components/index';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
@@ -55,18 +56,32 @@ function readAssets(value: unknown, path: string, problems: ProblemList): FileAs
   return problems.array(value, path).map((each, i) => {
     const at = join(path, i);
     const record = problems.record(each, at);
-    problems.onlyKeys(record, at, ['name', 'type', 'url', 'file']);
+    problems.onlyKeys(record, at, ['name', 'type', 'url', 'file', 'values']);
     const name = problems.text(record.name, join(at, 'name'));
     if (names.has(name)) problems.add(join(at, 'name'), `'${shortText(name)}' is there twice. Remove one.`);
     names.add(name);
     const { type } = record;
+    if (type === 'material') {
+      const values = readValues(record.values ?? {}, materialAssetFields, join(at, 'values'), problems);
+      return { name, type, values };
+    }
     if (type !== 'mesh' && type !== 'texture' && type !== 'model') {
-      problems.add(join(at, 'type'), `must be "mesh", "texture" or "model", not ${describeValue(type)}.`);
+      problems.add(join(at, 'type'), `must be "mesh", "texture", "model" or "material", not ${describeValue(type)}.`);
     }
     const asset: FileAsset = { name, type: type as FileAsset['type'] };
     if (record.file !== undefined) asset.file = problems.text(record.file, join(at, 'file'));
     else asset.url = problems.text(record.url, join(at, 'url'));
     return asset;
+  });
+}
+
+function readFolders(value: unknown, problems: ProblemList): string[] {
+  return problems.array(value, 'assetFolders').map((each, i) => {
+    const at = join('assetFolders', i);
+    const path = problems.text(each, at);
+    if (path && path.split('/').some((part) => part.trim() === ''))
+      problems.add(at, `must be a path such as "Props/Lamps", not ${describeValue(path)}.`);
+    return path;
   });
 }
 
@@ -102,7 +117,18 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
 export function readFile(input: unknown, registry: ComponentRegistry, problems: ProblemList): FarolFile {
   const raw = migrateFile(checkHead(typeof input === 'string' ? parseJson(input) : input));
   problems.onlyKeys(raw, '', [
-    ...['format', 'version', 'name', 'settings', 'activeCamera', 'assets', 'prefabs', 'microShaders', 'objects'],
+    ...[
+      'format',
+      'version',
+      'name',
+      'settings',
+      'activeCamera',
+      'assets',
+      'assetFolders',
+      'prefabs',
+      'microShaders',
+      'objects',
+    ],
   ]);
   const prefabs = readPrefabs(raw.prefabs ?? [], 'prefabs', registry, problems);
   const objects = readObjects(raw.objects, 'objects', registry, problems);
@@ -115,6 +141,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
     settings: readValues(raw.settings ?? {}, sceneFields, 'settings', problems),
     activeCamera: checkCamera(raw.activeCamera ?? null, objects, problems),
     assets: readAssets(raw.assets ?? [], 'assets', problems),
+    ...(raw.assetFolders === undefined ? {} : { assetFolders: readFolders(raw.assetFolders, problems) }),
     ...(raw.microShaders === undefined
       ? {}
       : { microShaders: readMicroShaders(raw.microShaders, 'microShaders', problems) }),

@@ -1,4 +1,5 @@
 import type { AssetLibrary } from '../assets/AssetLibrary';
+import type { MaterialAsset } from '../assets/MaterialAsset';
 import type { GameObject } from '../core/SceneGraph';
 import type { Scene } from '../core/SceneGraph';
 import type { FieldOwner } from '../fields/FieldOwner';
@@ -51,13 +52,20 @@ export function serializeObject(gameObject: GameObject): FileObject {
   };
 }
 
-/** Assets of a library that last: those added as files, with their path in a container, and those of an address. */
+/** A material of a library, as a file holds it. */
+export function materialInFile(material: MaterialAsset): FileAsset {
+  return { name: material.name, type: 'material', values: changedValues(material, null) };
+}
+
+/** Assets of a library that last: those added as files, with their path in a container, materials, and those of an address. */
 function lastingAssets(assets: AssetLibrary): FileAsset[] {
   // by name: an asset that left and came back is at the same place
   const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
   const listed = files.map(({ name, type }): FileAsset => {
     return { name, type, file: `assets/${encodeURIComponent(name)}` };
   });
+  const materials = assets.materialAssets.toSorted((a, b) => (a.name < b.name ? -1 : 1));
+  for (const material of materials) listed.push(materialInFile(material));
   for (const name of assets.list()) {
     const url = assets.urlOf(name);
     const type = assets.typeOf(name);
@@ -65,6 +73,9 @@ function lastingAssets(assets: AssetLibrary): FileAsset[] {
   }
   return listed;
 }
+
+const foldersIn = ({ folders }: AssetLibrary): Pick<FarolFile, 'assetFolders'> =>
+  folders.length > 0 ? { assetFolders: folders } : {};
 
 /** A scene without its objects, and with every asset that lasts: see `serialize`. */
 export function serializeHead(scene: Scene, options: SerializeOptions = {}): FarolFile {
@@ -75,6 +86,7 @@ export function serializeHead(scene: Scene, options: SerializeOptions = {}): Far
     settings: changedValues(scene.settings, null),
     activeCamera: scene.activeCamera?.gameObject.id ?? null,
     assets: lastingAssets(options.assets ?? scene.assets),
+    ...foldersIn(options.assets ?? scene.assets),
     ...(scene.microShaders.texts.size > 0 ? { microShaders: sorted(scene.microShaders.texts) } : {}),
     ...(scene.prefabs.list.length > 0 ? { prefabs: [...scene.prefabs.list] } : {}),
     objects: [],
@@ -103,6 +115,8 @@ export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFi
     // a part of a model needs the model
     used.add(scene.assets.modelOf(name) ?? name);
   }
-  file.assets = file.assets.filter(({ name, file: path }) => path !== undefined || used.has(name));
+  file.assets = file.assets.filter(
+    ({ name, file: path, values }) => path !== undefined || values !== undefined || used.has(name),
+  );
   return file;
 }

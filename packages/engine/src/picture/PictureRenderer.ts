@@ -67,22 +67,28 @@ export class PictureRenderer {
    * @param component - the component that the camera is of, whose own settings count; null for a camera of the host's
    */
   render(scene: Scene, camera: Camera, component: CameraComponent | null = null): void {
+    this.follow(scene);
+    this.draw(scene, camera, component);
+    if (this.followsRendering) this.effects.update(scene.settings);
+  }
+
+  /**
+   * Draws as `render` does, for hosts that draw several views of a scene in a frame: they call `follow` before the first, and
+   * `effects.update` after the last.
+   */
+  draw(scene: Scene, camera: Camera, component: CameraComponent | null): void {
     const { farol, look } = this;
-    this.prepare(scene);
     look.take(scene.settings, component);
     const chain = farol.view === 'final' ? this.chainFor(scene) : null;
     this.noticeTones(chain);
     if (chain === null) this.renderPlain(farol, scene, camera);
     else this.renderByChain(chain, scene, camera);
-    if (this.followsRendering) this.effects.update(scene.settings);
   }
 
-  /** Has something else draw the scene, in the tones of the picture and without its effects. */
-  renderBy(painter: ScenePainter, scene: Scene, camera: Camera, component: CameraComponent | null = null): void {
-    this.prepare(scene);
+  /** Has something draw the scene in the tones of the picture and without its effects; else as `draw`. */
+  drawBy(painter: ScenePainter, scene: Scene, camera: Camera, component: CameraComponent | null): void {
     this.look.take(scene.settings, component);
     this.renderPlain(painter, scene, camera);
-    if (this.followsRendering) this.effects.update(scene.settings);
   }
 
   /** Has the scene's technique taken anew in the next frame, now that the renderer may know it. */
@@ -96,15 +102,15 @@ export class PictureRenderer {
     this.effects.dispose();
   }
 
-  /** Brings the renderer up to what the scene needs. */
-  private prepare(scene: Scene): void {
+  /** Brings the renderer up to what the scene asks for: technique, effects, sky. */
+  follow(scene: Scene): void {
     const { farol } = this;
     const { settings } = scene;
     followEffects(farol, scene, this.redraw);
     const { skyReady } = settings;
     if (skyReady !== this.waitsFor) {
       this.waitsFor = skyReady;
-      skyReady.then(this.redraw, this.failed);
+      skyReady?.then(this.redraw, this.failed);
     }
     if (!this.followsRendering) return;
     if (settings.technique !== this.technique) this.take(settings.technique);

@@ -5,6 +5,7 @@ const scene = (figures: Partial<SceneFigures>): SceneFigures => ({
   bounded: 100,
   everywhere: 1,
   coverage: 1,
+  objects: 100,
   transparents: false,
   floatTargets: true,
   surfaces: false,
@@ -23,6 +24,16 @@ describe('TechniqueChooser', () => {
     expect(new TechniqueChooser().choose(scene({ bounded: 2 })).technique).toBe('clustered-forward');
     expect(new TechniqueChooser().choose(scene({ coverage: 20 })).technique).toBe('clustered-deferred');
     expect(new TechniqueChooser().choose(scene({ bounded: 1000, coverage: 20 })).technique).toBe('tiled-deferred');
+  });
+
+  it('takes lists from five lights on over few objects, which hardly hide one another', () => {
+    const over = (objects: number, bounded: number) =>
+      new TechniqueChooser().choose(scene({ objects, bounded, everywhere: 0 })).technique;
+    expect([over(8, 4), over(8, 5), over(9, 4)]).toEqual([
+      'forward-single-pass',
+      'clustered-forward',
+      'clustered-forward',
+    ]);
   });
 
   it('takes lists that hold for what is transparent too, where such things are', () => {
@@ -50,9 +61,9 @@ describe('TechniqueChooser', () => {
 
   it('does not flicker round the bound, and follows a lasting change after some frames', () => {
     const chooser = new TechniqueChooser();
-    const first = chooser.choose(scene({ coverage: 2.9 })).technique;
+    const first = chooser.choose(scene({ coverage: 1.9 })).technique;
     const seen = new Set<string>();
-    for (let i = 0; i < 100; i++) seen.add(chooser.choose(scene({ coverage: i % 2 ? 2.8 : 3.3 })).technique);
+    for (let i = 0; i < 100; i++) seen.add(chooser.choose(scene({ coverage: i % 2 ? 1.8 : 2.3 })).technique);
     expect([...seen]).toEqual([first]);
     const frames: string[] = [];
     for (let i = 0; i < 20; i++) frames.push(chooser.choose(scene({ coverage: 10 })).technique);
@@ -63,8 +74,8 @@ describe('TechniqueChooser', () => {
 
   it('keeps to its choice a little past the bound, however long, on either side', () => {
     for (const [from, to] of [
-      [2.5, 3.5],
-      [3.5, 2.5],
+      [1.6, 2.4],
+      [2.4, 1.6],
     ]) {
       const chooser = new TechniqueChooser();
       const first = chooser.choose(scene({ coverage: from })).technique;

@@ -6,6 +6,8 @@ export interface SceneFigures {
   readonly everywhere: number;
   /** Lights with a range over a pixel, whatever its depth, on average. */
   readonly coverage: number;
+  /** Opaque things drawn. */
+  readonly objects: number;
   /** Whether lit things that transmit or are transparent were drawn: tile lists made on the GPU do not know them. */
   readonly transparents: boolean;
   /** Whether float colour targets can be drawn to. */
@@ -27,11 +29,15 @@ export interface Choice {
   readonly reason: string;
 }
 
-/** Few enough lights that a list costs more than it saves. */
+/** Few enough lights that a list costs more than it saves; measured, as all bounds here: see docs/performance.md. */
 const FEW_LIGHTS = 2;
-/** Lights over a pixel from which a G-buffer pays; measured, see docs/performance.md. */
-const MANY_OVER_A_PIXEL = 4;
-/** Lights with a range from which lists made on the GPU cost less than lists made on the CPU; measured, see docs/performance.md. */
+/** The same where a pixel is drawn about once. */
+const FEW_LIGHTS_OVER_FEW_OBJECTS = 4;
+/** Few enough opaque things that a pixel is drawn about once. */
+const FEW_OBJECTS = 8;
+/** Lights over a pixel from which a G-buffer pays. */
+const MANY_OVER_A_PIXEL = 3;
+/** Lights with a range from which lists made on the GPU cost less than lists made on the CPU. */
 const MANY_LIGHTS = 400;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;
@@ -42,7 +48,7 @@ const FAR = 4;
 const choices: Record<ChosenTechnique, Choice> = {
   'forward-single-pass': {
     technique: 'forward-single-pass',
-    reason: 'two lights or fewer: lists would cost more than they save',
+    reason: 'hardly any lights: lists would cost more than they save',
   },
   'clustered-forward': {
     technique: 'clustered-forward',
@@ -108,11 +114,12 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
   }
 
   private best(
-    { bounded, everywhere, coverage, transparents, floatTargets, surfaces }: SceneFigures,
+    { bounded, everywhere, coverage, objects, transparents, floatTargets, surfaces }: SceneFigures,
     scale: number,
   ): ChosenTechnique {
     if (!surfaces || !floatTargets) {
-      if (bounded + everywhere <= FEW_LIGHTS * scale) return 'forward-single-pass';
+      const few = objects <= FEW_OBJECTS ? FEW_LIGHTS_OVER_FEW_OBJECTS : FEW_LIGHTS;
+      if (bounded + everywhere <= few * scale) return 'forward-single-pass';
       if (!floatTargets || (coverage + everywhere) * scale <= MANY_OVER_A_PIXEL) return 'clustered-forward';
     }
     return !transparents && bounded * scale > MANY_LIGHTS ? 'tiled-deferred' : 'clustered-deferred';

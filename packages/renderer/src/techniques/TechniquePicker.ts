@@ -58,6 +58,7 @@ export class TechniquePicker {
         bounded,
         coverage,
         everywhere: directional + unbounded,
+        objects: frame.queue.opaque.length,
         transparents: frame.queue.hasLitTransparents,
         floatTargets: this.floatTargets,
         surfaces: needsSurfaces,

@@ -1,9 +1,10 @@
-import { Signal } from '@farol/editing';
+import { Signal, t } from '@farol/editing';
 import { createId } from '@farol/engine/files';
 import type { DraftKeeper, EditorApi } from '../../api/EditorApi';
 import { AutosaveStore, lockOf } from './AutosaveStore';
 import { noteClean } from './cleanSessions';
 import { draftReason } from './draftReason';
+import type { RecoveryOffer } from '../../model/Dialogs';
 import { SceneDelta } from './SceneDelta';
 import { SliceBudget } from './SliceBudget';
 import type { SessionInfo } from '../../model/SessionInfo';
@@ -49,9 +50,11 @@ export class Autosave implements DraftKeeper {
   /** A session that this one takes the place of, once it is stored. */
   private replaced: string | null = null;
 
+  /** @param opened - fulfilled when the first scene and the plugins are there: what is recovered comes after them */
   constructor(
     private readonly editor: EditorApi,
     readonly store: AutosaveStore,
+    private readonly opened: Promise<unknown>,
   ) {
     const { document, commands } = editor;
     this.delta = new SceneDelta(document.scene);
@@ -82,18 +85,21 @@ export class Autosave implements DraftKeeper {
     return this.changedAt === null && !this.isReading && this.writes === 0 && this.delta.isEmpty;
   }
 
-  /** Offers what tabs that were killed have left. @returns whether there was any */
-  async offerRecovery(): Promise<boolean> {
+  /** What tabs that were killed have left; null when there is nothing. */
+  async findLost(): Promise<RecoveryOffer | null> {
     const sessions = (await this.store.lost()).filter(({ isDirty }) => isDirty);
-    if (sessions.length > 0) {
-      void this.editor.dialogs.show({
-        kind: 'recover',
-        sessions,
-        recover: (session) => this.recover(session),
-        discard: ({ id }) => this.store.delete(id),
-      });
-    }
-    return sessions.length > 0;
+    if (sessions.length === 0) return null;
+    return {
+      sessions,
+      recover: (session) => this.recover(session),
+      discard: ({ id }) => this.store.delete(id),
+    };
+  }
+
+  async offerRecovery(): Promise<boolean> {
+    const offer = await this.findLost();
+    if (offer) void this.editor.dialogs.show({ kind: 'recover', ...offer });
+    return offer !== null;
   }
 
   /** Something of the store's was refused: it is told of, and what is not stored is tried again. */
@@ -112,13 +118,14 @@ export class Autosave implements DraftKeeper {
   /** Opens a scene that was stored, as one that is not saved: stored again, it takes the place of the old session. */
   private async recover({ id, name, fileName, handle }: SessionInfo): Promise<void> {
     const { editor } = this;
+    await this.opened;
     if (!(await editor.mayLoseChanges())) return;
     const { text, files } = await this.store.read(id);
     if (!(await editor.openFileBytes(text, { name: fileName, handle }, (path) => files.get(path) ?? null))) return;
     editor.commands.markUnsaved();
     this.replaced = id;
     this.wake();
-    editor.notices.show('info', `${name} is as it was. Save it to keep it.`);
+    editor.notices.show('info', t('{name} is as it was. Save it to keep it.', { name }));
   }
 
   /** Another scene: nothing is stored until it is changed. */
@@ -257,7 +264,7 @@ export class Autosave implements DraftKeeper {
       this.refusals = 0;
       this.editor.drafts.work();
       this.editor.notices.remove(this.notice);
-      this.editor.notices.show('info', 'Drafts are kept again.');
+      this.editor.notices.show('info', t('Drafts are kept again.'));
     }
     this.stored.emit();
     // what changed meanwhile

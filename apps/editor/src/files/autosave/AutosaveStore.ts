@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { StoredScene, WorkerRequest, WorkerResponse } from './messages';
 import type { SessionInfo } from '../../model/SessionInfo';
 
@@ -63,7 +64,7 @@ export class AutosaveStore {
       this.deaths++;
       const asked = [...this.waiting.values()];
       this.waiting.clear();
-      for (const { reject } of asked) reject(new Error('The autosave could not be loaded: is the server there?'));
+      for (const { reject } of asked) reject(new Error(t('The autosave could not be loaded: is the server there?')));
     });
     return worker;
   }

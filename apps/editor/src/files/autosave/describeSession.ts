@@ -1,13 +1,14 @@
+import { formatTime, t, tCount } from '@farol/editing';
 import type { SessionInfo } from '../../model/SessionInfo';
 
-const when = new Intl.DateTimeFormat(undefined, { dateStyle: 'medium', timeStyle: 'medium' });
 const integer = new Intl.NumberFormat('en');
 
 /** What tells two drafts of one scene apart: when it was stored, its file, how many objects, the last edit. */
 export function describeSession({ time, fileName, objects, edit }: SessionInfo): string {
-  const parts = [when.format(time)];
+  const parts = [formatTime(time, true)];
   if (fileName) parts.push(fileName);
-  if (objects !== undefined) parts.push(`${integer.format(objects)} ${objects === 1 ? 'object' : 'objects'}`);
-  if (edit) parts.push(`last edit: ${edit}`);
+  if (objects !== undefined)
+    parts.push(tCount(objects, '{objects} object', '{objects} objects', { objects: integer.format(objects) }));
+  if (edit) parts.push(t('last edit: {edit}', { edit }));
   return parts.join(' · ');
 }

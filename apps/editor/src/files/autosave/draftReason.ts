@@ -1,17 +1,19 @@
+import { t } from '@farol/editing';
 import { asClause, namedError } from '../browserReason';
 
-const known: Readonly<Record<string, string>> = {
-  QuotaExceededError: 'it has no room left for this page; free space on the disk.',
-  SecurityError: 'it lets this page store nothing, as in some private windows.',
-  InvalidStateError: 'its store is shut, as in some private windows.',
-  VersionError: 'its store is that of a newer version of Farol; reload the page.',
-  UnknownError: 'its store is damaged, or the disk is full.',
-};
+const known = (): Readonly<Record<string, string>> => ({
+  QuotaExceededError: t('it has no room left for this page; free space on the disk.'),
+  SecurityError: t('it lets this page store nothing, as in some private windows.'),
+  InvalidStateError: t('its store is shut, as in some private windows.'),
+  VersionError: t('its store is that of a newer version of Farol; reload the page.'),
+  UnknownError: t('its store is damaged, or the disk is full.'),
+});
 
 /** Why the browser refused to store a draft: a sentence without a capital, never empty. */
 export function draftReason(error: unknown): string {
   const named = namedError(error);
-  return Object.hasOwn(known, named.name) ? known[named.name] : `${asClause(named)}.`;
+  const reasons = known();
+  return Object.hasOwn(reasons, named.name) ? reasons[named.name] : `${asClause(named)}.`;
 }
 
 /** What the browser lacks without which no draft can be kept, in the same form; null for nothing. */
@@ -24,7 +26,7 @@ export function missingForDrafts(): string | null {
       return false;
     }
   };
-  if (!has(() => globalThis.indexedDB)) return 'it has no IndexedDB, as in some private windows.';
-  if (!has(() => navigator.locks)) return 'it has no Web Locks, which pages have only over https.';
+  if (!has(() => globalThis.indexedDB)) return t('it has no IndexedDB, as in some private windows.');
+  if (!has(() => navigator.locks)) return t('it has no Web Locks, which pages have only over https.');
   return null;
 }

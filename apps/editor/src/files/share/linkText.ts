@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { FileError, type MayUnpack, unpack } from '@farol/engine/files';
 import { isLink, PREFIX } from './isLink';
 
@@ -29,6 +30,6 @@ export async function decodeLink(hash: string, mayUnpack?: MayUnpack): Promise<s
     return new TextDecoder().decode(await unpack(bytes, 'deflate-raw', { mayUnpack }));
   } catch (cause) {
     if (cause instanceof FileError || (cause instanceof DOMException && cause.name === 'AbortError')) throw cause;
-    throw new Error('The link is damaged or cut short: copy all of it, to its last letter.', { cause });
+    throw new Error(t('The link is damaged or cut short: copy all of it, to its last letter.'), { cause });
   }
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import { containerContent, inlineAssets } from '@farol/engine/files';
 import { encodeLink } from './linkText';
@@ -18,10 +19,16 @@ export async function linkHash(scene: Scene): Promise<string> {
   const names = largest.map(
     ([path, { size }]) => `${decodeURIComponent(path.slice('assets/'.length))} (${kilobytes(size)})`,
   );
-  const why = names.length > 0 ? ` The largest assets are ${names.join(', ')}.` : '';
+  const why = names.length > 0 ? t(' The largest assets are {names}.', { names: names.join(', ') }) : '';
   const refuse = (size: number): never => {
     const limit = kilobytes(LINK_LIMIT);
-    throw new Error(`The link would have ${kilobytes(size)}, and may have ${limit}.${why} Export a web page instead.`);
+    throw new Error(
+      t('The link would have {size}, and may have {limit}.{why} Export a web page instead.', {
+        size: kilobytes(size),
+        limit,
+        why,
+      }),
+    );
   };
   // pictures and models do not become smaller: no need to try
   if (bytes > LINK_LIMIT * 4) refuse((bytes * 4) / 3);

@@ -1,8 +1,10 @@
-import type { Command } from '@farol/editing';
+import { type Command, t } from '@farol/editing';
 import type { AssetLibrary, TakenAsset } from '@farol/engine';
 
-const labelOf = (verb: string, assets: readonly TakenAsset[]): string =>
-  `${verb} ${assets.length === 1 ? assets[0].name : `${assets.length} assets`}`;
+const labelOf = (assets: readonly TakenAsset[]): string =>
+  assets.length === 1
+    ? t('Import {name}', { name: assets[0].name })
+    : t('Import {count} assets', { count: assets.length });
 
 /** Puts loaded assets into the library. */
 export class AddAssets implements Command {
@@ -14,7 +16,7 @@ export class AddAssets implements Command {
     taken: readonly TakenAsset[],
   ) {
     this.taken = taken;
-    this.label = labelOf('Import', taken);
+    this.label = labelOf(taken);
   }
 
   get isEmpty(): boolean {
@@ -39,7 +41,7 @@ export class RemoveAsset implements Command {
     private readonly assets: AssetLibrary,
     private readonly name: string,
   ) {
-    this.label = `Delete ${name}`;
+    this.label = t('Delete {name}', { name });
   }
 
   do(): void {

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { GameObject, Scene } from '@farol/engine';
 import { type Container, type Placement, placementOf } from './Placement';
 import { StructuralCommand } from './StructuralCommand';
@@ -11,7 +12,7 @@ export class MoveLocal extends StructuralCommand {
     private readonly object: GameObject,
     private readonly parent: Container,
   ) {
-    super(`Move ${object.name}`, scene);
+    super(t('Move {name}', { name: object.name }), scene);
   }
 
   protected override apply(): void {

@@ -1,4 +1,4 @@
-import type { Command } from '@farol/editing';
+import { type Command, t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import type { Prefab } from '@farol/engine/prefabs';
 
@@ -14,7 +14,7 @@ export class SetPrefab implements Command {
     private readonly id: string,
     private readonly next: Prefab | null,
   ) {
-    this.label = `${next ? 'Change' : 'Delete'} prefab`;
+    this.label = next ? t('Change prefab') : t('Delete prefab');
   }
 
   do(): void {

@@ -25,6 +25,7 @@ import { groupObjects, ungroupObjects } from '../groupObjects';
 import { below, objectsOf, pick, type Random } from './random';
 import { randomAssetCommand } from './randomAssetCommand';
 import { randomEdit } from './randomEdit';
+import { randomMaterialCommand } from './randomMaterialCommand';
 import { randomPrefabCommand } from './randomPrefabCommand';
 
 /** Some objects, often nested ones. */
@@ -48,7 +49,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 28);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 30);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -123,6 +124,9 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomPrefabCommand(random, document, pick(random, all), parent());
     case 26:
       return randomAssetCommand(random, document);
+    case 27:
+    case 28:
+      return randomMaterialCommand(random, document);
     default:
       return randomEdit(random, document, pick(random, pick(random, all).components));
   }

@@ -1,69 +1,42 @@
-import { type ReactNode, useEffect, useRef, useState } from 'react';
+import { type KeyboardEvent, type MouseEvent, memo, type ReactNode } from 'react';
 import { setDraggedAsset } from '../../files/dragAsset';
-import type { AssetEntry, AssetKind } from '../../files/assetKinds';
-import type { ThumbnailMaker } from '../../files/ThumbnailMaker';
-import { Icon } from '../../ui/Icon';
-import type { IconName } from '../../style/iconPaths';
-
-const icons: Readonly<Record<AssetKind, IconName>> = {
-  prefab: 'prefab',
-  model: 'mesh',
-  mesh: 'mesh',
-  texture: 'scene',
-  material: 'contrast',
-  shader: 'contrast',
-};
+import { type AssetEntry, kindLabel } from '../../files/assetKinds';
+import { Thumbnail } from '../../ui/Thumbnail';
 
 interface AssetCardProps {
   /** Another one each time the asset may look otherwise. */
   readonly entry: AssetEntry;
-  readonly maker: ThumbnailMaker;
   readonly selected: boolean;
-  onSelect(): void;
-  onPlace(): void;
+  /** Names of all that is selected, which is dragged with it. */
+  readonly dragged: readonly string[];
+  onSelect(entry: AssetEntry, isAdded: boolean): void;
+  onPlace(entry: AssetEntry): void;
 }
 
-/** One asset: picture and name; dragged into the scene, or placed by a double click or Enter. */
-export function AssetCard({ entry, maker, selected, onSelect, onPlace }: AssetCardProps): ReactNode {
-  const card = useRef<HTMLButtonElement>(null);
-  const [inSight, setInSight] = useState(false);
-  const [picture, setPicture] = useState<string | null>(null);
-  useEffect(() => {
-    const observer = new IntersectionObserver(([first]) => first.isIntersecting && setInSight(true));
-    observer.observe(card.current!);
-    return () => observer.disconnect();
-  }, []);
-  useEffect(() => {
-    if (!inSight) return;
-    let isWanted = true;
-    void maker.pictureOf(entry).then((address) => isWanted && address && setPicture(address));
-    return () => {
-      isWanted = false;
-    };
-  }, [entry, inSight, maker]);
+/** One asset: picture and name; dragged into the scene, a field or a folder, or placed by a double click or Enter. */
+export const AssetCard = memo(function AssetCard(props: AssetCardProps): ReactNode {
+  const { entry, selected, dragged, onSelect, onPlace } = props;
+  const place = (event: KeyboardEvent): void => {
+    if (event.key !== 'Enter') return;
+    event.preventDefault();
+    onPlace(entry);
+  };
+  const select = (event: MouseEvent): void => onSelect(entry, event.ctrlKey || event.metaKey || event.shiftKey);
   return (
     <button
-      ref={card}
       type="button"
       className="asset-card"
-      title={`${entry.label} (${entry.kind})`}
+      title={`${entry.label} (${kindLabel(entry.kind)})`}
       aria-pressed={selected}
       draggable
       data-asset={entry.name}
-      onDragStart={(event) => setDraggedAsset(event.dataTransfer, entry)}
-      onClick={onSelect}
-      onFocus={onSelect}
-      onDoubleClick={onPlace}
-      onKeyDown={(event) => {
-        if (event.key !== 'Enter') return;
-        event.preventDefault();
-        onPlace();
-      }}
+      onDragStart={(event) => setDraggedAsset(event.dataTransfer, entry, selected ? dragged : [entry.name])}
+      onClick={select}
+      onDoubleClick={() => onPlace(entry)}
+      onKeyDown={place}
     >
-      <span className="asset-picture">
-        {picture ? <img src={picture} alt="" draggable={false} /> : <Icon name={icons[entry.kind]} size={28} />}
-      </span>
+      <Thumbnail entry={entry} />
       <span className="asset-name">{entry.label}</span>
     </button>
   );
-}
+});

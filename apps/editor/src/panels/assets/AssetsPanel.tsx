@@ -1,64 +1,32 @@
+import { t } from '@farol/editing';
 import { ContextMenu } from '@base-ui/react/context-menu';
-import { fileOpen } from 'browser-fs-access';
-import { type ReactNode, useMemo, useRef, useState } from 'react';
-import { type AssetEntry, assetEntries, type AssetKind } from '../../files/assetKinds';
+import { type KeyboardEvent, type ReactNode, useCallback, useMemo, useRef, useState } from 'react';
+import { type AssetEntry, assetEntries, type AssetKind, kindLabel } from '../../files/assetKinds';
 import { isFileDrag } from '../../files/dragAsset';
-import { importFiles } from '../../files/importFiles';
 import { placeAsset } from '../../files/placeAsset';
-import { ThumbnailMaker } from '../../files/ThumbnailMaker';
-import type { EditorApi } from '../../api/EditorApi';
+import { foldersOf, splitName } from '../../model/assetEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
-import { LateItems } from '../../ui/MenuButton';
+import { LateItems, MenuButton } from '../../ui/MenuButton';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
 import { AssetCard } from './AssetCard';
-import { assetMenu, removeEntry, renameEntry } from './assetMenu';
+import { assetMenu } from './assetMenu';
+import { chooseFiles } from './chooseFiles';
+import { folderMenu, newEntries, removeFolderAsked, renameFolderAsked } from './folderMenu';
+import { FolderBar } from './FolderBar';
+import { FolderTarget } from './FolderTarget';
+import { removeEntries, renameEntry } from './assetDialogs';
 import './assets.css';
 
 type Filter = AssetKind | 'all' | 'own';
 
-const filters: readonly SelectOption<Filter>[] = [
-  { value: 'all', label: 'Everything' },
-  { value: 'own', label: 'Imported' },
-  { value: 'prefab', label: 'Prefabs' },
-  { value: 'model', label: 'Models' },
-  { value: 'mesh', label: 'Meshes' },
-  { value: 'texture', label: 'Textures' },
-  { value: 'material', label: 'Materials' },
+const kinds: readonly AssetKind[] = ['prefab', 'model', 'mesh', 'texture', 'material'];
+
+const filters = (): SelectOption<Filter>[] => [
+  { value: 'all', label: t('Everything') },
+  { value: 'own', label: t('Imported') },
+  ...kinds.map((kind): SelectOption<Filter> => ({ value: kind, label: kindLabel(kind, true) })),
 ];
-
-const makers = new WeakMap<EditorApi, ThumbnailMaker>();
-
-function makerOf(editor: EditorApi): ThumbnailMaker {
-  let maker = makers.get(editor);
-  if (!maker) makers.set(editor, (maker = new ThumbnailMaker(editor.viewport)));
-  return maker;
-}
-
-const endings = [
-  '.glb',
-  '.gltf',
-  '.bin',
-  '.obj',
-  '.mtl',
-  '.zip',
-  '.tga',
-  '.bmp',
-  '.png',
-  '.jpg',
-  '.jpeg',
-  '.webp',
-  '.hdr',
-  '.exr',
-  '.ply',
-  '.gz',
-  '.ktx2',
-];
-
-async function choose(editor: EditorApi): Promise<void> {
-  const files = await fileOpen({ description: 'Models, textures, environments', extensions: endings, multiple: true });
-  await importFiles(editor, new Map(files.map((file) => [file.name, file])));
-}
 
 /** Whether every word of a search is in a name. */
 const matches = (label: string, search: string): boolean =>
@@ -67,49 +35,93 @@ const matches = (label: string, search: string): boolean =>
     .split(/\s+/)
     .every((word) => label.toLowerCase().includes(word));
 
-/** Everything that can be placed or assigned; files that are dropped on it are imported. */
+/** What a menu is asked for: a card, a folder, or the room beside them. */
+interface Pressed {
+  readonly entry: AssetEntry | null;
+  readonly folder: string | null;
+}
+
+/** Everything that can be placed or assigned, in folders; files that are dropped on it are imported. */
 export function AssetsPanel(): ReactNode {
   const editor = useEditor();
   const { document } = editor;
+  const { assetSelection, assets } = document;
   const revision = useSignal(document.assetsChanged) + useSignal(document.prefabs);
   useSignal(document.opened);
+  useSignal(assetSelection.changed);
   const [search, setSearch] = useState('');
   const [filter, setFilter] = useState<Filter>('all');
-  const [selected, setSelected] = useState<string | null>(null);
+  const [wanted, setFolder] = useState('');
   const [isOver, setIsOver] = useState(false);
-  const pressed = useRef<AssetEntry | null>(null);
-  const maker = makerOf(editor);
+  const pressed = useRef<Pressed>({ entry: null, folder: null });
   // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the library and the prefabs
   const all = useMemo(() => assetEntries(document.scene), [document, document.scene, revision]);
+  // oxlint-disable-next-line react-hooks/exhaustive-deps -- as above
+  const folders = useMemo(() => foldersOf(assets), [assets, revision]);
+  // one that is gone is left
+  const folder = folders.includes(wanted) ? wanted : '';
+  const isFlat = search.trim() !== '';
+  const fits = (entry: AssetEntry): boolean =>
+    filter === 'all' || (filter === 'own' ? !entry.isBuiltin : entry.kind === filter);
   const entries = all.filter(
     (entry) =>
-      (filter === 'all' || (filter === 'own' ? !entry.isBuiltin : entry.kind === filter)) &&
-      matches(entry.label, search),
+      fits(entry) &&
+      (isFlat ? matches(`${entry.folder} ${entry.label}`, search) : entry.folder === folder && !entry.isVariant),
   );
+  const below = isFlat ? [] : folders.filter((path) => splitName(path).folder === folder);
 
   /** Notes the card that a menu would be of: a long press of a finger opens one without telling where. */
   const note = (event: { target: EventTarget }): void => {
-    const card = (event.target as HTMLElement).closest<HTMLElement>('[data-asset]');
-    pressed.current = entries.find(({ name }) => name === card?.dataset.asset) ?? null;
+    const element = event.target as HTMLElement;
+    const name = element.closest<HTMLElement>('[data-asset]')?.dataset.asset;
+    pressed.current = {
+      entry: entries.find((entry) => entry.name === name) ?? null,
+      folder: element.closest<HTMLElement>('.asset-folder')?.dataset.folder ?? null,
+    };
+  };
+
+  const select = useCallback(
+    (entry: AssetEntry, isAdded: boolean): void => {
+      if (isAdded) assetSelection.toggle(entry.name);
+      else assetSelection.set([entry.name]);
+    },
+    [assetSelection],
+  );
+  const place = useCallback((entry: AssetEntry): void => editor.attempt(() => placeAsset(editor, entry)), [editor]);
+
+  const press = (event: KeyboardEvent): void => {
+    if (event.key !== 'Delete' && event.key !== 'F2') return;
+    const target = (event.target as HTMLElement).closest<HTMLElement>('.asset-folder')?.dataset.folder;
+    const chosen = entries.filter(({ name }) => assetSelection.has(name));
+    if (target === undefined && chosen.length === 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    editor.attempt(() => {
+      if (target !== undefined) (event.key === 'F2' ? renameFolderAsked : removeFolderAsked)(editor, target);
+      else if (event.key === 'Delete') return removeEntries(editor, chosen);
+      else renameEntry(editor, chosen.at(-1)!);
+    });
   };
 
   return (
-    <section className="panel assets" aria-label="Assets">
+    <section className="panel assets" aria-label={t('Assets')}>
       <div className="assets-bar">
         <input
           className="input"
           type="search"
           value={search}
-          placeholder="Search assets"
-          aria-label="Search assets"
+          placeholder={t('Search assets')}
+          aria-label={t('Search assets')}
           onChange={(event) => setSearch(event.target.value)}
         />
-        <SelectBox<Filter> value={filter} options={filters} label="Kind of asset" onChange={setFilter} />
-        <button type="button" className="button framed" onClick={() => editor.attempt(() => choose(editor))}>
+        <SelectBox<Filter> value={filter} options={filters()} label={t('Kind of asset')} onChange={setFilter} />
+        <MenuButton label={t('New')} icon="add" className="button framed" entries={() => newEntries(editor, folder)} />
+        <button type="button" className="button framed" onClick={() => editor.attempt(() => chooseFiles(editor))}>
           <Icon name="open" />
-          <span>Import…</span>
+          <span>{t('Import…')}</span>
         </button>
       </div>
+      {(folder !== '' || below.length > 0) && <FolderBar folder={folder} onOpen={setFolder} />}
       <ContextMenu.Root>
         <ContextMenu.Trigger
           className="assets-body"
@@ -119,27 +131,32 @@ export function AssetsPanel(): ReactNode {
           onDrop={() => setIsOver(false)}
           onPointerDown={note}
           onContextMenu={note}
-          onKeyDown={(event) => {
-            const entry = entries.find(({ name }) => name === selected);
-            const act = { Delete: removeEntry, F2: renameEntry }[event.key];
-            if (!act || !entry) return;
-            event.preventDefault();
-            event.stopPropagation();
-            editor.attempt(() => act(editor, entry));
-          }}
+          onKeyDown={press}
         >
-          {entries.length === 0 && (
-            <p className="assets-empty">Nothing of that name. Drop files here to import them.</p>
+          {entries.length + below.length === 0 && (
+            <p className="assets-empty">
+              {isFlat ? t('Nothing of that name.') : t('Nothing here yet. Drop files here to import them.')}
+            </p>
           )}
           <ul className="assets-grid">
+            {below.map((path) => (
+              <li key={`folder/${path}`}>
+                <FolderTarget folder={path} className="asset-card asset-folder" onOpen={setFolder}>
+                  <span className="asset-picture">
+                    <Icon name="folder" size={28} />
+                  </span>
+                  <span className="asset-name">{splitName(path).leaf}</span>
+                </FolderTarget>
+              </li>
+            ))}
             {entries.map((entry) => (
               <li key={`${entry.kind}/${entry.name}`}>
                 <AssetCard
                   entry={entry}
-                  maker={maker}
-                  selected={entry.name === selected}
-                  onSelect={() => setSelected(entry.name)}
-                  onPlace={() => editor.attempt(() => placeAsset(editor, entry))}
+                  selected={assetSelection.has(entry.name)}
+                  dragged={assetSelection.items}
+                  onSelect={select}
+                  onPlace={place}
                 />
               </li>
             ))}
@@ -149,11 +166,11 @@ export function AssetsPanel(): ReactNode {
           <ContextMenu.Positioner className="positioner">
             <ContextMenu.Popup className="popup">
               <LateItems
-                entries={() =>
-                  pressed.current
-                    ? assetMenu(editor, pressed.current)
-                    : [{ label: 'Import…', icon: 'open', run: () => editor.attempt(() => choose(editor)) }]
-                }
+                entries={() => {
+                  const { entry, folder: path } = pressed.current;
+                  if (entry) return assetMenu(editor, entry, folders);
+                  return path === null ? newEntries(editor, folder) : folderMenu(editor, path, setFolder);
+                }}
               />
             </ContextMenu.Popup>
           </ContextMenu.Positioner>

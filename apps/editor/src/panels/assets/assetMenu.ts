@@ -1,105 +1,110 @@
-import { importModel } from '@farol/engine';
+import { t } from '@farol/editing';
+import { ObjectRenderer } from '@farol/engine';
 import type { EditorApi } from '../../api/EditorApi';
-import { type AssetEntry, isEnvironment } from '../../files/assetKinds';
-import { placeAsset, useAsEnvironment } from '../../files/placeAsset';
-import { deleteAsset, usagesOf } from '../../model/assetUsages';
-import { addObject } from '../../model/edits';
-import { deletePrefab, instancesOf, renamePrefab } from '../../model/prefabEdits';
 import type { MenuEntry } from '../../api/MenuEntry';
+import { assetEntries, type AssetEntry, isEnvironment } from '../../files/assetKinds';
+import { placeAsset, useAsEnvironment } from '../../files/placeAsset';
+import { canRename, duplicateMaterial, giveMaterial, moveAssets, splitName } from '../../model/assetEdits';
+import { usagesOf } from '../../model/assetUsages';
+import { instancesOf } from '../../model/prefabEdits';
+import { removeEntries, renameEntry } from './assetDialogs';
 
-const counted = (count: number, what: string): string => `${count} ${what}${count === 1 ? '' : 's'}`;
+/** The assets that a menu of one is of: all that are selected, if it is among them. */
+const chosenWith = ({ document }: EditorApi, { name }: AssetEntry): readonly string[] =>
+  document.assetSelection.has(name) ? document.assetSelection.items : [name];
 
-/** Deletes an asset or a prefab; where it is used, the user is asked first, with every place by name. */
-export async function removeEntry(editor: EditorApi, entry: AssetEntry): Promise<void> {
-  const { document, commands, dialogs } = editor;
-  const { scene } = document;
-  if (entry.isBuiltin) throw new Error(`${entry.label} came with Farol, and cannot be deleted.`);
-  const model = document.assets.modelOf(entry.name);
-  if (model) throw new Error(`${entry.label} is a part of ${model}: delete that.`);
-  const prefab = entry.kind === 'prefab' ? scene.prefabs.get(entry.name) : null;
-  const usages = prefab
-    ? instancesOf(scene, prefab.id).map(({ name }) => ({ path: name, problem: 'becomes an object of its own.' }))
-    : usagesOf(scene, entry.name).map(({ place, field }) => ({ path: place, problem: `${field} becomes empty.` }));
-  if (usages.length > 0) {
-    const agreed = await dialogs.show({
-      kind: 'problems',
-      title: `Delete ${entry.label}?`,
-      text: `It is used in ${counted(usages.length, 'place')}. The step can be undone.`,
-      problems: usages,
-      action: 'Delete',
-    });
-    if (!agreed) return;
-  }
-  if (prefab) commands.run(deletePrefab(scene, prefab, document.selection.ids));
-  else if (entry.kind !== 'prefab') commands.run(deleteAsset(scene, entry.name));
-}
-
-/** Asks for another name of a prefab. */
-export function renameEntry(editor: EditorApi, entry: AssetEntry): void {
-  const { document, commands, dialogs } = editor;
-  const { scene } = document;
-  const prefab = scene.prefabs.get(entry.name);
-  if (entry.kind !== 'prefab' || !prefab) throw new Error(`${entry.label} cannot be renamed: only prefabs can.`);
-  void dialogs.show({
-    kind: 'text',
-    title: `Rename ${prefab.name}`,
-    label: 'Name of the prefab',
-    value: prefab.name,
-    action: 'Rename',
-    accept: (name) => {
-      if (name !== prefab.name) commands.run(renamePrefab(scene, prefab, name));
+function materialEntries(editor: EditorApi, { name, label }: AssetEntry): MenuEntry[] {
+  const { document, commands } = editor;
+  const users = document.selectedObjects.flatMap((object) => object.getComponent(ObjectRenderer) ?? []);
+  const entries: MenuEntry[] = [
+    {
+      label: t('Give to the selected objects'),
+      icon: 'check',
+      disabled: users.length === 0,
+      run: () =>
+        editor.attempt(() =>
+          commands.run(giveMaterial(users, name, t('Give {name} to the selection', { name: label }))),
+        ),
     },
-  });
+  ];
+  if (document.assets.materialAsset(name)) {
+    const duplicate = (): void => {
+      const made = duplicateMaterial(document.scene, name);
+      commands.run(made.command);
+      document.assetSelection.set([made.name]);
+    };
+    entries.push({ label: t('Duplicate'), icon: 'duplicate', run: () => editor.attempt(duplicate) });
+  }
+  return entries;
 }
 
-/** Puts the parts of a model into the scene, each an object that can be edited. */
-function unpackModel(editor: EditorApi, name: string): void {
-  const { document, commands, viewport } = editor;
-  const object = importModel(document.assets.model(name), document.assets, name);
-  object.name = name.replace(/\.\w+$/, '');
-  object.transform.position = viewport.editorCamera.target.toArray();
-  commands.run(addObject(document.scene, object, document.scene, document.selection.ids));
+/** Selects the objects that use an asset, or are instances of a prefab. */
+function selectUsers({ document }: EditorApi, { kind, name }: AssetEntry): void {
+  const { scene } = document;
+  const ids =
+    kind === 'prefab'
+      ? instancesOf(scene, name).map(({ id }) => id)
+      : usagesOf(scene, name).flatMap(({ object }) => object ?? []);
+  if (ids.length === 0) throw new Error(t('No object uses it.'));
+  document.selection.set(ids);
 }
 
-/** Lines of the context menu of a card. */
-export function assetMenu(editor: EditorApi, entry: AssetEntry): MenuEntry[] {
+function moveEntries(editor: EditorApi, entry: AssetEntry, folders: readonly string[]): MenuEntry[] {
+  const { document, commands } = editor;
+  const names = chosenWith(editor, entry).filter((name) => canRename(document.assets, name));
+  const targets = ['', ...folders].filter((folder) => names.some((name) => splitName(name).folder !== folder));
+  if (names.length === 0 || targets.length === 0) return [];
+  const entries = targets.map((folder): MenuEntry => ({
+    label: folder || t('The top'),
+    icon: 'folder',
+    run: () => editor.attempt(() => commands.run(moveAssets(document.scene, names, folder))),
+  }));
+  return [{ label: t('Move to'), icon: 'folder', entries }];
+}
+
+/** Lines of the context menu of a card. @param folders - paths that there are */
+export function assetMenu(editor: EditorApi, entry: AssetEntry, folders: readonly string[]): MenuEntry[] {
   const { document } = editor;
+  const { kind, name } = entry;
   const attempt = (run: () => unknown) => (): void => editor.attempt(run);
   const entries: MenuEntry[] = [];
-  if (entry.kind === 'texture') {
+  if (kind === 'texture') {
     const run = attempt(async () => {
-      await document.assets.load(entry.name);
-      useAsEnvironment(editor, entry.name);
+      await document.assets.load(name);
+      useAsEnvironment(editor, name);
     });
-    const help = 'Lights every surface, and is seen behind.';
-    entries.push({ label: 'Use as environment', icon: 'world', help, run });
+    const help = t('Lights every surface, and is seen behind.');
+    entries.push({ label: t('Use as environment'), icon: 'world', help, run });
   }
-  if (entry.kind !== 'texture' || !isEnvironment(entry.name)) {
-    const label = entry.kind === 'material' || entry.kind === 'shader' ? 'Place on a sphere' : 'Place in scene';
+  if (kind === 'material') entries.push(...materialEntries(editor, entry));
+  if (kind !== 'texture' || !isEnvironment(name)) {
+    const label = kind === 'material' || kind === 'shader' ? t('Place on a sphere') : t('Place in scene');
     entries.push({ label, icon: 'add', run: attempt(() => placeAsset(editor, entry)) });
   }
-  if (entry.kind === 'model') {
-    const help = 'Each mesh becomes an object that can be edited; skeletons and animations are left out.';
+  if (kind === 'model') {
+    const help = t('Each mesh, light and camera becomes an object that can be edited, each material an asset.');
     const run = attempt(async () => {
-      await document.assets.load(entry.name);
-      unpackModel(editor, entry.name);
+      const { placeUnpacked } = await import('../../files/placeUnpacked');
+      await placeUnpacked(editor, name);
     });
-    entries.push({ label: 'Place as objects', icon: 'tree', help, run });
+    entries.push({ label: t('Place unpacked'), icon: 'tree', help, run });
   }
-  if (entry.kind === 'prefab') {
-    const select = (): void => document.selection.set(instancesOf(document.scene, entry.name).map(({ id }) => id));
-    entries.push(
-      { label: 'Select instances', icon: 'select', run: select },
-      { label: 'Rename…', keys: 'F2', run: attempt(() => renameEntry(editor, entry)) },
-    );
+  const label = kind === 'prefab' ? t('Select instances') : t('Select what uses it');
+  entries.push({ label, icon: 'select', run: attempt(() => selectUsers(editor, entry)) });
+  if (kind === 'prefab' || canRename(document.assets, name)) {
+    entries.push({ label: t('Rename…'), keys: 'F2', run: attempt(() => renameEntry(editor, entry)) });
   }
-  const disabled = entry.isBuiltin || document.assets.modelOf(entry.name) !== null;
+  entries.push(...moveEntries(editor, entry, folders));
   entries.push('separator', {
-    label: 'Delete…',
+    label: t('Delete…'),
     icon: 'remove',
     keys: 'Delete',
-    disabled,
-    run: attempt(() => removeEntry(editor, entry)),
+    disabled: entry.isBuiltin || document.assets.modelOf(name) !== null,
+    run: attempt(() => {
+      const names = new Set(chosenWith(editor, entry));
+      const all = assetEntries(document.scene).filter((each) => names.has(each.name));
+      return removeEntries(editor, names.size > 1 ? all : [entry]);
+    }),
   });
   return entries;
 }

@@ -1,14 +1,28 @@
+import { formatTime, t } from '@farol/editing';
 import { type ReactNode, useEffect, useRef, useState } from 'react';
-import type { ConsoleEntry, ConsoleKind } from '../../model/ConsoleLog';
+import type { ConsoleEntry, ConsoleKind, ConsoleSource } from '../../model/ConsoleLog';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import type { IconName } from '../../style/iconPaths';
 import './console.css';
 
 const icons: Readonly<Record<ConsoleKind, IconName>> = { error: 'warning', warning: 'warning', info: 'check' };
-const names: Readonly<Record<ConsoleKind, string>> = { error: 'errors', warning: 'warnings', info: 'messages' };
+const showLabel = (kind: ConsoleKind): string =>
+  ({ error: t('Show errors'), warning: t('Show warnings'), info: t('Show messages') })[kind];
+
+const sourceLabel = (source: ConsoleSource): string =>
+  ({
+    editor: t('editor'),
+    shader: t('shader'),
+    file: t('file'),
+    asset: t('asset'),
+    component: t('component'),
+    picture: t('picture'),
+    plugin: t('plugin'),
+    page: t('page'),
+  })[source];
+
 const kinds: readonly ConsoleKind[] = ['error', 'warning', 'info'];
-const clock = new Intl.DateTimeFormat('en-GB', { timeStyle: 'medium' });
 
 /** What was said: by shaders, files, assets, components, the picture and the page; the same once, with its count. */
 export function ConsolePanel(): ReactNode {
@@ -19,7 +33,7 @@ export function ConsolePanel(): ReactNode {
   const list = useRef<HTMLUListElement>(null);
   const words = query.toLowerCase();
   const shown = log.entries.filter(
-    ({ kind, source, text }) => !hidden.has(kind) && `${source} ${text}`.toLowerCase().includes(words),
+    ({ kind, source, text }) => !hidden.has(kind) && `${sourceLabel(source)} ${text}`.toLowerCase().includes(words),
   );
   useEffect(() => {
     list.current?.lastElementChild?.scrollIntoView({ block: 'nearest' });
@@ -31,16 +45,16 @@ export function ConsolePanel(): ReactNode {
     setHidden(next);
   };
   return (
-    <section className="panel" aria-label="Console">
-      <div className="panel-bar" role="toolbar" aria-label="Console">
+    <section className="panel" aria-label={t('Console')}>
+      <div className="panel-bar" role="toolbar" aria-label={t('Console')}>
         {kinds.map((kind) => (
           <button
             key={kind}
             type="button"
             className="button small"
             aria-pressed={!hidden.has(kind)}
-            aria-label={`Show ${names[kind]}`}
-            title={`Show ${names[kind]}`}
+            aria-label={showLabel(kind)}
+            title={showLabel(kind)}
             onClick={() => toggle(kind)}
           >
             <Icon name={icons[kind]} size={13} />
@@ -50,21 +64,21 @@ export function ConsolePanel(): ReactNode {
         <input
           className="input"
           type="search"
-          aria-label="Filter messages"
-          placeholder="Filter"
+          aria-label={t('Filter messages')}
+          placeholder={t('Filter')}
           value={query}
           onChange={(event) => setQuery(event.target.value)}
         />
         <button type="button" className="button small" onClick={() => log.clear()}>
           <Icon name="remove" size={13} />
-          Clear
+          {t('Clear')}
         </button>
       </div>
       {shown.length === 0 ? (
-        <p className="panel-empty">{log.entries.length === 0 ? 'Nothing was said yet.' : 'Nothing like that.'}</p>
+        <p className="panel-empty">{log.entries.length === 0 ? t('Nothing was said yet.') : t('Nothing like that.')}</p>
       ) : (
         // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
-        <ul className="console" ref={list} tabIndex={0} aria-label="Messages">
+        <ul className="console" ref={list} tabIndex={0} aria-label={t('Messages')}>
           {shown.map((entry) => (
             <ConsoleLine key={entry.id} entry={entry} />
           ))}
@@ -87,13 +101,13 @@ function ConsoleLine({ entry }: { entry: ConsoleEntry }): ReactNode {
         </button>
       )}
       {count > 1 && (
-        <span className="console-count" title={`Said ${count} times`}>
+        <span className="console-count" title={t('Said {count} times', { count })}>
           {count}
         </span>
       )}
-      <span className="console-source">{source}</span>
+      <span className="console-source">{sourceLabel(source)}</span>
       <time className="console-time" dateTime={new Date(time).toISOString()}>
-        {clock.format(time)}
+        {formatTime(time)}
       </time>
     </li>
   );

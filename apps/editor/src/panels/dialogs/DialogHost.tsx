@@ -1,5 +1,6 @@
+import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
-import { lazy, type ReactNode, Suspense } from 'react';
+import { lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef } from 'react';
 import type { DialogRequest } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dialogs.css';
@@ -7,24 +8,36 @@ import './dialogs.css';
 const CommandPalette = lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette }));
 const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
 const RecoverDialog = lazy(async () => ({ default: (await import('./RecoverDialog')).RecoverDialog }));
+const Welcome = lazy(async () => ({ default: (await import('../welcome/Welcome')).Welcome }));
+const AboutDialog = lazy(async () => ({ default: (await import('./AboutDialog')).AboutDialog }));
 const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).TextDialog }));
 const ProgressDialog = lazy(async () => ({ default: (await import('./ProgressDialog')).ProgressDialog }));
 const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog }));
 
-const shapes: Partial<Record<DialogRequest['kind'], string>> = { palette: 'palette', keys: 'keys-page' };
+const shapes: Partial<Record<DialogRequest['kind'], string>> = {
+  palette: 'palette',
+  keys: 'keys-page',
+  welcome: 'welcome-dialog',
+};
 
 /** Shows the dialog that the editor asks for. */
 export function DialogHost(): ReactNode {
   const { dialogs } = useEditor();
   useSignal(dialogs.changed);
   const { current } = dialogs;
+  const popup = useRef<HTMLDivElement>(null);
   return (
     <Dialog.Root open={current !== null} onOpenChange={(open) => !open && dialogs.close(false)}>
       <Dialog.Portal>
         <Dialog.Backdrop className="backdrop" />
-        <Dialog.Popup className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
+        <Dialog.Popup ref={popup} className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
           <Suspense fallback={null}>
-            {current && <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />}
+            {current && (
+              <>
+                <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />
+                <FocusField popup={popup} />
+              </>
+            )}
           </Suspense>
         </Dialog.Popup>
       </Dialog.Portal>
@@ -32,17 +45,29 @@ export function DialogHost(): ReactNode {
   );
 }
 
+/** Puts the focus into the first field of a dialog whose content was fetched after it opened. */
+function FocusField({ popup }: { popup: RefObject<HTMLElement | null> }): null {
+  useEffect(() => {
+    const { activeElement } = document;
+    const isInside = activeElement !== popup.current && popup.current?.contains(activeElement);
+    if (!isInside) popup.current?.querySelector<HTMLElement>('.input, .palette-input, textarea')?.focus();
+  }, [popup]);
+  return null;
+}
+
 function Content({ request, onClose }: { request: DialogRequest; onClose(agreed: boolean): void }): ReactNode {
   if (request.kind === 'keys') {
     return (
       <>
-        <Dialog.Title>Keys</Dialog.Title>
+        <Dialog.Title>{t('Keys')}</Dialog.Title>
         <KeysPage />
         <Buttons onClose={onClose} />
       </>
     );
   }
   if (request.kind === 'recover') return <RecoverDialog request={request} onClose={() => onClose(false)} />;
+  if (request.kind === 'welcome') return <Welcome request={request} onClose={() => onClose(false)} />;
+  if (request.kind === 'about') return <AboutDialog onClose={() => onClose(false)} />;
   if (request.kind === 'text') return <TextDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'progress') return <ProgressDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'export') return <ExportDialog onClose={() => onClose(false)} />;
@@ -53,7 +78,11 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
       <Dialog.Description>{request.text}</Dialog.Description>
       {request.kind === 'problems' && (
         // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
-        <ul className="problems" tabIndex={0} aria-label={request.listLabel ?? (request.action ? 'Uses' : 'Problems')}>
+        <ul
+          className="problems"
+          tabIndex={0}
+          aria-label={request.listLabel ?? (request.action ? t('Uses') : t('Problems'))}
+        >
           {request.problems.map(({ path, problem }, i) => (
             // oxlint-disable-next-line react/no-array-index-key -- two objects may have the same name
             <li key={i}>
@@ -77,11 +106,11 @@ interface ButtonsProps {
   onClose(agreed: boolean): void;
 }
 
-function Buttons({ action, refusal = 'Cancel', onClose }: ButtonsProps): ReactNode {
+function Buttons({ action, refusal = t('Cancel'), onClose }: ButtonsProps): ReactNode {
   return (
     <div className="dialog-buttons">
       <button type="button" className="button framed" onClick={() => onClose(false)}>
-        {action ? refusal : 'Close'}
+        {action ? refusal : t('Close')}
       </button>
       {action && (
         <button type="button" className="button primary" onClick={() => onClose(true)}>

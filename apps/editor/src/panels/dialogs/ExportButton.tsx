@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type ReactNode, useState } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 
@@ -36,11 +37,11 @@ export function ExportButton({ label, note, run }: ExportButtonProps): ReactNode
         >
           {label}
         </button>
-        <span className="export-note">{isBusy ? 'Being made…' : note}</span>
+        <span className="export-note">{isBusy ? t('Being made…') : note}</span>
       </div>
       {lost.length > 0 && (
         <div className="export-lost" role="status">
-          <span>What glTF cannot hold:</span>
+          <span>{t('What glTF cannot hold:')}</span>
           <ul>
             {lost.map((line) => (
               <li key={line}>{line}</li>

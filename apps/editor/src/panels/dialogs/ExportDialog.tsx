@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import { type ReactNode, useEffect, useState } from 'react';
 import { fileNameOf } from '../../files/fileNameOf';
@@ -13,16 +14,16 @@ import { ExportButton } from './ExportButton';
 
 async function saveHtml({ document, notices }: EditorApi): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.html`;
-  await download(await exportHtml(document.scene), fileName, 'Web page');
-  notices.show('info', `Exported ${fileName}`);
+  await download(await exportHtml(document.scene), fileName, t('Web page'));
+  notices.show('info', t('Exported {fileName}', { fileName }));
   return [];
 }
 
 async function saveGltf({ document, notices, viewport }: EditorApi): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.glb`;
   const { blob, leftOut } = await exportGltf(document.scene, viewport.webgl);
-  await download(blob, fileName, 'glTF binary');
-  notices.show('info', `Exported ${fileName}`);
+  await download(blob, fileName, t('glTF binary'));
+  notices.show('info', t('Exported {fileName}', { fileName }));
   return leftOut;
 }
 
@@ -51,11 +52,11 @@ function Copy({ text, label }: CopyProps): ReactNode {
   const editor = useEditor();
   const copy = async (): Promise<void> => {
     await navigator.clipboard.writeText(text);
-    editor.notices.show('info', `${label} copied`);
+    editor.notices.show('info', t('{label} copied', { label }));
   };
   return (
     <button type="button" className="button framed" onClick={() => editor.attempt(copy)}>
-      Copy
+      {t('Copy')}
     </button>
   );
 }
@@ -71,27 +72,27 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
   const frame = embedCode(hash ? new URL('player.html', here).href + hash : `${fileNameOf(name)}.html`, name);
   return (
     <>
-      <Dialog.Title>Export {name}</Dialog.Title>
-      <section className="export-part" aria-label="Web page">
+      <Dialog.Title>{t('Export {name}', { name })}</Dialog.Title>
+      <section className="export-part" aria-label={t('Web page')}>
         <ExportButton
-          label="Web page…"
-          note="One file with script, scene and assets; runs from a disk too."
+          label={t('Web page…')}
+          note={t('One file with script, scene and assets; runs from a disk too.')}
           run={() => saveHtml(editor)}
         />
       </section>
       <section className="export-part" aria-label="glTF">
         <ExportButton
-          label="glTF (GLB)…"
-          note="Objects, meshes, materials, cameras and lights for other programs."
+          label={t('glTF (GLB)…')}
+          note={t('Objects, meshes, materials, cameras and lights for other programs.')}
           run={() => saveGltf(editor)}
         />
       </section>
-      <section className="export-part" aria-label="Link">
-        <h3>Link</h3>
+      <section className="export-part" aria-label={t('Link')}>
+        <h3>{t('Link')}</h3>
         {link && (
           <div className="export-row">
-            <input className="input" type="text" readOnly value={link} aria-label="Link to the scene" />
-            <Copy text={link} label="Link" />
+            <input className="input" type="text" readOnly value={link} aria-label={t('Link to the scene')} />
+            <Copy text={link} label={t('Link')} />
           </div>
         )}
         {problem && (
@@ -101,17 +102,19 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
           </p>
         )}
       </section>
-      <section className="export-part" aria-label="Embed code">
-        <h3>Embed code</h3>
-        {!hash && <span className="export-note">Put the exported web page beside your own, and this into it:</span>}
-        <textarea readOnly value={frame} aria-label="Embed code" />
+      <section className="export-part" aria-label={t('Embed code')}>
+        <h3>{t('Embed code')}</h3>
+        {!hash && (
+          <span className="export-note">{t('Put the exported web page beside your own, and this into it:')}</span>
+        )}
+        <textarea readOnly value={frame} aria-label={t('Embed code')} />
         <div className="export-row">
-          <Copy text={frame} label="Embed code" />
+          <Copy text={frame} label={t('Embed code')} />
         </div>
       </section>
       <div className="dialog-buttons">
         <button type="button" className="button framed" onClick={onClose}>
-          Close
+          {t('Close')}
         </button>
       </div>
     </>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type ReactNode, useEffect } from 'react';
 import type { Notice } from '../../model/Notices';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -32,7 +33,7 @@ function NoticeItem({ notice, onClose }: { notice: Notice; onClose(): void }): R
     <div className={`notice ${kind}`}>
       <Icon name={kind === 'info' ? 'check' : 'warning'} />
       <span>{text}</span>
-      <button type="button" className="button small" aria-label="Close message" onClick={onClose}>
+      <button type="button" className="button small" aria-label={t('Close message')} onClick={onClose}>
         <Icon name="close" size={12} />
       </button>
     </div>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import type { ReactNode } from 'react';
 import type { ProgressDialog as ProgressRequest } from '../../model/Dialogs';
@@ -10,7 +11,7 @@ export function ProgressDialog({ request, onClose }: { request: ProgressRequest;
       <progress className="progress" aria-label={request.title} />
       <div className="dialog-buttons">
         <button type="button" className="button framed" onClick={onClose}>
-          Cancel
+          {t('Cancel')}
         </button>
       </div>
     </>

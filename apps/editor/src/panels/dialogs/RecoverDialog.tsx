@@ -1,57 +1,22 @@
 import { Dialog } from '@base-ui/react/dialog';
-import { type ReactNode, useState } from 'react';
-import { describeSession } from '../../files/autosave/describeSession';
+import { t } from '@farol/editing';
+import type { ReactNode } from 'react';
 import type { RecoverDialog as RecoverRequest } from '../../model/Dialogs';
-import { useEditor } from '../../ui/EditorContext';
+import { SessionList } from './SessionList';
 
-/** What tabs that were closed without warning have left; each can be brought back, or thrown away. */
+/** Offers what tabs that were closed without warning have left. */
 export function RecoverDialog({ request, onClose }: { request: RecoverRequest; onClose(): void }): ReactNode {
-  const editor = useEditor();
-  const [sessions, setSessions] = useState(request.sessions);
   return (
     <>
-      <Dialog.Title>Unsaved work was found</Dialog.Title>
-      <Dialog.Description>The editor was closed before these scenes were saved.</Dialog.Description>
-      <ul className="sessions">
-        {sessions.map((session) => (
-          <li key={session.id}>
-            <span className="session-name" id={`session-${session.id}`}>
-              {session.name}
-              <span className="session-time">{describeSession(session)}</span>
-            </span>
-            <button
-              type="button"
-              className="button framed"
-              aria-describedby={`session-${session.id}`}
-              onClick={() =>
-                editor.attempt(async () => {
-                  await request.discard(session);
-                  const left = sessions.filter((each) => each !== session);
-                  setSessions(left);
-                  if (left.length === 0) onClose();
-                })
-              }
-            >
-              Discard
-            </button>
-            <button
-              type="button"
-              className="button primary"
-              aria-describedby={`session-${session.id}`}
-              onClick={() => {
-                onClose();
-                editor.attempt(() => request.recover(session));
-              }}
-            >
-              Recover
-            </button>
-          </li>
-        ))}
-      </ul>
+      <Dialog.Title>{t('Unsaved work was found')}</Dialog.Title>
+      <Dialog.Description>{t('The editor was closed before these scenes were saved.')}</Dialog.Description>
+      <SessionList offer={request} onClose={onClose} onEmpty={onClose} />
       <div className="dialog-buttons">
-        <span className="dialog-hint">What is left for later stays: “Recover…” in the menu File offers it again.</span>
+        <span className="dialog-hint">
+          {t('What is left for later stays: “Recover…” in the menu File offers it again.')}
+        </span>
         <button type="button" className="button framed" onClick={onClose}>
-          Later
+          {t('Later')}
         </button>
       </div>
     </>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import { type ReactNode, useState } from 'react';
 import type { TextDialog as TextRequest } from '../../model/Dialogs';
@@ -33,7 +34,7 @@ export function TextDialog({ request, onClose }: { request: TextRequest; onClose
       </label>
       <div className="dialog-buttons">
         <button type="button" className="button framed" onClick={onClose}>
-          Cancel
+          {t('Cancel')}
         </button>
         <button type="submit" className="button primary" disabled={text === ''}>
           {request.action}

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from 'react';
 import type { LayoutNode } from '../../layout/LayoutNode';
 import { moveEdge, type PlacedEdge, SMALLEST } from '../../layout/placeLayout';
@@ -10,7 +11,7 @@ const STEP = 16;
 /** A panel that is at one side of an edge, to name the edge by. */
 function firstTitle(node: LayoutNode, panels: PanelRegistry): string {
   if (node.kind === 'split') return firstTitle(node.children[0], panels);
-  return panels.get(node.active)?.title ?? node.active;
+  return t(panels.get(node.active)?.title ?? node.active);
 }
 
 function splitAt(layout: LayoutNode, path: readonly number[]): LayoutNode {
@@ -59,7 +60,7 @@ export function DockEdge({ edge, layout }: { edge: PlacedEdge; layout: LayoutNod
       style={{ left: rectangle.x, top: rectangle.y, width: rectangle.width, height: rectangle.height }}
       role="separator"
       aria-orientation={isRow ? 'vertical' : 'horizontal'}
-      aria-label={`Edge between ${names.join(' and ')}`}
+      aria-label={t('Edge between {first} and {second}', { first: names[0], second: names[1] })}
       aria-valuenow={sizes[index]}
       aria-valuemin={SMALLEST}
       aria-valuemax={Math.max(SMALLEST, sizes[index] + sizes[index + 1] - SMALLEST)}

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { ContextMenu } from '@base-ui/react/context-menu';
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useSyncExternalStore } from 'react';
 import type { DropSide, PanelGroup } from '../../layout/LayoutNode';
@@ -9,7 +10,7 @@ import { dropTowards } from './dropTowards';
 import { tabEntries } from './tabEntries';
 
 /** CSS pixels. */
-export const TAB_HEIGHT = 30;
+export const TAB_HEIGHT = matchMedia('(pointer: coarse)').matches ? 40 : 30;
 
 const towards: Readonly<Record<string, Exclude<DropSide, 'centre'>>> = {
   ArrowLeft: 'left',
@@ -59,7 +60,11 @@ export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
   };
   return (
     <div className="tabs">
-      <div className="tab-list" role="tablist" aria-label={`Panels with ${panels.get(active)?.title ?? active}`}>
+      <div
+        className="tab-list"
+        role="tablist"
+        aria-label={t('Panels with {title}', { title: t(panels.get(active)?.title ?? active) })}
+      >
         {ids.map((id) => {
           const panel = panels.get(id);
           if (!panel) return null;
@@ -74,7 +79,7 @@ export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
                 aria-controls={isActive ? `panel-${id}` : undefined}
                 tabIndex={isActive ? 0 : -1}
                 data-panel={id}
-                title={`${panel.title}: drag it elsewhere; right button: menu`}
+                title={t('{title}: drag it elsewhere; right button: menu', { title: t(panel.title) })}
                 onPointerDown={(event) => onDrag(id, event)}
                 onClick={() => layout.open(id)}
                 onDoubleClick={() => layout.maximise(maximised === null ? id : null)}
@@ -82,7 +87,7 @@ export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
                 onKeyDown={(event) => keyDown(event, id)}
               >
                 <Icon name={panel.icon} size={14} />
-                <span>{panel.title}</span>
+                <span>{t(panel.title)}</span>
               </ContextMenu.Trigger>
               <ContextMenu.Portal>
                 <ContextMenu.Positioner className="positioner">

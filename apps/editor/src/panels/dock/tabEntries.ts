@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { DropSide } from '../../layout/LayoutNode';
 import type { PlacedGroup } from '../../layout/placeLayout';
 import type { Panel } from '../../layout/PanelRegistry';
@@ -5,18 +6,18 @@ import type { EditorApi } from '../../api/EditorApi';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { dropTowards } from './dropTowards';
 
-const sides: readonly (readonly [Exclude<DropSide, 'centre'>, string, string])[] = [
-  ['left', 'Move left', 'Alt+Shift+←'],
-  ['right', 'Move right', 'Alt+Shift+→'],
-  ['top', 'Move up', 'Alt+Shift+↑'],
-  ['bottom', 'Move down', 'Alt+Shift+↓'],
+const sides = (): [Exclude<DropSide, 'centre'>, string, string][] => [
+  ['left', t('Move left'), 'Alt+Shift+←'],
+  ['right', t('Move right'), 'Alt+Shift+→'],
+  ['top', t('Move up'), 'Alt+Shift+↑'],
+  ['bottom', t('Move down'), 'Alt+Shift+↓'],
 ];
 
-const halves: readonly (readonly [Exclude<DropSide, 'centre'>, string])[] = [
-  ['left', 'Left half'],
-  ['right', 'Right half'],
-  ['top', 'Upper half'],
-  ['bottom', 'Lower half'],
+const halves = (): [Exclude<DropSide, 'centre'>, string][] => [
+  ['left', t('Left half')],
+  ['right', t('Right half')],
+  ['top', t('Upper half')],
+  ['bottom', t('Lower half')],
 ];
 
 /** The menu of a panel's tab. */
@@ -28,17 +29,17 @@ export function tabEntries(
 ): MenuEntry[] {
   const { id } = panel;
   const from = groups.find(({ group }) => group.panels.includes(id));
-  const moves = sides.map(([side, label, keys]): MenuEntry => {
+  const moves = sides().map(([side, label, keys]): MenuEntry => {
     const drop = dropTowards(groups, id, side);
     return { label, keys, disabled: !drop || isMaximised, run: () => drop && layout.move(id, drop) };
   });
   const into = groups
     .filter(({ group }) => group !== from?.group)
     .map(({ group, rectangle: { width, height } }): MenuEntry => ({
-      label: group.panels.map((each) => panels.get(each)?.title ?? each).join(', '),
+      label: group.panels.map((each) => t(panels.get(each)?.title ?? each)).join(', '),
       entries: [
-        { label: 'As a tab', run: () => layout.move(id, { group: group.id, side: 'centre' }) },
-        ...halves.map(([side, label]): MenuEntry => ({
+        { label: t('As a tab'), run: () => layout.move(id, { group: group.id, side: 'centre' }) },
+        ...halves().map(([side, label]): MenuEntry => ({
           label,
           run: () =>
             layout.move(id, {
@@ -51,15 +52,15 @@ export function tabEntries(
     }));
   return [
     ...moves,
-    ...(into.length > 0 && !isMaximised ? [{ label: 'Move to the place of', entries: into }] : []),
+    ...(into.length > 0 && !isMaximised ? [{ label: t('Move to the place of'), entries: into }] : []),
     'separator',
     {
-      label: isMaximised ? 'Give the window back' : 'Maximise',
+      label: isMaximised ? t('Give the window back') : t('Maximise'),
       icon: 'maximise',
       run: () => layout.maximise(isMaximised ? null : id),
     },
-    { label: 'Close', icon: 'close', keys: 'Delete', run: () => layout.close(id) },
+    { label: t('Close'), icon: 'close', keys: 'Delete', run: () => layout.close(id) },
     'separator',
-    { label: 'Panels as at first', icon: 'panels', run: () => layout.reset() },
+    { label: t('Panels as at first'), icon: 'panels', run: () => layout.reset() },
   ];
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { TechniqueName } from '@farol/renderer';
 import { type ReactNode, useCallback } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -18,13 +19,13 @@ export function CompareSection(): ReactNode {
   const wipe = painter instanceof WipePainter ? painter : null;
   const other: TechniqueName = viewport.technique === 'forward-single-pass' ? 'tiled-deferred' : 'forward-single-pass';
   return (
-    <Section id="Frame compare" title="Compare" help="Two techniques, side by side." icon="contrast">
+    <Section id="Frame compare" title={t('Compare')} help={t('Two techniques, side by side.')} icon="contrast">
       <div className="field">
-        <span className="field-label">Side by side</span>
+        <span className="field-label">{t('Side by side')}</span>
         <Toggle
           value={wipe !== null}
-          label="Compare two techniques"
-          description="The technique in use at the left of the picture, another one at its right."
+          label={t('Compare two techniques')}
+          description={t('The technique in use at the left of the picture, another one at its right.')}
           onChange={(on) =>
             editor.attempt(() => (viewport.painter = on ? new WipePainter(viewport, microShaders, other) : null))
           }
@@ -51,32 +52,32 @@ function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
   return (
     <>
       <div className="field">
-        <span className="field-label">With</span>
+        <span className="field-label">{t('With')}</span>
         <SelectBox
           value={wipe.technique}
           options={techniqueOptions(viewport.farol)}
-          label="Technique to compare with"
+          label={t('Technique to compare with')}
           onChange={(technique) => editor.attempt(() => void (wipe.technique = technique))}
         />
       </div>
       <div className="field">
-        <span className="field-label">Difference</span>
+        <span className="field-label">{t('Difference')}</span>
         <Toggle
           value={wipe.showsDifference}
-          label="Show the difference"
-          description="The difference of the two, channel by channel as it is seen, made larger."
+          label={t('Show the difference')}
+          description={t('The difference of the two, channel by channel as it is seen, made larger.')}
           onChange={(shows) => (wipe.showsDifference = shows)}
         />
       </div>
       {wipe.showsDifference && (
         <div className="field">
-          <span className="field-label">Made larger by</span>
+          <span className="field-label">{t('Made larger by')}</span>
           <NumberInput
             value={wipe.gain}
             min={1}
             max={1000}
             step={1}
-            label="Difference made larger by"
+            label={t('Difference made larger by')}
             handle={<span className="grip" />}
             onPreview={(gain) => (wipe.gain = gain)}
             onCommit={() => {}}
@@ -84,31 +85,33 @@ function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
           />
         </div>
       )}
-      <dl className="frame-figures" aria-label="Difference of the two">
+      <dl className="frame-figures" aria-label={t('Difference of the two')}>
         <div>
           <dt>PSNR</dt>
           <dd>
             {figures === null
-              ? 'measuring'
+              ? t('measuring')
               : Number.isFinite(figures.psnr)
                 ? `${figures.psnr.toFixed(1)} dB`
-                : 'the same'}
+                : t('the same')}
           </dd>
         </div>
         <div>
-          <dt>Largest</dt>
-          <dd>{figures === null ? '–' : `${figures.largest.toFixed(1)} of 255`}</dd>
+          <dt>{t('Largest')}</dt>
+          <dd>{figures === null ? '–' : t('{difference} of 255', { difference: figures.largest.toFixed(1) })}</dd>
         </div>
         <div>
-          <dt>Off by more than 2</dt>
-          <dd>{figures === null ? '–' : `${(figures.differing * 100).toFixed(2)}% of the pixels`}</dd>
+          <dt>{t('Off by more than 2')}</dt>
+          <dd>
+            {figures === null ? '–' : t('{percent}% of the pixels', { percent: (figures.differing * 100).toFixed(2) })}
+          </dd>
         </div>
         <div>
-          <dt>{viewport.farol.techniques[viewport.technique].label}</dt>
+          <dt>{t(viewport.farol.techniques[viewport.technique].label)}</dt>
           <dd>{times[0]}</dd>
         </div>
         <div>
-          <dt>{viewport.farol.techniques[wipe.technique].label}</dt>
+          <dt>{t(viewport.farol.techniques[wipe.technique].label)}</dt>
           <dd>{times[1]}</dd>
         </div>
       </dl>

@@ -35,8 +35,13 @@ export function EffectsSection(): ReactNode {
       <TechniqueLimit settings={settings} />
       {addedEffects.list.map(({ id, label, help }) => (
         <div key={id} className="field">
-          <span className="field-label">{label}</span>
-          <Toggle value={on.includes(id)} label={label} description={help} onChange={(isOn) => choose(id, isOn)} />
+          <span className="field-label">{t(label)}</span>
+          <Toggle
+            value={on.includes(id)}
+            label={t(label)}
+            description={t(help)}
+            onChange={(isOn) => choose(id, isOn)}
+          />
         </div>
       ))}
     </Section>

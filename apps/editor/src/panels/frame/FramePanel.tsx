@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type ReactNode, useCallback } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { SelectBox } from '../../ui/SelectBox';
@@ -21,24 +22,29 @@ export function FramePanel(): ReactNode {
   const { viewport } = editor;
   useSignal(viewport.changed);
   return (
-    <section className="panel" aria-label="Frame">
+    <section className="panel" aria-label={t('Frame')}>
       <div className="inspector-body">
-        <Section id="Frame" title="Technique" help="What the picture is drawn by, and what of it is shown." icon="lamp">
+        <Section
+          id="Frame"
+          title={t('Technique')}
+          help={t('What the picture is drawn by, and what of it is shown.')}
+          icon="lamp"
+        >
           <div className="field">
-            <span className="field-label">Technique</span>
+            <span className="field-label">{t('Technique')}</span>
             <SelectBox
               value={viewport.technique}
               options={techniqueOptions(viewport.farol)}
-              label="Technique of the frame"
+              label={t('Technique of the frame')}
               onChange={(technique) => editor.attempt(() => void (viewport.technique = technique))}
             />
           </div>
           <div className="field">
-            <span className="field-label">View</span>
+            <span className="field-label">{t('View')}</span>
             <SelectBox
               value={viewport.view}
-              options={viewOptions}
-              label="View of the frame"
+              options={viewOptions()}
+              label={t('View of the frame')}
               onChange={(view) => editor.attempt(() => void (viewport.view = view))}
             />
           </div>
@@ -62,13 +68,13 @@ function Figures(): ReactNode {
       if (info.technique === '') return '';
       const { label } = viewport.farol.techniques[info.technique];
       return [
-        viewport.technique === 'auto' ? `${label}: ${info.reason}.` : '',
-        `Lights\t${info.lights.visible} of ${info.lights.total} in view`,
-        `Draws\t${whole.format(info.drawCalls)}`,
-        `Triangles\t${whole.format(info.triangles)}`,
-        `Programs\t${info.programs}`,
-        `Targets\t${megabytes(info.targetBytes)}`,
-        `Sent\t${(info.uploadBytes / 1024).toFixed(1)} kB a frame`,
+        viewport.technique === 'auto' ? `${t(label)}: ${info.reason}.` : '',
+        `${t('Lights')}\t${t('{visible} of {total} in view', { visible: info.lights.visible, total: info.lights.total })}`,
+        `${t('Draws')}\t${whole.format(info.drawCalls)}`,
+        `${t('Triangles')}\t${whole.format(info.triangles)}`,
+        `${t('Programs')}\t${info.programs}`,
+        `${t('Targets')}\t${megabytes(info.targetBytes)}`,
+        `${t('Sent')}\t${t('{kilobytes} kB a frame', { kilobytes: (info.uploadBytes / 1024).toFixed(1) })}`,
       ].join('\n');
     }, [viewport]),
     4,
@@ -77,7 +83,7 @@ function Figures(): ReactNode {
   return (
     <>
       {reason && (
-        <p className="frame-reason" aria-label="Why this technique">
+        <p className="frame-reason" aria-label={t('Why this technique')}>
           {reason}
         </p>
       )}

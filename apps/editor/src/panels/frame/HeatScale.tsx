@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import './overlay.css';
@@ -8,8 +9,11 @@ export function HeatScale(): ReactNode {
   const { heatMapMaximum } = viewport.farol;
   const marks = [0, 0.25, 0.5, 0.75, 1].map((part) => Math.round(part * heatMapMaximum));
   return (
-    <figure className="heat-scale" aria-label={`Scale: from 0, black, to ${heatMapMaximum} and more, red`}>
-      <figcaption>{viewport.view === 'overdraw' ? 'Draws a pixel' : 'Lights a pixel'}</figcaption>
+    <figure
+      className="heat-scale"
+      aria-label={t('Scale: from 0, black, to {heatMapMaximum} and more, red', { heatMapMaximum })}
+    >
+      <figcaption>{viewport.view === 'overdraw' ? t('Draws a pixel') : t('Lights a pixel')}</figcaption>
       <div className="heat-colours" />
       <div className="heat-marks">
         {marks.map((mark, i) => (

@@ -1,6 +1,7 @@
+import { t } from '@farol/editing';
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { viewLabel } from '../../ui/viewOptions';
+import { viewLabel } from '../../actions/pictureActions';
 import { gridCells, LABEL } from '../../viewport/painters/gridCells';
 import { gridViews, ViewsPainter } from '../../viewport/painters/ViewsPainter';
 import { WipePainter } from '../../viewport/painters/WipePainter';
@@ -72,7 +73,7 @@ function WipeHandle({ wipe }: { wipe: WipePainter }): ReactNode {
         style={{ left: `${wipe.at * 100}%` }}
         role="slider"
         tabIndex={0}
-        aria-label="Where the two techniques meet"
+        aria-label={t('Where the two techniques meet')}
         aria-valuenow={percent}
         aria-valuemin={0}
         aria-valuemax={100}
@@ -80,8 +81,8 @@ function WipeHandle({ wipe }: { wipe: WipePainter }): ReactNode {
         onPointerDown={pointerDown}
         onKeyDown={keyDown}
       >
-        <span className="wipe-name left">{viewport.farol.techniques[viewport.technique].label}</span>
-        <span className="wipe-name right">{viewport.farol.techniques[wipe.technique].label}</span>
+        <span className="wipe-name left">{t(viewport.farol.techniques[viewport.technique].label)}</span>
+        <span className="wipe-name right">{t(viewport.farol.techniques[wipe.technique].label)}</span>
       </div>
     </div>
   );

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type ReactNode, useCallback, useEffect, useMemo, useRef, useState } from 'react';
 import { continuous } from '../../actions/viewportToggles';
 import { ActionButton } from '../../ui/ActionButton';
@@ -57,11 +58,11 @@ export function PassesSection(): ReactNode {
   return (
     <Section
       id="Frame passes"
-      title="Passes"
-      help="Time of each pass over the last 120 frames."
+      title={t('Passes')}
+      help={t('Time of each pass over the last 120 frames.')}
       icon="motion"
       controls={
-        <div className="button-group" role="group" aria-label="Times of">
+        <div className="button-group" role="group" aria-label={t('Times of')}>
           {(['cpu', 'gpu'] as const).map((each) => (
             <button
               key={each}
@@ -82,13 +83,15 @@ export function PassesSection(): ReactNode {
         ref={canvas}
         className="pass-graph"
         role="img"
-        aria-label={`${kind.toUpperCase()} time of each pass over the last frames; the means are in the table below`}
+        aria-label={t('{processor} time of each pass over the last frames; the means are in the table below', {
+          processor: kind.toUpperCase(),
+        })}
       />
       <table className="pass-table">
         <thead>
           <tr>
-            <th scope="col">Pass</th>
-            <th scope="col">Draws</th>
+            <th scope="col">{t('Pass')}</th>
+            <th scope="col">{t('Draws')}</th>
             <th scope="col">CPU ms</th>
             <th scope="col">GPU ms</th>
           </tr>

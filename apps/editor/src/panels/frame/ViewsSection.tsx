@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { NumberInput } from '../../ui/NumberInput';
@@ -13,25 +14,25 @@ export function ViewsSection(): ReactNode {
   const isOn = viewport.painter instanceof ViewsPainter;
   const setMaximum = (value: number): void => viewport.setHeatMapMaximum(value);
   return (
-    <Section id="Frame views" title="Views" help="Everything that the frame is made of." icon="grid">
+    <Section id="Frame views" title={t('Views')} help={t('Everything that the frame is made of.')} icon="grid">
       <div className="field">
-        <span className="field-label">All views at once</span>
+        <span className="field-label">{t('All views at once')}</span>
         <Toggle
           value={isOn}
-          label="All views at once"
-          description="Every view beside the others, in the viewport; a click on one shows it alone."
+          label={t('All views at once')}
+          description={t('Every view beside the others, in the viewport; a click on one shows it alone.')}
           onChange={(on) => editor.attempt(() => void (viewport.painter = on ? new ViewsPainter(viewport) : null))}
         />
       </div>
       <div className="field">
-        <span className="field-label">Hottest count</span>
+        <span className="field-label">{t('Hottest count')}</span>
         <NumberInput
           value={viewport.farol.heatMapMaximum}
           min={1}
           max={1024}
           step={1}
-          label="Hottest count"
-          description="Lights, or draws, a pixel at which light count and overdraw are red."
+          label={t('Hottest count')}
+          description={t('Lights, or draws, a pixel at which light count and overdraw are red.')}
           handle={<span className="grip" />}
           onPreview={setMaximum}
           onCommit={() => {}}

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { ContextMenu } from '@base-ui/react/context-menu';
 import type { ItemInstance } from '@headless-tree/core';
 import { AssistiveTreeDescription } from '@headless-tree/react';
@@ -14,7 +15,7 @@ import { HierarchyRow, rowState } from './HierarchyRow';
 import { useObjectTree } from './useObjectTree';
 
 /** CSS pixels; more for fingers. */
-const ROW_HEIGHT = matchMedia('(pointer: coarse)').matches ? 34 : 24;
+const ROW_HEIGHT = matchMedia('(pointer: coarse)').matches ? 40 : 24;
 
 /** The tree of GameObjects: only rows in sight are in the page. */
 export function HierarchyPanel(): ReactNode {
@@ -66,7 +67,10 @@ export function HierarchyPanel(): ReactNode {
     else if (!document.selection.has(id)) document.selection.set([id]);
   };
   const menu = (): readonly MenuEntry[] =>
-    objectEntries(editor) ?? [{ label: 'Add', icon: 'add', entries: addEntries(editor) }, actionEntry(paste, editor)];
+    objectEntries(editor) ?? [
+      { label: t('Add'), icon: 'add', entries: addEntries(editor) },
+      actionEntry(paste, editor),
+    ];
 
   const searchKey = (event: KeyboardEvent<HTMLInputElement>): void => {
     if (event.key === 'Escape' && query !== '') setQuery('');
@@ -82,21 +86,21 @@ export function HierarchyPanel(): ReactNode {
   };
 
   return (
-    <section className="panel hierarchy" aria-label="Hierarchy">
+    <section className="panel hierarchy" aria-label={t('Hierarchy')}>
       <header className="panel-header">
         <input
           className="input search"
           type="search"
           value={query}
-          placeholder="Search"
-          aria-label="Search objects"
-          title="Parts of names and of components, such as: lamp light"
+          placeholder={t('Search')}
+          aria-label={t('Search objects')}
+          title={t('Parts of names and of components, such as: lamp light')}
           autoComplete="off"
           spellCheck={false}
           onChange={(event) => setQuery(event.target.value)}
           onKeyDown={searchKey}
         />
-        <MenuButton label="Add object" icon="add" iconOnly entries={() => addEntries(editor)} />
+        <MenuButton label={t('Add object')} icon="add" iconOnly entries={() => addEntries(editor)} />
       </header>
       <ContextMenu.Root onOpenChange={(open) => open && selectPressed()}>
         <ContextMenu.Trigger
@@ -108,7 +112,7 @@ export function HierarchyPanel(): ReactNode {
         >
           <AssistiveTreeDescription tree={tree} />
           <div
-            {...tree.getContainerProps('GameObjects')}
+            {...tree.getContainerProps(t('GameObjects'))}
             className="tree"
             style={{ height: virtualizer.getTotalSize() }}
           >
@@ -131,7 +135,7 @@ export function HierarchyPanel(): ReactNode {
             })}
             <div className="drag-line" style={tree.getDragLineStyle()} />
           </div>
-          {query.trim() !== '' && rows.length === 0 && <p className="menu-empty">Nothing of that name.</p>}
+          {query.trim() !== '' && rows.length === 0 && <p className="menu-empty">{t('Nothing of that name.')}</p>}
         </ContextMenu.Trigger>
         <ContextMenu.Portal>
           <ContextMenu.Positioner className="positioner">

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
 import type { ItemInstance, TreeInstance } from '@headless-tree/core';
 import { memo, type MouseEvent, type ReactNode } from 'react';
@@ -83,7 +84,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
         <input
           {...item.getRenameInputProps()}
           className="input rename"
-          aria-label={`Name of ${object.name}`}
+          aria-label={t('Name of {name}', { name: object.name })}
           onClick={(event) => event.stopPropagation()}
           onKeyDown={(event) => {
             event.stopPropagation();
@@ -100,7 +101,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
         name={object.name}
         isOn={object.locked}
         isInherited={object.lockedInHierarchy}
-        words={['Lock', 'Unlock', 'L']}
+        words={[t('Lock'), t('Unlock'), 'L']}
         icons={['lockOpen', 'lock']}
         onChange={(locked) => editor.commands.run(setLocked([object], locked))}
       />
@@ -108,7 +109,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
         name={object.name}
         isOn={!object.active}
         isInherited={!object.activeInHierarchy}
-        words={['Hide', 'Show', 'H']}
+        words={[t('Hide'), t('Show'), 'H']}
         icons={['eye', 'eyeOff']}
         onChange={(hidden) => editor.commands.run(setActive([object], !hidden))}
       />

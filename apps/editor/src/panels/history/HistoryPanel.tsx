@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type ReactNode, useEffect, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './history.css';
@@ -16,9 +17,9 @@ export function HistoryPanel(): ReactNode {
     while (commands.history.length > steps && commands.undo());
     while (commands.history.length < steps && commands.redo());
   };
-  const labels = ['Opened', ...history, ...future];
+  const labels = [t('Opened'), ...history, ...future];
   return (
-    <section className="panel" aria-label="History">
+    <section className="panel" aria-label={t('History')}>
       <ol className="history" ref={list}>
         {labels.map((label, steps) => (
           // oxlint-disable-next-line react/no-array-index-key -- a step is its place in the history

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Component } from '@farol/engine';
 import { type ReactNode, useState } from 'react';
 import { setEnabled } from '../../model/edits';
@@ -10,6 +11,7 @@ import { componentEntries } from './componentEntries';
 import { componentIcon, wordsOf } from './componentIcons';
 import { FieldList } from './FieldList';
 import { MaterialPreview } from './MaterialPreview';
+import { ModelBar } from './ModelBar';
 import { Section } from './Section';
 
 /**
@@ -32,23 +34,30 @@ export function ComponentSection(props: { components: readonly Component[] }): R
     <Section
       id={typeName}
       title={title}
-      help={componentClass.help}
+      help={t(componentClass.help)}
       icon={componentIcon(typeName)}
       controls={
         <>
           {!isTransform && (
             <Toggle
               value={mixed ? null : enabled}
-              label={`${title} enabled`}
-              description="Whether the component is switched on."
+              label={t('{title} enabled', { title })}
+              description={t('Whether the component is switched on.')}
               onChange={(next) => commands.run(setEnabled(components, next))}
             />
           )}
-          <MenuButton label={`${title} menu`} icon="more" iconOnly className="button small" entries={menu} />
+          <MenuButton
+            label={t('{title} menu', { title })}
+            icon="more"
+            iconOnly
+            className="button small"
+            entries={menu}
+          />
         </>
       }
     >
       <FieldList owners={components} />
+      {typeName === 'ModelRenderer' && <ModelBar components={components} />}
       {typeName === 'ObjectRenderer' && <MaterialPreview components={components} />}
     </Section>
   );

@@ -1,4 +1,4 @@
-import { FieldGesture, type FieldUpdate, describeField, labelOfField } from '@farol/editing';
+import { describeField, FieldGesture, type FieldUpdate, labelOfField, t } from '@farol/editing';
 import type { Field, FieldOwner, FieldValue } from '@farol/engine/fields';
 import { type ComponentType, memo, type ReactNode, useCallback, useMemo } from 'react';
 import { fieldEditors } from '../../fields';
@@ -22,11 +22,13 @@ interface FieldRowProps {
   readonly isDefault: boolean;
   /** Takes the element that says where simulation has taken the value. */
   readonly places: Map<string, HTMLElement>;
+  /** The texts that there are to choose from, each on a line; null where any text goes. */
+  readonly choices: string | null;
 }
 
 /** A field with its label: dragged, typed or chosen, it is edited in one step of history. */
 export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode {
-  const { owners, name, field, value, mixed, parts, isDefault, places } = props;
+  const { owners, name, field, value, mixed, parts, isDefault, places, choices } = props;
   const editor = useEditor();
   const gesture = useMemo(() => new FieldGesture(editor.commands, owners, name), [editor, owners, name]);
   // one editor for each kind: the table's type says so, which a union of its members cannot
@@ -48,11 +50,13 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
           <button
             type="button"
             className="field-reset"
-            aria-label="Reset to default"
+            aria-label={t('Reset to default')}
             aria-description={label}
-            title={`Reset ${label} to its default`}
+            title={t('Reset {label} to its default', { label })}
             onClick={() =>
-              editor.attempt(() => editor.commands.run(resetFields(`Reset ${label.toLowerCase()}`, owners, [name])))
+              editor.attempt(() =>
+                editor.commands.run(resetFields(t('Reset {label}', { label: label.toLowerCase() }), owners, [name])),
+              )
             }
           >
             <Icon name="undo" size={11} />
@@ -63,9 +67,11 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
       <div className="field-editor">
         <Editor
           field={field}
+          name={name}
           value={value as never}
           mixed={mixed}
           parts={parts ? (JSON.parse(parts) as (number | null)[]) : undefined}
+          choices={choices === null ? undefined : choices.split('\n').filter(Boolean)}
           label={label}
           description={description}
           disabled={field.readOnly ?? false}

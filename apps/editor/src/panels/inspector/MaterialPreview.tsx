@@ -1,11 +1,13 @@
+import { t } from '@farol/editing';
 import { type Component, ObjectRenderer } from '@farol/engine';
-import { type ReactNode, useEffect, useRef, useState } from 'react';
+import { type ReactNode, useMemo, useState } from 'react';
 import type { Material } from 'three';
-import { useEditor } from '../../ui/EditorContext';
+import { addMaterial, duplicateMaterial, giveMaterial, valuesOfOwnMaterial } from '../../model/assetEdits';
+import { Sequence } from '../../model/commands/Sequence';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { TurningBall } from '../../ui/TurningBall';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
-
-/** CSS pixels. */
-const SIZE = 96;
 
 /** The material as it is drawn now; null where there is none of its own, or several. */
 function materialOf(component: Component): Material | null {
@@ -13,28 +15,68 @@ function materialOf(component: Component): Material | null {
   return mesh && !Array.isArray(mesh.material) ? mesh.material : null;
 }
 
-/** A ball of the material, drawn anew whenever a value changes. @param props.components - ObjectRenderers */
+/** A ball of the material, and what can be made of it. @param props.components - ObjectRenderers, memoised */
 export function MaterialPreview({ components }: { components: readonly Component[] }): ReactNode {
-  const { viewport, document } = useEditor();
-  const revision = useOwnersRevision(components);
-  const [assets, setAssets] = useState(0);
-  useEffect(() => document.assets.onChange(() => setAssets((count) => count + 1)), [document]);
-  const canvas = useRef<HTMLCanvasElement>(null);
-  const [component] = components;
-  const hasMaterial = materialOf(component) !== null;
-  useEffect(() => {
-    // once for all changes of a frame, the end of a drag included
-    const frame = requestAnimationFrame(() => {
-      const material = materialOf(component);
-      if (material && canvas.current) void viewport.drawMaterial(material, canvas.current);
-    });
-    return () => cancelAnimationFrame(frame);
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- each stands for another material
-  }, [viewport, component, revision, assets, hasMaterial]);
-  if (!hasMaterial || components.length > 1) return null;
+  const editor = useEditor();
+  const { document, commands } = editor;
+  const [renderers] = useState(() => components.filter((each) => each instanceof ObjectRenderer));
+  const [first] = renderers;
+  useSignal(document.assetsChanged);
+  const name = first.material;
+  const shared = renderers.every((each) => each.material === name && each.shader === null);
+  const asset = name === null || !shared ? null : document.assets.materialAsset(name);
+  const owners = useMemo(() => [first, ...(asset ? [asset] : [])], [first, asset]);
+  const revision = useOwnersRevision(owners);
+  const hasMaterial = materialOf(first) !== null;
+
+  const show = (material: string): void => document.assetSelection.set([material]);
+  const attempt = (run: () => void) => (): void => editor.attempt(run);
+  const make = attempt(() => {
+    const wanted = t('{name} material', { name: first.gameObject.name });
+    const made = addMaterial(document.scene, wanted, valuesOfOwnMaterial(first), renderers);
+    commands.run(made.command);
+    show(made.name);
+  });
+  const copy = attempt(() => {
+    const made = duplicateMaterial(document.scene, asset!.name);
+    const label = t('Give {name} a material of its own', { name: first.gameObject.name });
+    commands.run(new Sequence(label, [() => made.command, () => giveMaterial(renderers, made.name, label)]));
+    show(made.name);
+  });
+
   return (
-    <div className="material-preview">
-      <canvas ref={canvas} width={SIZE * 2} height={SIZE * 2} role="img" aria-label="A ball of this material" />
-    </div>
+    <>
+      {hasMaterial && renderers.length === 1 && (
+        <TurningBall materialOf={() => materialOf(first)} revision={revision} label={t('A ball of this material')} />
+      )}
+      {shared && (
+        <div className="material-bar">
+          {asset ? (
+            <>
+              <button type="button" className="button framed" onClick={() => show(asset.name)}>
+                <Icon name="sliders" />
+                <span>{t('Edit material')}</span>
+              </button>
+              <button type="button" className="button framed" onClick={copy}>
+                <Icon name="duplicate" />
+                <span>{t('Make unique')}</span>
+              </button>
+            </>
+          ) : (
+            name === null && (
+              <button
+                type="button"
+                className="button framed"
+                title={t('An asset of these values, which other objects can share, with every map')}
+                onClick={make}
+              >
+                <Icon name="contrast" />
+                <span>{t('Make material asset')}</span>
+              </button>
+            )
+          )}
+        </div>
+      )}
+    </>
   );
 }

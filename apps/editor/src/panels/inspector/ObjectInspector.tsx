@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Component, GameObject } from '@farol/engine';
 import { memo, type ReactNode, useMemo } from 'react';
 import { addComponent, renameObject, setActive } from '../../model/edits';
@@ -55,7 +56,7 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
       .map((type) => ({
         value: type.typeName,
         label: wordsOf(type.typeName),
-        help: type.help,
+        help: t(type.help),
         icon: componentIcon(type.typeName),
         disabled: type.unique && objects.every((object) => object.getComponent(type.typeName)),
       }));
@@ -70,16 +71,16 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
           <TextInput
             key={first.id}
             value={first.name}
-            label="Name"
+            label={t('Name')}
             onCommit={(name) => name.trim() && commands.run(renameObject(first, name.trim()))}
           />
         ) : (
-          <span className="object-count">{objects.length} objects</span>
+          <span className="object-count">{t('{count} objects', { count: objects.length })}</span>
         )}
         <Toggle
           value={mixed ? null : first.active}
-          label="Active"
-          description="Whether the object and all below it are there: shown, lit, moving."
+          label={t('Active')}
+          description={t('Whether the object and all below it are there: shown, lit, moving.')}
           onChange={(active) => commands.run(setActive(objects, active))}
         />
       </div>
@@ -88,7 +89,7 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
         <ComponentSection key={components.map(keyOf).join()} components={components} />
       ))}
       <div className="add-component">
-        <SearchMenu label="Add component" icon="add" className="button wide" items={items} onChoose={add} />
+        <SearchMenu label={t('Add component')} icon="add" className="button wide" items={items} onChoose={add} />
       </div>
     </>
   );

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { Camera } from '@farol/engine';
 import { SetProperty } from '../../model/commands/SetProperty';
@@ -20,24 +21,24 @@ export function SceneInspector(): ReactNode {
         <Icon name="scene" />
         <TextInput
           value={scene.name}
-          label="Name of the scene"
+          label={t('Name of the scene')}
           onCommit={(name) =>
-            name.trim() && commands.run(new SetProperty('Rename scene', [scene], 'name', name.trim()))
+            name.trim() && commands.run(new SetProperty(t('Rename scene'), [scene], 'name', name.trim()))
           }
         />
       </div>
-      <Section id="Scene" title="Scene" help="What belongs to the scene as a whole." icon="scene">
+      <Section id="Scene" title={t('Scene')} help={t('What belongs to the scene as a whole.')} icon="scene">
         {cameras.length > 0 && (
-          <div className="field" data-help="The camera that the finished scene is seen with.">
-            <span className="field-label">Camera</span>
+          <div className="field" data-help={t('The camera that the finished scene is seen with.')}>
+            <span className="field-label">{t('Camera')}</span>
             <div className="field-editor">
               <SelectBox
                 value={scene.activeCamera?.id ?? null}
                 options={cameras}
-                label="Active camera"
+                label={t('Active camera')}
                 onChange={(id) => {
                   const camera = scene.componentsOf(Camera).find((each) => each.id === id) ?? null;
-                  commands.run(new SetProperty('Set camera', [scene], 'activeCamera', camera));
+                  commands.run(new SetProperty(t('Set camera'), [scene], 'activeCamera', camera));
                 }}
               />
             </div>

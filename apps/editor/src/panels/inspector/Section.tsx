@@ -10,15 +10,18 @@ interface SectionProps {
   readonly title: string;
   readonly help: string;
   readonly icon: IconName;
+  /** Whether it is folded until the user says otherwise. */
+  readonly isFoldedAtFirst?: boolean;
   /** Controls at the right of the title. */
   readonly controls?: ReactNode;
   readonly children: ReactNode;
 }
 
 /** A part of the inspector that can be folded. */
-export function Section({ id, title, help, icon, controls, children }: SectionProps): ReactNode {
+export function Section(props: SectionProps): ReactNode {
+  const { id, title, help, icon, isFoldedAtFirst = false, controls, children } = props;
   const { preferences } = useEditor();
-  const isFolded = usePreferences(({ folded }) => folded[id] ?? false);
+  const isFolded = usePreferences(({ folded }) => folded[id] ?? isFoldedAtFirst);
   const fold = (): void => {
     preferences.setState((before) => ({ folded: { ...before.folded, [id]: !isFolded } }));
   };

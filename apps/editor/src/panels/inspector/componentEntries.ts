@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Component } from '@farol/engine';
 import type { EditorApi } from '../../api/EditorApi';
 import { copyComponent, fittingValues, readComponentClip } from '../../model/componentClip';
@@ -25,20 +26,22 @@ export function componentEntries(editor: EditorApi, components: readonly Compone
   const attempt = (run: () => void) => () => editor.attempt(run);
   return [
     {
-      label: 'Copy values',
+      label: t('Copy values'),
       icon: 'copy',
       run: attempt(() => {
         clipboard.text = copyComponent(first);
       }),
     },
     {
-      label: 'Paste values',
+      label: t('Paste values'),
       icon: 'paste',
       disabled: !values,
-      run: attempt(() => values && commands.run(setValues(`Paste values of ${title}`, components, values))),
+      run: attempt(
+        () => values && commands.run(setValues(t('Paste values of {title}', { title }), components, values)),
+      ),
     },
     {
-      label: clipType ? `Paste as new ${wordsOf(clipType.typeName)}` : 'Paste as new',
+      label: clipType ? t('Paste as new {title}', { title: wordsOf(clipType.typeName) }) : t('Paste as new'),
       disabled: !canAdd,
       run: attempt(() => {
         if (!clip || !clipType) return;
@@ -47,26 +50,26 @@ export function componentEntries(editor: EditorApi, components: readonly Compone
     },
     'separator',
     {
-      label: 'Move up',
+      label: t('Move up'),
       icon: 'up',
       disabled: place < 2,
       run: attempt(() => commands.run(moveComponents(components, -1))),
     },
     {
-      label: 'Move down',
+      label: t('Move down'),
       icon: 'down',
       disabled: isTransform || place === list.length - 1,
       run: attempt(() => commands.run(moveComponents(components, 1))),
     },
     'separator',
     {
-      label: 'Reset',
-      help: 'Gives every field its default.',
+      label: t('Reset'),
+      help: t('Gives every field its default.'),
       icon: 'undo',
-      run: attempt(() => commands.run(resetFields(`Reset ${title}`, components))),
+      run: attempt(() => commands.run(resetFields(t('Reset {title}', { title }), components))),
     },
     {
-      label: 'Remove',
+      label: t('Remove'),
       icon: 'remove',
       disabled: isTransform,
       run: attempt(() => commands.run(removeComponents(document.scene, components))),

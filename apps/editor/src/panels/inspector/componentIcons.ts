@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { IconName } from '../../style/iconPaths';
 
 const icons: Readonly<Record<string, IconName>> = {
@@ -15,5 +16,5 @@ const icons: Readonly<Record<string, IconName>> = {
 /** The icon of a type of component. */
 export const componentIcon = (typeName: string): IconName => icons[typeName] ?? 'object';
 
-/** The name of a type of component in words: 'Object Renderer'. */
-export const wordsOf = (typeName: string): string => typeName.replaceAll(/([a-z])([A-Z])/g, '$1 $2');
+/** The name of a type of component in words, 'Object Renderer', in the language that is shown. */
+export const wordsOf = (typeName: string): string => t(typeName.replaceAll(/([a-z])([A-Z])/g, '$1 $2'));

@@ -1,4 +1,4 @@
-import { toDegrees } from '@farol/editing';
+import { t, toDegrees } from '@farol/editing';
 import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { useEffect, useState } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -30,7 +30,7 @@ export function useLiveTexts(owner: FieldOwner | null): Map<string, HTMLElement>
         const text =
           state === 'stopped' || sameValue(value, owner.getAuthored(name))
             ? ''
-            : `now ${liveText(value, owner.fields[name].kind === 'euler')}`;
+            : t('now {value}', { value: liveText(value, owner.fields[name].kind === 'euler') });
         // a change of the text node alone: no element comes or goes, so no style is looked for anew
         const node = place.firstChild as Text | null;
         if ((node?.data ?? '') === text) continue;

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useState } from 'react';
 import { type Action, labelOf } from '../../api/Action';
 import { combinationOf } from '../../actions/combinationOf';
@@ -38,8 +39,8 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
             {keyText(each)}
             <button
               type="button"
-              aria-label={`Take ${each} from ${label}`}
-              title="Take this key away"
+              aria-label={t('Take {keys} from {label}', { keys: each, label })}
+              title={t('Take this key away')}
               onClick={() =>
                 bindings.bind(
                   action,
@@ -54,8 +55,8 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
         <button
           type="button"
           className={`key-add ${isListening ? 'listening' : ''}`}
-          aria-label={isListening ? `Press the keys for ${label}` : `Add a key for ${label}`}
-          title="Add a key: press it next"
+          aria-label={isListening ? t('Press the keys for {label}', { label }) : t('Add a key for {label}', { label })}
+          title={t('Add a key: press it next')}
           onClick={() => {
             setAsked(null);
             setListening(!isListening);
@@ -63,14 +64,14 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
           onKeyDown={keyDown}
           onBlur={() => setListening(false)}
         >
-          {isListening ? 'Press keys…' : <Icon name="add" size={11} />}
+          {isListening ? t('Press keys…') : <Icon name="add" size={11} />}
         </button>
         {bindings.isRebound(action) && (
           <button
             type="button"
             className="key-add"
-            aria-label={`Own keys of ${label}`}
-            title="Back to its own keys"
+            aria-label={t('Own keys of {label}', { label })}
+            title={t('Back to its own keys')}
             onClick={() => bindings.bind(action, null)}
           >
             <Icon name="undo" size={11} />
@@ -79,9 +80,7 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
       </span>
       {asked !== null && (
         <div className="key-conflict" role="alert">
-          <span>
-            {keyText(asked)} is “{others.join('”, “')}”.
-          </span>
+          <span>{t('{keys} is “{action}”.', { keys: keyText(asked), action: others.join('”, “') })}</span>
           <button
             type="button"
             className="button small framed"
@@ -90,17 +89,21 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
               setAsked(null);
             }}
           >
-            Take it over
+            {t('Take it over')}
           </button>
           <button type="button" className="button small framed" onClick={() => setAsked(null)}>
-            Leave it
+            {t('Leave it')}
           </button>
         </div>
       )}
       {clashes.length > 0 && (
         <div className="key-conflict">
           <Icon name="warning" size={12} />
-          {clashes.map(([each, other]) => `${keyText(each)} is “${labelOf(other, editor)}” too`).join('; ')}
+          {clashes
+            .map(([each, other]) =>
+              t('{keys} is “{action}” too', { keys: keyText(each), action: labelOf(other, editor) }),
+            )
+            .join('; ')}
         </div>
       )}
     </div>

@@ -1,6 +1,7 @@
+import { t } from '@farol/editing';
 import { type ReactNode, useState } from 'react';
 import { type Action, labelOf } from '../../api/Action';
-import { showPanels } from '../../actions/showPanels';
+import { allActions } from '../../actions/allActions';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { useKeyBindings } from '../../ui/useKeyBindings';
@@ -17,7 +18,7 @@ export function KeysPage(): ReactNode {
   const { chosen } = bindings.store.getState();
   useSignal(editor.actions.changed);
   const [query, setQuery] = useState('');
-  const lines = [...editor.actions.list, ...showPanels(editor)].map((action) => ({
+  const lines = allActions(editor).map((action) => ({
     action,
     label: labelOf(action, editor),
     group: groupOf(action.id),
@@ -25,7 +26,7 @@ export function KeysPage(): ReactNode {
   const found = matchItems(lines, query);
   const groups = [...new Set(found.map(({ group }) => group))];
   const others = matchItems(
-    otherKeys.map(([keys, label]) => ({ keys, label, group: keys })),
+    otherKeys().map(([keys, label]) => ({ keys, label, group: keys })),
     query,
   );
   return (
@@ -36,8 +37,8 @@ export function KeysPage(): ReactNode {
           <input
             className="input"
             type="search"
-            aria-label="Search keys"
-            placeholder="Search"
+            aria-label={t('Search keys')}
+            placeholder={t('Search')}
             value={query}
             onChange={(event) => setQuery(event.target.value)}
           />
@@ -48,11 +49,11 @@ export function KeysPage(): ReactNode {
           disabled={Object.keys(chosen).length === 0}
           onClick={() => bindings.reset()}
         >
-          Reset all
+          {t('Reset all')}
         </button>
       </div>
       {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys */}
-      <div className="keys" tabIndex={0} role="region" aria-label="All keys">
+      <div className="keys" tabIndex={0} role="region" aria-label={t('All keys')}>
         {groups.map((group) => (
           <section key={group} aria-label={group}>
             <h3>{group}</h3>
@@ -64,8 +65,8 @@ export function KeysPage(): ReactNode {
           </section>
         ))}
         {others.length > 0 && (
-          <section aria-label="Mouse and more">
-            <h3>Mouse and more</h3>
+          <section aria-label={t('Mouse and more')}>
+            <h3>{t('Mouse and more')}</h3>
             {others.map(({ keys, label }) => (
               <div key={keys} className="key-row">
                 <span>{label}</span>

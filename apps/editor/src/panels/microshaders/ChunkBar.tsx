@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -11,12 +12,12 @@ export function ChunkBar({ name, onOpen }: { name: string; onOpen(name: string):
   const isChanged = microShaders.isChanged(name);
   const stage = microShaders.registry.get(name)?.stage;
   const state = problem
-    ? 'Broken: the last good text is drawn'
+    ? t('Broken: the last good text is drawn')
     : isOwn
-      ? 'Of this scene'
+      ? t('Of this scene')
       : isChanged
-        ? 'Edited in this scene'
-        : 'As built in';
+        ? t('Edited in this scene')
+        : t('As built in');
   return (
     <div className="panel-bar">
       <strong>{name}</strong>
@@ -29,7 +30,7 @@ export function ChunkBar({ name, onOpen }: { name: string; onOpen(name: string):
       {problem && (
         <button type="button" className="button small" onClick={() => microShaders.discardDraft(name)}>
           <Icon name="undo" size={12} />
-          Last good text
+          {t('Last good text')}
         </button>
       )}
       {isChanged && (
@@ -44,7 +45,7 @@ export function ChunkBar({ name, onOpen }: { name: string; onOpen(name: string):
           }
         >
           <Icon name={isOwn ? 'remove' : 'undo'} size={12} />
-          {isOwn ? 'Delete' : 'Revert to built in'}
+          {isOwn ? t('Delete') : t('Revert to built in')}
         </button>
       )}
     </div>

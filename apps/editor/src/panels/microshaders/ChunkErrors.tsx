@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import type { MicroShaderProblemText } from '../../microshaders/MicroShaderEditing';
 import { useEditor } from '../../ui/EditorContext';
@@ -7,7 +8,7 @@ export function ChunkErrors({ name, problem }: { name: string; problem: MicroSha
   const editor = useEditor();
   const { entries, message } = problem;
   return (
-    <ul className="chunk-errors" aria-label="Errors">
+    <ul className="chunk-errors" aria-label={t('Errors')}>
       {entries.length === 0 && <li>{message}</li>}
       {entries.map(({ chunk, line, message: text, text: code }) => (
         <li key={`${chunk}:${line}:${text}`}>
@@ -16,7 +17,7 @@ export function ChunkErrors({ name, problem }: { name: string; problem: MicroSha
             disabled={chunk === null || chunk.startsWith('three/')}
             onClick={() => editor.openMicroShader(chunk ?? name, line)}
           >
-            {chunk ?? 'shader'}:{line}
+            {chunk ?? t('shader')}:{line}
           </button>
           <span>{text}</span>
           {chunk !== name && <code>{code}</code>}

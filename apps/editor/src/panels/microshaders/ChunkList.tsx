@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useEffect, useRef, useState } from 'react';
 import type { MicroShaderUses } from '../../microshaders/MicroShaderUses';
 import { useEditor } from '../../ui/EditorContext';
@@ -39,8 +40,8 @@ export function ChunkList({ names, current, uses, onChoose }: ChunkListProps): R
         <input
           className="input"
           type="search"
-          aria-label="Search microshaders"
-          placeholder="Search"
+          aria-label={t('Search microshaders')}
+          placeholder={t('Search')}
           value={query}
           onChange={(event) => setQuery(event.target.value)}
         />
@@ -48,7 +49,7 @@ export function ChunkList({ names, current, uses, onChoose }: ChunkListProps): R
         <XMLMenu />
       </div>
       {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-element-to-interactive-role -- a list that is chosen from */}
-      <ul ref={list} role="listbox" aria-label="Microshaders" tabIndex={0} onKeyDown={keyDown}>
+      <ul ref={list} role="listbox" aria-label={t('Microshaders')} tabIndex={0} onKeyDown={keyDown}>
         {found.map((name) => {
           const problem = microShaders.problem(name);
           const isInUse = uses.techniquesOf(name).some((each) => each === technique);
@@ -62,12 +63,14 @@ export function ChunkList({ names, current, uses, onChoose }: ChunkListProps): R
               onClick={() => onChoose(name)}
             >
               <span className="chunk-name">{name}</span>
-              {microShaders.isOwn(name) && <span className="chunk-tag">scene</span>}
-              {!microShaders.isOwn(name) && microShaders.isChanged(name) && <span className="chunk-tag">edited</span>}
+              {microShaders.isOwn(name) && <span className="chunk-tag">{t('scene')}</span>}
+              {!microShaders.isOwn(name) && microShaders.isChanged(name) && (
+                <span className="chunk-tag">{t('edited')}</span>
+              )}
               {problem && (
                 <span className="chunk-broken" title={problem.message}>
                   <Icon name="warning" size={12} />
-                  <span className="visually-hidden">broken</span>
+                  <span className="visually-hidden">{t('broken')}</span>
                 </span>
               )}
             </li>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import type { MicroShaderUses } from '../../microshaders/MicroShaderUses';
 import { useEditor } from '../../ui/EditorContext';
@@ -13,33 +14,33 @@ export function ChunkUses({ name, uses }: { name: string; uses: MicroShaderUses 
   const viewed = uses.viewsOf(name);
   const programs = [...new Set(uses.programsOf(name))];
   return (
-    <aside className="chunk-uses" aria-label={`Uses of ${name}`}>
-      <Chunks title="Needs" names={needs} />
-      <Chunks title="Needed by" names={users} />
-      <h3>Techniques</h3>
-      {drawn.length === 0 && <p>{uses.isKnown ? 'None draws with it.' : 'Looking…'}</p>}
+    <aside className="chunk-uses" aria-label={t('Uses of {name}', { name })}>
+      <Chunks title={t('Needs')} names={needs} />
+      <Chunks title={t('Needed by')} names={users} />
+      <h3>{t('Techniques')}</h3>
+      {drawn.length === 0 && <p>{uses.isKnown ? t('None draws with it.') : t('Looking…')}</p>}
       <ul>
         {drawn.map((technique) => (
           <li key={technique}>
             <button
               type="button"
-              title={techniques[technique].help}
+              title={t(techniques[technique].help)}
               aria-pressed={editor.viewport.technique === technique}
               onClick={() => editor.attempt(() => void (editor.viewport.technique = technique))}
             >
-              {techniques[technique].label}
+              {t(techniques[technique].label)}
             </button>
           </li>
         ))}
       </ul>
       {viewed.length > 0 && (
         <>
-          <h3>Views</h3>
+          <h3>{t('Views')}</h3>
           <p>{viewed.join(', ')}</p>
         </>
       )}
-      <h3>Programs on the device</h3>
-      <p>{programs.length === 0 ? 'None at present.' : programs.join(', ')}</p>
+      <h3>{t('Programs on the device')}</h3>
+      <p>{programs.length === 0 ? t('None at present.') : programs.join(', ')}</p>
     </aside>
   );
 }

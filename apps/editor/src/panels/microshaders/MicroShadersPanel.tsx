@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type ReactNode, useEffect, useState, useSyncExternalStore } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { ChunkBar } from './ChunkBar';
@@ -30,7 +31,7 @@ export function MicroShadersPanel(): ReactNode {
   const problem = microShaders.problem(name);
   const errors = problem?.entries.filter(({ chunk }) => chunk === name) ?? none;
   return (
-    <section className="panel microshaders" aria-label="Microshaders">
+    <section className="panel microshaders" aria-label={t('Microshaders')}>
       <ChunkList names={names} current={name} uses={uses} onChoose={(next) => editor.openMicroShader(next)} />
       <div className="chunk">
         <ChunkBar name={name} onOpen={(next) => editor.openMicroShader(next)} />

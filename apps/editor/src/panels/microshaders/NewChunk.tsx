@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Popover } from '@base-ui/react/popover';
 import { type ReactNode, type SyntheticEvent, useState } from 'react';
 import { useEditor } from '../../ui/EditorContext';
@@ -28,18 +29,18 @@ export function NewChunk({ onMade }: { onMade(name: string): void }): ReactNode 
         setProblem('');
       }}
     >
-      <Popover.Trigger className="button small" aria-label="New microshader" title="New microshader">
+      <Popover.Trigger className="button small" aria-label={t('New microshader')} title={t('New microshader')}>
         <Icon name="add" size={13} />
       </Popover.Trigger>
       <Popover.Portal>
         <Popover.Positioner className="positioner" sideOffset={4} align="start">
-          <Popover.Popup className="popup new-chunk" aria-label="New microshader">
+          <Popover.Popup className="popup new-chunk" aria-label={t('New microshader')}>
             <form onSubmit={make}>
               <input
                 className="input"
-                aria-label="Name of the microshader"
+                aria-label={t('Name of the microshader')}
                 aria-invalid={problem !== ''}
-                placeholder="Name, such as own/tint"
+                placeholder={t('Name, such as own/tint')}
                 autoComplete="off"
                 spellCheck={false}
                 value={name}
@@ -49,7 +50,7 @@ export function NewChunk({ onMade }: { onMade(name: string): void }): ReactNode 
                 }}
               />
               <button type="submit" className="button primary" disabled={name.trim() === ''}>
-                Make
+                {t('Make')}
               </button>
             </form>
             {problem && (

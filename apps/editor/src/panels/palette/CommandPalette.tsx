@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import { type KeyboardEvent, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
 import { showPalette } from '../../actions/showPalette';
@@ -49,18 +50,18 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
 
   return (
     <>
-      <Dialog.Title className="palette-title">Search commands</Dialog.Title>
+      <Dialog.Title className="palette-title">{t('Search commands')}</Dialog.Title>
       <div className="palette-search">
         <Icon name="search" />
         <input
           className="palette-input"
           role="combobox"
-          aria-label="Search commands"
+          aria-label={t('Search commands')}
           aria-expanded
           aria-controls="palette-list"
           aria-activedescendant={found[current] ? `palette-${current}` : undefined}
           aria-autocomplete="list"
-          placeholder="A command, a technique, a view, something to add, an object"
+          placeholder={t('A command, a technique, a view, something to add, an object')}
           autoComplete="off"
           spellCheck={false}
           value={query}
@@ -71,7 +72,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
           onKeyDown={keyDown}
         />
       </div>
-      <ul id="palette-list" className="palette-list" role="listbox" aria-label="Commands" ref={list}>
+      <ul id="palette-list" className="palette-list" role="listbox" aria-label={t('Commands')} ref={list}>
         {found.map((item, i) => (
           <li
             key={item.id}
@@ -91,7 +92,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
           </li>
         ))}
       </ul>
-      {found.length === 0 && <p className="palette-empty">Nothing of that name.</p>}
+      {found.length === 0 && <p className="palette-empty">{t('Nothing of that name.')}</p>}
     </>
   );
 }

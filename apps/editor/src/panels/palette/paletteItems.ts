@@ -1,13 +1,11 @@
-import { views } from '@farol/renderer';
+import { t } from '@farol/editing';
 import { addCreation } from '../../actions/addEntries';
 import { labelOf } from '../../api/Action';
 import { showPalette } from '../../actions/showPalette';
-import { showPanels } from '../../actions/showPanels';
+import { allActions } from '../../actions/allActions';
 import type { EditorApi } from '../../api/EditorApi';
 import { creations } from '../../model/creations';
 import type { IconName } from '../../style/iconPaths';
-import { techniqueOptions } from '../../ui/techniqueOptions';
-import { viewLabel } from '../../ui/viewOptions';
 import type { Findable } from './matchItems';
 
 /** A line of the command palette. */
@@ -21,22 +19,24 @@ export interface PaletteItem extends Findable {
   run(): unknown;
 }
 
-const groups: Readonly<Record<string, string>> = {
-  file: 'File',
-  edit: 'Edit',
-  view: 'View',
-  gizmo: 'Handles',
-  play: 'Play',
-  panels: 'Panels',
-  help: 'Help',
-};
+const groups = (): Readonly<Record<string, string>> => ({
+  file: t('File'),
+  edit: t('Edit'),
+  view: t('View'),
+  gizmo: t('Handles'),
+  play: t('Play'),
+  panels: t('Panels'),
+  help: t('Help'),
+  technique: t('Technique'),
+  shown: t('Show'),
+});
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1).replaceAll('-', ' ');
 
 /** What an action belongs to, by the first part of its id. */
 export const groupOf = (id: string): string => {
   const first = id.split('.')[0];
-  return groups[first] ?? capital(first);
+  return groups()[first] ?? capital(first);
 };
 
 /** Objects are listed by name only when this many are found at most. */
@@ -44,8 +44,8 @@ export const OBJECTS = 30;
 
 /** Everything that can be done now. */
 export function paletteItems(editor: EditorApi): PaletteItem[] {
-  const { viewport, document } = editor;
-  const done = [...editor.actions.list, ...showPanels(editor)]
+  const { document } = editor;
+  const done = allActions(editor)
     .filter((action) => action !== showPalette && (action.enabled?.(editor) ?? true))
     .map((action): PaletteItem => ({
       id: action.id,
@@ -56,30 +56,14 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
       isCurrent: action.checked?.(editor),
       run: () => action.run(editor),
     }));
-  const techniques = techniqueOptions(viewport.farol).map(({ value, label }): PaletteItem => ({
-    id: `technique.${value}`,
-    label,
-    group: 'Technique',
-    icon: 'lamp',
-    isCurrent: viewport.technique === value,
-    run: () => (viewport.technique = value),
-  }));
-  const shown = views.map((view): PaletteItem => ({
-    id: `shown.${view}`,
-    label: viewLabel(view),
-    group: 'Show',
-    icon: 'eye',
-    isCurrent: viewport.view === view,
-    run: () => (viewport.view = view),
-  }));
   const added = creations(document.scene).map((creation): PaletteItem => ({
     id: `add.${creation.folder ?? ''}.${creation.label}`,
     label: creation.label,
-    group: creation.folder ? `Add, ${creation.folder}` : 'Add',
+    group: creation.folder ? t('Add, {folder}', { folder: creation.folder }) : t('Add'),
     icon: 'add',
     run: () => addCreation(editor, creation, null),
   }));
-  return [...done, ...techniques, ...shown, ...added];
+  return [...done, ...added];
 }
 
 /** The objects of the scene, as lines that select them. */
@@ -90,7 +74,7 @@ export function objectItems(editor: EditorApi): PaletteItem[] {
     items.push({
       id: `object.${id}`,
       label: name,
-      group: 'Select',
+      group: t('Select'),
       icon: 'object',
       run() {
         document.selection.set([id]);

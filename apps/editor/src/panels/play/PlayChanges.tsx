@@ -1,4 +1,4 @@
-import { toDegrees } from '@farol/editing';
+import { t, toDegrees } from '@farol/editing';
 import { type FieldValue, sameValue } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { nameOf, type PlayChange } from '../../model/PlayEdits';
@@ -8,12 +8,12 @@ import './play.css';
 
 /** A value as the inspector has it. */
 function valueText(value: FieldValue, kind: string): string {
-  if (value === null) return 'none';
+  if (value === null) return t('none');
   const isAngle = kind === 'angle' || kind === 'euler';
   const text = (each: number): string => String(Number((isAngle ? toDegrees(each) : each).toPrecision(4)));
   if (typeof value === 'number') return text(value) + (isAngle ? '°' : '');
   if (Array.isArray(value)) return value.map((each: number) => text(each)).join('  ');
-  return typeof value === 'boolean' ? (value ? 'on' : 'off') : String(value);
+  return typeof value === 'boolean' ? (value ? t('on') : t('off')) : String(value);
 }
 
 /** What was edited while the scene played, after it was stopped: each value can be kept. */
@@ -25,14 +25,14 @@ export function PlayChanges(): ReactNode {
   const { changes, others } = playEdits;
   if (changes.length === 0 && others.length === 0) return null;
   return (
-    <section className="play-changes" aria-label="Edited while playing">
+    <section className="play-changes" aria-label={t('Edited while playing')}>
       <header>
-        <h2>Edited while playing</h2>
+        <h2>{t('Edited while playing')}</h2>
         <button
           type="button"
           className="button small"
-          aria-label="Let go of the edits"
-          title="Let go of the edits"
+          aria-label={t('Let go of the edits')}
+          title={t('Let go of the edits')}
           onClick={() => playEdits.dismiss()}
         >
           <Icon name="close" size={12} />
@@ -45,13 +45,13 @@ export function PlayChanges(): ReactNode {
       </ul>
       {others.length > 0 && (
         <p>
-          Only with all others: {others.slice(0, 4).join(', ')}
-          {others.length > 4 && ` and ${others.length - 4} more`}
+          {t('Only with all others:')} {others.slice(0, 4).join(', ')}
+          {others.length > 4 && t(' and {count} more', { count: others.length - 4 })}
         </p>
       )}
       <footer>
         <button type="button" className="button framed" onClick={() => playEdits.dismiss()}>
-          Keep none
+          {t('Keep none')}
         </button>
         <button
           type="button"
@@ -59,7 +59,7 @@ export function PlayChanges(): ReactNode {
           disabled={changes.length === 0 && !playEdits.canKeepAll}
           onClick={() => editor.attempt(() => playEdits.keepAll())}
         >
-          Keep all
+          {t('Keep all')}
         </button>
       </footer>
     </section>
@@ -82,11 +82,11 @@ function ChangeLine({ change }: { change: PlayChange }): ReactNode {
       <button
         type="button"
         className="button small framed"
-        aria-label={`Keep ${nameOf(change)}`}
+        aria-label={t('Keep {name}', { name: nameOf(change) })}
         disabled={sameValue(now, to)}
         onClick={() => editor.attempt(() => editor.document.playEdits.keep(change))}
       >
-        Keep
+        {t('Keep')}
       </button>
     </li>
   );

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Component } from '@farol/engine';
 import type { FieldOwner, FieldValue } from '@farol/engine/fields';
 import { fieldOverride } from '@farol/engine/prefabs';
@@ -8,7 +9,7 @@ import { MenuButton } from '../../ui/MenuButton';
 import './prefab.css';
 
 const textOf = (value: FieldValue): string =>
-  Array.isArray(value) ? value.map((each: number) => Number(each.toFixed(3))).join(', ') : String(value ?? 'none');
+  Array.isArray(value) ? value.map((each: number) => Number(each.toFixed(3))).join(', ') : String(value ?? t('none'));
 
 interface OverrideMarkProps {
   readonly owners: readonly FieldOwner[];
@@ -30,20 +31,20 @@ export function OverrideMark({ owners, name, label }: OverrideMarkProps): ReactN
   return (
     <span className="override-mark">
       <MenuButton
-        label={`${label} differs from the prefab`}
+        label={t('{label} differs from the prefab', { label })}
         icon="prefab"
         iconOnly
         className="button small"
         entries={() => [
           {
-            label: 'Revert to prefab',
-            help: `It has ${textOf(override.base)}.`,
+            label: t('Revert to prefab'),
+            help: t('It has {value}.', { value: textOf(override.base) }),
             icon: 'undo',
             run: () => editor.attempt(() => commands.run(revertField(scene, override, selection.ids))),
           },
           {
-            label: 'Apply to prefab',
-            help: 'Every instance without a value of its own follows.',
+            label: t('Apply to prefab'),
+            help: t('Every instance without a value of its own follows.'),
             icon: 'check',
             run: () => editor.attempt(() => commands.run(applyField(scene, owner, name, selection.ids))),
           },

@@ -1,3 +1,4 @@
+import { t, tCount } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
 import { instanceRootOf, overridesOf } from '@farol/engine/prefabs';
 import type { ReactNode } from 'react';
@@ -23,27 +24,27 @@ export function PrefabBar({ object }: { object: GameObject }): ReactNode {
     editor.attempt(() => commands.run(make(scene, root, selection.ids)));
   const none = list.length === 0;
   return (
-    <div className="prefab-bar" role="group" aria-label="Prefab">
+    <div className="prefab-bar" role="group" aria-label={t('Prefab')}>
       <Icon name="prefab" />
       <span className="prefab-name" title={list.join('\n')}>
         {prefab.name}
         <span className="prefab-count">
-          {none ? 'as the prefab' : `${list.length} ${list.length === 1 ? 'override' : 'overrides'}`}
+          {none ? t('as the prefab') : tCount(list.length, '{count} override', '{count} overrides')}
         </span>
       </span>
       <MenuButton
-        label="Prefab"
+        label={t('Prefab')}
         entries={() => [
           {
-            label: 'Apply all to prefab',
-            help: none ? 'Nothing differs.' : list.slice(0, 6).join(', '),
+            label: t('Apply all to prefab'),
+            help: none ? t('Nothing differs.') : list.slice(0, 6).join(', '),
             icon: 'check',
             disabled: none,
             run: run(applyInstance),
           },
           {
-            label: 'Revert all',
-            help: 'Makes this instance as the prefab is.',
+            label: t('Revert all'),
+            help: t('Makes this instance as the prefab is.'),
             icon: 'undo',
             disabled: none,
             run: run(revertInstance),
@@ -51,10 +52,12 @@ export function PrefabBar({ object }: { object: GameObject }): ReactNode {
           'separator',
           ...(root === object
             ? []
-            : [{ label: 'Select the whole instance', icon: 'select' as const, run: () => selection.set([root.id]) }]),
+            : [
+                { label: t('Select the whole instance'), icon: 'select' as const, run: () => selection.set([root.id]) },
+              ]),
           {
-            label: 'Unpack',
-            help: 'Makes it an object of its own, which follows no more.',
+            label: t('Unpack'),
+            help: t('Makes it an object of its own, which follows no more.'),
             icon: 'object',
             run: run(unpackInstance),
           },

@@ -1,3 +1,4 @@
+import { formatTime, t, tCount } from '@farol/editing';
 import { type ReactNode, useCallback, useEffect } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -7,7 +8,6 @@ import './status.css';
 /** How often the figures are read, a second. */
 const RATE = 4;
 
-const clock = new Intl.DateTimeFormat(undefined, { timeStyle: 'medium' });
 const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const short = new Intl.NumberFormat('en', { notation: 'compact', maximumFractionDigits: 1 });
 
@@ -28,15 +28,22 @@ export function StatusBar(): ReactNode {
   const rate = usePoll(
     useCallback(() => {
       const frames = viewport.statistics.rate(performance.now());
-      return frames === null ? 'at rest' : `${integer.format(frames)} FPS`;
+      return frames === null ? t('at rest') : `${integer.format(frames)} FPS`;
     }, [viewport]),
     RATE,
   );
   const counts = usePoll(
     useCallback(() => {
       const { lights, drawCalls, triangles } = viewport.farol.info;
-      const shown = lights.visible === lights.total ? `${lights.total}` : `${lights.visible} of ${lights.total}`;
-      return `${shown} lights\n${integer.format(drawCalls)} draws\n${short.format(triangles)} triangles`;
+      const shown =
+        lights.visible === lights.total
+          ? `${lights.total}`
+          : t('{visible} of {total}', { visible: lights.visible, total: lights.total });
+      return [
+        tCount(lights.total, '{shown} light', '{shown} lights', { shown }),
+        tCount(drawCalls, '{shown} draw', '{shown} draws', { shown: integer.format(drawCalls) }),
+        tCount(triangles, '{shown} triangle', '{shown} triangles', { shown: short.format(triangles) }),
+      ].join('\n');
     }, [viewport]),
     RATE,
   );
@@ -52,10 +59,10 @@ export function StatusBar(): ReactNode {
   );
   const [total, ...each] = passes.split('\n');
   return (
-    <footer className="status" aria-label="Status">
+    <footer className="status" aria-label={t('Status')}>
       <span className="status-file">
         {name}
-        {commands.isDirty && <span className="dirty" role="img" title="Not saved" aria-label="not saved" />}
+        {commands.isDirty && <span className="dirty" role="img" title={t('Not saved')} aria-label={t('not saved')} />}
       </span>
       {problem !== null && (
         <button
@@ -65,12 +72,14 @@ export function StatusBar(): ReactNode {
           onClick={() => notices.show('warning', problem)}
         >
           <Icon name="warning" size={12} />
-          {drafts.since === null ? 'no drafts' : `no drafts since ${clock.format(drafts.since)}`}
+          {drafts.since === null ? t('no drafts') : t('no drafts since {time}', { time: formatTime(drafts.since) })}
         </button>
       )}
-      <span className="dim">{selected === 0 ? 'nothing selected' : `${selected} selected`}</span>
+      <span className="dim">
+        {selected === 0 ? t('nothing selected') : tCount(selected, '{count} selected##one', '{count} selected')}
+      </span>
       <span className="status-space" />
-      <span className="status-passes" title="Time of each pass of the last frame (ms)">
+      <span className="status-passes" title={t('Time of each pass of the last frame (ms)')}>
         {each.map((pass) => (
           <span key={pass}>{pass}</span>
         ))}

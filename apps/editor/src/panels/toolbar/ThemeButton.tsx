@@ -1,9 +1,13 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { Icon } from '../../ui/Icon';
 import { useEditor } from '../../ui/EditorContext';
 import { usePreferences } from '../../ui/usePreferences';
 
 const next = { system: 'dark', dark: 'light', light: 'system' } as const;
+
+const themeLabel = (theme: keyof typeof next): string =>
+  ({ system: t('Theme: system'), dark: t('Theme: dark'), light: t('Theme: light') })[theme];
 
 /** Goes through the themes: the system's, dark, light. */
 export function ThemeButton(): ReactNode {
@@ -13,8 +17,8 @@ export function ThemeButton(): ReactNode {
     <button
       type="button"
       className="button"
-      aria-label={`Theme: ${theme}`}
-      title={`Theme: ${theme}`}
+      aria-label={themeLabel(theme)}
+      title={themeLabel(theme)}
       onClick={() => preferences.setState({ theme: next[theme] })}
     >
       <Icon name={theme === 'light' ? 'directional' : theme === 'dark' ? 'moon' : 'contrast'} />

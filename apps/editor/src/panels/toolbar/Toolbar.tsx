@@ -1,26 +1,23 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
-import { exportScene } from '../../actions/exportScene';
 import { duplicate } from '../../actions/duplicate';
-import { measure } from '../../actions/measure';
-import { newScene, openExamples } from '../../actions/newScene';
 import { open } from '../../actions/open';
-import { panelEntries } from '../../actions/panelEntries';
 import { pause, play, step, stop } from '../../actions/play';
-import { recover } from '../../actions/recover';
 import { redo } from '../../actions/redo';
 import { remove } from '../../actions/remove';
-import { save, saveAs } from '../../actions/save';
+import { save } from '../../actions/save';
 import { showKeys } from '../../actions/showKeys';
 import { undo } from '../../actions/undo';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
-import { actionEntry } from '../../api/MenuEntry';
 import { SelectBox } from '../../ui/SelectBox';
+import { useMedia } from '../../ui/useMedia';
 import { techniqueOptions } from '../../ui/techniqueOptions';
 import { viewOptions } from '../../ui/viewOptions';
+import { MenuBar } from './MenuBar';
 import { ThemeButton } from './ThemeButton';
 import './toolbar.css';
 
@@ -28,11 +25,11 @@ import './toolbar.css';
 export function Toolbar(): ReactNode {
   const editor = useEditor();
   const { document, viewport, commands } = editor;
+  const isNarrow = useMedia('(max-width: 699px)');
   useSignal(commands.changed);
   useSignal(document.selection.changed);
   useSignal(document.simulation.changed);
   useSignal(viewport.changed);
-  const newEntries = [newScene, ...openExamples].map((action) => actionEntry(action, editor));
   return (
     <header className="toolbar">
       <div className="toolbar-part">
@@ -40,38 +37,41 @@ export function Toolbar(): ReactNode {
           <Icon name="lamp" size={18} />
           Farol
         </span>
-        <MenuButton
-          label="File"
-          entries={() => [
-            { label: 'New', icon: 'scene', entries: newEntries },
-            ...[open, save, saveAs, exportScene, measure, recover].map((action) => actionEntry(action, editor)),
-          ]}
-        />
-        <div className="button-group" role="toolbar" aria-label="File and history">
-          <ActionButton action={open} />
-          <ActionButton action={save} />
-          <span className="bar-line" />
+        <MenuBar />
+        <div className="button-group" role="toolbar" aria-label={t('File and history')}>
+          <span className="toolbar-extra narrow">
+            <ActionButton action={open} />
+            <ActionButton action={save} />
+            <span className="bar-line" />
+          </span>
           <ActionButton action={undo} />
           <ActionButton action={redo} />
-          <span className="bar-line" />
-          <ActionButton action={duplicate} />
-          <ActionButton action={remove} />
+          <span className="toolbar-extra">
+            <span className="bar-line" />
+            <ActionButton action={duplicate} />
+            <ActionButton action={remove} />
+          </span>
         </div>
-        <MenuButton label="Add" icon="add" entries={() => addEntries(editor)} />
-        <MenuButton label="Panels" icon="panels" entries={() => panelEntries(editor)} />
+        <MenuButton
+          label={t('Add')}
+          icon="add"
+          iconOnly={isNarrow}
+          className="button toolbar-add"
+          entries={() => addEntries(editor)}
+        />
       </div>
-      <div className="button-group play" role="toolbar" aria-label="Simulation">
+      <div className="button-group play" role="toolbar" aria-label={t('Simulation')}>
         {[play, pause, step, stop].map((action) => (
           <ActionButton key={action.id} action={action} />
         ))}
       </div>
       <div className="toolbar-part end">
         <div className="labelled">
-          <span aria-hidden="true">Technique</span>
+          <span aria-hidden="true">{t('Technique')}</span>
           <SelectBox
             value={viewport.technique}
             options={techniqueOptions(viewport.farol)}
-            label="Technique"
+            label={t('Technique')}
             onChange={(technique) =>
               editor.attempt(() => {
                 viewport.technique = technique;
@@ -80,11 +80,11 @@ export function Toolbar(): ReactNode {
           />
         </div>
         <div className="labelled">
-          <span aria-hidden="true">View</span>
+          <span aria-hidden="true">{t('View')}</span>
           <SelectBox
             value={viewport.view}
-            options={viewOptions}
-            label="View"
+            options={viewOptions()}
+            label={t('View')}
             onChange={(view) =>
               editor.attempt(() => {
                 viewport.view = view;

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type ReactNode, useSyncExternalStore } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -19,8 +20,8 @@ export function PreviewFrame(): ReactNode {
       <button
         type="button"
         className="button small"
-        aria-label={`Look through ${camera.gameObject.name}`}
-        title="Look through this camera"
+        aria-label={t('Look through {name}', { name: camera.gameObject.name })}
+        title={t('Look through this camera')}
         onClick={() => {
           viewport.lookThrough = camera;
         }}

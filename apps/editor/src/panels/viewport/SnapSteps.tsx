@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Popover } from '@base-ui/react/popover';
 import { type ReactNode, useRef } from 'react';
 import { Icon } from '../../ui/Icon';
@@ -6,11 +7,12 @@ import type { Preferences } from '../../api/preferences';
 import { useEditor } from '../../ui/EditorContext';
 import { usePreferences } from '../../ui/usePreferences';
 
-const steps = [
-  { name: 'translate', label: 'Distance', unit: 'm', min: 0.001, max: 1000, step: 0.1 },
-  { name: 'rotate', label: 'Angle', unit: '°', min: 0.1, max: 180, step: 1 },
-  { name: 'scale', label: 'Scale', unit: '', min: 0.001, max: 10, step: 0.05 },
-] as const;
+const steps = () =>
+  [
+    { name: 'translate', label: t('Distance'), unit: 'm', min: 0.001, max: 1000, step: 0.1 },
+    { name: 'rotate', label: t('Angle'), unit: '°', min: 0.1, max: 180, step: 1 },
+    { name: 'scale', label: t('Scale'), unit: '', min: 0.001, max: 10, step: 0.05 },
+  ] as const;
 
 /** A button that opens the steps by which drags of the handles snap; they are remembered. */
 export function SnapSteps(): ReactNode {
@@ -22,19 +24,19 @@ export function SnapSteps(): ReactNode {
   const kept = useRef(chosen);
   return (
     <Popover.Root>
-      <Popover.Trigger className="button snap-steps" aria-label="Snap steps" title="Snap steps">
+      <Popover.Trigger className="button snap-steps" aria-label={t('Snap steps')} title={t('Snap steps')}>
         <Icon name="down" size={12} />
       </Popover.Trigger>
       <Popover.Portal>
         <Popover.Positioner className="positioner" sideOffset={3} align="start">
-          <Popover.Popup className="popup snap-popup" aria-label="Snap steps">
-            {steps.map(({ name, label, ...rest }) => (
+          <Popover.Popup className="popup snap-popup" aria-label={t('Snap steps')}>
+            {steps().map(({ name, label, ...rest }) => (
               <div key={name} className="snap-row">
                 <span aria-hidden="true">{label}</span>
                 <NumberInput
                   {...rest}
                   value={chosen[name]}
-                  label={`${label} of a snap step`}
+                  label={t('{label} of a snap step', { label })}
                   handle={<span className="grip" />}
                   onPreview={(value) => set(name, value)}
                   onCommit={() => void (kept.current = preferences.getState().snapSteps)}

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type ReactNode, useCallback, useEffect, useRef } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { usePoll } from '../../ui/usePoll';
@@ -37,21 +38,21 @@ export function StatisticsOverlay(): ReactNode {
       const { memory } = viewport.webgl.info;
       const rate = viewport.statistics.rate(performance.now());
       return [
-        `Frame\t${rate === null ? 'at rest' : `${whole.format(rate)} FPS, ${(1000 / rate).toFixed(1)} ms`}`,
+        `${t('Frame')}\t${rate === null ? t('at rest') : `${whole.format(rate)} FPS, ${(1000 / rate).toFixed(1)} ms`}`,
         `CPU\t${info.cpuMs.toFixed(2)} ms`,
-        `GPU\t${info.gpuMs === null ? 'not told' : `${info.gpuMs.toFixed(2)} ms`}`,
-        `Draws\t${whole.format(info.drawCalls)}`,
-        `Triangles\t${whole.format(info.triangles)}`,
-        `Lights\t${info.lights.visible} of ${info.lights.total}`,
-        `Geometries\t${memory.geometries}`,
-        `Textures\t${memory.textures}`,
-        `Technique\t${viewport.technique}`,
+        `GPU\t${info.gpuMs === null ? t('not told') : `${info.gpuMs.toFixed(2)} ms`}`,
+        `${t('Draws')}\t${whole.format(info.drawCalls)}`,
+        `${t('Triangles')}\t${whole.format(info.triangles)}`,
+        `${t('Lights')}\t${t('{visible} of {total}', { visible: info.lights.visible, total: info.lights.total })}`,
+        `${t('Geometries')}\t${memory.geometries}`,
+        `${t('Textures')}\t${memory.textures}`,
+        `${t('Technique')}\t${viewport.technique}`,
       ].join('\n');
     }, [viewport]),
     4,
   );
   return (
-    <section className="statistics" aria-label="Figures of the frames">
+    <section className="statistics" aria-label={t('Figures of the frames')}>
       <canvas ref={canvas} width={240} height={40} aria-hidden="true" />
       <dl>
         {figures.split('\n').map((line) => {

@@ -1,3 +1,5 @@
+import { t } from '@farol/editing';
+import { labelOf } from '../../api/Action';
 import { type ReactNode, useEffect, useRef } from 'react';
 import { Matrix4 } from 'three';
 import { lookFrom, sides } from '../../actions/sides';
@@ -14,6 +16,16 @@ const turns = {
   front: '',
   back: 'rotateY(180deg)',
 };
+
+const sideName = (side: keyof typeof turns): string =>
+  ({
+    right: t('right##side'),
+    left: t('left##side'),
+    top: t('top##side'),
+    bottom: t('bottom##side'),
+    front: t('front##side'),
+    back: t('back##side'),
+  })[side];
 
 /** A cube that turns with the picture; a press on a face looks from that side. It costs no React while it turns. */
 export function ViewCube(): ReactNode {
@@ -36,7 +48,7 @@ export function ViewCube(): ReactNode {
   }, [viewport]);
   return (
     <div className="view-cube-row">
-      <div className="view-cube" role="group" aria-label="View cube">
+      <div className="view-cube" role="group" aria-label={t('View cube')}>
         <div ref={cube} className="view-cube-body">
           {sides.map(([side], i) => (
             <button
@@ -44,11 +56,11 @@ export function ViewCube(): ReactNode {
               type="button"
               className={`view-cube-face ${side}`}
               style={{ transform: `${turns[side]} translateZ(24px)` }}
-              aria-label={`Look from the ${side}`}
-              title={`Look from the ${side}`}
+              aria-label={labelOf(lookFrom[i], editor)}
+              title={labelOf(lookFrom[i], editor)}
               onClick={() => editor.attempt(() => lookFrom[i].run(editor))}
             >
-              {side}
+              {sideName(side)}
             </button>
           ))}
         </div>

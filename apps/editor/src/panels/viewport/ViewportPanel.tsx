@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { lazy, type ReactNode, Suspense, useLayoutEffect, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
@@ -7,6 +8,7 @@ import { ViewportMenu } from './ViewportMenu';
 import { ViewportToolbar } from './ViewportToolbar';
 
 const PainterOverlay = lazy(async () => ({ default: (await import('../frame/PainterOverlay')).PainterOverlay }));
+const PlayFrame = lazy(async () => ({ default: (await import('../play/PlayFrame')).PlayFrame }));
 const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
 
 /** Views whose colours stand for numbers. */
@@ -14,16 +16,19 @@ const counts: ReadonlySet<string> = new Set(['light-count', 'overdraw']);
 
 /** The picture. The canvas is the Viewport's own: React only gives it a place. */
 export function ViewportPanel(): ReactNode {
-  const { viewport } = useEditor();
+  const { viewport, document } = useEditor();
   useSignal(viewport.changed);
+  const { simulation } = document;
+  useSignal(simulation.changed);
   const place = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
+    viewport.canvas.ariaLabel = t('Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
     viewport.attach(place.current!);
     return () => viewport.detach();
   }, [viewport]);
   const isGrid = viewport.painter?.isGrid ?? false;
   return (
-    <section className="panel viewport" aria-label="Viewport">
+    <section className="panel viewport" aria-label={t('Viewport')}>
       <div ref={place} className="viewport-place" />
       <ViewportMenu />
       {!isGrid && <ViewportToolbar />}
@@ -31,6 +36,7 @@ export function ViewportPanel(): ReactNode {
       {!isGrid && <PreviewFrame />}
       <Suspense fallback={null}>
         {viewport.painter && <PainterOverlay />}
+        {simulation.state !== 'stopped' && <PlayFrame />}
         {counts.has(viewport.view) && !viewport.painter && <HeatScale />}
       </Suspense>
     </section>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -11,11 +12,13 @@ export function LanternPanel(): ReactNode {
   const names: string[] = [];
   document.scene.traverse((object) => object.getComponent(Flicker) && names.push(object.name));
   return (
-    <section className="panel" aria-label="Lantern">
+    <section className="panel" aria-label={t('Lantern')}>
       <div className="panel-bar">
         <ActionButton action={flickerAll} withLabel />
       </div>
-      <p className="panel-empty">{names.length === 0 ? 'No lamp flickers.' : `Flickering: ${names.join(', ')}`}</p>
+      <p className="panel-empty">
+        {names.length === 0 ? t('No lamp flickers.') : t('Flickering: {names}', { names: names.join(', ') })}
+      </p>
     </section>
   );
 }

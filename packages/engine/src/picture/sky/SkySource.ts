@@ -24,8 +24,8 @@ export function loadSkyCode(): Promise<void> {
 
 /** The sky that a scene's settings ask for, made when they change. */
 export class SkySource {
-  /** Fulfilled when the sky that was asked for last is there; rejected when its code could not be fetched. */
-  ready: Promise<void> = Promise.resolve();
+  /** Fulfilled when the sky that was asked for last is there; rejected when its code could not be fetched. Null before any is waited for. */
+  ready: Promise<void> | null = null;
   private made: Sky | null = null;
   private key = '';
 

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import {
   type Color,
   type Material,
@@ -59,7 +60,7 @@ export class GltfMaterials {
     material.name = source.name;
     // what our own code left there says nothing to others
     material.userData = {};
-    if (takeExcess(material.color) > 1) this.leftOut.add('Materials brighter than white became white', source);
+    if (takeExcess(material.color) > 1) this.leftOut.add(t('Materials brighter than white became white'), source);
     if (material instanceof MeshStandardMaterial) {
       material.emissiveIntensity *= takeExcess(material.emissive);
       const { r, g, b } = material.emissive;
@@ -69,9 +70,9 @@ export class GltfMaterials {
     for (const [field, value] of Object.entries(source)) {
       if (!isTexture(value) || (field === 'normalMap' && material.wireframe)) continue;
       if (unknownMaps.test(field) || !(field in material))
-        this.leftOut.add('Maps that glTF does not have are left out', value);
+        this.leftOut.add(t('Maps that glTF does not have are left out'), value);
       else if (use.hasUV) Object.assign(material, { [field]: await this.texture(source, field, value, use) });
-      else this.leftOut.add('Textures on meshes without texture coordinates are left out', value);
+      else this.leftOut.add(t('Textures on meshes without texture coordinates are left out'), value);
     }
     if (material instanceof MeshStandardMaterial && use.hasUV) {
       // the signs are in the pictures by now
@@ -89,7 +90,7 @@ export class GltfMaterials {
 
   private withoutTextures(source: Material): MeshStandardMaterial | MeshBasicMaterial {
     if ('isShaderMaterial' in source) {
-      this.leftOut.add('Shaders became plain grey', source);
+      this.leftOut.add(t('Shaders became plain grey'), source);
       return new MeshBasicMaterial({ color: 0x808080 });
     }
     if (source instanceof MeshStandardMaterial || source instanceof MeshBasicMaterial) {
@@ -101,7 +102,7 @@ export class GltfMaterials {
     const { transparent, opacity, alphaTest, side, vertexColors, wireframe } = source as MeshPhongMaterial;
     const shared = { transparent, opacity, alphaTest, side, vertexColors, ...(color ? { color } : {}) };
     if (!emissive) return new MeshBasicMaterial(shared);
-    this.leftOut.add('Phong and Lambert materials became rough ones', source);
+    this.leftOut.add(t('Phong and Lambert materials became rough ones'), source);
     // Blinn-Phong's exponent n as roughness: alpha = sqrt(2 / (n + 2)), roughness = sqrt(alpha) @see Walter 2007
     const roughness = shininess === undefined ? 1 : (2 / (shininess + 2)) ** 0.25;
     const values = { emissive, emissiveIntensity, roughness, metalness: 0, wireframe };

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Camera, type GameObject, Light, ModelRenderer, ObjectRenderer, type Scene, Transform } from '@farol/engine';
 import {
   type BufferGeometry,
@@ -56,7 +57,7 @@ export class GltfScene {
 
   private async addObject(object: GameObject, parent: Object3D): Promise<void> {
     if (!object.active) {
-      this.leftOut.add('Hidden objects are left out', object);
+      this.leftOut.add(t('Hidden objects are left out'), object);
       return;
     }
     await breathe();
@@ -68,7 +69,11 @@ export class GltfScene {
       else if (component instanceof ModelRenderer) part = await this.modelOf(component);
       else if (component instanceof Light) part = this.lightOf(component);
       else if (component instanceof Camera) part = component.three.clone();
-      else this.leftOut.add(`Components that glTF does not know are left out: ${component.typeName}`, component);
+      else
+        this.leftOut.add(
+          t('Components that glTF does not know are left out: {typeName}', { typeName: component.typeName }),
+          component,
+        );
       if (part) parts.push(part);
     }
     const isAlone = parts.length === 1 && parts[0].children.length === 0;
@@ -86,8 +91,8 @@ export class GltfScene {
   private async meshOf(shape: ObjectRenderer): Promise<Mesh | null> {
     const { geometry, mesh, gameObject } = shape;
     if (mesh === null) return null;
-    if (!shape.render) this.leftOut.add('Hidden objects are left out', gameObject);
-    else if (!geometry) this.leftOut.add('Meshes that are not loaded are left out', shape);
+    if (!shape.render) this.leftOut.add(t('Hidden objects are left out'), gameObject);
+    else if (!geometry) this.leftOut.add(t('Meshes that are not loaded are left out'), shape);
     if (!shape.render || !geometry) return null;
     const drawn = new Mesh(geometry, this.materialOf(shape));
     drawn.name = mesh;
@@ -111,10 +116,10 @@ export class GltfScene {
     const { three, gameObject } = model;
     if (model.model === null) return null;
     if (!three) {
-      this.leftOut.add('Models that are not loaded are left out', model);
+      this.leftOut.add(t('Models that are not loaded are left out'), model);
       return null;
     }
-    if (model.animations.length > 0) this.leftOut.add('Animations are left out', model.model);
+    if (model.animations.length > 0) this.leftOut.add(t('Animations are left out'), model.model);
     const copy = clone(three);
     const parts: Object3D[] = [];
     copy.traverse((part) => parts.push(part));
@@ -132,7 +137,7 @@ export class GltfScene {
   private replaceLight(source: Parameters<typeof gltfLight>[0]): void {
     const { parent } = source;
     const copy = gltfLight(source, null);
-    if (!copy) this.leftOut.add('Lights from all sides are left out', source);
+    if (!copy) this.leftOut.add(t('Lights from all sides are left out'), source);
     else {
       copy.name = source.name;
       copy.position.copy(source.position);
@@ -144,7 +149,7 @@ export class GltfScene {
 
   private lightOf(light: Light): Object3D | null {
     const copy = gltfLight(light.three, light);
-    const lost = copy ? whatIsLost(light) : 'Lights from all sides are left out';
+    const lost = copy ? whatIsLost(light) : t('Lights from all sides are left out');
     if (lost) this.leftOut.add(lost, light);
     return copy;
   }
@@ -190,8 +195,8 @@ export class GltfScene {
   private noteSurroundings(): void {
     const { settings } = this.scene;
     const isBlack = settings.backgroundColour.every((channel) => channel === 0);
-    if (settings.environment !== null) this.leftOut.add('The environment is left out');
-    if (!isBlack || settings.background !== 'colour') this.leftOut.add('The background is left out');
-    if (settings.fog !== 'none') this.leftOut.add('Fog is left out');
+    if (settings.environment !== null) this.leftOut.add(t('The environment is left out'));
+    if (!isBlack || settings.background !== 'colour') this.leftOut.add(t('The background is left out'));
+    if (settings.fog !== 'none') this.leftOut.add(t('Fog is left out'));
   }
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type DataTexture, RGBAFormat, Texture, UnsignedByteType, type WebGLRenderer } from 'three';
 import { readTexels } from './readTexels';
 
@@ -18,7 +19,7 @@ function canvasOf(width: number, height: number): { canvas: HTMLCanvasElement; c
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext('2d', { willReadFrequently: true });
-  if (!context) throw new Error('the browser gives no canvas to draw it to: close other pages and try again.');
+  if (!context) throw new Error(t('the browser gives no canvas to draw it to: close other pages and try again.'));
   return { canvas, context };
 }
 
@@ -79,8 +80,8 @@ export class GltfTextures {
       return copy;
     } catch (cause) {
       const reason = cause instanceof Error ? cause.message : String(cause);
-      const name = texture.name ? `'${texture.name}'` : 'A texture';
-      throw new Error(`${name} of ${user} cannot be exported: ${reason}`, { cause });
+      const name = texture.name ? `'${texture.name}'` : t('A texture');
+      throw new Error(t('{name} of {user} cannot be exported: {reason}', { name, user, reason }), { cause });
     }
   }
 
@@ -96,7 +97,8 @@ export class GltfTextures {
   private async draw(texture: Texture, { rows, red, green }: Flips): Promise<Picture> {
     const image = texture.image as { width?: number; height?: number; data?: unknown } | null;
     const [width, height] = [image?.width ?? 0, image?.height ?? 0];
-    if (!image || width === 0 || height === 0) throw new Error('it has no picture: load it again, or choose another.');
+    if (!image || width === 0 || height === 0)
+      throw new Error(t('it has no picture: load it again, or choose another.'));
     const { canvas, context } = canvasOf(width, height);
     const isSampled = 'isCompressedTexture' in texture || (image.data && !isPlainData(texture as DataTexture));
     let data: Uint8ClampedArray<ArrayBuffer> | null = null;

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Light } from '@farol/engine';
 import { DirectionalLight, type Light as ThreeLight, PointLight, SpotLight } from 'three';
 
@@ -29,11 +30,11 @@ function asBright(light: Light): number {
 export function whatIsLost(light: Light): string | null {
   const hasPlace = light.type === 'point' || light.type === 'spot';
   if (hasPlace && (light.attenuation !== 'physical' || light.decay !== 2)) {
-    return 'Lights that fade in a way of their own now fade as in nature, as bright as before half way';
+    return t('Lights that fade in a way of their own now fade as in nature, as bright as before half way');
   }
-  if (light.type === 'spot' && light.exponent > 0) return 'Spot lights with an exponent got an edge';
+  if (light.type === 'spot' && light.exponent > 0) return t('Spot lights with an exponent got an edge');
   if (light.ownSpecular || light.ambient.some((channel) => channel > 0)) {
-    return 'Second colours of lights are left out';
+    return t('Second colours of lights are left out');
   }
   return null;
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { readPixels } from '@farol/renderer/read-pixels';
 import {
   LinearSRGBColorSpace,
@@ -47,7 +48,7 @@ export async function readTexels(
     webgl.setRenderTarget(before);
     const data = new Uint8ClampedArray(width * height * 4);
     if (!(await readPixels(webgl, target, 0, 0, width, height, data))) {
-      throw new Error('the graphics device was lost: export again when the picture is back.');
+      throw new Error(t('the graphics device was lost: export again when the picture is back.'));
     }
     return data;
   } finally {

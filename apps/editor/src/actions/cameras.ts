@@ -1,0 +1,69 @@
+import { t } from '@farol/editing';
+import { Camera } from '@farol/engine';
+import type { Action } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
+import { addCameraAt, alignCamera } from '../model/cameraEdits';
+
+/** The camera that is meant: the selected one, or else the scene's active one. */
+function cameraOf({ document }: EditorApi): Camera | null {
+  const selected = document.selectedObjects.at(-1)?.getComponent(Camera) ?? null;
+  return selected ?? (document.scene.activeCamera as Camera | null);
+}
+
+const hasCamera = (editor: EditorApi): boolean => cameraOf(editor) !== null;
+
+export const alignCameraToView: Action = {
+  id: 'camera.alignToView',
+  label: 'Align camera to view',
+  keys: ['Ctrl+Shift+F'],
+  icon: 'camera',
+  menu: { menu: 'view', group: 'camera' },
+  run(editor) {
+    const camera = cameraOf(editor)!;
+    if (camera === editor.viewport.lookThrough) return;
+    editor.commands.run(alignCamera(camera, editor.viewport.viewed));
+  },
+  enabled: hasCamera,
+};
+
+export const alignViewToCamera: Action = {
+  id: 'camera.alignView',
+  label: 'Align view to camera',
+  keys: ['Ctrl+Alt+F'],
+  menu: { menu: 'view', group: 'camera' },
+  run: (editor) => editor.viewport.alignTo(cameraOf(editor)!),
+  enabled: hasCamera,
+};
+
+export const createCameraFromView: Action = {
+  id: 'camera.fromView',
+  label: 'Create camera from view',
+  icon: 'camera',
+  menu: { menu: 'view', group: 'camera' },
+  run({ commands, document, viewport }) {
+    commands.run(addCameraAt(document.scene, t('Camera'), viewport.viewed, document.selection.ids));
+  },
+};
+
+/** Looks through the camera, or no longer. */
+export const lookThroughCamera: Action = {
+  id: 'camera.lookThrough',
+  label: 'Look through the camera',
+  keys: ['Numpad0'],
+  icon: 'eye',
+  menu: { menu: 'view', group: 'camera' },
+  run(editor) {
+    const { viewport } = editor;
+    viewport.lookThrough = viewport.lookThrough === null ? cameraOf(editor) : null;
+  },
+  checked: ({ viewport }) => viewport.lookThrough !== null,
+  enabled: (editor) => editor.viewport.lookThrough !== null || hasCamera(editor),
+};
+
+/** In the order of the menu. */
+export const cameraActions: readonly Action[] = [
+  lookThroughCamera,
+  alignCameraToView,
+  alignViewToCamera,
+  createCameraFromView,
+];

@@ -1,0 +1,70 @@
+import { t } from '@farol/editing';
+import type { Action, MenuPlace } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
+import { actionEntry, type MenuEntry } from '../api/MenuEntry';
+import { allActions } from './allActions';
+
+export type MenuName = MenuPlace['menu'];
+
+/** The menus of the bar, from left to right, each with its groups from top to bottom. Other groups come after these. */
+const menus: Readonly<Record<MenuName, readonly string[]>> = {
+  file: ['new', 'open', 'save', 'share', 'recover'],
+  edit: ['history', 'clipboard', 'select', 'handles', 'play', 'plugins'],
+  object: ['name', 'state', 'tree', 'prefab'],
+  view: ['camera', 'picture', 'show', 'figures', 'panels', 'window'],
+  help: ['keys', 'learn', 'about'],
+};
+
+export const menuNames = Object.keys(menus) as readonly MenuName[];
+
+/** What a menu is called. */
+export const menuLabel = (name: MenuName): string =>
+  ({ file: t('File'), edit: t('Edit'), object: t('Object'), view: t('View'), help: t('Help') })[name];
+
+/** Actions that are in a second menu too. */
+const alsoIn: Readonly<Record<string, MenuPlace>> = { 'file.welcome': { menu: 'help', group: 'learn' } };
+
+/** Where actions of plugins are that name no place. */
+const PLUGINS: MenuPlace = { menu: 'edit', group: 'plugins', submenu: 'Plugins' };
+
+/** Puts what has the same key together, in the order of first appearance. */
+function groupsBy<T>(list: readonly T[], keyOf: (item: T) => string): Map<string, T[]> {
+  const groups = new Map<string, T[]>();
+  for (const item of list) {
+    const key = keyOf(item);
+    const group = groups.get(key);
+    if (group) group.push(item);
+    else groups.set(key, [item]);
+  }
+  return groups;
+}
+
+/** The lines of a menu of the bar: the actions whose place it is, in groups with lines between, and submenus. */
+export function menuEntries(editor: EditorApi, menu: MenuName): MenuEntry[] {
+  const placed = allActions(editor)
+    .flatMap((action) => {
+      const places = [action.menu ?? PLUGINS, alsoIn[action.id]].filter((place) => place !== undefined);
+      return places.map((place) => ({ action, place }));
+    })
+    .filter(({ place }) => place.menu === menu);
+  const groups = groupsBy(placed, ({ place }) => place.group);
+  const order = [...new Set([...menus[menu], ...groups.keys()])];
+  const entries: MenuEntry[] = [];
+  for (const name of order) {
+    const group = groups.get(name);
+    if (!group) continue;
+    if (entries.length > 0) entries.push('separator');
+    const lines = groupsBy(group, ({ action, place }) => (place.submenu ? `/${place.submenu}` : action.id));
+    for (const line of lines.values()) {
+      const [{ action, place }] = line;
+      if (place.submenu) entries.push(submenu(editor, t(place.submenu), line));
+      else entries.push(actionEntry(action, editor));
+    }
+  }
+  return entries;
+}
+
+const submenu = (editor: EditorApi, label: string, line: readonly { action: Action }[]): MenuEntry => ({
+  label,
+  entries: line.map(({ action }) => actionEntry(action, editor)),
+});

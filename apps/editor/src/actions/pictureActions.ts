@@ -1,0 +1,36 @@
+import { t } from '@farol/editing';
+import { type View, views } from '@farol/renderer';
+import type { Action } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
+
+/** What a view is called in English. */
+export const englishViewLabel = (view: View): string =>
+  view.charAt(0).toUpperCase() + view.slice(1).replaceAll('-', ' ');
+
+/** What a view is called, in the language that is shown. */
+export const viewLabel = (view: View): string => t(englishViewLabel(view));
+
+/** One action for each technique of the renderer: draws by it. */
+export const techniqueActions = ({ viewport: { farol } }: EditorApi): Action[] =>
+  Object.entries(farol.techniques).map(([name, { label }]) => ({
+    id: `technique.${name}`,
+    label,
+    icon: 'lamp',
+    menu: { menu: 'view', group: 'picture', submenu: 'Technique' },
+    run({ viewport }) {
+      viewport.technique = name as typeof viewport.technique;
+    },
+    checked: ({ viewport }) => viewport.technique === name,
+  }));
+
+/** One action for each view of the renderer: the picture, or what it is made of. */
+export const viewActions: readonly Action[] = views.map((view) => ({
+  id: `shown.${view}`,
+  label: englishViewLabel(view),
+  icon: 'eye',
+  menu: { menu: 'view', group: 'picture', submenu: 'Show' },
+  run({ viewport }) {
+    viewport.view = view;
+  },
+  checked: ({ viewport }) => viewport.view === view,
+}));

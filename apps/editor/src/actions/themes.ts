@@ -1,0 +1,17 @@
+import type { Preferences } from '../api/preferences';
+import type { Action } from '../api/Action';
+
+const labels = [
+  ['system', "The system's theme"],
+  ['dark', 'Dark theme'],
+  ['light', 'Light theme'],
+] as const satisfies readonly (readonly [Preferences['theme'], string])[];
+
+/** The colours of the editor's window. */
+export const themes: readonly Action[] = labels.map(([theme, label]) => ({
+  id: `view.theme.${theme}`,
+  label,
+  menu: { menu: 'view', group: 'window', submenu: 'Theme' },
+  run: ({ preferences }) => preferences.setState({ theme }),
+  checked: ({ preferences }) => preferences.getState().theme === theme,
+}));

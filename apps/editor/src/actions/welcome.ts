@@ -1,0 +1,19 @@
+import type { Action } from '../api/Action';
+
+/** Shows samples, recent files and the tour. */
+export const welcome: Action = {
+  id: 'file.welcome',
+  label: 'Welcome…',
+  icon: 'lamp',
+  menu: { menu: 'file', group: 'new' },
+  run: ({ dialogs }) => void dialogs.show({ kind: 'welcome', recovery: null }),
+};
+
+/** Leads round the window. */
+export const startTour: Action = {
+  id: 'help.tour',
+  label: 'Tour of the editor',
+  icon: 'eye',
+  menu: { menu: 'help', group: 'learn' },
+  run: ({ tour }) => tour.start(),
+};

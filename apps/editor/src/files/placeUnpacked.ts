@@ -1,0 +1,15 @@
+import { ModelRenderer } from '@farol/engine';
+import type { EditorApi } from '../api/EditorApi';
+import { unpackModels, whyNotUnpack } from '../model/unpackModels';
+import { placeAsset } from './placeAsset';
+
+/** Puts a model into the scene as a tree of objects, in one step. @throws Error where it stays one object */
+export async function placeUnpacked(editor: EditorApi, name: string): Promise<void> {
+  const { scene, assets } = editor.document;
+  await assets.load(name);
+  const problem = whyNotUnpack(assets, name);
+  if (problem !== null) throw new Error(problem);
+  await placeAsset(editor, { kind: 'model', name }, {}, (object) =>
+    unpackModels(scene, [object.getComponent(ModelRenderer)!]),
+  );
+}

@@ -1,0 +1,72 @@
+import { createId } from '@farol/engine/files';
+import type { EditorApi, OpenFile } from '../../api/EditorApi';
+import type { RecentFile } from '../../model/RecentFiles';
+import { deleteRecent, readRecent, writeRecent } from './recentStore';
+import { smallPicture } from './smallPicture';
+
+/** Files that are remembered. */
+const MOST = 8;
+
+/** Largest file that is kept as a copy where the browser gives no handle (bytes). */
+const LARGEST_COPY = 32e6;
+
+/** After this the textures of a scene that was opened are there, mostly (ms). */
+const SETTLED = 2000;
+
+/** Once the page has nothing else to do. */
+const idle = (): Promise<void> =>
+  new Promise((resolve) => {
+    if ('requestIdleCallback' in window) requestIdleCallback(() => resolve(), { timeout: SETTLED });
+    else setTimeout(resolve, 300);
+  });
+
+async function isSame(known: RecentFile, { name, handle }: OpenFile): Promise<boolean> {
+  if (known.handle && handle) return known.handle.isSameEntry(handle);
+  return known.name === name && !known.handle && !handle;
+}
+
+/** Reads what is remembered into `editor.recentFiles`. A browser that stores nothing remembers nothing. */
+export async function loadRecent({ recentFiles }: EditorApi): Promise<void> {
+  recentFiles.list = await readRecent().catch(() => []);
+}
+
+async function write(editor: EditorApi, file: RecentFile): Promise<void> {
+  await writeRecent(file);
+  const others = (await readRecent()).filter(({ id }) => id !== file.id);
+  for (const old of others.splice(MOST - 1)) await deleteRecent(old.id);
+  editor.recentFiles.list = [file, ...others];
+}
+
+/**
+ * Remembers the file that is open, with a picture of its scene. What the browser refuses to store is not remembered.
+ * @param content - the file's bytes
+ * @param isDrawn - whether the picture has all that belongs to it; else it is taken a little later
+ */
+export async function noteRecent(editor: EditorApi, content: Blob, isDrawn: boolean): Promise<void> {
+  const { file, document } = editor;
+  const { scene } = document;
+  if (file.name === null) return;
+  try {
+    const isHandle = 'FileSystemFileHandle' in window && file.handle instanceof FileSystemFileHandle;
+    const handle = isHandle ? file.handle : null;
+    const known = editor.recentFiles.list;
+    const same = await Promise.all(known.map((each) => isSame(each, { name: file.name, handle })));
+    const old = known.find((_, i) => same[i]);
+    if (isDrawn) await idle();
+    const noted: RecentFile = {
+      id: old?.id ?? createId(),
+      name: file.name,
+      scene: scene.name,
+      time: Date.now(),
+      handle,
+      copy: handle || content.size > LARGEST_COPY ? null : content,
+      picture: (isDrawn ? await smallPicture(editor.viewport) : old?.picture) ?? null,
+    };
+    await write(editor, noted);
+    if (isDrawn) return;
+    await new Promise((resolve) => setTimeout(resolve, SETTLED));
+    if (document.scene === scene) await write(editor, { ...noted, picture: await smallPicture(editor.viewport) });
+  } catch (error) {
+    editor.log.add('warning', 'file', `${file.name} is not among the recent files: ${String(error)}`);
+  }
+}

@@ -1,0 +1,40 @@
+import { t } from '@farol/editing';
+import type { EditorApi } from '../../api/EditorApi';
+import type { RecentFile } from '../../model/RecentFiles';
+import { deleteRecent } from './recentStore';
+
+/** What Chromium has beside the standard. */
+interface Permitted {
+  requestPermission?(options: { mode: 'read' }): Promise<PermissionState>;
+}
+
+/** The file's bytes. @throws Error that says why there are none, and what to do */
+async function bytesOf({ name, handle, copy }: RecentFile): Promise<Blob> {
+  if (!handle && copy) return copy;
+  const mend = t('choose it by Open… in the menu File.');
+  if (!handle) throw new Error(t('{name} was too large for a copy: {mend}', { name, mend }));
+  const answer = (await (handle as Permitted).requestPermission?.({ mode: 'read' })) ?? 'granted';
+  if (answer !== 'granted') throw new Error(t('The browser may not read {name}: {mend}', { name, mend }));
+  return handle.getFile().catch(() => {
+    throw new Error(t('{name} is no longer where it was: {mend}', { name, mend }));
+  });
+}
+
+/** Opens a file again. What cannot be read is forgotten. @returns whether it was opened */
+export async function openRecent(editor: EditorApi, file: RecentFile): Promise<boolean> {
+  if (!(await editor.mayLoseChanges())) return false;
+  let bytes: Blob;
+  try {
+    bytes = await bytesOf(file);
+  } catch (error) {
+    if (!file.handle) await forgetRecent(editor, file);
+    throw error;
+  }
+  return editor.openFileBytes(new Uint8Array(await bytes.arrayBuffer()), { name: file.name, handle: file.handle });
+}
+
+/** Takes a file out of the list. */
+export async function forgetRecent({ recentFiles }: EditorApi, { id }: RecentFile): Promise<void> {
+  await deleteRecent(id);
+  recentFiles.list = recentFiles.list.filter((each) => each.id !== id);
+}

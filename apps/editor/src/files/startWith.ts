@@ -1,0 +1,15 @@
+import type { FileMap } from '@farol/engine/files';
+import type { EditorApi } from '../api/EditorApi';
+import { makeEmptyScene } from '../model/makeEmptyScene';
+import { dropOn } from './dropOn';
+
+/** Opens a scene among files; else begins an empty scene with what the files hold, in the middle of the picture. */
+export async function startWith(editor: EditorApi, files: FileMap): Promise<void> {
+  const hasScene = [...files.keys()].some((path) => /\.(farol|json)$/i.test(path));
+  if (!hasScene) {
+    if (!(await editor.mayLoseChanges())) return;
+    editor.show(makeEmptyScene(editor.libraryForNext()), { name: null, handle: null });
+  }
+  await dropOn(editor, { asset: null, files }, { kind: 'tree', id: null });
+  if (!hasScene && editor.document.selectedObjects.length > 0) editor.viewport.focus();
+}

@@ -1,0 +1,23 @@
+import type { Texts } from '@farol/editing';
+import { actions } from './es/actions';
+import { components } from './es/components';
+import { edits } from './es/edits';
+import { materials } from './es/materials';
+import { messages } from './es/messages';
+import { numbers } from './es/numbers';
+import { panels } from './es/panels';
+import { picture } from './es/picture';
+import { rendering } from './es/rendering';
+
+/** All texts of the editor in Spanish, by their English ones. */
+export const es: Texts = {
+  ...actions,
+  ...components,
+  ...edits,
+  ...materials,
+  ...messages,
+  ...numbers,
+  ...panels,
+  ...picture,
+  ...rendering,
+};

@@ -1,0 +1,182 @@
+import type { Texts } from '@farol/editing';
+
+/** Notices, dialogs and errors, in Spanish. */
+export const messages: Texts = {
+  'There is no scene “{text}”: known are empty, {names}.': 'No hay ninguna escena «{text}»: existen empty, {names}.',
+  'The scene': 'La escena',
+  'Opening {file}': 'Abriendo {file}',
+  'the scene': 'la escena',
+  '{file} cannot be opened': 'No se puede abrir {file}',
+  'The file': 'El archivo',
+  'Nothing has changed. What is wrong with it:': 'No ha cambiado nada. Lo que falla:',
+  'A large scene': 'Una escena grande',
+  'The scene grows {sizes} when it is unpacked, which may take long or end this tab. Open it only if you know where it comes from.':
+    'La escena crece {sizes} al desempaquetarla, lo que puede tardar mucho o cerrar esta pestaña. Conviene abrirla solo si se conoce su procedencia.',
+  'Open it': 'Abrirla',
+  'Unsaved changes': 'Cambios sin guardar',
+  '“{name}” has changes that are not saved. They will be lost.': '«{name}» tiene cambios sin guardar. Se perderán.',
+  'Discard changes': 'Descartar los cambios',
+  'This cannot be read': 'Esto no se puede leer',
+  'What brings these components is not here, so they are kept as data: {names}. Add the plugin that they belong to.':
+    'Falta lo que aporta estos componentes y se conservan como datos: {names}. Hay que añadir el complemento al que pertenecen.',
+  'The picture cannot be drawn: {reason}': 'No se puede dibujar la imagen: {reason}',
+  'The graphics device was lost. The picture comes back by itself; if not, save and reload.':
+    'Se ha perdido el dispositivo gráfico. La imagen vuelve por sí sola; si no, hay que guardar y recargar.',
+  'Farol cannot start': 'Farol no puede arrancar',
+  'no object': 'ningún objeto',
+  '{component} of {owner}: {reason}': '{component} de {owner}: {reason}',
+  '{chunk}, line {line}: {message}': '{chunk}, línea {line}: {message}',
+  shader: 'shader',
+  'A shader does not compile: see the console.': 'Un shader no compila: véase la consola.',
+  '{name} is a prefab: place it from Assets': '{name} es un prefab: se coloca desde Recursos',
+  'There is nothing to recover: no tab was closed with unsaved work':
+    'No hay nada que recuperar: ninguna pestaña se cerró con trabajo sin guardar',
+  'Saved {name}': 'Guardado {name}',
+  ' and {count} more': ' y {count} más',
+  '{name} asks for files of other hosts': '{name} pide archivos de otros servidores',
+  'They would learn that you open it, and when. Without them the rest of the scene opens. It asks for:':
+    'Sabrían que se abre, y cuándo. Sin ellos se abre el resto de la escena. Pide:',
+  'Load from these hosts': 'Cargar de estos servidores',
+  'Open without them': 'Abrir sin ellos',
+  Hosts: 'Servidores',
+  'there is no room left': 'no queda espacio',
+  'Free space on the disk, or choose another place.': 'Hay que liberar espacio en el disco o elegir otro lugar.',
+  'the browser may not write there any more': 'el navegador ya no puede escribir ahí',
+  'Allow it when the browser asks, or choose another place.':
+    'Hay que permitirlo cuando el navegador pregunte, o elegir otro lugar.',
+  'the file or its folder is no longer there': 'el archivo o su carpeta ya no está',
+  'Choose another place.': 'Hay que elegir otro lugar.',
+  'another tab or program holds the file': 'otra pestaña o programa tiene abierto el archivo',
+  'Close it there and save again, or choose another place.':
+    'Hay que cerrarlo ahí y guardar de nuevo, o elegir otro lugar.',
+  'the file has changed meanwhile': 'el archivo ha cambiado entretanto',
+  'Save again, or choose another place.': 'Hay que guardar de nuevo o elegir otro lugar.',
+  'the disk cannot be read': 'no se puede leer el disco',
+  'the browser refused the file': 'el navegador rechazó el archivo',
+  'Save again under another name.': 'Hay que guardar con otro nombre.',
+  'the browser did not allow it': 'el navegador no lo permitió',
+  'Save once more.': 'Hay que guardar otra vez.',
+  'the browser gives no reason but {name}': 'el navegador no da más motivo que {name}',
+  'Reading {name}': 'Leyendo {name}',
+  'Reading {count} files': 'Leyendo {count} archivos',
+  '{path} cannot be imported: {reason}': 'No se puede importar {path}: {reason}',
+  '{names} cannot be imported: only {importable} can.': 'No se puede importar {names}: solo {importable}.',
+  'a chunk': 'un fragmento',
+  '{file} is not imported, and nothing has changed: {reason}':
+    '{file} no se ha importado y no ha cambiado nada: {reason}',
+  '{file} replaces microshaders that are there': '{file} reemplaza microshaders que ya existen',
+  'What is drawn with them changes. History takes the import back in one step. It replaces:':
+    'Cambia lo que se dibuja con ellos. El historial deshace la importación en un paso. Reemplaza:',
+  'of this scene': 'de esta escena',
+  'built in, edited': 'incorporado, editado',
+  'built in': 'incorporado',
+  'Replace them': 'Reemplazarlos',
+  '{file} is not imported: another scene was opened meanwhile.':
+    '{file} no se ha importado: entretanto se abrió otra escena.',
+  'This prefab is not in the scene any more.': 'Este prefab ya no está en la escena.',
+  "{name} cannot be placed within itself: '{outer}' is, or holds, an instance of it.":
+    '{name} no se puede colocar dentro de sí mismo: «{outer}» es, o contiene, una instancia suya.',
+  '“{fileName}” was not saved: {why}. {mend}': '«{fileName}» no se ha guardado: {why}. {mend}',
+  '“{name}” is needed by {users}: change those first.': '«{name}» lo necesitan {users}: hay que cambiar antes esos.',
+  'There is a microshader “{name}” already: choose another name.':
+    'Ya hay un microshader «{name}»: hay que elegir otro nombre.',
+  'This browser keeps no drafts here: {reason} Save to a file by Ctrl+S.':
+    'Este navegador no guarda borradores aquí: {reason} Se puede guardar en un archivo con Ctrl+S.',
+  'This browser keeps no drafts here since {time}: {reason} Save to a file by Ctrl+S.':
+    'Este navegador no guarda borradores aquí desde las {time}: {reason} Se puede guardar en un archivo con Ctrl+S.',
+  '{name} cannot be kept: its object was added while playing. Keep all edits instead.':
+    '{name} no se puede conservar: su objeto se añadió durante la reproducción. Se pueden conservar todas las ediciones.',
+  'The clipboard holds no objects: copy some first.':
+    'El portapapeles no contiene objetos: hay que copiar alguno antes.',
+  "The plugin '{name}' cannot be added: there is {names} already. Choose other names.":
+    'No se puede añadir el complemento «{name}»: ya existe {names}. Hay que elegir otros nombres.',
+  'Added the plugin {name}': 'Complemento {name} añadido',
+  "There is no plugin '{name}' to remove.": 'No hay ningún complemento «{name}» que quitar.',
+  'The plugin {name} is removed': 'Complemento {name} quitado',
+  'The plugin {name} is removed: {components} kept as data until the plugin is there again':
+    'Complemento {name} quitado: {components} se conservan como datos hasta que vuelva',
+  'The {type} of {name} stays as data: {message}': '{type} de {name} queda como datos: {message}',
+  'Microshaders of {name} stay, since others need them: {names}':
+    'Los microshaders de {name} se quedan, porque otros los necesitan: {names}',
+  'the plugin': 'el complemento',
+  'the panel': 'el panel',
+  'the action': 'la acción',
+  'the component': 'el componente',
+  'the type of fields': 'el tipo de campos',
+  'the technique': 'la técnica',
+  'the effect': 'el efecto',
+  'the microshader': 'el microshader',
+  '{name} is as it was. Save it to keep it.': '{name} está como estaba. Hay que guardarla para conservarla.',
+  'Drafts are kept again.': 'Se vuelven a guardar borradores.',
+  'The autosave could not be loaded: is the server there?':
+    'No se pudo cargar el guardado automático: ¿está el servidor?',
+  'The texts of this language could not be loaded: is the server there?':
+    'No se pudieron cargar los textos de este idioma: ¿está el servidor?',
+  '{objects} object': '{objects} objeto',
+  '{objects} objects': '{objects} objetos',
+  'last edit: {edit}': 'última edición: {edit}',
+  'it has no room left for this page; free space on the disk.':
+    'no le queda espacio para esta página; hay que liberar espacio en el disco.',
+  'it lets this page store nothing, as in some private windows.':
+    'no deja que esta página guarde nada, como en algunas ventanas privadas.',
+  'its store is shut, as in some private windows.': 'su almacén está cerrado, como en algunas ventanas privadas.',
+  'its store is that of a newer version of Farol; reload the page.':
+    'su almacén es de una versión más nueva de Farol; hay que recargar la página.',
+  'its store is damaged, or the disk is full.': 'su almacén está dañado o el disco está lleno.',
+  'it has no IndexedDB, as in some private windows.': 'no tiene IndexedDB, como en algunas ventanas privadas.',
+  'it has no Web Locks, which pages have only over https.':
+    'no tiene Web Locks, que las páginas solo tienen por https.',
+  'The link is damaged or cut short: copy all of it, to its last letter.':
+    'El enlace está dañado o cortado: hay que copiarlo entero, hasta la última letra.',
+  ' The largest assets are {names}.': ' Los recursos más grandes son {names}.',
+  'The link would have {size}, and may have {limit}.{why} Export a web page instead.':
+    'El enlace ocuparía {size} y el máximo es {limit}.{why} Se puede exportar una página web.',
+  '{label} came with Farol, and cannot be deleted.': '{label} viene con Farol y no se puede eliminar.',
+  '{label} is a part of {model}: delete that.': '{label} es parte de {model}: se elimina con él.',
+  'becomes an object of its own.': 'pasa a ser un objeto propio.',
+  '{field} becomes empty.': '{field} queda vacío.',
+  'Delete {label}?': '¿Eliminar {label}?',
+  'It is used in {count} place. The step can be undone.': 'Se usa en {count} lugar. El paso se puede deshacer.',
+  'It is used in {count} places. The step can be undone.': 'Se usa en {count} lugares. El paso se puede deshacer.',
+  '{label} cannot be renamed: only prefabs can.': '{label} no se puede renombrar: solo los prefabs.',
+  'Exported {fileName}': 'Exportado {fileName}',
+  '{label} copied': '{label}: copiado',
+  'Imported {count} microshader of {name}': 'Importado {count} microshader de {name}',
+  'Imported {count} microshaders of {name}': 'Importados {count} microshaders de {name}',
+  '{file}: the server answers {status}; serve the folder public/ too.':
+    '{file}: el servidor responde {status}; hay que servir también la carpeta public/.',
+  'Exported {count} microshader': 'Exportado {count} microshader',
+  'Exported {count} microshaders': 'Exportados {count} microshaders',
+  'Materials brighter than white became white': 'Los materiales más brillantes que el blanco pasaron a blanco',
+  'Maps that glTF does not have are left out': 'Se omiten los mapas que glTF no tiene',
+  'Textures on meshes without texture coordinates are left out':
+    'Se omiten las texturas de mallas sin coordenadas de textura',
+  'Shaders became plain grey': 'Los shaders pasaron a gris liso',
+  'Phong and Lambert materials became rough ones': 'Los materiales Phong y Lambert pasaron a rugosos',
+  'Hidden objects are left out': 'Se omiten los objetos ocultos',
+  'Components that glTF does not know are left out: {typeName}':
+    'Se omiten los componentes que glTF no conoce: {typeName}',
+  'Meshes that are not loaded are left out': 'Se omiten las mallas sin cargar',
+  'Models that are not loaded are left out': 'Se omiten los modelos sin cargar',
+  'Animations are left out': 'Se omiten las animaciones',
+  'Lights from all sides are left out': 'Se omiten las luces de todas direcciones',
+  'The environment is left out': 'Se omite el entorno',
+  'The background is left out': 'Se omite el fondo',
+  'Fog is left out': 'Se omite la niebla',
+  'the browser gives no canvas to draw it to: close other pages and try again.':
+    'el navegador no da ningún lienzo donde dibujarla: hay que cerrar otras páginas y probar de nuevo.',
+  'A texture': 'Una textura',
+  '{name} of {user} cannot be exported: {reason}': 'No se puede exportar {name} de {user}: {reason}',
+  'it has no picture: load it again, or choose another.': 'no tiene imagen: hay que cargarla de nuevo o elegir otra.',
+  'Lights that fade in a way of their own now fade as in nature, as bright as before half way':
+    'Las luces con atenuación propia ahora se atenúan como en la naturaleza, con el mismo brillo a medio camino',
+  'Spot lights with an exponent got an edge': 'Las luces focales con exponente recibieron un borde',
+  'Second colours of lights are left out': 'Se omiten los segundos colores de las luces',
+  'the graphics device was lost: export again when the picture is back.':
+    'se perdió el dispositivo gráfico: hay que exportar de nuevo cuando vuelva la imagen.',
+  '{name} is locked: unlock it to move it.': '{name} está bloqueado: hay que desbloquearlo para moverlo.',
+  '{name} is below {parent}, which is scaled unevenly: scale it evenly to move the camera.':
+    '{name} está dentro de {parent}, que tiene una escala desigual: hay que igualarla para mover la cámara.',
+  'The scene plays: stop it to move this camera.':
+    'La escena se está reproduciendo: hay que detenerla para mover esta cámara.',
+};

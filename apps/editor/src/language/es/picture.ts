@@ -1,0 +1,106 @@
+import type { Texts } from '@farol/editing';
+
+/** The picture: sky, tone mapping and effects, in Spanish. */
+export const picture: Texts = {
+  'Tone mapping': 'Mapeo de tonos',
+  'Tone mapping of what this camera sees; "scene" is what the scene has.':
+    'Mapeo de tonos de lo que ve esta cámara; «escena» es el de la escena.',
+  reinhard: 'reinhard',
+  cineon: 'cineon',
+  'aces-filmic': 'aces-filmic',
+  agx: 'agx',
+  neutral: 'neutro',
+  'Exposure compensation': 'Compensación de exposición',
+  'Steps of exposure beside the scene’s: 1 is twice the light, -1 half of it. Needs a tone mapping.':
+    'Pasos de exposición sobre la de la escena: 1 es el doble de luz, -1 la mitad. Necesita un mapeo de tonos.',
+  'Depth of field': 'Profundidad de campo',
+  'Depth of field: the scene’s, none, or one of this camera.':
+    'Profundidad de campo: la de la escena, ninguna o una propia de esta cámara.',
+  own: 'propia',
+  'Focus distance': 'Distancia de enfoque',
+  'Distance of what is sharp.': 'Distancia de lo que se ve nítido.',
+  'Focus range': 'Intervalo de enfoque',
+  'How far from the focus things are as blurred as they become.':
+    'A qué distancia del enfoque el desenfoque es máximo.',
+  'Blur strength': 'Fuerza del desenfoque',
+  'How blurred things far from the focus are.': 'Cuánto se desenfoca lo que está lejos del enfoque.',
+  gradient: 'degradado',
+  sky: 'cielo',
+  Preset: 'Preajuste',
+  'A sky that is made in code.': 'Un cielo generado por código.',
+  'clear-day': 'día despejado',
+  overcast: 'nublado',
+  sunset: 'atardecer',
+  night: 'noche',
+  studio: 'estudio',
+  'Colour straight above.': 'Color justo encima.',
+  Horizon: 'Horizonte',
+  'Colour at the horizon.': 'Color en el horizonte.',
+  Ground: 'Suelo',
+  'Colour straight below.': 'Color justo debajo.',
+  'Light from the sky': 'Luz del cielo',
+  'The sky lights every standard and physical material from all sides.':
+    'El cielo ilumina por todos lados los materiales estándar y físicos.',
+  'Factor of the light that comes from the environment or the sky, and of how bright it is seen.':
+    'Factor de la luz que viene del entorno o del cielo, y de lo brillante que se ve.',
+  'Background intensity': 'Intensidad del fondo',
+  'Factor of how bright the sky is seen; it lights the scene the same.':
+    'Factor de lo brillante que se ve el cielo; la escena se ilumina igual.',
+  'Turns environment and sky about the vertical.': 'Gira entorno y cielo en torno a la vertical.',
+  Blur: 'Desenfoque',
+  'How blurred the sky is seen; 0 is sharp.': 'Cuánto se desenfoca el cielo; 0 es nítido.',
+  'Colour from the sky': 'Color del cielo',
+  'The fog has the colour of the sky at the horizon, or of the background.':
+    'La niebla toma el color del cielo en el horizonte, o el del fondo.',
+  'How light of any brightness becomes colours of a screen; three’s tone mappings.':
+    'Cómo la luz de cualquier intensidad pasa a colores de pantalla; los mapeos de tonos de three.',
+  Exposure: 'Exposición',
+  'Factor of all light before it is tone mapped.': 'Factor de toda la luz antes del mapeo de tonos.',
+  Bloom: 'Resplandor',
+  'What is bright shines over what is beside it.': 'Lo brillante resplandece sobre lo que tiene al lado.',
+  Strength: 'Fuerza',
+  'How much it shines.': 'Cuánto resplandece.',
+  Threshold: 'Umbral',
+  'Luminance from which on things shine; 1 is a white surface in full light.':
+    'Luminancia desde la que hay resplandor; 1 es una superficie blanca a plena luz.',
+  Radius: 'Radio',
+  'How far it reaches.': 'Hasta dónde llega.',
+  'What is nearer or farther than the focus is blurred. A camera can have its own.':
+    'Lo que está más cerca o más lejos del enfoque se ve borroso. Cada cámara puede tener la suya.',
+  'Distance from the camera of what is sharp.': 'Distancia a la cámara de lo que se ve nítido.',
+  'Colour grading': 'Gradación de color',
+  'Changes the colours of the finished picture.': 'Cambia los colores de la imagen terminada.',
+  Temperature: 'Temperatura',
+  'Below 0 cooler, above 0 warmer.': 'Por debajo de 0 más fría, por encima más cálida.',
+  Tint: 'Tinte',
+  'Below 0 greener, above 0 more magenta.': 'Por debajo de 0 más verde, por encima más magenta.',
+  Contrast: 'Contraste',
+  'Below 0 flatter, above 0 stronger.': 'Por debajo de 0 más suave, por encima más fuerte.',
+  Saturation: 'Saturación',
+  '-1 is grey, above 0 more colourful.': '-1 es gris, por encima de 0 más color.',
+  'Look-up table': 'Tabla de colores',
+  'Table of colours (LUT): a .cube file, or an image of its slices in a row.':
+    'Tabla de colores (LUT): un archivo .cube, o una imagen con sus cortes en fila.',
+  'Table strength': 'Fuerza de la tabla',
+  'How much of the look-up table is seen.': 'Cuánto se ve de la tabla de colores.',
+  'The picture darkens towards its corners.': 'La imagen se oscurece hacia las esquinas.',
+  Darkness: 'Oscuridad',
+  'How dark the corners are.': 'Lo oscuras que son las esquinas.',
+  Reach: 'Extensión',
+  'How far it reaches into the picture.': 'Hasta dónde entra en la imagen.',
+  'By what the scene is drawn; "Automatic" picks what is fastest.':
+    'Con qué se dibuja la escena; «Automático» elige lo más rápido.',
+  'How edges are smoothed; "auto" is multisampled where the technique can be, else SMAA.':
+    'Cómo se suavizan los bordes; «automático» usa multimuestreo donde la técnica lo permite y, si no, SMAA.',
+  auto: 'automático',
+  smaa: 'smaa',
+  edges: 'bordes',
+  taa: 'taa',
+  'Occlusion radius': 'Radio de la oclusión',
+  'How far off things close a corner.': 'A qué distancia las cosas cierran un rincón.',
+  'Occlusion strength': 'Fuerza de la oclusión',
+  'How dark corners become; 1 is as computed.': 'Cuánto se oscurecen los rincones; 1 es lo calculado.',
+  'Effects of plugins': 'Efectos de complementos',
+  'Names of effects of plugins that are on, with commas between them.':
+    'Nombres de los efectos de complementos activados, separados por comas.',
+};

@@ -1,0 +1,207 @@
+import { type Command, type FieldEdit, SetFields, t, tCount } from '@farol/editing';
+import { type AssetLibrary, AssetError, type ObjectRenderer, type Scene, type TakenAsset } from '@farol/engine';
+import { type FieldValue, materialAssetFields, sameValue } from '@farol/engine/fields';
+import { AddAssets } from './commands/AddAssets';
+import { RenameAsset } from './commands/RenameAsset';
+import { Sequence } from './commands/Sequence';
+import { SetFolder } from './commands/SetFolder';
+
+/** Commands for what a user does with assets. Each captures what the scene is like when it is made. */
+
+type Values = Readonly<Record<string, FieldValue>>;
+
+/** The folder of an asset, '' for none, and its name without it. */
+export function splitName(name: string): { folder: string; leaf: string } {
+  const at = name.lastIndexOf('/');
+  return { folder: name.slice(0, Math.max(at, 0)), leaf: name.slice(at + 1) };
+}
+
+export const joinName = (folder: string, leaf: string): string => (folder === '' ? leaf : `${folder}/${leaf}`);
+
+/** Ending of a name that tells the format of its file, '.glb', '.ply.gz'; '' for what has none. */
+export const endingOf = (name: string): string => /\.(?:ply\.gz|[a-z0-9]{2,5})$/i.exec(name)?.[0] ?? '';
+
+/** A name that is free: 'Brick 2' when there is a 'Brick', 'robot 2.glb' when there is a 'robot.glb'. */
+export function freeAssetName(assets: AssetLibrary, name: string): string {
+  const { folder, leaf } = splitName(name);
+  const ending = endingOf(leaf);
+  const stem = leaf.slice(0, leaf.length - ending.length);
+  const [, root, number] = /^(.*?)(?: (\d+))?$/.exec(stem)!;
+  let free = name;
+  for (let n = Number(number ?? 1) + 1; assets.has(free); n++) free = joinName(folder, `${root} ${n}${ending}`);
+  return free;
+}
+
+/** A new material that is not in the library yet. */
+function newMaterial(assets: AssetLibrary, name: string, values: Values): TakenAsset {
+  const free = freeAssetName(assets, name);
+  assets.addMaterial(free, values);
+  return assets.take(free);
+}
+
+/** Adds a material, and gives it to objects. @returns the command, and the material's name */
+export function addMaterial(
+  scene: Scene,
+  name: string,
+  values: Values = {},
+  users: readonly ObjectRenderer[] = [],
+): { command: Command; name: string } {
+  const { assets } = scene;
+  const made = newMaterial(assets, name, values);
+  const label = t('New material {name}', { name: made.name });
+  const edits = users.flatMap((owner): FieldEdit[] => [
+    { owner, name: 'shader', value: null },
+    { owner, name: 'material', value: made.name },
+  ]);
+  const command = new Sequence(label, [
+    () => new AddAssets(assets, [made]),
+    ...(edits.length > 0 ? [() => new SetFields(label, edits)] : []),
+  ]);
+  return { command, name: made.name };
+}
+
+/** The values of a material of the library that looks as that of an object, which is made of the object's own fields. */
+export function valuesOfOwnMaterial(renderer: ObjectRenderer): Record<string, FieldValue> {
+  const values: Record<string, FieldValue> = {};
+  for (const [name, field] of Object.entries(materialAssetFields)) {
+    if (!(name in renderer.fields) || name === 'material' || name === 'side') continue;
+    const value = renderer.getAuthored(name);
+    if (!sameValue(value, field.default)) values[name] = value;
+  }
+  for (const map of ['map', 'normalMap'] as const) {
+    if (renderer[map] !== null && renderer.repeat !== 1) {
+      values[`${map}RepeatX`] = renderer.repeat;
+      values[`${map}RepeatY`] = renderer.repeat;
+    }
+  }
+  return values;
+}
+
+/** A copy of a material, in the same folder. @throws AssetError when its fields cannot be read */
+export function duplicateMaterial(scene: Scene, name: string): { command: Command; name: string } {
+  const material = scene.assets.materialAsset(name);
+  if (!material) throw new AssetError(name, 'is not made of fields: make a new material.');
+  const made = addMaterial(scene, name, material.changedValues());
+  return { ...made, command: withLabel(t('Duplicate {name}', { name }), made.command) };
+}
+
+const withLabel = (label: string, command: Command): Command => new Sequence(label, [() => command]);
+
+/** A name without blanks at its ends. @throws AssetError for one that is no name */
+function checkedName(assets: AssetLibrary, from: string, to: string): string {
+  const name = to
+    .split('/')
+    .map((part) => part.trim())
+    .join('/');
+  if (name.split('/').includes('')) throw new AssetError(to, 'needs a name.');
+  const ending = endingOf(from);
+  const isFile = assets.fileOf(from) !== null;
+  return isFile && ending !== '' && !name.toLowerCase().endsWith(ending.toLowerCase()) ? name + ending : name;
+}
+
+/** Gives an asset another name, its folder in it; a file keeps its ending. @throws AssetError when the name is taken */
+export function renameAsset(scene: Scene, from: string, to: string): Command {
+  const { assets } = scene;
+  const name = checkedName(assets, from, to);
+  if (name !== from && assets.has(name)) throw new AssetError(name, 'is there already: choose another name.');
+  const isMove = splitName(name).leaf === splitName(from).leaf;
+  const folder = splitName(name).folder || t('the top');
+  const label = isMove
+    ? t('Move {name} to {folder}', { name: splitName(from).leaf, folder })
+    : t('Rename {name} to {next}', { name: from, next: name });
+  return new RenameAsset(label, scene, from, name);
+}
+
+/** Whether an asset can get another name or folder. */
+export const canRename = (assets: AssetLibrary, name: string): boolean =>
+  assets.has(name) &&
+  !assets.isBuiltin(name) &&
+  assets.modelOf(name) === null &&
+  (assets.fileOf(name) !== null || assets.materialAsset(name) !== null);
+
+/** Puts assets into a folder, '' for none. A name that is taken there gets a number. */
+export function moveAssets(scene: Scene, names: readonly string[], folder: string): Command {
+  const moved = names.filter((name) => splitName(name).folder !== folder);
+  const label = tCount(moved.length, 'Move {count} asset to {folder}', 'Move {count} assets to {folder}', {
+    folder: folder || t('the top'),
+  });
+  return new Sequence(
+    label,
+    moved.map((name) => () => {
+      const to = freeAssetName(scene.assets, joinName(folder, splitName(name).leaf));
+      return new RenameAsset(label, scene, name, to);
+    }),
+  );
+}
+
+/** Every folder: those of assets, those that were made, and those above them. */
+export function foldersOf(assets: AssetLibrary): string[] {
+  const folders = new Set<string>();
+  const add = (path: string): void => {
+    for (let folder = path; folder !== ''; folder = splitName(folder).folder) folders.add(folder);
+  };
+  for (const path of assets.folders) add(path);
+  for (const name of assets.list()) if (canRename(assets, name)) add(splitName(name).folder);
+  return [...folders].toSorted();
+}
+
+/** The assets in a folder, and in those below it. */
+export const assetsBelow = (assets: AssetLibrary, folder: string): string[] =>
+  assets.list().filter((name) => name.startsWith(`${folder}/`) && canRename(assets, name));
+
+/** @throws AssetError for a path that is none, or that is there */
+export function addFolder(scene: Scene, path: string): Command {
+  const { assets } = scene;
+  const name = checkedName(assets, path, path);
+  if (foldersOf(assets).includes(name) || assets.has(name))
+    throw new AssetError(name, 'is there already: choose another name.');
+  return new SetFolder(t('New folder {name}', { name }), assets, name, true);
+}
+
+/** Gives a folder another path, with all in it. @throws AssetError when there is one of that path */
+export function renameFolder(scene: Scene, from: string, to: string): Command {
+  const { assets } = scene;
+  const path = checkedName(assets, from, to);
+  if (foldersOf(assets).includes(path) || assets.has(path))
+    throw new AssetError(path, 'is there already: choose another name.');
+  if (path.startsWith(`${from}/`)) throw new AssetError(from, 'cannot be put into itself: choose another folder.');
+  const next = (name: string): string => path + name.slice(from.length);
+  const label = t('Rename {name} to {next}', { name: from, next: path });
+  const made = assets.folders.filter((folder) => folder === from || folder.startsWith(`${from}/`));
+  return new Sequence(label, [
+    ...assetsBelow(assets, from).map((name) => () => new RenameAsset(label, scene, name, next(name))),
+    ...made.flatMap((folder) => [
+      () => new SetFolder(label, assets, next(folder), true),
+      () => new SetFolder(label, assets, folder, false),
+    ]),
+  ]);
+}
+
+/** Takes an empty folder out, with those below it. @throws AssetError when something is in it */
+export function removeFolder(scene: Scene, path: string): Command {
+  const { assets } = scene;
+  const count = assetsBelow(assets, path).length;
+  if (count > 0) {
+    throw new AssetError(
+      path,
+      `holds ${count === 1 ? 'an asset' : `${count} assets`}: move or delete ${count === 1 ? 'it' : 'them'} first.`,
+    );
+  }
+  const label = t('Delete folder {name}', { name: path });
+  const made = assets.folders.filter((folder) => folder === path || folder.startsWith(`${path}/`));
+  return new Sequence(
+    label,
+    made.map((folder) => () => new SetFolder(label, assets, folder, false)),
+  );
+}
+
+/** Gives objects a material of the library. */
+export function giveMaterial(renderers: readonly ObjectRenderer[], name: string, label: string): Command {
+  return new SetFields(
+    label,
+    renderers.flatMap((owner): FieldEdit[] => [
+      { owner, name: 'shader', value: null },
+      { owner, name: 'material', value: name },
+    ]),
+  );
+}

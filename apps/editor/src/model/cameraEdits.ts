@@ -1,0 +1,99 @@
+import { type Command, type FieldEdit, SetFields, t } from '@farol/editing';
+import { Camera, GameObject, type Scene } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
+import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
+import { addObject } from './edits';
+
+/** How far the lengths of a parent's axes, and the cosines between them, may differ: rounding. */
+const EVEN = 1e-4;
+
+/** Place and rotation in the world. */
+export interface WorldPose {
+  readonly position: Vector3;
+  readonly quaternion: Quaternion;
+}
+
+/** What is seen from a place, as a camera of the scene would see it. */
+export interface CameraView extends WorldPose {
+  /** Vertical field of view (rad). */
+  readonly fov: number;
+  /** Height of what is seen without perspective (m); null in perspective. */
+  readonly size: number | null;
+  /** How far must be seen (m). */
+  readonly far: number;
+}
+
+const matrix = new Matrix4();
+const inverse = new Matrix4();
+const euler = new Euler();
+const turn = new Quaternion();
+const place = new Vector3();
+const axes = [new Vector3(), new Vector3(), new Vector3()] as const;
+
+/** Whether what is below an object keeps its angles: the object, with all above it, is scaled evenly and not mirrored. */
+export function isEvenlyScaled(object: GameObject): boolean {
+  object.object3D.updateWorldMatrix(true, false);
+  const { matrixWorld } = object.object3D;
+  matrixWorld.extractBasis(...axes);
+  const lengths = axes.map((axis) => axis.length());
+  for (const axis of axes) axis.normalize();
+  const [x, y, z] = axes;
+  const skew = Math.max(Math.abs(x.dot(y)), Math.abs(y.dot(z)), Math.abs(z.dot(x)));
+  const isEven = Math.max(...lengths) - Math.min(...lengths) <= EVEN * Math.max(...lengths);
+  return isEven && skew <= EVEN && matrixWorld.determinant() > 0;
+}
+
+/** Why the pose of a camera cannot be changed, in a sentence with the mend; null where it can. */
+export function poseProblem({ gameObject }: Camera): string | null {
+  const { name, parent } = gameObject;
+  if (gameObject.lockedInHierarchy) return t('{name} is locked: unlock it to move it.', { name });
+  if (parent && !isEvenlyScaled(parent))
+    return t('{name} is below {parent}, which is scaled unevenly: scale it evenly to move the camera.', {
+      name,
+      parent: parent.name,
+    });
+  return null;
+}
+
+/** What brings an object to a place and a rotation in the world. Its parents are scaled evenly. */
+export function poseEdits({ transform, object3D }: GameObject, { position, quaternion }: WorldPose): FieldEdit[] {
+  const parent = object3D.parent ?? object3D;
+  parent.updateWorldMatrix(true, false);
+  place.copy(position).applyMatrix4(inverse.copy(parent.matrixWorld).invert());
+  turn.setFromRotationMatrix(matrix.extractRotation(parent.matrixWorld)).invert().multiply(quaternion);
+  const { x, y, z } = euler.setFromQuaternion(turn, 'XYZ');
+  return [
+    { owner: transform, name: 'position', value: place.toArray() },
+    { owner: transform, name: 'rotation', value: [x, y, z] },
+  ];
+}
+
+/** The lens that shows a view: what differs in kind is taken over, a field of view in perspective stays the camera's own. */
+function lensOf(view: CameraView, camera: Camera | null): Record<string, FieldValue> {
+  const far = Math.max((camera?.getAuthored('far') as number | undefined) ?? 200, Math.ceil(view.far));
+  if (view.size !== null) return { projection: 'orthographic', size: view.size, far };
+  if (camera?.projection === 'perspective') return {};
+  return { projection: 'perspective', fov: view.fov };
+}
+
+/**
+ * Brings a camera to where something is seen from, with its kind of projection.
+ * @throws Error saying why it cannot be moved
+ */
+export function alignCamera(camera: Camera, view: CameraView): Command {
+  const problem = poseProblem(camera);
+  if (problem !== null) throw new Error(problem);
+  const lens = Object.entries(lensOf(view, camera)).map(([name, value]) => ({ owner: camera, name, value }));
+  const edits = [...poseEdits(camera.gameObject, view), ...lens];
+  return new SetFields(t('Align {name} to the view', { name: camera.gameObject.name }), edits);
+}
+
+/** Adds a camera that sees what is seen now, and selects it. @param selected - what is selected now */
+export function addCameraAt(scene: Scene, name: string, view: CameraView, selected: readonly string[]): Command {
+  const object = new GameObject(name);
+  object.addComponent(Camera, lensOf(view, null));
+  object.transform.position = view.position.toArray();
+  const { x, y, z } = euler.setFromQuaternion(view.quaternion, 'XYZ');
+  object.transform.rotation = [x, y, z];
+  return addObject(scene, object, scene, selected);
+}

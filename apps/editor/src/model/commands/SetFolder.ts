@@ -1,0 +1,28 @@
+import type { Command } from '@farol/editing';
+import type { AssetLibrary } from '@farol/engine';
+
+/** Adds a folder of assets, or takes an empty one out. */
+export class SetFolder implements Command {
+  /** Whether it was there before the first `do`; null until then. */
+  private wasThere: boolean | null = null;
+
+  constructor(
+    readonly label: string,
+    private readonly assets: AssetLibrary,
+    private readonly path: string,
+    private readonly isThere: boolean,
+  ) {}
+
+  get isEmpty(): boolean {
+    return (this.wasThere ?? this.assets.folders.includes(this.path)) === this.isThere;
+  }
+
+  do(): void {
+    this.wasThere ??= this.assets.folders.includes(this.path);
+    this.assets.setFolder(this.path, this.isThere);
+  }
+
+  undo(): void {
+    this.assets.setFolder(this.path, this.wasThere!);
+  }
+}

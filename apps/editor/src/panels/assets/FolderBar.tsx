@@ -1,0 +1,31 @@
+import { t } from '@farol/editing';
+import { Fragment, type ReactNode } from 'react';
+import { splitName } from '../../model/assetEdits';
+import { FolderTarget } from './FolderTarget';
+
+/** Where one is among the folders; each step up takes what is dropped on it. */
+export function FolderBar({ folder, onOpen }: { folder: string; onOpen(folder: string): void }): ReactNode {
+  const parts = folder === '' ? [] : folder.split('/');
+  return (
+    <nav className="folder-bar" aria-label={t('Folder')}>
+      <FolderTarget folder="" className="link" onOpen={onOpen}>
+        {t('Assets')}
+      </FolderTarget>
+      {parts.map((part, i) => {
+        const path = parts.slice(0, i + 1).join('/');
+        return (
+          <Fragment key={path}>
+            <span aria-hidden="true">/</span>
+            {path === folder ? (
+              <span aria-current="page">{splitName(path).leaf}</span>
+            ) : (
+              <FolderTarget folder={path} className="link" onOpen={onOpen}>
+                {part}
+              </FolderTarget>
+            )}
+          </Fragment>
+        );
+      })}
+    </nav>
+  );
+}

@@ -1,0 +1,55 @@
+import { t } from '@farol/editing';
+import { type ReactNode, useState } from 'react';
+import { draggedAsset, isAssetDrag } from '../../files/dragAsset';
+import { canRename, moveAssets } from '../../model/assetEdits';
+import { useEditor } from '../../ui/EditorContext';
+
+interface FolderTargetProps {
+  /** Its path; '' for the top. */
+  readonly folder: string;
+  readonly className: string;
+  readonly children: ReactNode;
+  onOpen(folder: string): void;
+}
+
+/** A folder: opened by a click, or assets are dropped into it. */
+export function FolderTarget({ folder, className, children, onOpen }: FolderTargetProps): ReactNode {
+  const editor = useEditor();
+  const [isOver, setIsOver] = useState(false);
+  return (
+    <button
+      type="button"
+      className={className}
+      data-folder={folder}
+      data-drop={isOver}
+      title={t('Open it, or drop assets into it')}
+      onClick={() => onOpen(folder)}
+      onDragOver={(event) => {
+        if (!isAssetDrag(event.dataTransfer)) return;
+        event.preventDefault();
+        event.stopPropagation();
+        event.dataTransfer.dropEffect = 'copy';
+        setIsOver(true);
+      }}
+      onDragLeave={() => setIsOver(false)}
+      onDrop={(event) => {
+        setIsOver(false);
+        const asset = draggedAsset(event.dataTransfer);
+        if (!asset) return;
+        event.preventDefault();
+        event.stopPropagation();
+        editor.attempt(() => {
+          const { document, commands } = editor;
+          const names = (asset.names ?? [asset.name]).filter((name) => canRename(document.assets, name));
+          if (names.length === 0)
+            throw new Error(
+              t('{name} stays where it is: it came with Farol, or is a part of a model.', { name: asset.name }),
+            );
+          commands.run(moveAssets(document.scene, names, folder));
+        });
+      }}
+    >
+      {children}
+    </button>
+  );
+}

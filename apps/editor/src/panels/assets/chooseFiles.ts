@@ -1,0 +1,19 @@
+import { t } from '@farol/editing';
+import { fileOpen } from 'browser-fs-access';
+import type { EditorApi } from '../../api/EditorApi';
+import { importFiles } from '../../files/importFiles';
+
+const endings = [
+  ...['.glb', '.gltf', '.bin', '.fbx', '.obj', '.mtl', '.stl', '.zip', '.ply', '.gz'],
+  ...['.tga', '.bmp', '.png', '.jpg', '.jpeg', '.webp', '.hdr', '.exr', '.ktx2'],
+];
+
+/** Has the user choose files, and imports them. */
+export async function chooseFiles(editor: EditorApi): Promise<void> {
+  const files = await fileOpen({
+    description: t('Models, textures, environments'),
+    extensions: endings,
+    multiple: true,
+  });
+  await importFiles(editor, new Map(files.map((file) => [file.name, file])));
+}

@@ -1,0 +1,64 @@
+import { t } from '@farol/editing';
+import type { EditorApi } from '../../api/EditorApi';
+import type { MenuEntry } from '../../api/MenuEntry';
+import { addFolder, addMaterial, joinName, removeFolder, renameFolder, splitName } from '../../model/assetEdits';
+import { chooseFiles } from './chooseFiles';
+
+/** Adds a material to a folder, and shows its fields. */
+function newMaterial({ document, commands }: EditorApi, folder: string): void {
+  const { command, name } = addMaterial(document.scene, joinName(folder, t('Material')), { kind: 'physical' });
+  commands.run(command);
+  document.assetSelection.set([name]);
+}
+
+/** Asks for the name of a new folder. */
+function newFolder({ document, commands, dialogs }: EditorApi, folder: string): void {
+  void dialogs.show({
+    kind: 'text',
+    title: t('New folder'),
+    label: t('Name of the folder'),
+    value: t('Folder'),
+    action: t('Add'),
+    accept: (name) => commands.run(addFolder(document.scene, joinName(folder, name))),
+  });
+}
+
+export function renameFolderAsked({ document, commands, dialogs }: EditorApi, path: string): void {
+  const { folder, leaf } = splitName(path);
+  void dialogs.show({
+    kind: 'text',
+    title: t('Rename {name}', { name: leaf }),
+    label: t('Name of the folder'),
+    value: leaf,
+    action: t('Rename'),
+    accept: (name) => {
+      if (name !== leaf) commands.run(renameFolder(document.scene, path, joinName(folder, name)));
+    },
+  });
+}
+
+export function removeFolderAsked({ document, commands }: EditorApi, path: string): void {
+  commands.run(removeFolder(document.scene, path));
+}
+
+/** Lines for what can be added to a folder. */
+export function newEntries(editor: EditorApi, folder: string): MenuEntry[] {
+  const attempt = (run: () => unknown) => (): void => editor.attempt(run);
+  return [
+    { label: t('New material'), icon: 'contrast', run: attempt(() => newMaterial(editor, folder)) },
+    { label: t('New folder…'), icon: 'folder', run: attempt(() => newFolder(editor, folder)) },
+    'separator',
+    { label: t('Import…'), icon: 'open', run: attempt(() => chooseFiles(editor)) },
+  ];
+}
+
+/** Lines of the context menu of a folder. */
+export function folderMenu(editor: EditorApi, path: string, open: (folder: string) => void): MenuEntry[] {
+  const attempt = (run: () => unknown) => (): void => editor.attempt(run);
+  return [
+    { label: t('Open'), icon: 'folder', run: () => open(path) },
+    { label: t('Rename…'), keys: 'F2', run: attempt(() => renameFolderAsked(editor, path)) },
+    'separator',
+    { label: t('Delete'), icon: 'remove', keys: 'Delete', run: attempt(() => removeFolderAsked(editor, path)) },
+  ];
+}

@@ -1,0 +1,57 @@
+import { t } from '@farol/editing';
+import { type ReactNode, useState } from 'react';
+import { describeSession } from '../../files/autosave/describeSession';
+import type { RecoveryOffer } from '../../model/Dialogs';
+import { useEditor } from '../../ui/EditorContext';
+
+interface SessionListProps {
+  readonly offer: RecoveryOffer;
+  /** Closes the dialog that the list is in. */
+  onClose(): void;
+  /** Called when the last one was thrown away. */
+  onEmpty(): void;
+}
+
+/** What tabs that were closed without warning have left; each can be brought back, or thrown away. */
+export function SessionList({ offer, onClose, onEmpty }: SessionListProps): ReactNode {
+  const editor = useEditor();
+  const [sessions, setSessions] = useState(offer.sessions);
+  return (
+    <ul className="sessions">
+      {sessions.map((session) => (
+        <li key={session.id}>
+          <span className="session-name" id={`session-${session.id}`}>
+            {session.name}
+            <span className="session-time">{describeSession(session)}</span>
+          </span>
+          <button
+            type="button"
+            className="button framed"
+            aria-describedby={`session-${session.id}`}
+            onClick={() =>
+              editor.attempt(async () => {
+                await offer.discard(session);
+                const left = sessions.filter((each) => each !== session);
+                setSessions(left);
+                if (left.length === 0) onEmpty();
+              })
+            }
+          >
+            {t('Discard')}
+          </button>
+          <button
+            type="button"
+            className="button primary"
+            aria-describedby={`session-${session.id}`}
+            onClick={() => {
+              onClose();
+              editor.attempt(() => offer.recover(session));
+            }}
+          >
+            {t('Recover')}
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,66 @@
+import { t } from '@farol/editing';
+import { type ReactNode, useMemo } from 'react';
+import { canRename, joinName, renameAsset, splitName } from '../../model/assetEdits';
+import { assetEntry } from '../../files/assetKinds';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { TextInput } from '../../ui/TextInput';
+import { Thumbnail } from '../../ui/Thumbnail';
+import { AssetFacts } from './AssetFacts';
+import { MaterialInspector } from './MaterialInspector';
+import { UsedBy } from './UsedBy';
+import './material.css';
+
+/** The asset that is selected in the Assets panel: its name, its fields or facts, and what uses it. */
+export function AssetInspector({ name }: { name: string }): ReactNode {
+  const editor = useEditor();
+  const { document, commands } = editor;
+  useSignal(document.assetsChanged);
+  useSignal(document.prefabs);
+  const { scene, assets } = document;
+  const prefab = scene.prefabs.get(name);
+  const material = assets.materialAsset(name);
+  const entry = useMemo(() => assetEntry(scene, name), [scene, name]);
+  if (!entry) return null;
+  const { folder, leaf } = splitName(name);
+  const rename = (next: string): void =>
+    editor.attempt(() => {
+      const to = joinName(folder, next.trim());
+      if (!next.trim() || to === name) return;
+      const command = renameAsset(scene, name, to);
+      commands.run(command);
+      document.assetSelection.set([assets.has(to) ? to : name]);
+    });
+  return (
+    <>
+      <div className="object-header">
+        <Icon name={material ? 'contrast' : 'mesh'} />
+        {canRename(assets, name) ? (
+          <TextInput value={leaf} label={t('Name of the asset')} onCommit={rename} />
+        ) : (
+          <span className="object-count">{prefab?.name ?? entry.label}</span>
+        )}
+        <button
+          type="button"
+          className="button small"
+          aria-label={t('Close the asset')}
+          title={t('Show what is selected in the scene')}
+          onClick={() => document.assetSelection.clear()}
+        >
+          <Icon name="close" size={12} />
+        </button>
+      </div>
+      {material ? (
+        <MaterialInspector material={material} />
+      ) : (
+        <>
+          <div className="asset-large">
+            <Thumbnail entry={entry} />
+          </div>
+          <AssetFacts entry={entry} />
+        </>
+      )}
+      <UsedBy name={name} />
+    </>
+  );
+}

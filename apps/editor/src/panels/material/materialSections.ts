@@ -1,0 +1,132 @@
+import { t } from '@farol/editing';
+import { materialAssetFields, materialMapNames, uvFieldEndings } from '@farol/engine/fields';
+
+/** Fields of a material that belong together. */
+export interface MaterialSection {
+  /** Under this name it is remembered whether it is folded. */
+  readonly id: string;
+  /** In the language that is shown. */
+  title(): string;
+  help(): string;
+  readonly fields: readonly string[];
+  readonly isFoldedAtFirst?: boolean;
+  /** What makes the material be drawn forward while it is not 0, in every technique that keeps surfaces in a G-buffer. */
+  readonly forward?: string;
+}
+
+/** How the fields of a material are grouped: each is in one section, but for those that place a map. */
+export const materialSections: readonly MaterialSection[] = [
+  {
+    id: 'Surface',
+    title: () => t('Surface'),
+    help: () => t('Colour, roughness and metalness.'),
+    fields: [
+      ...['kind', 'colour', 'map', 'roughness', 'roughnessMap', 'metalness', 'metalnessMap'],
+      ...['ambient', 'specular', 'shininess', 'specularMap', 'shading', 'vertexColours'],
+    ],
+  },
+  {
+    id: 'Relief',
+    title: () => t('Relief'),
+    help: () => t('Bumps that are drawn, and displacement that moves vertices.'),
+    fields: [
+      ...['normalMap', 'normalScale', 'normalFlip', 'bumpMap', 'bumpScale'],
+      ...['displacementMap', 'displacementScale', 'displacementBias'],
+    ],
+  },
+  {
+    id: 'Emission',
+    title: () => t('Emission'),
+    help: () => t('Light that the surface gives off by itself.'),
+    fields: ['emissive', 'emissiveIntensity', 'emissiveMap'],
+  },
+  {
+    id: 'Opacity',
+    title: () => t('Opacity'),
+    help: () => t('What can be seen through it, and which sides are drawn.'),
+    isFoldedAtFirst: true,
+    fields: ['transparent', 'opacity', 'alphaMap', 'alphaTest', 'depthWrite', 'doubleSided', 'side', 'wireframe'],
+    forward: 'transparent',
+  },
+  {
+    id: 'Baked light',
+    title: () => t('Baked light'),
+    help: () => t('Occlusion and light that was computed beforehand.'),
+    isFoldedAtFirst: true,
+    fields: ['aoMap', 'aoIntensity', 'lightMap', 'lightMapIntensity'],
+  },
+  {
+    id: 'Clearcoat',
+    title: () => t('Clearcoat'),
+    help: () => t('A layer of varnish.'),
+    isFoldedAtFirst: true,
+    fields: [
+      ...['clearcoat', 'clearcoatMap', 'clearcoatRoughness', 'clearcoatRoughnessMap'],
+      ...['clearcoatNormalMap', 'clearcoatNormalScale', 'clearcoatNormalFlip'],
+    ],
+    forward: 'clearcoat',
+  },
+  {
+    id: 'Sheen',
+    title: () => t('Sheen'),
+    help: () => t('Soft light at grazing angles, as of velvet.'),
+    isFoldedAtFirst: true,
+    fields: ['sheen', 'sheenColour', 'sheenColourMap', 'sheenRoughness', 'sheenRoughnessMap'],
+    forward: 'sheen',
+  },
+  {
+    id: 'Iridescence',
+    title: () => t('Iridescence'),
+    help: () => t('Colours of a thin film.'),
+    isFoldedAtFirst: true,
+    fields: [
+      ...['iridescence', 'iridescenceMap', 'iridescenceIor'],
+      ...['iridescenceThicknessMax', 'iridescenceThicknessMin', 'iridescenceThicknessMap'],
+    ],
+    forward: 'iridescence',
+  },
+  {
+    id: 'Anisotropy',
+    title: () => t('Anisotropy'),
+    help: () => t('Highlights that are stretched, as of brushed metal.'),
+    isFoldedAtFirst: true,
+    fields: ['anisotropy', 'anisotropyRotation', 'anisotropyMap'],
+    forward: 'anisotropy',
+  },
+  {
+    id: 'Transmission',
+    title: () => t('Transmission'),
+    help: () => t('Light that passes through, as through glass and water.'),
+    isFoldedAtFirst: true,
+    fields: [
+      ...['transmission', 'transmissionMap', 'ior', 'thickness', 'thicknessMap'],
+      ...['attenuationColour', 'attenuationDistance', 'dispersion'],
+    ],
+    forward: 'transmission',
+  },
+  {
+    id: 'Reflection',
+    title: () => t('Reflection'),
+    help: () => t('How what is no metal reflects and scatters.'),
+    isFoldedAtFirst: true,
+    fields: [
+      ...['specularIntensity', 'specularIntensityMap', 'specularColour', 'specularColourMap'],
+      ...['diffuseRoughness', 'diffuseRoughnessMap', 'retroreflectivity'],
+    ],
+    forward: 'diffuseRoughness',
+  },
+];
+
+const maps: ReadonlySet<string> = new Set(materialMapNames);
+
+export const isMapField = (name: string): boolean => maps.has(name);
+
+/** The fields that say how a map lies on the surface. */
+export const placementFields = (map: string): string[] => uvFieldEndings.map((ending) => map + ending);
+
+/** Fields that no section shows; none but those that place maps. */
+export function fieldsLeftOut(): string[] {
+  const shown = new Set(materialSections.flatMap(({ fields }) => fields));
+  for (const map of materialMapNames) for (const name of placementFields(map)) shown.add(name);
+  return Object.keys(materialAssetFields).filter((name) => !shown.has(name));
+}

@@ -1,0 +1,31 @@
+import { t } from '@farol/editing';
+import type { ReactNode } from 'react';
+import { play } from '../../actions/play';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { keyText } from '../../ui/keyText';
+import { useKeyBindings } from '../../ui/useKeyBindings';
+import './playFrame.css';
+
+/** The frame round the picture of a scene that plays or is paused, and what that means for edits. */
+export function PlayFrame(): ReactNode {
+  const { simulation } = useEditor().document;
+  useSignal(simulation.changed);
+  const key = useKeyBindings().keysOf(play).at(0);
+  const { state } = simulation;
+  if (state === 'stopped') return null;
+  const keys = key ? keyText(key) : t('The stop button');
+  return (
+    <div className="play-frame" data-state={state}>
+      <p role="status">
+        <Icon name={state === 'playing' ? 'play' : 'pause'} size={12} />
+        <strong>{state === 'playing' ? t('Playing') : t('Paused')}</strong>
+        <span className="play-frame-help">
+          {state === 'playing'
+            ? t('{keys} stops and puts everything back', { keys })
+            : t('Stop puts everything back; {keys} plays on', { keys })}
+        </span>
+      </p>
+    </div>
+  );
+}

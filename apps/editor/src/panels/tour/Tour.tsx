@@ -1,0 +1,130 @@
+import { t } from '@farol/editing';
+import {
+  type CSSProperties,
+  type KeyboardEvent,
+  type ReactNode,
+  useEffect,
+  useLayoutEffect,
+  useRef,
+  useState,
+} from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { tourSteps } from './tourSteps';
+import './tour.css';
+
+/** Room between a control and the card (CSS pixels). */
+const GAP = 12;
+
+/** The first that is shown of what a selector finds; null when none is. */
+function shownOf(selector: string): DOMRect | null {
+  for (const element of document.querySelectorAll(selector)) {
+    const box = element.getBoundingClientRect();
+    if (box.width > 0 && box.height > 0) return box;
+  }
+  return null;
+}
+
+/** Where a card of this size is beside a control, within the window. */
+function placeBeside(box: DOMRect | null, width: number, height: number): CSSProperties {
+  const within = (at: number, size: number, all: number): number => Math.max(8, Math.min(at, all - size - 8));
+  if (!box) return { left: (innerWidth - width) / 2, top: (innerHeight - height) / 2 };
+  const left = within(box.left + box.width / 2 - width / 2, width, innerWidth);
+  if (box.bottom + GAP + height <= innerHeight) return { left, top: box.bottom + GAP };
+  if (box.top - GAP - height >= 0) return { left, top: box.top - GAP - height };
+  const top = within(box.top + GAP, height, innerHeight);
+  if (box.right + GAP + width <= innerWidth) return { left: box.right + GAP, top };
+  if (box.left - GAP - width >= 0) return { left: box.left - GAP - width, top };
+  // as large as the window: over it, below
+  return { left, top: innerHeight - height - GAP };
+}
+
+/** Leads from control to control, which can be used meanwhile. Escape leaves it, as does its button, at any step. */
+export function Tour(): ReactNode {
+  const { tour } = useEditor();
+  useSignal(tour.changed);
+  const { current } = tour;
+  return current === null ? null : <Step key={current} current={current} />;
+}
+
+function Step({ current }: { current: number }): ReactNode {
+  const { tour, layout } = useEditor();
+  const steps = tourSteps();
+  const { panel, target, title, text } = steps[current];
+  const card = useRef<HTMLDivElement>(null);
+  const [box, setBox] = useState<DOMRect | null>(null);
+  const [place, setPlace] = useState<CSSProperties>({});
+
+  useEffect(() => {
+    if (panel) layout.open(panel);
+    card.current?.focus();
+  }, [layout, panel]);
+
+  useLayoutEffect(() => {
+    let frame = 0;
+    let last = '';
+    // controls come and go as panels load and windows change
+    const follow = (): void => {
+      frame = requestAnimationFrame(follow);
+      const { offsetWidth, offsetHeight } = card.current!;
+      const found = shownOf(target);
+      const key = [found?.x, found?.y, found?.width, found?.height, offsetHeight, innerWidth, innerHeight].join();
+      if (key === last) return;
+      last = key;
+      setBox(found);
+      setPlace(placeBeside(found, offsetWidth, offsetHeight));
+    };
+    follow();
+    return () => cancelAnimationFrame(frame);
+  }, [target]);
+
+  const isLast = current === steps.length - 1;
+  const next = (): void => tour.show(isLast ? null : current + 1);
+  const keyDown = (event: KeyboardEvent): void => {
+    if (event.key === 'Escape') tour.show(null);
+    else if (event.key === 'ArrowRight') next();
+    else if (event.key === 'ArrowLeft' && current > 0) tour.show(current - 1);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  return (
+    <>
+      {box && (
+        <div
+          className="tour-mark"
+          style={{ left: box.left - 4, top: box.top - 4, width: box.width + 8, height: box.height + 8 }}
+        />
+      )}
+      <div
+        ref={card}
+        className="tour-card"
+        role="dialog"
+        aria-labelledby="tour-title"
+        aria-describedby="tour-text"
+        tabIndex={-1}
+        style={place}
+        onKeyDown={keyDown}
+      >
+        <h2 id="tour-title">{title}</h2>
+        <p id="tour-text">{text}</p>
+        <div className="tour-buttons">
+          <button type="button" className="button framed" onClick={() => tour.show(null)}>
+            {t('Leave the tour')}
+          </button>
+          <span className="dim">{t('{step} of {steps}', { step: current + 1, steps: steps.length })}</span>
+          <button
+            type="button"
+            className="button framed"
+            disabled={current === 0}
+            onClick={() => tour.show(current - 1)}
+          >
+            {t('Back')}
+          </button>
+          <button type="button" className="button primary" onClick={next}>
+            {isLast ? t('Done') : t('Next')}
+          </button>
+        </div>
+      </div>
+    </>
+  );
+}

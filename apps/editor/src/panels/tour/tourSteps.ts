@@ -1,0 +1,69 @@
+import { t } from '@farol/editing';
+
+/** One thing that the tour shows. */
+export interface TourStep {
+  /** Selector of the control; of several, the first that is shown. */
+  readonly target: string;
+  /** The panel that the control is in: it is brought to the front. */
+  readonly panel?: string;
+  readonly title: string;
+  readonly text: string;
+}
+
+/** The steps of the tour, in the language that is shown. */
+export const tourSteps = (): readonly TourStep[] => [
+  {
+    target: '.viewport-place',
+    panel: 'viewport',
+    title: t('The picture'),
+    text: t(
+      'Drag to turn it, wheel to come nearer, Shift and drag to shift it. Hold the right button to look around, and W A S D to fly. By touch: one finger turns, two shift and zoom.',
+    ),
+  },
+  {
+    target: '.toolbar-add',
+    title: t('Add things'),
+    text: t('Meshes, lights, cameras and decals. What you add is selected, and one step back by Ctrl+Z.'),
+  },
+  {
+    target: '[aria-label="Handles"], .handles-menu',
+    panel: 'viewport',
+    title: t('Move, rotate, scale'),
+    text: t('Click something in the picture, then W moves it, E rotates it, R scales it. Hold Ctrl to snap.'),
+  },
+  {
+    target: '#panel-hierarchy',
+    panel: 'hierarchy',
+    title: t('Hierarchy'),
+    text: t('Everything in the scene. Drag a line onto another to attach it, F2 renames, H hides, L locks.'),
+  },
+  {
+    target: '#panel-inspector',
+    panel: 'inspector',
+    title: t('Inspector'),
+    text: t('Every value of what is selected. Drag sideways on a number, or type it. Add component gives it more.'),
+  },
+  {
+    target: '#panel-assets',
+    panel: 'assets',
+    title: t('Assets'),
+    text: t('Models, textures and materials. Drop files anywhere on the window, and drag from here into the picture.'),
+  },
+  {
+    target: '.toolbar [aria-label="Technique"], .menu-bar',
+    title: t('Technique'),
+    text: t('How the lights are drawn: the same picture at different speeds. View > Technique has them too.'),
+  },
+  {
+    target: '.toolbar .play',
+    title: t('Play'),
+    text: t('Runs the scene. Stop puts everything back; what you changed meanwhile can be kept, value by value.'),
+  },
+  {
+    target: '.menu-bar',
+    title: t('Menus'),
+    text: t(
+      'Everything that can be done, with its key. File saves, exports and shares; Ctrl+K finds any command by name.',
+    ),
+  },
+];

@@ -1,0 +1,60 @@
+import { roundToStep } from '@farol/editing';
+import { type PointerEvent, type ReactNode, useRef } from 'react';
+
+interface SliderProps {
+  /** Null where several values differ. */
+  readonly value: number | null;
+  readonly min: number;
+  readonly max: number;
+  /** What it goes by; a tenth of it with Alt. */
+  readonly step: number;
+  readonly disabled?: boolean;
+  onSlide(value: number): void;
+  /** @param keeps - whether what it led to shall stay */
+  onEnd(keeps: boolean): void;
+}
+
+/** A bar from the smallest to the largest value, for pointers: the number beside it takes the keys. */
+export function Slider({ value, min, max, step, disabled, onSlide, onEnd }: SliderProps): ReactNode {
+  const isDown = useRef(false);
+  const part = value === null ? null : (Math.min(Math.max(value, min), max) - min) / (max - min);
+
+  const slide = (event: PointerEvent<HTMLDivElement>): void => {
+    const { left, width } = event.currentTarget.getBoundingClientRect();
+    const at = min + Math.min(Math.max((event.clientX - left) / width, 0), 1) * (max - min);
+    const by = event.altKey ? step / 10 : step;
+    // the ends are reached although no whole number of steps may lead there
+    const next = at <= min || at >= max ? at : Math.min(Math.max(roundToStep(Math.round(at / by) * by, by), min), max);
+    onSlide(next);
+  };
+  const end = (keeps: boolean) => (): void => {
+    if (!isDown.current) return;
+    isDown.current = false;
+    onEnd(keeps);
+  };
+
+  return (
+    <div
+      className="slider"
+      aria-hidden="true"
+      data-disabled={disabled}
+      onPointerDown={(event) => {
+        if (disabled || event.button !== 0) return;
+        event.preventDefault();
+        (document.activeElement as HTMLElement | null)?.blur();
+        event.currentTarget.setPointerCapture(event.pointerId);
+        isDown.current = true;
+        slide(event);
+      }}
+      onPointerMove={(event) => isDown.current && slide(event)}
+      onPointerUp={end(true)}
+      onPointerCancel={end(false)}
+      onLostPointerCapture={end(true)}
+    >
+      <div className="slider-bar">
+        {part !== null && <div className="slider-part" style={{ width: `${part * 100}%` }} />}
+        {part !== null && <div className="slider-knob" style={{ left: `${part * 100}%` }} />}
+      </div>
+    </div>
+  );
+}

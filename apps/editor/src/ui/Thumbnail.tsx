@@ -1,0 +1,31 @@
+import { type ReactNode, useEffect, useRef, useState } from 'react';
+import type { AssetEntry, AssetKind } from '../files/assetKinds';
+import type { IconName } from '../style/iconPaths';
+import { Icon } from './Icon';
+import { useThumbnail } from './useThumbnail';
+
+const icons: Readonly<Record<AssetKind, IconName>> = {
+  prefab: 'prefab',
+  model: 'mesh',
+  mesh: 'mesh',
+  texture: 'scene',
+  material: 'contrast',
+  shader: 'contrast',
+};
+
+/** A small picture of an asset, drawn once it comes into sight; an icon until then. */
+export function Thumbnail({ entry, size = 28 }: { entry: AssetEntry; size?: number }): ReactNode {
+  const place = useRef<HTMLSpanElement>(null);
+  const [inSight, setInSight] = useState(false);
+  useEffect(() => {
+    const observer = new IntersectionObserver(([first]) => first.isIntersecting && setInSight(true));
+    observer.observe(place.current!);
+    return () => observer.disconnect();
+  }, []);
+  const picture = useThumbnail(entry, inSight);
+  return (
+    <span ref={place} className="asset-picture">
+      {picture ? <img src={picture} alt="" draggable={false} /> : <Icon name={icons[entry.kind]} size={size} />}
+    </span>
+  );
+}

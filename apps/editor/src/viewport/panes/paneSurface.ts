@@ -1,0 +1,23 @@
+/** Part of the page (CSS pixels). */
+export interface Bounds {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A canvas that says it is where a part of its picture is: for controls that find places in the picture by that. */
+export function paneSurface(canvas: HTMLCanvasElement, bounds: () => Bounds): HTMLCanvasElement {
+  const rectangle = (): DOMRect => {
+    const { left, top, width, height } = bounds();
+    return new DOMRect(left, top, width, height);
+  };
+  return new Proxy(canvas, {
+    get(target, key) {
+      if (key === 'getBoundingClientRect') return rectangle;
+      const value: unknown = Reflect.get(target, key, target);
+      return typeof value === 'function' ? value.bind(target) : value;
+    },
+    set: (target, key, value) => Reflect.set(target, key, value, target),
+  });
+}

@@ -1,0 +1,64 @@
+import {
+  type Camera,
+  Color,
+  DoubleSide,
+  type Material,
+  MeshBasicMaterial,
+  type Scene,
+  ShaderMaterial,
+  UniformsLib,
+  UniformsUtils,
+  type WebGLRenderer,
+} from 'three';
+import fragmentShader from './clay.frag.glsl?raw';
+import vertexShader from './clay.vert.glsl?raw';
+
+/** What is behind the objects: of a theme of its own, so that dark scenes are seen too. */
+const BACKGROUND = new Color(0x2a2d33);
+
+/**
+ * Draws a scene without its lights, shadows and effects, by three's own renderer: what it costs does not go with the lights.
+ */
+export class PlainShading {
+  private readonly wireframe = new MeshBasicMaterial({
+    color: 0xb4bac4,
+    wireframe: true,
+    fog: false,
+    toneMapped: false,
+  });
+  private readonly clay = new ShaderMaterial({
+    name: 'Editor clay',
+    vertexShader,
+    fragmentShader,
+    uniforms: UniformsUtils.clone(UniformsLib.common),
+    side: DoubleSide,
+    toneMapped: false,
+  });
+
+  constructor(private readonly webgl: WebGLRenderer) {}
+
+  /** Draws to the render target, viewport and scissor of the renderer. */
+  render(scene: Scene, camera: Camera, shading: 'clay' | 'wireframe'): void {
+    const { webgl } = this;
+    const { background, overrideMaterial, environment } = scene;
+    const { autoUpdate } = webgl.shadowMap;
+    const material: Material = shading === 'clay' ? this.clay : this.wireframe;
+    scene.overrideMaterial = material;
+    scene.background = BACKGROUND;
+    scene.environment = null;
+    webgl.shadowMap.autoUpdate = false;
+    try {
+      webgl.render(scene, camera);
+    } finally {
+      scene.overrideMaterial = overrideMaterial;
+      scene.background = background;
+      scene.environment = environment;
+      webgl.shadowMap.autoUpdate = autoUpdate;
+    }
+  }
+
+  dispose(): void {
+    this.wireframe.dispose();
+    this.clay.dispose();
+  }
+}

@@ -1,0 +1,123 @@
+import { t } from '../language/translate';
+import { NumberParser, type Quantity } from './NumberParser';
+import { NumberSyntaxError } from './numberTokens';
+import { isAlike, isPure, type Unit, unitsOfField } from './units';
+
+/** Why a text that was typed is no number. */
+export interface NumberProblem {
+  /** One short sentence. */
+  readonly problem: string;
+  /** Whether it may become a number by typing on: '1/'. */
+  readonly isIncomplete: boolean;
+}
+
+/** A number that was typed. */
+export interface NumberEdit {
+  readonly problem: null;
+  /** Whether it goes by the value there was: '+=0.5'. */
+  readonly isRelative: boolean;
+  /** The new value, of the value before; both in the field's unit. Finite for finite values. */
+  valueFor(before: number): number;
+}
+
+/** What a field allows, as it is shown. */
+export interface NumberRange {
+  /** Of the numbers that are typed without one. */
+  readonly unit?: string;
+  readonly min?: number;
+  readonly max?: number;
+}
+
+const RELATIVE = /^([-+*/])=(.*)$/s;
+const MAXIMUM_LENGTH = 200;
+const SIGNS: Readonly<Record<string, string>> = { '−': '-', '–': '-', '×': '*', '·': '*', '÷': '/' };
+
+const finite = (value: number): number => Math.min(Math.max(value, -Number.MAX_VALUE), Number.MAX_VALUE);
+
+/** Without the digits that calculating adds: 0.1 + 0.2 is 0.3. */
+const tidied = (value: number): number => Number(value.toPrecision(15));
+
+/** A quantity as a number in the field's unit. @throws NumberSyntaxError where its unit is of another kind */
+function inUnitOf({ value, unit }: Quantity, units: readonly Unit[], fieldUnit: string | undefined): number {
+  const own = units.find((each) => isAlike(each, unit));
+  if (own) return value * (unit.factor / own.factor);
+  // without a unit: in the field's
+  if (isPure(unit)) return value * unit.factor;
+  if (!fieldUnit) throw new NumberSyntaxError(t('This number has no unit: leave the unit out.'));
+  throw new NumberSyntaxError(t('The unit does not fit: this number is in {unit}.', { unit: fieldUnit }));
+}
+
+/**
+ * Reads what was typed into the field of a number: a number with a decimal point or comma, an expression, units, or a
+ * change by `+=`, `-=`, `*=` and `/=`. See {@link NumberParser} for what an expression is. Never throws.
+ * @param unit - the field's, such as 'm/s' or '°'; a number without a unit is in it
+ */
+export function readNumber(text: string, unit?: string): NumberEdit | NumberProblem {
+  try {
+    if (text.length > MAXIMUM_LENGTH) throw new NumberSyntaxError(t('This is too long for a number.'));
+    const plain = text.replaceAll(/[−–×·÷]/g, (sign) => SIGNS[sign]).trim();
+    const [, operator, operand] = RELATIVE.exec(plain) ?? [];
+    return operator ? relativeEdit(operator, operand, unit) : absoluteEdit(plain, unit);
+  } catch (error) {
+    if (!(error instanceof NumberSyntaxError)) throw error;
+    return { problem: error.message, isIncomplete: error.isIncomplete };
+  }
+}
+
+function absoluteEdit(text: string, unit: string | undefined): NumberEdit {
+  const units = unitsOfField(unit);
+  const value = checked(inUnitOf(new NumberParser(text, units, unit).read(), units, unit), text);
+  return { problem: null, isRelative: false, valueFor: () => value };
+}
+
+function relativeEdit(operator: string, text: string, unit: string | undefined): NumberEdit {
+  const units = unitsOfField(unit);
+  const quantity = new NumberParser(text, units, unit).read();
+  if (operator === '*' || operator === '/') {
+    if (!isPure(quantity.unit)) throw new NumberSyntaxError(t('A factor has no unit: leave the unit out.'));
+    const factor = checked(quantity.value * quantity.unit.factor, text);
+    if (operator === '/' && factor === 0) throw new NumberSyntaxError(t('A number cannot be divided by 0.'));
+    return {
+      ...{ problem: null, isRelative: true },
+      valueFor: (before) => finite(tidied(operator === '*' ? before * factor : before / factor)),
+    };
+  }
+  if (isPure(quantity.unit) && quantity.unit.factor !== 1 && unit !== '%') {
+    throw new NumberSyntaxError(t('To change a number by a part of it, write *= and a factor, such as *=1.1.'));
+  }
+  const amount = checked(inUnitOf(quantity, units, unit), text) * (operator === '-' ? -1 : 1);
+  return { problem: null, isRelative: true, valueFor: (before) => finite(tidied(before + amount)) };
+}
+
+/** @throws NumberSyntaxError for what is no finite number */
+function checked(value: number, text: string): number {
+  if (!Number.isFinite(value)) {
+    throw new NumberSyntaxError(
+      Number.isNaN(value) ? t('There is no such number.') : t('This is larger than a number can be.'),
+    );
+  }
+  // a number as it was typed keeps all its digits
+  return /^[-+]?[\d.,]+(e[-+]?\d+)?$/i.test(text) ? value : tidied(value);
+}
+
+/**
+ * Reads what was typed into a field with a range. A number beyond the range is a problem; a change by `+=` and the like
+ * goes as far as the range does, for each object.
+ */
+export function readNumberInRange(text: string, range: NumberRange): NumberEdit | NumberProblem {
+  const { unit, min = -Infinity, max = Infinity } = range;
+  const read = readNumber(text, unit);
+  if (read.problem !== null) return read;
+  const { isRelative } = read;
+  if (isRelative) {
+    return { problem: null, isRelative, valueFor: (before) => Math.min(Math.max(read.valueFor(before), min), max) };
+  }
+  const value = read.valueFor(0);
+  if (value >= min && value <= max) return read;
+  const words = { min: shortest(min), max: shortest(max), unit: unit === '°' ? unit : unit ? ` ${unit}` : '' };
+  if (min === -Infinity) return { problem: t('It must be at most {max}{unit}.', words), isIncomplete: false };
+  if (max === Infinity) return { problem: t('It must be at least {min}{unit}.', words), isIncomplete: false };
+  return { problem: t('It must be from {min} to {max}{unit}.', words), isIncomplete: false };
+}
+
+const shortest = (value: number): string => String(Number(value.toPrecision(6)));

@@ -1,0 +1,41 @@
+import { Euler, type EulerOrder, Quaternion, Vector3 } from 'three';
+import type { Triple } from '../fields/FieldTarget';
+
+const TURN = 2 * Math.PI;
+/** Below this cosine of the middle angle the other two turn about one axis. */
+const LOCKED = 1e-6;
+
+const euler = new Euler();
+const rest = new Quaternion();
+const part = new Quaternion();
+const axis = new Vector3();
+
+/** The angle, of all that are whole turns apart, that is nearest to another one. */
+const nearest = (angle: number, before: number): number => angle - TURN * Math.round((angle - before) / TURN);
+
+const distance = (angles: Triple, before: Triple): number =>
+  angles.reduce((sum, angle, i) => sum + Math.abs(angle - before[i]), 0);
+
+/**
+ * The Euler angles of a rotation that are nearest to others (rad). Each rotation has many: a turn of 170° about y is
+ * (0, 170, 0) and (180, 10, 180) degrees.
+ * @param before - what they were, so that a drag changes no angle without need
+ */
+export function nearestEuler(quaternion: Quaternion, before: Triple, order: EulerOrder = 'XYZ'): Triple {
+  const { x, y, z } = euler.setFromQuaternion(quaternion, order);
+  const [first, middle, last] = [...order].map((letter) => 'XYZ'.indexOf(letter));
+  const found = [x, y, z];
+  if (Math.abs(Math.cos(found[middle])) < LOCKED) {
+    // the last angle stays, and the first makes up for it
+    found[last] = before[last];
+    const turned = (index: number): Quaternion =>
+      part.setFromAxisAngle(axis.set(0, 0, 0).setComponent(index, 1), -found[index]);
+    rest.copy(quaternion).multiply(turned(last)).multiply(turned(middle));
+    found[first] = 2 * Math.atan2([rest.x, rest.y, rest.z][first], rest.w);
+  }
+  const nearestOf = (angles: readonly number[]): Triple =>
+    angles.map((angle, i) => nearest(angle, before[i])) as unknown as Triple;
+  const other = found.map((angle, i) => (i === middle ? Math.PI - angle : angle + Math.PI));
+  const [a, b] = [nearestOf(found), nearestOf(other)];
+  return distance(b, before) < distance(a, before) - LOCKED ? b : a;
+}

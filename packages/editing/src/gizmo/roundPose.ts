@@ -1,0 +1,55 @@
+import type { EulerOrder } from 'three';
+import { toDegrees, toRadians } from '../fields/angles';
+import type { Triple } from '../fields/FieldTarget';
+import { nearestEuler } from './nearestEuler';
+import type { Pose } from './TransformDrag';
+
+/** Place, rotation (rad) and size of an object in its parent, as numbers. */
+export interface PoseValues {
+  readonly position: Triple;
+  readonly rotation: Triple;
+  readonly scale: Triple;
+}
+
+/** Digits that are kept of the length of a drag, and of a size. */
+const DIGITS = 5;
+/** Decimals that are kept of degrees. */
+const DEGREE_DECIMALS = 3;
+/** Smaller changes, in parts of the value or of 1, come of calculating. */
+const NOISE = 1e-9;
+
+/** @param decimals - kept of each number that changes; what does not keeps all its digits */
+const rounded = (after: Triple, before: Triple, decimals: (value: number) => number): Triple =>
+  after.map((value, i) => {
+    if (Math.abs(value - before[i]) <= NOISE * Math.max(1, Math.abs(before[i]))) return before[i];
+    return Number(value.toFixed(Math.min(Math.max(decimals(value), 0), 20))) + 0;
+  }) as unknown as Triple;
+
+/** Decimals with which a number has so many digits. */
+const decimalsOf = (value: number, digits: number): number => digits - 1 - Math.floor(Math.log10(Math.abs(value) || 1));
+
+/**
+ * A pose that a drag led to, as somebody would type it: without the digits that calculating leaves behind, 0.8 and not
+ * 0.7999999999999989, and with the rotation whose angles are nearest to those before.
+ * @param before - the pose before the drag
+ * @param order - of the angles
+ */
+export function roundPose(before: PoseValues, pose: Partial<Pose>, order: EulerOrder = 'XYZ'): Partial<PoseValues> {
+  const { position, quaternion, scale } = pose;
+  const far = position ? Math.max(...position.toArray().map((value, i) => Math.abs(value - before.position[i]))) : 0;
+  // of a drag by 1 m a tenth of a millimetre; never less than a millimetre of a long one
+  const decimals = Math.max(decimalsOf(far, DIGITS), 3);
+  return {
+    ...(position && { position: rounded(position.toArray(), before.position, () => decimals) }),
+    ...(quaternion && { rotation: roundedAngles(nearestEuler(quaternion, before.rotation, order), before.rotation) }),
+    ...(scale && { scale: rounded(scale.toArray(), before.scale, (value) => decimalsOf(value, DIGITS)) }),
+  };
+}
+
+function roundedAngles(after: Triple, before: Triple): Triple {
+  const degrees = (angles: Triple): Triple => angles.map(toDegrees) as unknown as Triple;
+  const [from, to] = [degrees(before), degrees(after)];
+  return rounded(to, from, () => DEGREE_DECIMALS).map((angle, i) =>
+    angle === from[i] ? before[i] : toRadians(angle),
+  ) as unknown as Triple;
+}

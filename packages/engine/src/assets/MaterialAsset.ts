@@ -1,0 +1,233 @@
+import {
+  BackSide,
+  ClampToEdgeWrapping,
+  DoubleSide,
+  FrontSide,
+  type Material,
+  MirroredRepeatWrapping,
+  type MeshPhysicalMaterial,
+  RepeatWrapping,
+  type Texture,
+} from 'three';
+import type { FieldValue, Vector3Tuple } from '../fields/Field';
+import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
+import { makeMaterial, writeMaterialValues } from './makeMaterial';
+import { materialAssetFields } from './materialAssetFields';
+import { materialFields, type MaterialValues } from './materialFields';
+import { type MaterialMap, type MaterialMapName, materialMapNames, materialMaps } from './materialMaps';
+import { MaterialTexture } from './MaterialTexture';
+
+/** What a MaterialAsset needs of the library that it is in. */
+export interface MaterialHost extends AssetNames {
+  isReady(type: 'texture', name: string): boolean;
+  whenReady(type: 'texture', name: string, callback: () => void): void;
+  texture(name: string): Texture;
+  /** @internal Told after a field got another value, or the material for three is another one. */
+  materialChanged(material: MaterialAsset, field: string, before: FieldValue, isReplaced: boolean): void;
+}
+
+const wraps = { repeat: RepeatWrapping, mirror: MirroredRepeatWrapping, clamp: ClampToEdgeWrapping };
+
+/** Fields of three's physical material that are set as they are: its property by the field. */
+const numbers: Readonly<Record<string, keyof MeshPhysicalMaterial>> = {
+  sheen: 'sheen',
+  sheenRoughness: 'sheenRoughness',
+  iridescence: 'iridescence',
+  iridescenceIor: 'iridescenceIOR',
+  anisotropy: 'anisotropy',
+  anisotropyRotation: 'anisotropyRotation',
+  thickness: 'thickness',
+  dispersion: 'dispersion',
+  specularIntensity: 'specularIntensity',
+  diffuseRoughness: 'diffuseRoughness' as keyof MeshPhysicalMaterial,
+  retroreflectivity: 'retroreflectivity' as keyof MeshPhysicalMaterial,
+};
+
+/** Of those, what a program is compiled with or without. */
+const lobes = [
+  'clearcoat',
+  'sheen',
+  'iridescence',
+  'anisotropy',
+  'transmission',
+  'dispersion',
+  'diffuseRoughness',
+  'retroreflectivity',
+];
+
+/**
+ * A material of a library, made of fields, which any number of objects share: a change of a field shows on all of them.
+ * Made by `AssetLibrary.addMaterial`; kept in files.
+ */
+export class MaterialAsset extends BaseFieldOwner {
+  static readonly fields = materialAssetFields;
+
+  /** Its name in the library. */
+  name: string;
+
+  private material: Material | null = null;
+  private readonly textures = new Map<MaterialMapName, MaterialTexture>();
+  private host: MaterialHost | null = null;
+
+  /**
+   * @param values - in place of the defaults; whether their textures are there is not looked for
+   * @throws FieldError for a value that is not allowed
+   */
+  constructor(host: MaterialHost, name: string, values: Readonly<Record<string, FieldValue>> = {}) {
+    super();
+    this.name = name;
+    for (const field of Object.keys(values)) this.set(field, values[field]);
+    this.host = host;
+  }
+
+  override get ownerName(): string {
+    return this.name ?? 'Material';
+  }
+
+  /** The material that is drawn with: another one after a change of `kind`. */
+  get three(): Material {
+    if (!this.material) {
+      this.material = makeMaterial(this.get('kind') as MaterialValues['kind']);
+      this.material.name = this.name;
+      this.write();
+    }
+    return this.material;
+  }
+
+  /** The authored values that are not the default. */
+  changedValues(): Record<string, FieldValue> {
+    const values: Record<string, FieldValue> = {};
+    for (const [name, field] of Object.entries(this.fields)) {
+      const value = this.get(name);
+      const same = Array.isArray(value)
+        ? (field.default as Vector3Tuple).every((each, i) => each === value[i])
+        : value === field.default;
+      if (!same) values[name] = Array.isArray(value) ? [value[0], value[1], value[2]] : value;
+    }
+    return values;
+  }
+
+  /** Gives the GPU memory back; what is drawn again is uploaded again. */
+  dispose(): void {
+    this.material?.dispose();
+    for (const texture of this.textures.values()) texture.dispose();
+  }
+
+  protected override get assetNames(): AssetNames | null {
+    return this.host;
+  }
+
+  protected override fieldChanged(name: string, before: FieldValue): void {
+    if (!this.host) return;
+    const replaced = name === 'kind' ? this.material : null;
+    if (replaced) {
+      this.material = null;
+      replaced.dispose();
+    } else if (this.material) this.write();
+    this.host.materialChanged(this, name, before, replaced !== null);
+  }
+
+  /** Writes every field to three's material; a texture still to be loaded is put in when it is there. */
+  private write(): void {
+    const material = this.material as MeshPhysicalMaterial | null;
+    if (!material) return;
+    const before = this.programState(material);
+    const get = <T extends FieldValue>(name: string): T => this.get(name) as T;
+    writeMaterialValues(material, this.sharedValues());
+    material.depthWrite = get('depthWrite');
+    material.side = get('doubleSided') ? DoubleSide : get('side') === 'back' ? BackSide : FrontSide;
+    for (const name of materialMapNames) {
+      const map: MaterialMap = materialMaps[name];
+      if (map.property in material) Object.assign(material, { [map.property]: this.textureOf(name, map) });
+    }
+    material.aoMapIntensity = get('aoIntensity');
+    material.lightMapIntensity = get('lightMapIntensity');
+    if ('normalScale' in material) {
+      material.normalScale.set(1, get('normalFlip') ? -1 : 1).multiplyScalar(get('normalScale'));
+      material.bumpScale = get('bumpScale');
+      material.displacementScale = get('displacementScale');
+      material.displacementBias = get('displacementBias');
+    }
+    if ('isMeshPhysicalMaterial' in material) {
+      for (const field in numbers) Object.assign(material, { [numbers[field]]: this.get(field) });
+      const flip = get('clearcoatNormalFlip') ? -1 : 1;
+      material.clearcoatNormalScale.set(1, flip).multiplyScalar(get('clearcoatNormalScale'));
+      material.sheenColor.setRGB(...get<Vector3Tuple>('sheenColour'));
+      material.attenuationColor.setRGB(...get<Vector3Tuple>('attenuationColour'));
+      material.specularColor.setRGB(...get<Vector3Tuple>('specularColour'));
+      material.attenuationDistance = get<number>('attenuationDistance') || Infinity;
+      setFilmThickness(material, get('iridescenceThicknessMin'), get('iridescenceThicknessMax'));
+    }
+    if (this.programState(material) !== before) material.needsUpdate = true;
+  }
+
+  private sharedValues(): MaterialValues {
+    const names = Object.keys(materialFields).filter((name) => name in this.fields);
+    return Object.fromEntries(names.map((name) => [name, this.get(name)])) as unknown as MaterialValues;
+  }
+
+  private textureOf(name: MaterialMapName, map: MaterialMap): Texture | null {
+    const texture = this.get(name) as string | null;
+    const { host } = this;
+    if (texture === null || !host) return this.drop(name);
+    if (!host.isReady('texture', texture)) {
+      host.whenReady('texture', texture, () => {
+        if (this.get(name) === texture) this.write();
+      });
+      return this.drop(name);
+    }
+    const base = host.texture(texture);
+    const wrapS = wraps[this.get(`${name}WrapX`) as keyof typeof wraps];
+    const wrapT = wraps[this.get(`${name}WrapY`) as keyof typeof wraps];
+    let used = this.textures.get(name);
+    if (!used?.isOf(base, wrapS, wrapT)) {
+      used?.dispose();
+      used = new MaterialTexture(base, wrapS, wrapT, map.isColour ?? false);
+      this.textures.set(name, used);
+    }
+    const value = (ending: string): number => this.get(`${name}${ending}`) as number;
+    used.place(
+      value('OffsetX'),
+      value('OffsetY'),
+      value('RepeatX'),
+      value('RepeatY'),
+      value('Rotation'),
+      value('Channel'),
+    );
+    return used.three;
+  }
+
+  private drop(name: MaterialMapName): null {
+    this.textures.get(name)?.dispose();
+    this.textures.delete(name);
+    return null;
+  }
+
+  /** What a program is compiled for: a change of it needs another program. */
+  private programState(material: MeshPhysicalMaterial): string {
+    const any = material as unknown as Record<string, unknown>;
+    const maps = materialMapNames.map((name) => {
+      const texture = any[materialMaps[name].property] as Texture | null | undefined;
+      return texture ? texture.channel : '';
+    });
+    const { flatShading, side, transparent, alphaTest, vertexColors, wireframe } = material;
+    return [
+      ...maps,
+      ...lobes.map((name) => ((any[name] as number | undefined) ?? 0) > 0),
+      flatShading,
+      side,
+      transparent,
+      alphaTest > 0,
+      vertexColors,
+      wireframe,
+      material.onBeforeCompile === undefined || Object.hasOwn(material, 'onBeforeCompile'),
+    ].join();
+  }
+}
+
+/** The thickness of the film (nm), which versions of three before 0.187 have as a pair. */
+function setFilmThickness(material: MeshPhysicalMaterial, least: number, greatest: number): void {
+  if ('iridescenceThicknessMinimum' in material) {
+    Object.assign(material, { iridescenceThicknessMinimum: least, iridescenceThicknessMaximum: greatest });
+  } else Object.assign(material, { iridescenceThicknessRange: [least, greatest] });
+}
