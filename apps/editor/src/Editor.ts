@@ -31,6 +31,7 @@ import { RecentFiles } from './model/RecentFiles';
 import { Registry } from './model/Registry';
 import { Tour } from './model/Tour';
 import { panels } from './panels';
+import { applyViews, type ViewChoice } from './viewport/panes/ViewChoice';
 import { Viewport } from './viewport/Viewport';
 import { Plugins } from './plugins/Plugins';
 import { unknownTypes } from './model/unknownTypes';
@@ -296,7 +297,9 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    const apply = ({ snapSteps, effects }: Preferences): void => {
+    let shown: ViewChoice | null = null;
+    const apply = ({ snapSteps, effects, views }: Preferences): void => {
+      if (views !== shown) applyViews(this.viewport, (shown = views));
       this.viewport.setEffects(effects);
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };

@@ -19,12 +19,14 @@ import { pause, play, step, stop } from './play';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
 import { toggleOrthographic, turns } from './projection';
+import { nextView, quadView, resetViews } from './quadView';
 import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
 import { exportScene } from './exportScene';
 import { save, saveAs } from './save';
 import { selectAll } from './selectAll';
+import { shadings, showShadings } from './shadings';
 import { showKeys } from './showKeys';
 import { showPalette } from './showPalette';
 import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showPanels';
@@ -77,6 +79,11 @@ export const actions: readonly Action[] = [
   toggleOrthographic,
   ...turns,
   ...cameraActions,
+  quadView,
+  nextView,
+  resetViews,
+  ...shadings,
+  showShadings,
   play,
   pause,
   step,

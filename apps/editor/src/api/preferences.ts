@@ -1,6 +1,7 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
 import type { Language } from '../language/languages';
+import { defaultViews, type ViewChoice } from '../viewport/panes/ViewChoice';
 import type { EffectChoice } from '../viewport/ViewportEffects';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
@@ -17,6 +18,8 @@ export interface Preferences {
   showWelcome: boolean;
   /** What takes part in the picture beside the technique. */
   effects: EffectChoice;
+  /** One view or four, and how they show the scene. */
+  views: ViewChoice;
 }
 
 export type PreferenceStore = StoreApi<Preferences>;
@@ -29,6 +32,7 @@ export const createPreferences = (storage: string): PreferenceStore =>
         folded: {},
         theme: 'dark',
         language: null,
+        views: defaultViews,
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
         showWelcome: true,
         effects: { antialiasing: 'auto', on: [] },

@@ -30,7 +30,7 @@ import type { PickSurface } from './PickSurface';
 import { PictureCamera } from './PictureCamera';
 import { PointerPicker } from './PointerPicker';
 import type { PlainShading } from './shading/PlainShading';
-import { type Shading, techniqueOf } from './shading/Shading';
+import { isPlain, type Shading, techniqueOf } from './shading/Shading';
 import { type AddedEffect, type EffectChoice, ViewportEffects } from './ViewportEffects';
 import { ViewportSettings } from './ViewportSettings';
 
@@ -52,6 +52,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly timed = new Signal();
   /** Emits when the picture has another size. */
   readonly resized = new Signal();
+  /** The user asks for the menu of shadings. */
+  readonly shadingAsked = new Signal();
   readonly statistics = new FrameStatistics();
   readonly webgl: WebGLRenderer;
   readonly farol: FarolRenderer;
@@ -205,22 +207,13 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.changed.emit();
   }
 
-  /** How the active view shows the scene. @throws Error naming what the device lacks */
+  /** How the active view shows the scene. */
   get shading(): Shading {
     return this.panes.active.shading;
   }
 
-  set shading(shading: Shading) {
-    this.shade(this.panes.active, shading);
-  }
-
-  /** Says how a view shows the scene. @throws Error naming what the device lacks */
+  /** Says how a view shows the scene. */
   shade(pane: ViewPane, shading: Shading): void {
-    if (shading === 'unlit') {
-      const { view } = this.farol;
-      this.farol.view = 'albedo';
-      this.farol.view = view;
-    }
     pane.shading = shading;
     this.changed.emit();
   }
@@ -380,18 +373,16 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private drawScene({ shading }: ViewPane, camera: Camera): void {
     const { farol } = this;
     const scene = this.document.scene.three;
-    if ((shading === 'clay' || shading === 'wireframe') && this.painter === null && this.plainShading()) {
+    if (isPlain(shading) && this.painter === null && this.plainShading()) {
       this.plain!.render(scene, camera, shading);
       return;
     }
-    const { view, technique } = farol;
+    const { technique } = farol;
     const own = techniqueOf(shading);
     try {
-      if (shading === 'unlit' && view === 'final') farol.view = 'albedo';
       if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
       (this.painter ?? farol).render(scene, camera);
     } finally {
-      farol.view = view;
       farol.technique = technique;
     }
   }
@@ -427,6 +418,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private sceneOpened(): void {
     this.lookThrough = null;
     this.pictureCamera.showScene();
+    this.panes.lookFromSides();
   }
 
   /** A camera that was taken out cannot be looked through. */

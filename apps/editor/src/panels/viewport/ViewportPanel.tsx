@@ -9,6 +9,7 @@ import { ViewportToolbar } from './ViewportToolbar';
 
 const PainterOverlay = lazy(async () => ({ default: (await import('../frame/PainterOverlay')).PainterOverlay }));
 const PlayFrame = lazy(async () => ({ default: (await import('../play/PlayFrame')).PlayFrame }));
+const QuadOverlay = lazy(async () => ({ default: (await import('./QuadOverlay')).QuadOverlay }));
 const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
 
 /** Views whose colours stand for numbers. */
@@ -35,6 +36,7 @@ export function ViewportPanel(): ReactNode {
       {viewport.showStatistics && <StatisticsOverlay />}
       {!isGrid && <PreviewFrame />}
       <Suspense fallback={null}>
+        {viewport.isQuad && <QuadOverlay />}
         {viewport.painter && <PainterOverlay />}
         {simulation.state !== 'stopped' && <PlayFrame />}
         {counts.has(viewport.view) && !viewport.painter && <HeatScale />}

@@ -3,11 +3,13 @@ import type { ReactNode } from 'react';
 import { Camera } from '@farol/engine';
 import { gizmoModes } from '../../actions/gizmoModes';
 import { gizmoSpace } from '../../actions/gizmoSpace';
+import { quadView } from '../../actions/quadView';
 import { snap } from '../../actions/snap';
 import { showStatistics } from '../../actions/statistics';
 import { continuous, showGrid, showIcons, showRanges } from '../../actions/viewportToggles';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { ShadingMenu } from './ShadingMenu';
 import { SnapSteps } from './SnapSteps';
 import { ViewCube } from './ViewCube';
 import type { Viewport } from '../../viewport/Viewport';
@@ -51,6 +53,8 @@ export function ViewportToolbar(): ReactNode {
         <ActionButton action={continuous} />
         <ActionButton action={showStatistics} />
         <span className="bar-line" />
+        <ActionButton action={quadView} />
+        <ShadingMenu />
         <SelectBox
           value={viewport.lookThrough?.id ?? EDITOR_CAMERA}
           options={[{ value: EDITOR_CAMERA, label: t("Editor's camera") }, ...cameras]}
