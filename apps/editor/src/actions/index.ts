@@ -15,7 +15,7 @@ import { goToMenuBar } from './menuBar';
 import { measure } from './measure';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
-import { pause, play, step, stop } from './play';
+import { pause, play, playFromCamera, playFromHere, step, stop } from './play';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
 import { toggleOrthographic, turns } from './projection';
@@ -85,6 +85,8 @@ export const actions: readonly Action[] = [
   ...shadings,
   showShadings,
   play,
+  playFromCamera,
+  playFromHere,
   pause,
   step,
   stop,

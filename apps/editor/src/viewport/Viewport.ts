@@ -1,11 +1,5 @@
 import { Signal } from '@farol/editing';
-import {
-  type Camera as CameraComponent,
-  createWebGLRenderer,
-  followEffects,
-  type GameObject,
-  InputRouter,
-} from '@farol/engine';
+import { type Camera as CameraComponent, createWebGLRenderer, followEffects, type GameObject } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName } from '@farol/renderer';
 import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
 import type { CameraView } from '../model/cameraEdits';
@@ -28,7 +22,9 @@ import { type Bounds, paneSurface } from './panes/paneSurface';
 import type { ViewPane } from './panes/ViewPane';
 import type { PickSurface } from './PickSurface';
 import { PictureCamera } from './PictureCamera';
+import { PlayView } from './PlayView';
 import { PointerPicker } from './PointerPicker';
+import { SceneInput } from './SceneInput';
 import type { PlainShading } from './shading/PlainShading';
 import { isPlain, type Shading, techniqueOf } from './shading/Shading';
 import { type AddedEffect, type EffectChoice, ViewportEffects } from './ViewportEffects';
@@ -65,7 +61,9 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly boxSelect: BoxSelect;
 
   private readonly effects: ViewportEffects;
-  private readonly input: InputRouter;
+  /** Pointer and keys of a scene that plays. */
+  readonly input: SceneInput;
+  private readonly playView: PlayView;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
   /** Draws without lights; null while it is fetched, undefined before. */
@@ -112,10 +110,14 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.helpers.scene.add(this.gizmo.three);
     this.boxSelect = new BoxSelect(this);
     this.picker = new PointerPicker(this);
-    this.input = new InputRouter(surface, window, {
-      dispatchPointer: (event) => this.sceneListens && document.scene.dispatchPointer(event),
-      dispatchKey: (event) => (this.keysGoToScene || event.type === 'up') && document.scene.dispatchKey(event),
-    });
+    this.input = new SceneInput(
+      document,
+      canvas,
+      surface,
+      () => this.lookThrough !== null,
+      () => this.changed.emit(),
+    );
+    this.playView = new PlayView(document, this);
     for (const signal of [document.edited, document.selection.changed, document.simulation.changed, this.changed]) {
       this.endings.push(signal.subscribe(this.redraw));
     }
@@ -172,12 +174,18 @@ export class Viewport extends ViewportSettings implements PickSurface {
 
   /** Whether the pointer goes to the scene's own components. */
   get sceneListens(): boolean {
-    return this.lookThrough !== null && this.document.simulation.isPlaying;
+    return this.input.hasPointer;
   }
 
   /** Whether keys go to the scene's own components. */
   get keysGoToScene(): boolean {
-    return this.sceneListens;
+    return this.input.hasKeys;
+  }
+
+  /** Plays the scene, seen through a camera of it until it stops. @param isHere - whether from where the editor looks */
+  playThrough(camera: CameraComponent, isHere: boolean): void {
+    this.playView.play(camera, isHere ? this.viewed : null);
+    this.input.takeKeys();
   }
 
   /** The editor's own camera of the active view. */
@@ -332,6 +340,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.preview?.dispose();
     this.ball?.dispose();
     this.input.dispose();
+    this.playView.dispose();
     this.gizmo.dispose();
     this.helpers.dispose();
     this.pictureCamera.dispose();

@@ -91,6 +91,10 @@ class BaseScene implements SceneType {
     return this.index.componentsOf(type);
   }
 
+  get takesKeys(): boolean {
+    return this.index.keyed.array.some((component) => component.isActive);
+  }
+
   get requiredEffects(): readonly RequiredEffect[] {
     return this.index.effects.array;
   }

@@ -338,6 +338,8 @@ export interface Scene extends GameObjectContainer {
   readonly roots: readonly GameObject[];
   /** How many objects it has, however deep in the tree. */
   readonly size: number;
+  /** Whether a component that is active listens to keys. */
+  readonly takesKeys: boolean;
   /** The effects of the renderer that components of the scene need; the same array all along. */
   readonly requiredEffects: readonly RequiredEffect[];
   /**

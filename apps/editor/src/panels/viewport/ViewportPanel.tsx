@@ -4,6 +4,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
 import { PreviewFrame } from './PreviewFrame';
 import { StatisticsOverlay } from './StatisticsOverlay';
+import { ViewLine } from './ViewLine';
 import { ViewportMenu } from './ViewportMenu';
 import { ViewportToolbar } from './ViewportToolbar';
 
@@ -35,6 +36,7 @@ export function ViewportPanel(): ReactNode {
       {!isGrid && <ViewportToolbar />}
       {viewport.showStatistics && <StatisticsOverlay />}
       {!isGrid && <PreviewFrame />}
+      <ViewLine />
       <Suspense fallback={null}>
         {viewport.isQuad && <QuadOverlay />}
         {viewport.painter && <PainterOverlay />}
