@@ -1,3 +1,4 @@
+import { keepViews, showViews } from './bookmarks';
 import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import type { Action } from '../api/Action';
@@ -79,6 +80,8 @@ export const actions: readonly Action[] = [
   toggleOrthographic,
   ...turns,
   ...cameraActions,
+  ...showViews,
+  ...keepViews,
   quadView,
   nextView,
   resetViews,

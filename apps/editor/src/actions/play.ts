@@ -63,6 +63,7 @@ export const playFromCamera: Action = {
   keys: ['Alt+P'],
   inFields: true,
   icon: 'camera',
+  menu: { menu: 'edit', group: 'play' },
   run: (editor) => editor.viewport.playThrough(mainCamera(editor)!, false),
   enabled: canPlayThrough,
 };
@@ -74,6 +75,7 @@ export const playFromHere: Action = {
   keys: ['Alt+Shift+P'],
   inFields: true,
   icon: 'eye',
+  menu: { menu: 'edit', group: 'play' },
   run: (editor) => editor.viewport.playThrough(mainCamera(editor)!, true),
   enabled(editor) {
     const parent = mainCamera(editor)?.gameObject.parent;

@@ -12,6 +12,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { ShadingMenu } from './ShadingMenu';
 import { SnapSteps } from './SnapSteps';
 import { ViewCube } from './ViewCube';
+import { ViewsMenu } from './ViewsMenu';
 import type { Viewport } from '../../viewport/Viewport';
 import { usePreferences } from '../../ui/usePreferences';
 import { SelectBox } from '../../ui/SelectBox';
@@ -54,6 +55,7 @@ export function ViewportToolbar(): ReactNode {
         <ActionButton action={showStatistics} />
         <span className="bar-line" />
         <ActionButton action={quadView} />
+        <ViewsMenu />
         <ShadingMenu />
         <SelectBox
           value={viewport.lookThrough?.id ?? EDITOR_CAMERA}
