@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
+import { outOfReach } from '../support/outOfReach';
 import { addObject, openEditor, pointOf } from './editor';
 import { makeFingers, type Point } from './fingers';
 
@@ -36,8 +37,68 @@ test.describe('on a tablet', () => {
     await openTheme(page, 'light', ['color-contrast']);
     await useFingers(page);
     await lookAtPanels(page, ['color-contrast']);
+    await holdAsTelephone(page);
   });
 });
+
+test('nothing is out of reach, and axe finds nothing serious, from twice enlarged to a large screen', async ({
+  page,
+}) => {
+  await openEditor(page, 'empty');
+  await page.evaluate(() => window.editor.document.selection.set([window.editor.document.scene.find('Sun')!.id]));
+  for (const [width, height] of [
+    [640, 360],
+    [800, 600],
+    [1440, 900],
+    [2560, 1440],
+  ]) {
+    await page.setViewportSize({ width, height });
+    await expect(page.locator('.sheet-tabs')).toHaveCount(width < 1000 ? 1 : 0);
+    await reachEverything(page, `${width} x ${height}`);
+    expect(await axeProblems(page)).toEqual([]);
+  }
+});
+
+/** Asks each panel that is in a tab, and the dialogs, whether every control in them can be pressed. */
+async function reachEverything(page: Page, where: string): Promise<void> {
+  for (const tab of await page.getByRole('tab').all()) {
+    await tab.click();
+    await page.locator(`#panel-${await tab.evaluate(({ id }) => id.slice('tab-'.length))} .panel`).waitFor();
+    expect(await outOfReach(page), `${where}, ${await tab.innerText()}`).toEqual([]);
+  }
+  for (const kind of ['keys', 'export', 'welcome'] as const) {
+    await page.evaluate((shown) => void window.editor.dialogs.show({ kind: shown, recovery: null }), kind);
+    const dialog = page.getByRole('dialog');
+    await expect(dialog.getByRole('heading').first()).toBeVisible();
+    expect(await outOfReach(page), `${where}, ${kind}`).toEqual([]);
+    await page.keyboard.press('Escape');
+    await expect(dialog).toHaveCount(0);
+  }
+}
+
+/** A telephone held upright: sheets one at a time, controls of the size of a finger, the names in the tree readable. */
+async function holdAsTelephone(page: Page): Promise<void> {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await expect(page.locator('.sheet-tabs')).toBeVisible();
+  await reachEverything(page, '390 x 844');
+  expect(await axeProblems(page)).toEqual([]);
+  await page.getByRole('tab', { name: 'Hierarchy' }).tap();
+  const sun = page.getByRole('treeitem', { name: 'Sun' });
+  const name = sun.locator('.row-name');
+  expect(await name.evaluate(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth)).toBe(true);
+  expect((await sun.boundingBox())!.height).toBeGreaterThanOrEqual(40);
+  await page.getByRole('tab', { name: 'Inspector' }).tap();
+  await expect(sun).toBeHidden();
+  for (const each of await page.locator('.toolbar .button:visible, .viewport-bar .button:visible, .sheet-tab').all()) {
+    const box = (await each.boundingBox())!;
+    expect(box.height, await each.innerText()).toBeGreaterThanOrEqual(40);
+  }
+  // everything that can be done, from one button
+  await page.getByRole('button', { name: 'Menus' }).tap();
+  await page.getByRole('menuitem', { name: 'Help', exact: true }).tap();
+  await page.getByRole('menuitem', { name: 'Welcome…' }).tap();
+  await expect(page.getByRole('dialog', { name: 'Welcome to Farol' })).toBeVisible();
+}
 
 /** Where the editor's camera is from what it orbits, and that (m, rounded to millimetres). */
 const view = (page: Page): Promise<{ from: number[]; target: number[]; distance: number }> =>
@@ -130,7 +191,7 @@ async function useFingers(page: Page): Promise<void> {
   await expect.poll(async () => (await view(page)).target).not.toEqual(before.target);
 
   // every tab and button of the bars is within the window
-  for (const each of await page.locator('.tab, .toolbar .button').all()) {
+  for (const each of await page.locator('.tab, .toolbar .button:visible').all()) {
     const box = (await each.boundingBox())!;
     expect(box.x, await each.innerText()).toBeGreaterThanOrEqual(0);
     expect(box.x + box.width, await each.innerText()).toBeLessThanOrEqual(820);

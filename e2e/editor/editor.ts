@@ -16,6 +16,7 @@ export interface EditorHandle {
   readonly samples: Readonly<Record<string, { readonly parameters: object }>>;
   openScene(name: string, parameters?: Record<string, number>): Promise<void>;
   readonly microShaders: { textOf(name: string): string };
+  readonly dialogs: { show(request: { kind: 'keys' | 'export' | 'welcome'; recovery: null }): Promise<boolean> };
   readonly notices: { show(kind: 'error', text: string): void };
   openMicroShader(name: string, line?: number): void;
   readonly commands: {

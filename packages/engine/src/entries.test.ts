@@ -13,10 +13,18 @@ const names = {
   loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides'],
   scene: ['Scene', 'GameObject', 'Component', 'createRandom', 'gameObjectOf'],
   components: [
-    ...['Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
+    ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
     ...['RandomMovement', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],
-  assets: ['AssetLibrary', 'AssetError', 'MaterialAsset', 'Model', 'importModel'],
+  assets: [
+    'AssetLibrary',
+    'AssetError',
+    'MaterialAsset',
+    'Model',
+    'importModel',
+    'objectsOfModel',
+    'whatKeepsTogether',
+  ],
 };
 
 test('the main entry exports these names', () => {

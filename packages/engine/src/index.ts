@@ -32,6 +32,7 @@ export type { Vector3Input } from './core/toVector3';
 
 export { ComponentRegistry, type ComponentRegistryOptions } from './core/ComponentRegistry';
 export { builtinComponents } from './components/index';
+export { Animator } from './components/Animator';
 export { Camera } from './components/Camera';
 export { Decal } from './components/Decal';
 export { KeyController } from './components/KeyController';
@@ -46,6 +47,12 @@ export type { Asset, AssetChange, AssetFile, MaterialUser, TakenAsset } from './
 export { AssetError } from './assets/AssetError';
 export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';
 export { importModel } from './components/importModel';
+export {
+  type ObjectsOfModel,
+  type UnpackOptions,
+  objectsOfModel,
+  whatKeepsTogether,
+} from './components/objectsOfModel';
 export { MaterialAsset } from './assets/MaterialAsset';
 export type { FetchBytes, FetchOptions } from './assets/loadAsset';
 export { Model } from './assets/Model';

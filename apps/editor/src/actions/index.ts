@@ -17,6 +17,7 @@ import { measure } from './measure';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { pause, play, playFromCamera, playFromHere, step, stop } from './play';
+import { makeMaterial, newMaterial, unpackModel } from './materials';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
 import { toggleOrthographic, turns } from './projection';
@@ -67,6 +68,9 @@ export const actions: readonly Action[] = [
   deselect,
   makePrefab,
   unpackPrefab,
+  newMaterial,
+  makeMaterial,
+  unpackModel,
   ...gizmoModes,
   gizmoSpace,
   snap,

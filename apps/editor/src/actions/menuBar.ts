@@ -7,5 +7,5 @@ export const goToMenuBar: Action = {
   keys: ['F10'],
   inFields: true,
   menu: { menu: 'view', group: 'window', submenu: 'Go to' },
-  run: () => document.querySelector<HTMLElement>('.menu-bar [role="menuitem"]')?.focus(),
+  run: () => document.querySelector<HTMLElement>('.menu-bar [role="menuitem"], button.menu-bar')?.focus(),
 };

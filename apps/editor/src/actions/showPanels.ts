@@ -1,4 +1,3 @@
-import { groupWith } from '../layout/LayoutNode';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 
@@ -65,7 +64,7 @@ export const showPanels = ({ panels }: EditorApi): Action[] =>
     icon,
     menu: { menu: 'view', group: 'panels', submenu: 'Panels' },
     run({ layout }) {
-      if (groupWith(layout.current(), id)?.active === id) layout.close(id);
+      if (layout.isInFront(id)) layout.close(id);
       else {
         layout.open(id);
         focusPanel(id);

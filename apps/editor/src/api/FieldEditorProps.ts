@@ -11,6 +11,8 @@ export interface FieldEditorProps<F extends Field> {
   readonly parts?: readonly (number | null)[];
   /** Whether the values differ. */
   readonly mixed: boolean;
+  /** The texts that there are to choose from, of a field that says so; absent where any goes. */
+  readonly choices?: readonly string[];
   /** Accessible name. */
   readonly label: string;
   /** Help, unit and range in words. */

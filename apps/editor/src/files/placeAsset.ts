@@ -1,13 +1,14 @@
-import { SetFields, t } from '@farol/editing';
+import { type Command, SetFields, t } from '@farol/editing';
 import { GameObject, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import { instanceRootOf } from '@farol/engine/prefabs';
 import { Box3, Vector3 } from 'three';
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
+import { Sequence } from '../model/commands/Sequence';
 import { addObject } from '../model/edits';
 import { canPlacePrefab, placePrefab } from '../model/prefabEdits';
-import { isEnvironment } from './assetKinds';
+import { holdsNormals, isEnvironment } from './assetKinds';
 import type { DraggedAsset } from './dragAsset';
 
 /** Where something is dropped. */
@@ -67,9 +68,19 @@ export function useAsEnvironment(editor: EditorApi, name: string): void {
 
 /** Gives the object under the pointer a material, shader or texture. @returns whether it could */
 function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObject | null): boolean {
-  const owner = target?.getComponent(ObjectRenderer);
-  if (!owner) return false;
-  const field = kind === 'texture' ? 'map' : kind;
+  const renderer = target?.getComponent(ObjectRenderer);
+  if (!renderer) return false;
+  const { assets } = editor.document;
+  const map = kind === 'texture' && holdsNormals(assets, name) ? 'normalMap' : 'map';
+  const shared = kind === 'texture' && renderer.material !== null ? assets.materialAsset(renderer.material) : null;
+  if (shared) {
+    // a material that others may share keeps the rest of what it is
+    const label = t('Give {object} {asset}', { object: shared.name, asset: name });
+    editor.commands.run(new SetFields(label, [{ owner: shared, name: map, value: name }]));
+    return true;
+  }
+  const owner = renderer;
+  const field = kind === 'texture' ? map : kind;
   const cleared = kind === 'texture' ? ['shader', 'material'] : kind === 'material' ? ['shader'] : [];
   editor.commands.run(
     new SetFields(t('Give {object} {asset}', { object: target!.name, asset: name }), [
@@ -84,9 +95,15 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
 /**
  * Brings an asset into the scene: models, meshes and prefabs are placed; environments light the scene; materials, shaders
  * and textures go onto the object under the pointer, or else onto something new.
+ * @param then - part of the same step: what becomes of the object that was made
  * @throws Error when a prefab would be placed within itself
  */
-export async function placeAsset(editor: EditorApi, asset: DraggedAsset, place: DropPlace = {}): Promise<void> {
+export async function placeAsset(
+  editor: EditorApi,
+  asset: DraggedAsset,
+  place: DropPlace = {},
+  then?: (object: GameObject) => Command,
+): Promise<void> {
   const { document, commands } = editor;
   const { scene, selection } = document;
   const parent = place.parent ?? scene;
@@ -120,5 +137,6 @@ export async function placeAsset(editor: EditorApi, asset: DraggedAsset, place: 
     const lift = place.point ? new Vector3(0, footOf(editor, asset), 0) : new Vector3();
     object.transform.position = lift.add(new Vector3(...point)).toArray();
   }
-  commands.run(addObject(scene, object, parent, selection.ids));
+  const add = addObject(scene, object, parent, selection.ids);
+  commands.run(then ? new Sequence(add.label, [() => add, () => then(object)], add.selection) : add);
 }

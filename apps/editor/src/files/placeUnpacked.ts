@@ -1,13 +1,15 @@
-import { importModel } from '@farol/engine';
+import { ModelRenderer } from '@farol/engine';
 import type { EditorApi } from '../api/EditorApi';
-import { addObject } from '../model/edits';
+import { unpackModels, whyNotUnpack } from '../model/unpackModels';
+import { placeAsset } from './placeAsset';
 
-/** Puts the parts of a model into the scene, each an object that can be edited. */
+/** Puts a model into the scene as a tree of objects, in one step. @throws Error where it stays one object */
 export async function placeUnpacked(editor: EditorApi, name: string): Promise<void> {
-  const { document, commands, viewport } = editor;
-  await document.assets.load(name);
-  const object = importModel(document.assets.model(name), document.assets, name);
-  object.name = name.replace(/\.\w+$/, '');
-  object.transform.position = viewport.editorCamera.target.toArray();
-  commands.run(addObject(document.scene, object, document.scene, document.selection.ids));
+  const { scene, assets } = editor.document;
+  await assets.load(name);
+  const problem = whyNotUnpack(assets, name);
+  if (problem !== null) throw new Error(problem);
+  await placeAsset(editor, { kind: 'model', name }, {}, (object) =>
+    unpackModels(scene, [object.getComponent(ModelRenderer)!]),
+  );
 }

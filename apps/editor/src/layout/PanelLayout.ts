@@ -2,7 +2,7 @@ import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
 import { defaultLayout } from './defaultLayout';
 import { activatePanel, movePanel, type PanelDrop, removePanel, resizeSplit } from './editLayout';
-import { groupsOf, groupWith, type LayoutNode } from './LayoutNode';
+import { groupsOf, groupWith, type LayoutNode, MAIN_PANEL } from './LayoutNode';
 import { openPanel } from './openPanel';
 import type { PanelRegistry } from './PanelRegistry';
 import { repairLayout } from './repairLayout';
@@ -14,7 +14,17 @@ interface LayoutState {
   known: readonly string[];
   /** The panel that has the whole window; null when all share it. Not stored. */
   maximised: string | null;
+  /** Whether the window has room for one panel beside the picture only. Not stored. */
+  isSmall: boolean;
+  /** The panel beside the picture of a small window; null when there is none. Not stored. */
+  sheet: string | null;
+  /** Part of a small window that this panel takes. */
+  share: number;
 }
+
+/** Least and largest part of a small window that a panel takes. */
+const LEAST_SHARE = 0.2;
+const LARGEST_SHARE = 0.8;
 
 /** How the panels of one editor share its window, and what can be done to that, by id of panel; kept in the browser. */
 export class PanelLayout {
@@ -28,10 +38,13 @@ export class PanelLayout {
     storage: string,
   ) {
     this.store = createStore<LayoutState>()(
-      persist((): LayoutState => ({ stored: null, known: [], maximised: null }), {
-        name: storage,
-        partialize: ({ stored, known }) => ({ stored, known }),
-      }),
+      persist(
+        (): LayoutState => ({ stored: null, known: [], maximised: null, isSmall: false, sheet: null, share: 0.5 }),
+        {
+          name: storage,
+          partialize: ({ stored, known, share }) => ({ stored, known, share }),
+        },
+      ),
     );
   }
 
@@ -64,7 +77,33 @@ export class PanelLayout {
   /** The panel that has the whole window; null when all share it. */
   readonly maximised = (): string | null => this.store.getState().maximised;
 
+  /** Whether the window has room for one panel beside the picture only: see `isSmallWindow`. */
+  readonly isSmall = (): boolean => this.store.getState().isSmall;
+
+  /** The panel beside the picture of a small window; null when there is none. */
+  readonly sheet = (): string | null => this.store.getState().sheet;
+
+  /** Part of a small window that the panel beside the picture takes, from 0 to 1. */
+  readonly share = (): number => this.store.getState().share;
+
+  /** Says whether the window is small. */
+  setSmall(isSmall: boolean): void {
+    if (isSmall !== this.isSmall()) this.store.setState({ isSmall });
+  }
+
+  /** Gives the panel beside the picture of a small window its part. */
+  shareSheet(share: number): void {
+    this.store.setState({ share: Math.min(LARGEST_SHARE, Math.max(LEAST_SHARE, share)) });
+  }
+
+  /** Whether a panel is there and no other one lies over it. */
+  isInFront(panel: string): boolean {
+    if (this.isSmall()) return panel === MAIN_PANEL || this.sheet() === panel;
+    return groupWith(this.current(), panel)?.active === panel;
+  }
+
   isOpen(panel: string): boolean {
+    if (this.isSmall()) return this.isInFront(panel);
     return groupWith(this.current(), panel) !== undefined;
   }
 
@@ -76,11 +115,16 @@ export class PanelLayout {
       throw new Error(`There is no panel '${id}'. Those there are: ${panels.list.map((each) => each.id).join(', ')}.`);
     const maximised = this.maximised();
     if (maximised !== null && maximised !== id) this.maximise(null);
+    if (this.isSmall()) return this.store.setState({ sheet: id === MAIN_PANEL ? null : id });
     this.set(openPanel(this.current(), panel, panels.list));
   }
 
   /** Takes a panel out of the window; the last one stays. */
   close(panel: string): void {
+    if (this.isSmall()) {
+      if (this.sheet() === panel) this.store.setState({ sheet: null });
+      return;
+    }
     const layout = removePanel(this.current(), panel);
     if (!layout) return;
     if (this.maximised() === panel) this.maximise(null);

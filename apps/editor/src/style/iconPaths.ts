@@ -36,6 +36,7 @@ export const iconPaths = {
   add: 'M8 3v10M3 8h10',
   remove: 'M3.4 4.4h9.2M6 4.4V2.6h4v1.8M4.6 4.4l.6 9h5.6l.6-9M7 7v4M9 7v4',
   duplicate: 'M5.4 5.4h8.2v8.2H5.4zM2.4 10.6V2.4h8.2',
+  menu: 'M2.4 4.4h11.2M2.4 8h11.2M2.4 11.6h11.2',
   more: 'M3.4 8h.02M8 8h.02M12.6 8h.02',
   chevron: 'M6 3.6L10.4 8 6 12.4',
   up: 'M3.8 9.8L8 5.6l4.2 4.2',

@@ -179,7 +179,8 @@ export class Gizmo {
     const { TransformControls } = await import('three/examples/jsm/controls/TransformControls.js');
     if (this.isDisposed) return;
     const controls = new TransformControls(new PerspectiveCamera(), this.canvas);
-    controls.size = 0.85;
+    // a finger is wider than a pointer
+    controls.size = matchMedia('(pointer: coarse)').matches ? 1.3 : 0.85;
     controls.setColors('#f0525c', '#5fb83e', '#3f86f2', '#ffc857');
     controls.space = this.ownSpace;
     if (this.currentMode !== 'select') controls.mode = this.currentMode;

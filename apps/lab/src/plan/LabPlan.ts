@@ -40,7 +40,10 @@ export interface Effort {
   readonly rounds: number;
   /** Length of a turn (ms), shared among throughput, CPU and GPU times. */
   readonly turn: number;
-  /** Measure first frames, the frame after ten lights more, and the frame after the technique changed. */
+  /**
+   * Measure first frames, the frame after ten lights more, and the frame after the technique changed; where the run has a
+   * `limit`, in the first case of each series alone.
+   */
   readonly changes: boolean;
   /** A competitor is left out, and says so, where its first frame or an ordinary one would take longer than this (ms). */
   readonly longestFrame: number;

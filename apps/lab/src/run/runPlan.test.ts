@@ -125,6 +125,16 @@ describe('runPlan', () => {
     expect(babylon.warnings.join()).toContain('3 lights are left out');
   });
 
+  it('measures what changes cost in each case, and in the first of a series where the run has a limit', async () => {
+    const added = async (limit: number | null): Promise<(number | undefined)[]> => {
+      const plan = smallPlan(['deferred'], { changes: true, limit });
+      const { rows } = await runPlan(plan, options(fakeStage({ deferred: 2 }, [])));
+      return rows.map((row) => row.added?.ms);
+    };
+    expect(await added(null)).toEqual([5, 5]);
+    expect(await added(80_000)).toEqual([5, undefined]);
+  });
+
   it('leaves out what would take too long, by its growth', async () => {
     const stage = fakeStage({ stock: 400, deferred: 2 }, []);
     const run = await runPlan(smallPlan(['stock', 'deferred'], { longestFrame: 3000 }), options(stage));

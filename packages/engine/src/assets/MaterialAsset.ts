@@ -156,7 +156,7 @@ export class MaterialAsset extends BaseFieldOwner {
       material.attenuationColor.setRGB(...get<Vector3Tuple>('attenuationColour'));
       material.specularColor.setRGB(...get<Vector3Tuple>('specularColour'));
       material.attenuationDistance = get<number>('attenuationDistance') || Infinity;
-      material.iridescenceThicknessRange = [get('iridescenceThicknessMin'), get('iridescenceThicknessMax')];
+      setFilmThickness(material, get('iridescenceThicknessMin'), get('iridescenceThicknessMax'));
     }
     if (this.programState(material) !== before) material.needsUpdate = true;
   }
@@ -223,4 +223,11 @@ export class MaterialAsset extends BaseFieldOwner {
       material.onBeforeCompile === undefined || Object.hasOwn(material, 'onBeforeCompile'),
     ].join();
   }
+}
+
+/** The thickness of the film (nm), which versions of three before 0.187 have as a pair. */
+function setFilmThickness(material: MeshPhysicalMaterial, least: number, greatest: number): void {
+  if ('iridescenceThicknessMinimum' in material) {
+    Object.assign(material, { iridescenceThicknessMinimum: least, iridescenceThicknessMaximum: greatest });
+  } else Object.assign(material, { iridescenceThicknessRange: [least, greatest] });
 }

@@ -1,9 +1,29 @@
-import { AnimationMixer, type Object3D } from 'three';
+import { AnimationMixer, type Light as ThreeLight, type Object3D } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import type { Model } from '../assets/Model';
 import type { Scene } from '../core/SceneGraph';
 import { component } from '../fields/component';
 import { asset, boolean, number, string } from '../fields/fields';
+
+type Light = ThreeLight & { target?: Object3D };
+
+/** A copy of a model's tree. Lights aim at the copies of what they aim at, which three's own copies do not. */
+function copyOf(source: Object3D): Object3D {
+  const copy = clone(source);
+  const copies = new Map<Object3D, Object3D>();
+  const lights: [Light, Light][] = [];
+  const visit = (from: Object3D, to: Object3D): void => {
+    copies.set(from, to);
+    if ('isLight' in from) lights.push([from as Light, to as Light]);
+    from.children.forEach((child, i) => visit(child, to.children[i]));
+  };
+  visit(source, copy);
+  for (const [from, to] of lights) {
+    const target = from.target && copies.get(from.target);
+    if (target) to.target = target;
+  }
+  return copy;
+}
 
 /**
  * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets, and plays its animations in step
@@ -13,7 +33,11 @@ export class ModelRenderer extends component({
   model: asset('model', null, { help: 'The model that is drawn.' }),
   castShadow: boolean(true, { help: 'Whether it throws shadows.', label: 'Cast shadow' }),
   receiveShadow: boolean(true, { help: 'Whether shadows fall on it.', label: 'Receive shadow' }),
-  animation: string('', { help: 'Name of the animation that plays while the scene plays; none when empty.' }),
+  animation: string('', {
+    choices: 'animations',
+    help: 'The clip that plays while the scene plays.',
+    label: 'Clip',
+  }),
   animationSpeed: number(1, { step: 0.1, help: 'Factor of the speed; below 0 it runs backwards.', label: 'Speed' }),
 }) {
   static override readonly typeName: string = 'ModelRenderer';
@@ -70,7 +94,7 @@ export class ModelRenderer extends component({
     }
     this.inUse = scene.assets.model(name);
     scene.assets.uses.acquire(this.inUse);
-    this.copy = clone(this.inUse.scene);
+    this.copy = copyOf(this.inUse.scene);
     this.gameObject.object3D.add(this.copy);
     this.applyFlags();
     this.startAnimation();

@@ -1,5 +1,6 @@
 import { builtinComponents } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
+import { Animator } from './Animator';
 import { Camera } from './Camera';
 import { Decal } from './Decal';
 import { KeyController } from './KeyController';
@@ -14,6 +15,7 @@ const components = [
   Transform,
   ObjectRenderer,
   ModelRenderer,
+  Animator,
   Light,
   Camera,
   Decal,

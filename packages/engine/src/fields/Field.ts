@@ -49,6 +49,8 @@ export interface BooleanField extends FieldBase {
 export interface StringField extends FieldBase {
   readonly kind: 'string';
   readonly default: string;
+  /** Name of a property of the owner that lists the texts to choose from, '' for none; any text when absent. */
+  readonly choices?: string;
 }
 
 export interface ChoiceField<Option extends string = string> extends FieldBase {

@@ -6,7 +6,7 @@ import { chooseFiles } from './chooseFiles';
 
 /** Adds a material to a folder, and shows its fields. */
 function newMaterial({ document, commands }: EditorApi, folder: string): void {
-  const { command, name } = addMaterial(document.scene, joinName(folder, t('Material')));
+  const { command, name } = addMaterial(document.scene, joinName(folder, t('Material')), { kind: 'physical' });
   commands.run(command);
   document.assetSelection.set([name]);
 }

@@ -1,11 +1,14 @@
 import { type ReactNode, useLayoutEffect, useRef, useState, useSyncExternalStore } from 'react';
-import { groupWith } from '../../layout/LayoutNode';
+import { groupWith, MAIN_PANEL } from '../../layout/LayoutNode';
 import { placeLayout, type Rectangle } from '../../layout/placeLayout';
+import { isSmallWindow, placeSheet } from '../../layout/smallWindow';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dock.css';
 import { DockEdge } from './DockEdge';
 import { DockGroup } from './DockGroup';
 import { DockPanel } from './DockPanel';
+import { SheetEdge } from './SheetEdge';
+import { SheetTabs } from './SheetTabs';
 import { TAB_HEIGHT } from './TabStrip';
 import { type TabDrag, useTabDrag } from './useTabDrag';
 
@@ -22,24 +25,47 @@ export const styleOf = ({ x, y, width, height }: Rectangle): Record<string, numb
  * the picture keeps its device, a list its place.
  */
 export function Dock({ children }: { children?: ReactNode }): ReactNode {
+  const { panels, layout: panelLayout } = useEditor();
   const place = useRef<HTMLElement>(null);
   const [size, setSize] = useState<readonly [number, number] | null>(null);
   useLayoutEffect(() => {
     const element = place.current!;
-    const measure = (): void => setSize([element.clientWidth, element.clientHeight]);
+    const measure = (): void => {
+      panelLayout.setSmall(isSmallWindow(innerWidth, innerHeight));
+      setSize([element.clientWidth, element.clientHeight]);
+    };
     const observer = new ResizeObserver(measure);
     observer.observe(element);
     measure();
     return () => observer.disconnect();
-  }, []);
-  const { panels, layout: panelLayout } = useEditor();
+  }, [panelLayout]);
   useSignal(panels.changed);
-  const layout = useSyncExternalStore(panelLayout.subscribe, panelLayout.current);
-  const maximised = useSyncExternalStore(panelLayout.subscribe, panelLayout.maximised);
+  const { subscribe } = panelLayout;
+  const layout = useSyncExternalStore(subscribe, panelLayout.current);
+  const maximised = useSyncExternalStore(subscribe, panelLayout.maximised);
+  const isSmall = useSyncExternalStore(subscribe, panelLayout.isSmall);
+  const open = useSyncExternalStore(subscribe, panelLayout.sheet);
+  const share = useSyncExternalStore(subscribe, panelLayout.share);
   const [width, height] = size ?? [0, 0];
+  const sheet = open !== null && maximised === null && panels.get(open) ? open : null;
+  const small = isSmall ? placeSheet(width, height, sheet === null ? null : share) : null;
   const all = placeLayout(layout, width, height);
   const alone = maximised === null ? undefined : groupWith(layout, maximised);
-  const placed = alone ? { groups: [{ group: alone, rectangle: { x: 0, y: 0, width, height } }], edges: [] } : all;
+  const placed = small
+    ? { groups: [], edges: [] }
+    : alone
+      ? { groups: [{ group: alone, rectangle: { x: 0, y: 0, width, height } }], edges: [] }
+      : all;
+  const shown = small
+    ? panels.list.map(({ id }) => {
+        const rectangle = id === MAIN_PANEL ? small.main : id === sheet ? small.sheet : null;
+        return { id, isInFront: rectangle !== null, rectangle };
+      })
+    : all.groups.flatMap(({ group }) => {
+        const there = placed.groups.find((each) => each.group.id === group.id);
+        const rectangle = there ? belowTabs(there.rectangle) : null;
+        return group.panels.map((id) => ({ id, isInFront: there !== undefined && id === group.active, rectangle }));
+      });
   const drag = useTabDrag(place, placed.groups);
   return (
     <main ref={place} className="dock">
@@ -48,20 +74,14 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
           {placed.groups.map(({ group, rectangle }) => (
             <DockGroup key={group.id} group={group} rectangle={rectangle} groups={placed.groups} onDrag={drag.begin} />
           ))}
-          {all.groups.flatMap(({ group }) => {
-            const shown = placed.groups.find((each) => each.group.id === group.id);
-            return group.panels.map((id) => (
-              <DockPanel
-                key={id}
-                id={id}
-                isInFront={shown !== undefined && id === group.active}
-                rectangle={shown ? belowTabs(shown.rectangle) : null}
-              />
-            ));
-          })}
+          {shown.map((panel) => (
+            <DockPanel key={panel.id} {...panel} />
+          ))}
           {placed.edges.map((edge) => (
             <DockEdge key={`${edge.path.join('.')}/${edge.index}`} edge={edge} layout={layout} />
           ))}
+          {small && <SheetEdge placed={small} share={share} width={width} height={height} />}
+          {small && <SheetTabs rectangle={small.tabs} sheet={sheet} />}
           <DropMark drag={drag.current} />
         </>
       )}

@@ -10,7 +10,7 @@ import { dropTowards } from './dropTowards';
 import { tabEntries } from './tabEntries';
 
 /** CSS pixels. */
-export const TAB_HEIGHT = 30;
+export const TAB_HEIGHT = matchMedia('(pointer: coarse)').matches ? 40 : 30;
 
 const towards: Readonly<Record<string, Exclude<DropSide, 'centre'>>> = {
   ArrowLeft: 'left',

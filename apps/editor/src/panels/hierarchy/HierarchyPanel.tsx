@@ -15,7 +15,7 @@ import { HierarchyRow, rowState } from './HierarchyRow';
 import { useObjectTree } from './useObjectTree';
 
 /** CSS pixels; more for fingers. */
-const ROW_HEIGHT = matchMedia('(pointer: coarse)').matches ? 34 : 24;
+const ROW_HEIGHT = matchMedia('(pointer: coarse)').matches ? 40 : 24;
 
 /** The tree of GameObjects: only rows in sight are in the page. */
 export function HierarchyPanel(): ReactNode {

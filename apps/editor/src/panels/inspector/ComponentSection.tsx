@@ -11,6 +11,7 @@ import { componentEntries } from './componentEntries';
 import { componentIcon, wordsOf } from './componentIcons';
 import { FieldList } from './FieldList';
 import { MaterialPreview } from './MaterialPreview';
+import { ModelBar } from './ModelBar';
 import { Section } from './Section';
 
 /**
@@ -56,6 +57,7 @@ export function ComponentSection(props: { components: readonly Component[] }): R
       }
     >
       <FieldList owners={components} />
+      {typeName === 'ModelRenderer' && <ModelBar components={components} />}
       {typeName === 'ObjectRenderer' && <MaterialPreview components={components} />}
     </Section>
   );

@@ -1,9 +1,16 @@
 import { sharedValue } from '@farol/editing';
-import { type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
+import { type Field, type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { FieldRow } from './FieldRow';
 import { useLiveTexts } from './useLiveTexts';
+
+/** The texts that a field can be chosen from, each on a line; null where any text goes. */
+function choicesOf(owner: FieldOwner, field: Field): string | null {
+  if (field.kind !== 'string' || field.choices === undefined) return null;
+  const list = (owner as unknown as Readonly<Record<string, unknown>>)[field.choices];
+  return Array.isArray(list) ? list.join('\n') : '';
+}
 
 interface FieldListProps {
   /** Memoised, at least one. */
@@ -33,6 +40,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
           parts={parts ? JSON.stringify(parts) : ''}
           isDefault={!mixed && sameValue(value, field.default)}
           places={places}
+          choices={choicesOf(owner, field)}
         />
       );
     });

@@ -22,11 +22,13 @@ interface FieldRowProps {
   readonly isDefault: boolean;
   /** Takes the element that says where simulation has taken the value. */
   readonly places: Map<string, HTMLElement>;
+  /** The texts that there are to choose from, each on a line; null where any text goes. */
+  readonly choices: string | null;
 }
 
 /** A field with its label: dragged, typed or chosen, it is edited in one step of history. */
 export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode {
-  const { owners, name, field, value, mixed, parts, isDefault, places } = props;
+  const { owners, name, field, value, mixed, parts, isDefault, places, choices } = props;
   const editor = useEditor();
   const gesture = useMemo(() => new FieldGesture(editor.commands, owners, name), [editor, owners, name]);
   // one editor for each kind: the table's type says so, which a union of its members cannot
@@ -69,6 +71,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
           value={value as never}
           mixed={mixed}
           parts={parts ? (JSON.parse(parts) as (number | null)[]) : undefined}
+          choices={choices === null ? undefined : choices.split('\n').filter(Boolean)}
           label={label}
           description={description}
           disabled={field.readOnly ?? false}

@@ -4,11 +4,19 @@ import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { menuEntries, menuLabel, menuNames } from '../../actions/menuEntries';
 import { useEditor } from '../../ui/EditorContext';
-import { LateItems } from '../../ui/MenuButton';
+import type { MenuEntry } from '../../api/MenuEntry';
+import { LateItems, MenuButton } from '../../ui/MenuButton';
+import { useMedia } from '../../ui/useMedia';
 
-/** The menus of everything that can be done. Arrow keys go from one to the next; F10 leads here. */
+/** The menus of everything that can be done. Arrow keys go from one to the next; F10 leads here. A narrow window has one button for all. */
 export function MenuBar(): ReactNode {
   const editor = useEditor();
+  const isNarrow = useMedia('(max-width: 699px)');
+  if (isNarrow) {
+    const menus = (): MenuEntry[] =>
+      menuNames.map((name) => ({ label: menuLabel(name), entries: menuEntries(editor, name) }));
+    return <MenuButton label={t('Menus')} icon="menu" iconOnly className="button menu-bar" entries={menus} />;
+  }
   return (
     <Menubar className="menu-bar" aria-label={t('Menus')}>
       {menuNames.map((name) => (

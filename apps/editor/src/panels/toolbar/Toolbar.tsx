@@ -14,6 +14,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
 import { SelectBox } from '../../ui/SelectBox';
+import { useMedia } from '../../ui/useMedia';
 import { techniqueOptions } from '../../ui/techniqueOptions';
 import { viewOptions } from '../../ui/viewOptions';
 import { MenuBar } from './MenuBar';
@@ -24,6 +25,7 @@ import './toolbar.css';
 export function Toolbar(): ReactNode {
   const editor = useEditor();
   const { document, viewport, commands } = editor;
+  const isNarrow = useMedia('(max-width: 699px)');
   useSignal(commands.changed);
   useSignal(document.selection.changed);
   useSignal(document.simulation.changed);
@@ -37,16 +39,26 @@ export function Toolbar(): ReactNode {
         </span>
         <MenuBar />
         <div className="button-group" role="toolbar" aria-label={t('File and history')}>
-          <ActionButton action={open} />
-          <ActionButton action={save} />
-          <span className="bar-line" />
+          <span className="toolbar-extra narrow">
+            <ActionButton action={open} />
+            <ActionButton action={save} />
+            <span className="bar-line" />
+          </span>
           <ActionButton action={undo} />
           <ActionButton action={redo} />
-          <span className="bar-line" />
-          <ActionButton action={duplicate} />
-          <ActionButton action={remove} />
+          <span className="toolbar-extra">
+            <span className="bar-line" />
+            <ActionButton action={duplicate} />
+            <ActionButton action={remove} />
+          </span>
         </div>
-        <MenuButton label={t('Add')} icon="add" className="button toolbar-add" entries={() => addEntries(editor)} />
+        <MenuButton
+          label={t('Add')}
+          icon="add"
+          iconOnly={isNarrow}
+          className="button toolbar-add"
+          entries={() => addEntries(editor)}
+        />
       </div>
       <div className="button-group play" role="toolbar" aria-label={t('Simulation')}>
         {[play, pause, step, stop].map((action) => (

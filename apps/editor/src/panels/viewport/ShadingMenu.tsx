@@ -15,13 +15,10 @@ function entriesOf(editor: EditorApi): readonly MenuEntry[] {
   const line = (label: string, shading: Shading, help?: string): MenuEntry => ({
     label,
     help,
-    icon: viewport.shading === shading ? 'check' : undefined,
+    checked: viewport.shading === shading,
     run: () => editor.attempt(() => setShading(editor, shading)),
   });
-  const own = shadings.map((action): MenuEntry => {
-    const icon = action.checked?.(editor) ? 'check' : undefined;
-    return { ...(actionEntry(action, editor) as Extract<MenuEntry, { run(): void }>), icon };
-  });
+  const own = shadings.map((action) => actionEntry(action, editor));
   const techniques = techniqueOptions(viewport.farol)
     .filter(({ value }) => value !== 'auto')
     .map(({ value, label, help }) => line(label, `by:${value}`, help));

@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import type { ReactNode } from 'react';
+import { type ReactNode, useSyncExternalStore } from 'react';
 import { Camera } from '@farol/engine';
 import { gizmoModes } from '../../actions/gizmoModes';
 import { gizmoSpace } from '../../actions/gizmoSpace';
@@ -7,7 +7,9 @@ import { quadView } from '../../actions/quadView';
 import { snap } from '../../actions/snap';
 import { showStatistics } from '../../actions/statistics';
 import { continuous, showGrid, showIcons, showRanges } from '../../actions/viewportToggles';
+import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
 import { ActionButton } from '../../ui/ActionButton';
+import { MenuButton } from '../../ui/MenuButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { ShadingMenu } from './ShadingMenu';
 import { SnapSteps } from './SnapSteps';
@@ -19,6 +21,9 @@ import { SelectBox } from '../../ui/SelectBox';
 
 const EDITOR_CAMERA = '/';
 
+/** What is drawn over the picture, and how many views there are. */
+const display = [showGrid, showIcons, showRanges, continuous, showStatistics, quadView];
+
 /** @param id - of a camera of the scene; anything else stands for the editor's own */
 function lookThrough(viewport: Viewport, id: string): void {
   viewport.lookThrough = viewport.document.scene.componentsOf(Camera).find((camera) => camera.id === id) ?? null;
@@ -26,7 +31,9 @@ function lookThrough(viewport: Viewport, id: string): void {
 
 /** What lies over the picture: handles at the left, what is drawn and through which camera at the right. */
 export function ViewportToolbar(): ReactNode {
-  const { document, viewport } = useEditor();
+  const editor = useEditor();
+  const { document, viewport, layout } = editor;
+  const isSmall = useSyncExternalStore(layout.subscribe, layout.isSmall);
   useSignal(viewport.changed);
   // the button of snapping says them
   usePreferences(({ snapSteps }) => snapSteps);
@@ -36,6 +43,17 @@ export function ViewportToolbar(): ReactNode {
     label: camera.gameObject.name,
     help: t('Keys and mouse go to the scene while it plays.'),
   }));
+  const through = viewport.lookThrough?.id ?? EDITOR_CAMERA;
+  const views = [{ value: EDITOR_CAMERA, label: t("Editor's camera") }, ...cameras];
+  const folded = (): MenuEntry[] => [
+    ...display.map((action) => actionEntry(action, editor)),
+    'separator',
+    ...views.map(({ value, label }) => ({
+      label,
+      checked: value === through,
+      run: () => lookThrough(viewport, value),
+    })),
+  ];
   return (
     <div className="viewport-bar">
       <div className="button-group" role="toolbar" aria-label={t('Handles')}>
@@ -47,23 +65,28 @@ export function ViewportToolbar(): ReactNode {
         <ActionButton action={snap} />
         <SnapSteps />
       </div>
-      <div className="button-group" role="toolbar" aria-label={t('Display')}>
-        <ActionButton action={showGrid} />
-        <ActionButton action={showIcons} />
-        <ActionButton action={showRanges} />
-        <ActionButton action={continuous} />
-        <ActionButton action={showStatistics} />
-        <span className="bar-line" />
-        <ActionButton action={quadView} />
-        <ViewsMenu />
-        <ShadingMenu />
-        <SelectBox
-          value={viewport.lookThrough?.id ?? EDITOR_CAMERA}
-          options={[{ value: EDITOR_CAMERA, label: t("Editor's camera") }, ...cameras]}
-          label={t('Look through')}
-          onChange={(id) => lookThrough(viewport, id)}
-        />
-      </div>
+      {isSmall ? (
+        <div className="button-group">
+          <ViewsMenu />
+          <ShadingMenu />
+          <MenuButton label={t('Display')} icon="eye" iconOnly entries={folded} />
+        </div>
+      ) : (
+        <div className="button-group" role="toolbar" aria-label={t('Display')}>
+          {display.map((action) => (
+            <ActionButton key={action.id} action={action} />
+          ))}
+          <span className="bar-line" />
+          <ViewsMenu />
+          <ShadingMenu />
+          <SelectBox
+            value={through}
+            options={views}
+            label={t('Look through')}
+            onChange={(id) => lookThrough(viewport, id)}
+          />
+        </div>
+      )}
       {viewport.lookThrough === null && <ViewCube />}
     </div>
   );

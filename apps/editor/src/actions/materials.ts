@@ -1,0 +1,65 @@
+import { t } from '@farol/editing';
+import { ModelRenderer, ObjectRenderer } from '@farol/engine';
+import type { Action } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
+
+const renderersOf = ({ document }: EditorApi): ObjectRenderer[] =>
+  document.selectedObjects.flatMap((object) => object.getComponent(ObjectRenderer) ?? []);
+
+const modelsOf = ({ document }: EditorApi): ModelRenderer[] =>
+  document.selectedObjects
+    .flatMap((object) => object.getComponent(ModelRenderer) ?? [])
+    .filter(({ model }) => model !== null);
+
+/** Adds a material to the library, and shows its fields. */
+export const newMaterial: Action = {
+  id: 'material.new',
+  label: 'New material',
+  icon: 'contrast',
+  menu: { menu: 'object', group: 'material' },
+  async run(editor) {
+    const { addMaterial } = await import('../model/assetEdits');
+    const { document, commands } = editor;
+    const { command, name } = addMaterial(document.scene, t('Material'), { kind: 'physical' });
+    commands.run(command);
+    document.assetSelection.set([name]);
+    editor.layout.open('inspector');
+  },
+};
+
+/** Makes an asset of the first selected object's material, which all that are selected share. */
+export const makeMaterial: Action = {
+  id: 'material.make',
+  label: 'Make material asset',
+  icon: 'contrast',
+  menu: { menu: 'object', group: 'material' },
+  enabled: (editor) => renderersOf(editor).some(({ material, shader }) => material === null && shader === null),
+  async run(editor) {
+    const { addMaterial, valuesOfOwnMaterial } = await import('../model/assetEdits');
+    const { document, commands } = editor;
+    const renderers = renderersOf(editor);
+    const first = renderers.find(({ material, shader }) => material === null && shader === null)!;
+    const wanted = t('{name} material', { name: first.gameObject.name });
+    const made = addMaterial(document.scene, wanted, valuesOfOwnMaterial(first), renderers);
+    commands.run(made.command);
+    document.assetSelection.set([made.name]);
+    editor.layout.open('inspector');
+  },
+};
+
+/** Makes the selected models trees of objects. */
+export const unpackModel: Action = {
+  id: 'model.unpack',
+  label: 'Unpack model',
+  icon: 'tree',
+  menu: { menu: 'object', group: 'material' },
+  enabled: (editor) => modelsOf(editor).length > 0,
+  async run(editor) {
+    const { unpackModels } = await import('../model/unpackModels');
+    const { document, commands } = editor;
+    const { scene } = document;
+    const models = modelsOf(editor);
+    await Promise.all(models.map(({ model }) => document.assets.load(model!)));
+    if (document.scene === scene) commands.run(unpackModels(scene, models));
+  },
+};

@@ -1,0 +1,98 @@
+import { type Command, countLabel, t } from '@farol/editing';
+import {
+  Animator,
+  type AssetLibrary,
+  type GameObject,
+  type ModelRenderer,
+  objectsOfModel,
+  type Scene,
+  type TakenAsset,
+  whatKeepsTogether,
+} from '@farol/engine';
+import { endingOf, splitName } from './assetEdits';
+import { AddAssets } from './commands/AddAssets';
+import { PlaceComponents } from './commands/PlaceComponents';
+import { PlaceObjects } from './commands/PlaceObjects';
+import { Sequence } from './commands/Sequence';
+
+const inWords = (found: string): string =>
+  ({
+    'a skeleton': t('a skeleton'),
+    'morph targets': t('morph targets'),
+    'instances of a mesh': t('instances of a mesh'),
+    'points or lines': t('points or lines'),
+  })[found] ?? found;
+
+/** Why a model stays one object; null when it can be unpacked. @throws AssetError when it is not loaded */
+export function whyNotUnpack(assets: AssetLibrary, name: string): string | null {
+  const model = assets.model(name);
+  const found = whatKeepsTogether(model);
+  if (found === null) return null;
+  return t('{name} stays one object: it has {what}, which only a whole model keeps.', { name, what: inWords(found) });
+}
+
+/** The folder of the materials of a model: 'Props/robot/' of 'Props/robot.glb'. */
+function materialFolder(name: string): string {
+  const { folder, leaf } = splitName(name);
+  const stem = leaf.slice(0, leaf.length - endingOf(leaf).length) || leaf;
+  return folder === '' ? `${stem}/` : `${folder}/${stem}/`;
+}
+
+/**
+ * Makes each model that is drawn whole a tree of objects below its own: meshes, lights, cameras, materials as assets, and
+ * an Animator where it has clips. The objects of the ModelRenderers stay where they are, with all else that they hold.
+ * @param renderers - with models that are loaded
+ * @throws Error when one cannot be unpacked; see `whyNotUnpack`
+ */
+export function unpackModels(scene: Scene, renderers: readonly ModelRenderer[]): Command {
+  const named = renderers.filter(({ model }) => model !== null);
+  for (const { model } of named) {
+    const problem = whyNotUnpack(scene.assets, model!);
+    if (problem !== null) throw new Error(problem);
+  }
+  const objects = named.map(({ gameObject }) => gameObject);
+  return new Sequence(
+    countLabel(t('Unpack'), objects),
+    named.map((renderer) => () => unpackOne(scene, renderer)),
+  );
+}
+
+function unpackOne(scene: Scene, renderer: ModelRenderer): Command {
+  const { assets } = scene;
+  const { gameObject: parent, castShadow, receiveShadow } = renderer;
+  const name = renderer.model!;
+  const model = assets.model(name);
+  const options = { materialFolder: materialFolder(name), castShadow, receiveShadow };
+  const { objects, materials } = objectsOfModel(model, assets, name, options);
+  const taken = materials.map((each): TakenAsset => {
+    assets.addMaterial(each.name, each.values);
+    return assets.take(each.name);
+  });
+  if (!renderer.enabled) for (const object of objects) object.active = false;
+  const index = parent.components.indexOf(renderer);
+  const first = parent.children.length;
+  const placements = objects.map((object, i) => ({ object, parent, index: first + i }));
+  const stay = { done: [parent.id], undone: [parent.id] };
+  return new Sequence(
+    t('Unpack'),
+    [
+      () => new AddAssets(assets, taken),
+      () => new PlaceComponents('', scene, 'remove', [{ component: renderer, object: parent, index }]),
+      ...(model.animations.length > 0 && !parent.getComponent(Animator)
+        ? [() => addAnimator(scene, renderer, parent)]
+        : []),
+      () => new PlaceObjects('', scene, 'add', placements, stay),
+    ],
+    stay,
+  );
+}
+
+function addAnimator(scene: Scene, renderer: ModelRenderer, object: GameObject): Command {
+  const { model, animation, animationSpeed, enabled } = renderer;
+  const animator = new Animator();
+  animator.set('model', model);
+  animator.set('animation', animation);
+  animator.set('animationSpeed', animationSpeed);
+  animator.enabled = enabled;
+  return new PlaceComponents('', scene, 'add', [{ component: animator, object, index: object.components.length }]);
+}

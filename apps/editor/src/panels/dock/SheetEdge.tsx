@@ -1,0 +1,55 @@
+import { t } from '@farol/editing';
+import type { KeyboardEvent, PointerEvent, ReactNode } from 'react';
+import type { PlacedSheet } from '../../layout/smallWindow';
+import { useEditor } from '../../ui/EditorContext';
+
+/** What an arrow key moves it by, as a part of the dock. */
+const STEP = 0.05;
+
+interface SheetEdgeProps {
+  readonly placed: PlacedSheet;
+  /** Part of the dock that the panel takes, from 0 to 1. */
+  readonly share: number;
+  /** Of the dock (CSS pixels). */
+  readonly width: number;
+  readonly height: number;
+}
+
+/** The line between the picture and the panel of a small window: dragged, or moved by the arrow keys. */
+export function SheetEdge({ placed, share, width, height }: SheetEdgeProps): ReactNode {
+  const { layout } = useEditor();
+  const { edge, tabs, isBelow } = placed;
+  if (!edge) return null;
+  const extent = isBelow ? height - tabs.height : width;
+  const drag = (event: PointerEvent<HTMLDivElement>): void => {
+    if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
+    const { left, top } = event.currentTarget.parentElement!.getBoundingClientRect();
+    const at = isBelow ? event.clientY - top : event.clientX - left;
+    layout.shareSheet((extent - at) / extent);
+  };
+  const keyDown = (event: KeyboardEvent): void => {
+    const by = { ArrowUp: STEP, ArrowLeft: STEP, ArrowDown: -STEP, ArrowRight: -STEP }[event.key];
+    if (by === undefined) return;
+    layout.shareSheet(share + by);
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  return (
+    // oxlint-disable-next-line jsx-a11y/no-noninteractive-element-interactions -- a separator with a value is a control
+    <div
+      className="sheet-edge"
+      role="separator"
+      // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a separator with a value is a control
+      tabIndex={0}
+      aria-label={t('Size of the panel')}
+      aria-orientation={isBelow ? 'horizontal' : 'vertical'}
+      aria-valuenow={Math.round(share * 100)}
+      aria-valuemin={20}
+      aria-valuemax={80}
+      style={{ left: edge.x, top: edge.y, width: edge.width, height: edge.height }}
+      onPointerDown={(event) => event.currentTarget.setPointerCapture(event.pointerId)}
+      onPointerMove={drag}
+      onKeyDown={keyDown}
+    />
+  );
+}

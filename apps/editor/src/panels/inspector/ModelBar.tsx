@@ -1,0 +1,46 @@
+import { t } from '@farol/editing';
+import { type Component, ModelRenderer } from '@farol/engine';
+import type { ReactNode } from 'react';
+import { unpackModels, whyNotUnpack } from '../../model/unpackModels';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { useOwnersRevision } from '../../ui/useOwnersRevision';
+
+/** What can be done with models that are drawn whole. @param props.components - ModelRenderers, memoised */
+export function ModelBar({ components }: { components: readonly Component[] }): ReactNode {
+  const editor = useEditor();
+  const { document, commands } = editor;
+  useSignal(document.assetsChanged);
+  useOwnersRevision(components);
+  const renderers = components.filter((each) => each instanceof ModelRenderer);
+  const { assets } = document;
+  const [{ model }] = renderers;
+  if (model === null || !renderers.every((each) => each.model !== null && assets.isReady('model', each.model)))
+    return null;
+  const problem = renderers.map((each) => whyNotUnpack(assets, each.model!)).find((each) => each !== null);
+  const help = t('Makes a tree of it: meshes, lights and cameras as objects, materials as assets');
+  return (
+    <div className="material-bar">
+      <button
+        type="button"
+        className="button framed"
+        disabled={problem !== undefined}
+        title={problem ?? help}
+        onClick={() => editor.attempt(() => commands.run(unpackModels(document.scene, renderers)))}
+      >
+        <Icon name="tree" />
+        <span>{t('Unpack')}</span>
+      </button>
+      <button
+        type="button"
+        className="button framed"
+        title={t('The objects and clips of the model')}
+        onClick={() => document.assetSelection.set([model])}
+      >
+        <Icon name="search" />
+        <span>{t('Look inside')}</span>
+      </button>
+      {problem !== undefined && <p className="model-problem">{problem}</p>}
+    </div>
+  );
+}

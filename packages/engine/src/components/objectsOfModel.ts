@@ -1,0 +1,171 @@
+import {
+  type DirectionalLight,
+  type Light as ThreeLight,
+  type Material,
+  type Mesh,
+  type Object3D,
+  type OrthographicCamera,
+  type PerspectiveCamera,
+  type SpotLight,
+  type Texture,
+} from 'three';
+import type { AssetLibrary } from '../assets/AssetLibrary';
+import { materialValuesOf } from '../assets/materialValuesOf';
+import type { Model } from '../assets/Model';
+import { modelParts } from '../assets/modelParts';
+import { GameObject } from '../core/GameObject';
+import type { FieldValue } from '../fields/Field';
+import { sameValue } from '../fields/FieldOwner';
+import { Camera } from './Camera';
+import { Light } from './Light';
+import { ObjectRenderer } from './ObjectRenderer';
+
+type Values = Readonly<Record<string, FieldValue>>;
+
+/** A model as GameObjects. */
+export interface ObjectsOfModel {
+  /** What is at the top of the model, in no scene yet. */
+  readonly objects: readonly GameObject[];
+  /** Materials that the library does not have yet, for `AssetLibrary.addMaterial`. */
+  readonly materials: readonly { readonly name: string; readonly values: Values }[];
+}
+
+export interface UnpackOptions {
+  /** What the name of each material begins with: 'robot/'. */
+  readonly materialFolder?: string;
+  /** Default true. */
+  readonly castShadow?: boolean;
+  /** Default true. */
+  readonly receiveShadow?: boolean;
+}
+
+type Flags = Object3D & {
+  readonly isMesh?: boolean;
+  readonly isSkinnedMesh?: boolean;
+  readonly isInstancedMesh?: boolean;
+  readonly isPoints?: boolean;
+  readonly isLine?: boolean;
+  readonly isSprite?: boolean;
+  readonly isLight?: boolean;
+  readonly isCamera?: boolean;
+  readonly morphTargetInfluences?: readonly number[];
+};
+
+/** What of a model only a ModelRenderer draws, in words; null when all of it can be objects: see `objectsOfModel`. */
+export function whatKeepsTogether(model: Model): string | null {
+  let found: string | null = null;
+  model.scene.traverse((each) => {
+    const object: Flags = each;
+    if (object.isSkinnedMesh) found ??= 'a skeleton';
+    else if (object.isMesh && (object.morphTargetInfluences?.length ?? 0) > 0) found ??= 'morph targets';
+    else if (object.isInstancedMesh) found ??= 'instances of a mesh';
+    else if (object.isPoints || object.isLine || object.isSprite) found ??= 'points or lines';
+  });
+  return found;
+}
+
+/**
+ * Makes GameObjects of a model that is drawn as the model is: meshes with the parts of the model in the library, materials
+ * made of fields, lights and cameras. Skeletons, morph targets and points are left out: see `whatKeepsTogether`.
+ * @param name - of the model in the library, where it is loaded
+ */
+export function objectsOfModel(
+  model: Model,
+  assets: AssetLibrary,
+  name: string,
+  { materialFolder = '', castShadow = true, receiveShadow = true }: UnpackOptions = {},
+): ObjectsOfModel {
+  const parts = modelParts(model, name);
+  const made = new Map<Material, string | null>();
+  const materials: { name: string; values: Values }[] = [];
+
+  const nameOfMaterial = (material: Material): string | null => {
+    if (!made.has(material)) made.set(material, makeMaterial(material));
+    return made.get(material)!;
+  };
+  const makeMaterial = (material: Material): string | null => {
+    const values = materialValuesOf(material, (texture: Texture) => parts.get(texture) ?? null);
+    if (!values) return parts.get(material) ?? null;
+    const wanted = `${materialFolder}${material.name.replaceAll('/', '-').trim() || 'Material'}`;
+    for (let n = 1; ; n++) {
+      const free = n === 1 ? wanted : `${wanted} ${n}`;
+      const known = materials.find((each) => each.name === free)?.values ?? assets.materialAsset(free)?.changedValues();
+      if (known && sameValues(known, values)) return free;
+      if (known || assets.has(free)) continue;
+      materials.push({ name: free, values });
+      return free;
+    }
+  };
+
+  const convert = (object: Flags): GameObject => {
+    const gameObject = new GameObject(object.name || object.type);
+    const { transform } = gameObject;
+    transform.position = object.position.toArray();
+    transform.setQuaternion(object.quaternion);
+    transform.scale = object.scale.toArray();
+    gameObject.active = object.visible;
+    if (object.isMesh) {
+      const { geometry, material } = object as unknown as Mesh;
+      const [first] = [material].flat();
+      gameObject.addComponent(ObjectRenderer, {
+        mesh: parts.get(geometry) ?? null,
+        ['isShaderMaterial' in first ? 'shader' : 'material']: nameOfMaterial(first),
+        castShadow,
+        receiveShadow,
+      });
+    }
+    if (object.isLight) {
+      const values = lightValues(object as unknown as ThreeLight);
+      if (values) gameObject.addComponent(Light, values);
+    }
+    if (object.isCamera) gameObject.addComponent(Camera, cameraValues(object as unknown as PerspectiveCamera));
+    for (const child of object.children) {
+      if (child !== (object as unknown as DirectionalLight).target) gameObject.add(convert(child));
+    }
+    return gameObject;
+  };
+  return { objects: model.scene.children.map(convert), materials };
+}
+
+const sameValues = (a: Values, b: Values): boolean =>
+  Object.keys(a).length === Object.keys(b).length &&
+  Object.keys(a).every((name) => name in b && sameValue(a[name], b[name]));
+
+const lightTypes = {
+  AmbientLight: 'ambient',
+  HemisphereLight: 'hemisphere',
+  DirectionalLight: 'directional',
+  PointLight: 'point',
+  SpotLight: 'spot',
+} as const;
+
+/** The fields of a Light that shines as a light of three's; null for a kind that there is none of. */
+function lightValues(light: ThreeLight): Record<string, FieldValue> | null {
+  const type = (lightTypes as Readonly<Record<string, (typeof lightTypes)[keyof typeof lightTypes]>>)[light.type];
+  if (!type) return null;
+  const values: Record<string, FieldValue> = {
+    type,
+    diffuse: [light.color.r, light.color.g, light.color.b],
+    intensity: light.intensity,
+  };
+  if (type === 'point' || type === 'spot') {
+    const { distance, decay } = light as SpotLight;
+    Object.assign(values, { range: distance, decay });
+  }
+  if (type === 'spot') {
+    const { angle, penumbra } = light as SpotLight;
+    Object.assign(values, { cutoff: Math.min(Math.PI / 2, Math.max(0.01, angle)), penumbra });
+  }
+  return values;
+}
+
+function cameraValues(camera: PerspectiveCamera | OrthographicCamera): Record<string, FieldValue> {
+  const { near, far } = camera;
+  const depths = { near: Math.max(near, 0.0001), far: Math.max(far, 0.001) };
+  if ('isPerspectiveCamera' in camera) {
+    const fov = Math.min(3.1, Math.max(0.01, ((camera as PerspectiveCamera).fov * Math.PI) / 180));
+    return { projection: 'perspective', fov, ...depths };
+  }
+  const { top, bottom } = camera as OrthographicCamera;
+  return { projection: 'orthographic', size: Math.max(0.001, top - bottom), ...depths };
+}
