@@ -129,11 +129,10 @@ test('four views draw four pictures, each is worked in; keys go to the scene tha
   const place = (): Promise<number[]> =>
     page.evaluate(() => window.editor.document.scene.find('Camera')!.object3D.position.toArray());
   const from = await place();
-  await page.keyboard.down('r');
   await page.keyboard.down('w');
+  await page.keyboard.press('r');
   await expect.poll(place).not.toEqual(from);
   await page.keyboard.up('w');
-  await page.keyboard.up('r');
   expect(await page.evaluate(() => window.editor.viewport.mode)).toBe('translate');
   await page.keyboard.press('Escape');
   await page.keyboard.press('r');

@@ -23,6 +23,7 @@ import {
 import type { EditorDocument } from '../EditorDocument';
 import { groupObjects, ungroupObjects } from '../groupObjects';
 import { below, objectsOf, pick, type Random } from './random';
+import { randomArrangement } from './randomArrangement';
 import { randomAssetCommand } from './randomAssetCommand';
 import { randomEdit } from './randomEdit';
 import { randomMaterialCommand } from './randomMaterialCommand';
@@ -130,6 +131,8 @@ export function randomCommand(random: Random, document: EditorDocument): Command
     case 27:
     case 28:
       return randomMaterialCommand(random, document);
+    case 29:
+      return randomArrangement(random, scene, some(random, all).slice(0, 2));
     default:
       return randomEdit(random, document, pick(random, pick(random, all).components));
   }
