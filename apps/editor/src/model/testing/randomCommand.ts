@@ -51,7 +51,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 31);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 32);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -126,13 +126,13 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomPrefabCommand(random, document, pick(random, all), parent());
     case 26:
       return randomAssetCommand(random, document);
-    case 29:
-      return randomViewCommand(random, document);
     case 27:
     case 28:
       return randomMaterialCommand(random, document);
     case 29:
       return randomArrangement(random, scene, some(random, all).slice(0, 2));
+    case 30:
+      return randomViewCommand(random, document);
     default:
       return randomEdit(random, document, pick(random, pick(random, all).components));
   }
