@@ -4,7 +4,6 @@ import type { Language } from '../language/languages';
 import { defaultViews, type ViewChoice } from '../viewport/panes/ViewChoice';
 import type { GizmoPivot } from '../viewport/Gizmo';
 import type { SnapTarget } from '../viewport/handles/DragSnap';
-import type { EffectChoice } from '../viewport/ViewportEffects';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
 export interface Preferences {
@@ -23,8 +22,6 @@ export interface Preferences {
   alignsToSurface: boolean;
   /** What several objects turn and grow about. */
   pivot: GizmoPivot;
-  /** What takes part in the picture beside the technique. */
-  effects: EffectChoice;
   /** One view or four, and how they show the scene. */
   views: ViewChoice;
 }
@@ -45,7 +42,6 @@ export const createPreferences = (storage: string): PreferenceStore =>
         snapTo: 'grid',
         alignsToSurface: false,
         pivot: 'centre',
-        effects: { antialiasing: 'auto', on: [] },
       }),
       { name: storage },
     ),
