@@ -129,7 +129,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
     case 27:
     case 28:
       return randomMaterialCommand(random, document);
-    case 30:
+    case 29:
       return randomArrangement(random, scene, some(random, all).slice(0, 2));
     case 30:
       return randomViewCommand(random, document);
