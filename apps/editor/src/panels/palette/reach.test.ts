@@ -25,10 +25,14 @@ beforeEach(() => {
   vi.stubGlobal('innerHeight', 900);
 });
 
-/** Gives itself for whatever is asked of it: a viewport that draws nothing, whose state no label needs. */
+/** Gives itself for whatever is asked of it: a part of the editor whose state no label needs. */
 const anything: object = new Proxy(() => anything, {
   get: (_, key) => (key === Symbol.toPrimitive ? () => 0 : key === Symbol.iterator ? undefined : anything),
 });
+
+/** Something that gives `anything` for what it has not. */
+const lenient = <T extends object>(known: T): T =>
+  new Proxy(known, { get: (target, key) => (key in target ? target[key as keyof T] : anything) });
 
 /** All of an editor that labels, and what can be done now, depend on. */
 function makeEditor(): EditorApi {
@@ -43,12 +47,10 @@ function makeEditor(): EditorApi {
     lookThrough: null,
   };
   const document = new EditorDocument(undefined, new ComponentRegistry(builtinComponents.types.values()));
-  return {
+  return lenient({
     document,
     commands: document.commands,
-    viewport: new Proxy(viewport, {
-      get: (target, key) => (key in target ? target[key as keyof typeof target] : anything),
-    }),
+    viewport: lenient(viewport),
     clipboard: new Clipboard(),
     actions: registry,
     keys: new KeyBindings(registry, 'keys'),
@@ -57,7 +59,7 @@ function makeEditor(): EditorApi {
     preferences: createPreferences('preferences'),
     recentFiles: new RecentFiles(),
     autosave: null,
-  } as unknown as EditorApi;
+  }) as unknown as EditorApi;
 }
 
 const linesOf = (entries: readonly MenuEntry[]): string[] =>
