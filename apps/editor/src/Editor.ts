@@ -299,8 +299,7 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, effects }: Preferences): void => {
-      this.viewport.setEffects(effects);
+    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot }: Preferences): void => {
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
       Object.assign(this.viewport, { snapTo, alignsToSurface, pivot });

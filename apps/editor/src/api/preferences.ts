@@ -3,7 +3,6 @@ import { createStore, type StoreApi } from 'zustand';
 import type { Language } from '../language/languages';
 import type { GizmoPivot } from '../viewport/Gizmo';
 import type { SnapTarget } from '../viewport/handles/DragSnap';
-import type { EffectChoice } from '../viewport/ViewportEffects';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
 export interface Preferences {
@@ -22,8 +21,6 @@ export interface Preferences {
   alignsToSurface: boolean;
   /** What several objects turn and grow about. */
   pivot: GizmoPivot;
-  /** What takes part in the picture beside the technique. */
-  effects: EffectChoice;
 }
 
 export type PreferenceStore = StoreApi<Preferences>;
@@ -41,7 +38,6 @@ export const createPreferences = (storage: string): PreferenceStore =>
         snapTo: 'grid',
         alignsToSurface: false,
         pivot: 'centre',
-        effects: { antialiasing: 'auto', on: [] },
       }),
       { name: storage },
     ),

@@ -2,15 +2,16 @@ import { Signal } from '@farol/editing';
 import {
   type Camera as CameraComponent,
   createWebGLRenderer,
-  followEffects,
   type GameObject,
   InputRouter,
+  PictureRenderer,
 } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName } from '@farol/renderer';
 import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
 import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { Registry } from '../model/Registry';
+import { type AddedEffect, AddedEffects } from './AddedEffects';
 import { BoxSelect } from './BoxSelect';
 import { CameraPreview } from './CameraPreview';
 import { CanvasPlace } from './CanvasPlace';
@@ -31,7 +32,6 @@ import { PictureCamera } from './PictureCamera';
 import { PointerPicker } from './PointerPicker';
 import type { PlainShading } from './shading/PlainShading';
 import { type Shading, techniqueOf } from './shading/Shading';
-import { type AddedEffect, type EffectChoice, ViewportEffects } from './ViewportEffects';
 import { ViewportSettings } from './ViewportSettings';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
@@ -62,13 +62,17 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly picker: PointerPicker;
   readonly boxSelect: BoxSelect;
 
-  private readonly effects: ViewportEffects;
+  /** Draws by `farol` what the scene's settings say of the picture. */
+  readonly picture: PictureRenderer;
+
+  private readonly added: AddedEffects;
   private readonly input: InputRouter;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
   /** Draws without lights; null while it is fetched, undefined before. */
   private plain: PlainShading | null | undefined;
   private assetChanges = 0;
+  private drawnBy: TechniqueName = 'auto';
   private readonly endings: (() => void)[] = [];
   private readonly pictureCamera: PictureCamera;
   private readonly place: CanvasPlace;
@@ -92,7 +96,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
-    this.effects = new ViewportEffects(this.farol, this.redraw, (error) => this.onError(error));
+    this.picture = new PictureRenderer(this.farol, { redraw: this.redraw, failed: (error) => this.onError(error) });
+    this.added = new AddedEffects(this.picture.effects);
     const dragged = (isDragging: boolean): void => {
       this.editorCamera.enabled = !isDragging;
     };
@@ -139,7 +144,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.ownPainter?.dispose();
     this.ownPainter = painter;
     if (painter) this.panes.isQuad = false;
-    this.effects.suspended = painter !== null;
+    this.picture.effects.suspended = painter !== null;
     this.changed.emit();
   }
 
@@ -238,24 +243,20 @@ export class Viewport extends ViewportSettings implements PickSurface {
 
   /** Has the next frame drawn, and those that an effect gathers. */
   invalidate(): void {
-    this.loop.ask(this.effects.frames);
-  }
-
-  /** Sets what takes part in the picture beside the technique. */
-  setEffects(choice: EffectChoice): void {
-    this.effects.choice = choice;
+    this.loop.ask(this.picture.effects.frames);
   }
 
   /** Effects of plugins. */
   get addedEffects(): Registry<AddedEffect> {
-    return this.effects.added;
+    return this.added.registry;
   }
 
   /** Draws now. */
   renderNow(): void {
     const { width, height } = this.place;
     const { list, active } = this.panes;
-    followEffects(this.farol, this.document.scene, this.redraw);
+    const { scene } = this.document;
+    this.picture.follow(scene);
     if (list.length > 1) this.webgl.clear();
     for (let i = 0; i < list.length; i++) if (list[i] !== active) this.drawPane(list[i]);
     // last, since the handles are taken where they were drawn last
@@ -264,14 +265,15 @@ export class Viewport extends ViewportSettings implements PickSurface {
       this.webgl.setScissorTest(false);
       this.webgl.setViewport(0, 0, width, height);
     }
+    this.picture.effects.update(scene.settings);
+    this.noticeTechnique();
     const { previewed } = this;
     if (previewed) {
       this.preview ??= this.makePreview();
-      const { scene, edited } = this.document;
+      const { edited } = this.document;
       const key = `${edited.revision} ${scene.time} ${this.assetChanges}`;
       this.preview.render(scene, previewed, width, height, key);
     }
-    this.effects.update();
     this.statistics.add(performance.now());
     this.drawn.emit();
   }
@@ -345,7 +347,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.panes.dispose();
     this.plain?.dispose();
     this.ownPainter?.dispose();
-    this.effects.dispose();
+    this.picture.dispose();
     this.farol.dispose();
     this.webgl.dispose();
   }
@@ -371,17 +373,18 @@ export class Viewport extends ViewportSettings implements PickSurface {
     const camera = this.cameraOf(pane);
     const lookThrough = pane === panes.main ? this.lookThrough : null;
     lookThrough?.setViewport(width, height);
-    this.drawScene(pane, camera);
+    this.drawScene(pane, camera, lookThrough);
     this.gizmo.update(this.raysOf(pane));
     if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
       this.helpers.render(webgl, camera, lookThrough, this.gizmo.isDragging);
   }
 
-  private drawScene({ shading }: ViewPane, camera: Camera): void {
-    const { farol } = this;
-    const scene = this.document.scene.three;
-    if ((shading === 'clay' || shading === 'wireframe') && this.painter === null && this.plainShading()) {
-      this.plain!.render(scene, camera, shading);
+  private drawScene(pane: ViewPane, camera: Camera, lookThrough: CameraComponent | null): void {
+    const { farol, painter, picture } = this;
+    const { shading } = pane;
+    const { scene } = this.document;
+    if ((shading === 'clay' || shading === 'wireframe') && painter === null && this.plainShading()) {
+      this.plain!.render(scene.three, camera, shading);
       return;
     }
     const { view, technique } = farol;
@@ -389,7 +392,9 @@ export class Viewport extends ViewportSettings implements PickSurface {
     try {
       if (shading === 'unlit' && view === 'final') farol.view = 'albedo';
       if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
-      (this.painter ?? farol).render(scene, camera);
+      // views beside the main one are for work: they go without blur, bloom and the like
+      if (painter === null && pane === this.panes.main) picture.draw(scene, camera, lookThrough);
+      else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
     } finally {
       farol.view = view;
       farol.technique = technique;
@@ -419,7 +424,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
   }
 
   private makePreview(): CameraPreview {
-    const preview = new CameraPreview(this.webgl);
+    const preview = new CameraPreview(this.webgl, this.redraw);
     this.shareMicroShaders(preview.microshaders);
     return preview;
   }
@@ -427,6 +432,14 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private sceneOpened(): void {
     this.lookThrough = null;
     this.pictureCamera.showScene();
+  }
+
+  /** Another scene, or a step of the history, may have brought another technique. */
+  private noticeTechnique(): void {
+    const { technique } = this.farol;
+    if (technique === this.drawnBy) return;
+    this.drawnBy = technique;
+    this.changed.emit();
   }
 
   /** A camera that was taken out cannot be looked through. */
