@@ -11,7 +11,10 @@ const menus: Readonly<Record<MenuName, readonly string[]>> = {
   file: ['new', 'open', 'save', 'share', 'recover'],
   edit: ['history', 'clipboard', 'select', 'snapping', 'handles', 'play', 'plugins'],
   object: ['name', 'state', 'tree', 'duplicate', 'align', 'material', 'prefab'],
-  view: ['camera', 'side', 'picture', 'show', 'measure', 'figures', 'panels', 'window'],
+  view: [
+    ...['camera', 'side', 'bookmarks', 'views', 'shading', 'picture'],
+    ...['show', 'measure', 'figures', 'panels', 'window'],
+  ],
   help: ['keys', 'learn', 'language', 'about'],
 };
 

@@ -1,6 +1,7 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
 import type { Language } from '../language/languages';
+import { defaultViews, type ViewChoice } from '../viewport/panes/ViewChoice';
 import type { GizmoPivot } from '../viewport/Gizmo';
 import type { SnapTarget } from '../viewport/handles/DragSnap';
 
@@ -21,6 +22,8 @@ export interface Preferences {
   alignsToSurface: boolean;
   /** What several objects turn and grow about. */
   pivot: GizmoPivot;
+  /** One view or four, and how they show the scene. */
+  views: ViewChoice;
 }
 
 export type PreferenceStore = StoreApi<Preferences>;
@@ -33,6 +36,7 @@ export const createPreferences = (storage: string): PreferenceStore =>
         folded: {},
         theme: 'dark',
         language: null,
+        views: defaultViews,
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
         showWelcome: true,
         snapTo: 'grid',
