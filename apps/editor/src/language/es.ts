@@ -7,6 +7,7 @@ import { messages } from './es/messages';
 import { numbers } from './es/numbers';
 import { panels } from './es/panels';
 import { picture } from './es/picture';
+import { player } from './es/player';
 import { rendering } from './es/rendering';
 import { welcome } from './es/welcome';
 
@@ -20,6 +21,7 @@ export const es: Texts = {
   ...numbers,
   ...panels,
   ...picture,
+  ...player,
   ...rendering,
   ...welcome,
 };
