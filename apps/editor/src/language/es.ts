@@ -1,5 +1,6 @@
 import type { Texts } from '@farol/editing';
 import { actions } from './es/actions';
+import { arrange } from './es/arrange';
 import { components } from './es/components';
 import { edits } from './es/edits';
 import { materials } from './es/materials';
@@ -14,6 +15,7 @@ import { welcome } from './es/welcome';
 /** All texts of the editor in Spanish, by their English ones. */
 export const es: Texts = {
   ...actions,
+  ...arrange,
   ...components,
   ...edits,
   ...materials,

@@ -286,4 +286,6 @@ export const components: Texts = {
   Animator: 'Animador',
   'Plays a clip of a model on the objects below.': 'Reproduce un clip de un modelo en los objetos que contiene.',
   'The model whose clips it plays.': 'El modelo cuyos clips reproduce.',
+  'Shadow softness': 'Suavidad de la sombra',
+  'How far the edges of shadows are blurred.': 'Cuánto se difuminan los bordes de las sombras.',
 };
