@@ -39,9 +39,9 @@ export const components: Texts = {
   'Crease angle': 'Ángulo de arista',
   'For meshes without normals: faces that meet at less are smooth, at more they show an edge.':
     'En mallas sin normales: las caras que se unen con menos ángulo son suaves; con más, muestran una arista.',
-  'Cast shadow': 'Proyectar sombra',
+  'Cast shadow': 'Da sombra',
   'Whether it throws shadows.': 'Si proyecta sombras.',
-  'Receive shadow': 'Recibir sombra',
+  'Receive shadow': 'Recibe sombra',
   'Whether shadows fall on it.': 'Si recibe sombras.',
   Instanced: 'Instanciado',
   'Draw it in one call with all others of the same mesh and material: for many small things. Colours may differ.':
@@ -166,14 +166,14 @@ export const components: Texts = {
   Quadratic: 'Cuadrática',
   'q in 1 / (c + l d + q d²).': 'q en 1 / (c + l d + q d²).',
   'Whether objects throw shadows in it.': 'Si los objetos proyectan sombras con ella.',
-  'Shadow map size': 'Tamaño del mapa de sombras',
+  'Shadow map size': 'Mapa de sombra',
   'Width and height of the shadow map.': 'Ancho y alto del mapa de sombras.',
   texels: 'téxeles',
-  'Shadow bias': 'Sesgo de sombra',
+  'Shadow bias': 'Sesgo sombra',
   'Depth by which shadows are moved.': 'Profundidad que se desplazan las sombras.',
-  'Shadow normal bias': 'Sesgo normal de sombra',
+  'Shadow normal bias': 'Sesgo normal',
   'Distance along the normal by which shadows are moved.': 'Distancia según la normal que se desplazan las sombras.',
-  'Shadow extent': 'Extensión de sombra',
+  'Shadow extent': 'Área de sombra',
   'Half the width of what a directional light throws shadows in.':
     'Mitad del ancho en el que una luz direccional proyecta sombras.',
   'A view of the scene.': 'Una vista de la escena.',
@@ -286,6 +286,6 @@ export const components: Texts = {
   Animator: 'Animador',
   'Plays a clip of a model on the objects below.': 'Reproduce un clip de un modelo en los objetos que contiene.',
   'The model whose clips it plays.': 'El modelo cuyos clips reproduce.',
-  'Shadow softness': 'Suavidad de la sombra',
+  'Shadow softness': 'Sombra suave',
   'How far the edges of shadows are blurred.': 'Cuánto se difuminan los bordes de las sombras.',
 };

@@ -111,7 +111,7 @@ export const panels: Texts = {
   'Name of {name}': 'Nombre de {name}',
   Opened: 'Abierto',
   History: 'Historial',
-  '{title} enabled': '{title} activado',
+  '{title} enabled': '{title}: activado',
   'Whether the component is switched on.': 'Si el componente está activado.',
   '{title} menu': 'Menú de {title}',
   'Reset to default': 'Restablecer',
