@@ -32,6 +32,7 @@ import { Tools } from './model/Tools';
 import { Registry } from './model/Registry';
 import { Tour } from './model/Tour';
 import { panels } from './panels';
+import { applyViews, type ViewChoice } from './viewport/panes/ViewChoice';
 import { Viewport } from './viewport/Viewport';
 import { Plugins } from './plugins/Plugins';
 import { unknownTypes } from './model/unknownTypes';
@@ -299,8 +300,9 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, effects }: Preferences): void => {
-      this.viewport.setEffects(effects);
+    let shown: ViewChoice | null = null;
+    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, views }: Preferences): void => {
+      if (views !== shown) applyViews(this.viewport, (shown = views));
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
       Object.assign(this.viewport, { snapTo, alignsToSurface, pivot });

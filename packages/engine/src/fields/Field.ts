@@ -57,6 +57,8 @@ export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly kind: 'choice';
   readonly default: Option;
   readonly options: readonly Option[];
+  /** What options are shown as, where that is not their name. */
+  readonly optionLabels?: { readonly [K in Option]?: string };
 }
 
 export interface Vector3Field extends FieldBase {

@@ -1,12 +1,12 @@
 import { t } from '@farol/editing';
-import { type ReactNode, useMemo } from 'react';
+import type { ReactNode } from 'react';
 import { Camera } from '@farol/engine';
 import { SetProperty } from '../../model/commands/SetProperty';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { SelectBox } from '../../ui/SelectBox';
 import { TextInput } from '../../ui/TextInput';
-import { FieldList } from './FieldList';
+import { PictureSections } from './PictureSections';
 import { Section } from './Section';
 
 /** The scene as a whole, shown while no object is selected. */
@@ -14,7 +14,6 @@ export function SceneInspector(): ReactNode {
   const { document, commands } = useEditor();
   useSignal(document.structure);
   const { scene } = document;
-  const owners = useMemo(() => [scene.settings], [scene]);
   const cameras = scene.componentsOf(Camera).map((camera) => ({ value: camera.id, label: camera.gameObject.name }));
   return (
     <>
@@ -45,8 +44,8 @@ export function SceneInspector(): ReactNode {
             </div>
           </div>
         )}
-        <FieldList owners={owners} />
       </Section>
+      <PictureSections settings={scene.settings} />
     </>
   );
 }
