@@ -10,6 +10,7 @@ import { panels } from './es/panels';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
+import { views } from './es/views';
 import { welcome } from './es/welcome';
 
 /** All texts of the editor in Spanish, by their English ones. */
@@ -25,5 +26,6 @@ export const es: Texts = {
   ...picture,
   ...player,
   ...rendering,
+  ...views,
   ...welcome,
 };

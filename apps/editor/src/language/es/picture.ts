@@ -3,8 +3,6 @@ import type { Texts } from '@farol/editing';
 /** The picture: sky, tone mapping and effects, in Spanish. */
 export const picture: Texts = {
   'Tone mapping': 'Mapeo de tonos',
-  'Tone mapping of what this camera sees; "scene" is what the scene has.':
-    'Mapeo de tonos de lo que ve esta cámara; «escena» es el de la escena.',
   reinhard: 'reinhard',
   cineon: 'cineon',
   'aces-filmic': 'aces-filmic',
@@ -90,8 +88,6 @@ export const picture: Texts = {
   'How far it reaches into the picture.': 'Hasta dónde entra en la imagen.',
   'By what the scene is drawn; "Automatic" picks what is fastest.':
     'Con qué se dibuja la escena; «Automático» elige lo más rápido.',
-  'How edges are smoothed; "auto" is multisampled where the technique can be, else SMAA.':
-    'Cómo se suavizan los bordes; «automático» usa multimuestreo donde la técnica lo permite y, si no, SMAA.',
   auto: 'automático',
   smaa: 'smaa',
   edges: 'bordes',
@@ -103,4 +99,21 @@ export const picture: Texts = {
   'Effects of plugins': 'Efectos de complementos',
   'Names of effects of plugins that are on, with commas between them.':
     'Nombres de los efectos de complementos activados, separados por comas.',
+  'Set technique': 'Elegir la técnica',
+  'Set effects': 'Elegir los efectos',
+  'What is seen behind the objects, and lights them.': 'Lo que se ve detrás de los objetos, y los ilumina.',
+  'How objects fade with distance.': 'Cómo se funden los objetos con la distancia.',
+  Picture: 'Imagen',
+  'How light becomes a picture.': 'Cómo la luz se convierte en imagen.',
+  'Picture effects': 'Efectos de imagen',
+  'What is done to the finished picture.': 'Lo que se hace a la imagen terminada.',
+  'This technique knows no depth before it shades: no ambient occlusion. Automatic, the deferred ones, light pre-pass and Forward+ have it.':
+    'Esta técnica no conoce la profundidad antes de sombrear: no hay oclusión ambiental. Automático, las diferidas, light pre-pass y Forward+ la tienen.',
+  'This technique shades one sample a pixel: edges are jagged. Automatic smooths them by SMAA.':
+    'Esta técnica sombrea una muestra por píxel: los bordes quedan dentados. Automático los suaviza con SMAA.',
+  'This technique has no G-buffer: decals are not seen. Automatic picks one.':
+    'Esta técnica no tiene G-buffer: las calcomanías no se ven. Automático elige una que sí.',
+  'Tone mapping of what this camera sees.': 'Mapeo de tonos de lo que ve esta cámara.',
+  'How edges are smoothed. Automatic is multisampled where the technique can be, else SMAA; TAA gathers frames.':
+    'Cómo se suavizan los bordes. Automático usa multimuestreo donde la técnica lo permite y, si no, SMAA; TAA acumula fotogramas.',
 };
