@@ -22,8 +22,9 @@ test('in a Spanish browser the editor speaks Spanish; in English the scene and t
   await page.getByRole('treeitem', { name: 'Sol' }).click();
   await expect(page.getByRole('textbox', { name: 'Intensidad' })).toBeVisible();
   const shown = await page.evaluate(() => {
-    // names of passes are the same in all languages
-    const isShown = (element: Element | null) => element?.checkVisibility() && !element.closest('.status-passes');
+    // names of passes and of assets are the same in all languages
+    const isShown = (element: Element | null) =>
+      element?.checkVisibility() && !element.closest('.status-passes, .asset-card');
     const texts = [...document.querySelectorAll('[aria-label], [title], [placeholder]')]
       .filter(isShown)
       .flatMap((element) => ['aria-label', 'title', 'placeholder'].map((name) => element.getAttribute(name) ?? ''));
