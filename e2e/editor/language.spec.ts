@@ -41,7 +41,7 @@ test('in a Spanish browser the editor speaks Spanish; in English the scene and t
   const before = await serialized(page);
   await page.getByRole('menuitem', { name: 'Ayuda' }).click();
   await page.getByRole('menuitem', { name: 'Idioma' }).press('ArrowRight');
-  await page.getByRole('menuitem', { name: 'English' }).click();
+  await page.getByRole('menuitemcheckbox', { name: 'English' }).click();
   await expect(page.getByRole('textbox', { name: 'Intensity' })).toBeVisible();
   await expect(page.getByRole('treeitem', { name: 'Sol' })).toHaveAttribute('aria-selected', 'true');
   expect(await serialized(page)).toBe(before);
