@@ -34,7 +34,9 @@ export function InspectorPanel(): ReactNode {
       onFocus={show}
       onPointerLeave={() => setHelp('')}
     >
-      <div className="inspector-body">{content}</div>
+      <div key={asset === null ? 'objects' : 'asset'} className="inspector-body">
+        {content}
+      </div>
       <p className="inspector-help">{help}</p>
     </section>
   );
