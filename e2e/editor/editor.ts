@@ -93,10 +93,13 @@ export async function openEmptyScene(page: Page): Promise<void> {
 
 /** Adds something from the Add menu: the submenu's name, if it is in one, and its own. */
 export async function addObject(page: Page, ...names: string[]): Promise<void> {
+  const selected = (): Promise<string> => page.evaluate(() => window.editor.document.selection.ids.join());
+  const before = await selected();
   await page.getByRole('button', { name: 'Add', exact: true }).click();
   for (const name of names.slice(0, -1)) await page.getByRole('menuitem', { name, exact: true }).press('ArrowRight');
   await page.getByRole('menuitem', { name: names.at(-1), exact: true }).click();
   await menuIsGone(page);
+  await expect.poll(selected).not.toBe(before);
   await inspectorFollows(page);
 }
 

@@ -28,6 +28,7 @@ import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
 import { RecentFiles } from './model/RecentFiles';
+import { Tools } from './model/Tools';
 import { Registry } from './model/Registry';
 import { Tour } from './model/Tour';
 import { panels } from './panels';
@@ -88,6 +89,7 @@ export class Editor implements EditorApi {
   readonly microShaderPlace = new PlaceToShow();
   readonly dialogs = new Dialogs();
   readonly clipboard = new Clipboard();
+  readonly tools = new Tools();
   readonly log = new ConsoleLog();
   readonly notices = new Notices(this.log);
   readonly drafts = new Drafts();
@@ -273,6 +275,7 @@ export class Editor implements EditorApi {
   }
 
   show(scene: Scene, file: OpenFile): void {
+    this.tools.end();
     this.document.open(scene);
     this.openFile = file;
     this.fileChanged.emit();
@@ -296,10 +299,11 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    const apply = ({ snapSteps, effects }: Preferences): void => {
+    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, effects }: Preferences): void => {
       this.viewport.setEffects(effects);
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
+      Object.assign(this.viewport, { snapTo, alignsToSurface, pivot });
     };
     apply(this.preferences.getState());
     this.preferences.subscribe(apply);

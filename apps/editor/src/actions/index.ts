@@ -1,8 +1,10 @@
+import { align, distribute, drop } from './arrange';
 import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import type { Action } from '../api/Action';
 import { deselect } from './deselect';
 import { duplicate } from './duplicate';
+import { duplicateMany } from './duplicateMany';
 import { focus } from './focus';
 import { gizmoModes } from './gizmoModes';
 import { gizmoSpace } from './gizmoSpace';
@@ -13,6 +15,7 @@ import { chooseLanguage } from './language';
 import { lock } from './lock';
 import { goToMenuBar } from './menuBar';
 import { measure } from './measure';
+import { measureDistance } from './measureDistance';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { pause, play, step, stop } from './play';
@@ -31,6 +34,7 @@ import { showPalette } from './showPalette';
 import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showPanels';
 import { lookFrom } from './sides';
 import { snap } from './snap';
+import { alignToSurface, gizmoPivots, snapTargets } from './snapping';
 import { showStatistics } from './statistics';
 import { themes } from './themes';
 import { undo } from './undo';
@@ -55,6 +59,11 @@ export const actions: readonly Action[] = [
   paste,
   pasteBelow,
   duplicate,
+  duplicateMany,
+  drop,
+  ...align,
+  ...distribute,
+  measureDistance,
   group,
   ungroup,
   remove,
@@ -71,6 +80,9 @@ export const actions: readonly Action[] = [
   ...gizmoModes,
   gizmoSpace,
   snap,
+  ...snapTargets,
+  alignToSurface,
+  ...gizmoPivots,
   focus,
   showGrid,
   showIcons,

@@ -1,6 +1,8 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
 import type { Language } from '../language/languages';
+import type { GizmoPivot } from '../viewport/Gizmo';
+import type { SnapTarget } from '../viewport/handles/DragSnap';
 import type { EffectChoice } from '../viewport/ViewportEffects';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
@@ -15,6 +17,11 @@ export interface Preferences {
   snapSteps: { readonly translate: number; readonly rotate: number; readonly scale: number };
   /** Whether the welcome is shown when the editor opens. */
   showWelcome: boolean;
+  /** What drags hold to while they snap, and whether what is moved to a surface is turned along it. */
+  snapTo: SnapTarget;
+  alignsToSurface: boolean;
+  /** What several objects turn and grow about. */
+  pivot: GizmoPivot;
   /** What takes part in the picture beside the technique. */
   effects: EffectChoice;
 }
@@ -31,6 +38,9 @@ export const createPreferences = (storage: string): PreferenceStore =>
         language: null,
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
         showWelcome: true,
+        snapTo: 'grid',
+        alignsToSurface: false,
+        pivot: 'centre',
         effects: { antialiasing: 'auto', on: [] },
       }),
       { name: storage },
