@@ -81,7 +81,7 @@ describe('a material', () => {
   it('gets another name in objects, prefabs and folders', () => {
     const { document, scene, renderers } = walls();
     document.commands.run(addMaterial(scene, 'Wall', {}, renderers).command);
-    const { prefab } = makePrefab(renderers[0].gameObject, []);
+    const { prefab } = makePrefab(renderers[0].gameObject);
     scene.prefabs.set(prefab);
     run(document, renameAsset(scene, 'Wall', 'House/Wall of brick'));
     expect(renderers[1].material).toBe('House/Wall of brick');
