@@ -90,9 +90,19 @@ test('a model is unpacked into objects that look the same, in one step; an FBX c
   await expect(page.getByRole('treeitem', { name: 'box' })).toHaveAttribute('aria-selected', 'true');
   await page.locator(picture).focus();
   await page.keyboard.press('f');
+  // no handles over the picture
+  await page.keyboard.press('q');
   const places = [0.5, 0.45, 0.55].map((x) => [x, 0.5] as const);
   const look = (): Promise<unknown> => Promise.all(places.map(([x, y]) => pixelAt(page, x, y)));
-  const [before, text] = [await look(), await serialized(page)];
+  let before = await look();
+  await expect
+    .poll(async () => {
+      const last = JSON.stringify(before);
+      before = await look();
+      return JSON.stringify(before) === last;
+    })
+    .toBe(true);
+  const text = await serialized(page);
   await page.getByRole('button', { name: 'Unpack' }).click();
   await expect.poll(() => history(page)).toContain('Unpack box');
   expect(await fieldOf(page, 'Box', 'ObjectRenderer', 'material')).toBe('box/Red');
@@ -102,7 +112,8 @@ test('a model is unpacked into objects that look the same, in one step; an FBX c
   expect(await serialized(page)).toBe(text);
 
   await dropFiles(page, picture, [fbxSquare]);
-  await expect.poll(() => fieldOf(page, 'square', 'ModelRenderer', 'animation')).toBe('Rise');
+  await expect(page.getByRole('treeitem', { name: 'square' })).toHaveAttribute('aria-selected', 'true');
+  expect(await fieldOf(page, 'square', 'ModelRenderer', 'animation')).toBe('Rise');
   const clip = page.getByRole('combobox', { name: 'Clip' });
   await clip.click();
   await expect(page.getByRole('option')).toHaveText(['None', 'Rise']);
