@@ -86,7 +86,7 @@ function mtlOf(material: MeshPhongMaterial, textures: FbxTextures): MtlMaterial 
 function prepareGeometry(geometry: BufferGeometry): void {
   for (const name of ['uv', 'uv1', 'uv2', 'uv3']) {
     const uv = geometry.getAttribute(name) as BufferAttribute | undefined;
-    for (let i = 0; uv && i < uv.count; i++) uv.setY(i, 1 - uv.getY(i));
+    for (let i = 0, count = uv?.count ?? 0; i < count; i++) uv!.setY(i, 1 - uv!.getY(i));
   }
   if (geometry.getAttribute('normal')) geometry.normalizeNormals();
   else geometry.computeVertexNormals();
