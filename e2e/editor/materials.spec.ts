@@ -49,7 +49,7 @@ test('a material is made of an object, edited, dropped on another, named, put in
   const isShared = await page.evaluate(() => {
     const [one, two] = ['Box', 'Sphere'].map((name) => {
       const object = window.editor.document.scene.find(name)!;
-      return object.getComponent<ObjectRenderer>('ObjectRenderer')!.three!.material as {
+      return (object.getComponent('ObjectRenderer') as ObjectRenderer).three!.material as {
         map?: { repeat: { x: number } };
       };
     });
