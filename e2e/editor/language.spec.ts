@@ -14,7 +14,9 @@ function englishTexts(): Set<string> {
   return new Set(texts.map(([english]) => english).filter((english) => !spanish.has(english)));
 }
 
-test('in a Spanish browser the editor speaks Spanish; in English the scene and the selection stay', async ({ page }) => {
+test('in a Spanish browser the editor speaks Spanish; in English the scene and the selection stay', async ({
+  page,
+}) => {
   await openEditor(page, 'empty');
   await expect(page.locator('html')).toHaveAttribute('lang', 'es');
   await page.getByRole('treeitem', { name: 'Sol' }).click();

@@ -1,3 +1,4 @@
+import { keepViews, showViews } from './bookmarks';
 import { align, distribute, drop } from './arrange';
 import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
@@ -18,17 +19,19 @@ import { measure } from './measure';
 import { measureDistance } from './measureDistance';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
-import { pause, play, step, stop } from './play';
+import { pause, play, playFromCamera, playFromHere, step, stop } from './play';
 import { makeMaterial, newMaterial, unpackModel } from './materials';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
 import { toggleOrthographic, turns } from './projection';
+import { nextView, quadView, resetViews } from './quadView';
 import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
 import { exportScene } from './exportScene';
 import { save, saveAs } from './save';
 import { selectAll } from './selectAll';
+import { shadings, showShadings } from './shadings';
 import { showKeys } from './showKeys';
 import { showPalette } from './showPalette';
 import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showPanels';
@@ -93,7 +96,16 @@ export const actions: readonly Action[] = [
   toggleOrthographic,
   ...turns,
   ...cameraActions,
+  ...showViews,
+  ...keepViews,
+  quadView,
+  nextView,
+  resetViews,
+  ...shadings,
+  showShadings,
   play,
+  playFromCamera,
+  playFromHere,
   pause,
   step,
   stop,

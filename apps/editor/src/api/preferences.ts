@@ -1,9 +1,9 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
 import type { Language } from '../language/languages';
+import { defaultViews, type ViewChoice } from '../viewport/panes/ViewChoice';
 import type { GizmoPivot } from '../viewport/Gizmo';
 import type { SnapTarget } from '../viewport/handles/DragSnap';
-import type { EffectChoice } from '../viewport/ViewportEffects';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
 export interface Preferences {
@@ -22,8 +22,8 @@ export interface Preferences {
   alignsToSurface: boolean;
   /** What several objects turn and grow about. */
   pivot: GizmoPivot;
-  /** What takes part in the picture beside the technique. */
-  effects: EffectChoice;
+  /** One view or four, and how they show the scene. */
+  views: ViewChoice;
 }
 
 export type PreferenceStore = StoreApi<Preferences>;
@@ -36,12 +36,12 @@ export const createPreferences = (storage: string): PreferenceStore =>
         folded: {},
         theme: 'dark',
         language: null,
+        views: defaultViews,
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
         showWelcome: true,
         snapTo: 'grid',
         alignsToSurface: false,
         pivot: 'centre',
-        effects: { antialiasing: 'auto', on: [] },
       }),
       { name: storage },
     ),

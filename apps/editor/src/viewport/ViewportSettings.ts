@@ -1,5 +1,7 @@
 import type { FarolRenderer, TechniqueName, View } from '@farol/renderer';
-import { Signal } from '@farol/editing';
+import { Signal, t } from '@farol/editing';
+import type { EditorDocument } from '../model/EditorDocument';
+import { setValues } from '../model/edits';
 import type { FrameLoop } from './FrameLoop';
 import type { Gizmo, GizmoMode, GizmoPivot, GizmoSpace } from './Gizmo';
 import type { SnapTarget } from './handles/DragSnap';
@@ -10,6 +12,7 @@ export abstract class ViewportSettings {
   /** Emits when one of the settings changes, those of the viewport included. */
   readonly changed = new Signal();
 
+  abstract readonly document: EditorDocument;
   abstract readonly farol: FarolRenderer;
   abstract readonly gizmo: Gizmo;
   abstract readonly helpers: Helpers;
@@ -20,9 +23,11 @@ export abstract class ViewportSettings {
     return this.farol.technique;
   }
 
-  /** @throws Error naming what the device lacks */
+  /** That of the scene: another one is a step of the history. @throws Error when there is no such technique, or the device lacks what it needs */
   set technique(technique: TechniqueName) {
+    const { settings } = this.document.scene;
     this.farol.technique = technique;
+    this.document.commands.run(setValues(t('Set technique'), [settings], { technique }));
     this.changed.emit();
   }
 

@@ -4,11 +4,13 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
 import { PreviewFrame } from './PreviewFrame';
 import { StatisticsOverlay } from './StatisticsOverlay';
+import { ViewLine } from './ViewLine';
 import { ViewportMenu } from './ViewportMenu';
 import { ViewportToolbar } from './ViewportToolbar';
 
 const PainterOverlay = lazy(async () => ({ default: (await import('../frame/PainterOverlay')).PainterOverlay }));
 const PlayFrame = lazy(async () => ({ default: (await import('../play/PlayFrame')).PlayFrame }));
+const QuadOverlay = lazy(async () => ({ default: (await import('./QuadOverlay')).QuadOverlay }));
 const ToolBox = lazy(async () => ({ default: (await import('./tools/ToolBox')).ToolBox }));
 const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
 
@@ -36,7 +38,9 @@ export function ViewportPanel(): ReactNode {
       {!isGrid && <ViewportToolbar />}
       {viewport.showStatistics && <StatisticsOverlay />}
       {!isGrid && <PreviewFrame />}
+      <ViewLine />
       <Suspense fallback={null}>
+        {viewport.isQuad && <QuadOverlay />}
         {tools.current && <ToolBox key={tools.current.id} tool={tools.current} />}
         {viewport.painter && <PainterOverlay />}
         {simulation.state !== 'stopped' && <PlayFrame />}
