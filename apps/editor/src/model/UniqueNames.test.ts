@@ -1,6 +1,7 @@
 import { GameObject, Scene } from '@farol/engine';
 import { expect, it } from 'vitest';
 import { addObject, duplicateObjects } from './edits';
+import { groupObjects } from './groupObjects';
 import { UniqueNames } from './UniqueNames';
 
 function sceneOf(...names: string[]): Scene {
@@ -26,6 +27,12 @@ it('numbers thousands at once', () => {
   const given = Array.from({ length: 20_000 }, () => names.take('Light'));
   expect(given.at(-1)).toBe('Light 20001');
   expect(new Set(given).size).toBe(20_000);
+});
+
+it('numbers groups', () => {
+  const scene = sceneOf('Box', 'Group');
+  groupObjects(scene, [scene.roots[0]]).do();
+  expect(scene.roots.map(({ name }) => name)).toEqual(['Group 2', 'Group']);
 });
 
 it('names what is added and duplicated, and calls the step by what was copied', () => {

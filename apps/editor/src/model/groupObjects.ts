@@ -5,6 +5,7 @@ import { MoveObjects } from './commands/MoveObjects';
 import { type Placement, placementOf, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';
 import { Sequence } from './commands/Sequence';
+import { UniqueNames } from './UniqueNames';
 
 const none = { done: [], undone: [] };
 
@@ -26,7 +27,7 @@ function middleOf(objects: readonly GameObject[], { parent }: Placement): Vector
 export function groupObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const place = placementOf(tops[0], scene);
-  const group = new GameObject(t('Group'));
+  const group = new GameObject(new UniqueNames(scene).take(t('Group')));
   group.transform.position = middleOf(tops, place).toArray();
   return new Sequence(
     countLabel(t('Grouped'), tops),
