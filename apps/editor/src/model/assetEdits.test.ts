@@ -20,13 +20,13 @@ import {
   addMaterial,
   duplicateMaterial,
   foldersOf,
-  freeAssetName,
   moveAssets,
   removeFolder,
   renameAsset,
   renameFolder,
   valuesOfOwnMaterial,
 } from './assetEdits';
+import { freeAssetName } from './assetNames';
 import { usagesOf } from './assetUsages';
 import { copyObjects, pasteObjects } from './clip';
 import { EditorDocument } from './EditorDocument';
