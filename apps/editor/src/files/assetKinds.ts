@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import type { AssetLibrary, Scene } from '@farol/engine';
 import type { AssetType } from '@farol/engine/fields';
 import type { Texture } from 'three';
-import { canRename, splitName } from '../model/assetEdits';
+import { canRename, splitName } from '../model/assetNames';
 
 /** What the Assets panel shows: assets of the library, and prefabs. */
 export type AssetKind = AssetType | 'prefab';

@@ -3,7 +3,7 @@ import type { AssetLibrary } from '@farol/engine';
 import { decodedUri, expandZips, packFbx, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { withProgress } from './withProgress';
-import { freeAssetName } from '../model/assetEdits';
+import { freeAssetName } from '../model/assetNames';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
 

@@ -1,6 +1,5 @@
 import { CommandStack } from '@farol/editing';
 import { Animator, GameObject, Light, Model, ModelRenderer, ObjectRenderer, Scene } from '@farol/engine';
-import { materialAssetFields } from '@farol/engine/fields';
 import { serialize } from '@farol/engine/files';
 import { makePrefab } from '@farol/engine/prefabs';
 import {
@@ -14,19 +13,18 @@ import {
   PointLight,
 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { fieldsLeftOut, materialSections } from '../panels/material/materialSections';
 import {
   addFolder,
   addMaterial,
   duplicateMaterial,
   foldersOf,
-  freeAssetName,
   moveAssets,
   removeFolder,
   renameAsset,
   renameFolder,
   valuesOfOwnMaterial,
 } from './assetEdits';
+import { freeAssetName } from './assetNames';
 import { usagesOf } from './assetUsages';
 import { copyObjects, pasteObjects } from './clip';
 import { EditorDocument } from './EditorDocument';
@@ -115,13 +113,6 @@ describe('a material', () => {
       'Wall',
       'Wall 2',
     ]);
-  });
-
-  it('has each of its fields in one section of the inspector', () => {
-    expect(fieldsLeftOut()).toEqual([]);
-    const shown = materialSections.flatMap(({ fields }) => fields);
-    expect(new Set(shown).size).toBe(shown.length);
-    for (const name of shown) expect(materialAssetFields).toHaveProperty(name);
   });
 });
 

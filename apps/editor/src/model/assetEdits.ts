@@ -1,6 +1,7 @@
 import { type Command, type FieldEdit, SetFields, t, tCount } from '@farol/editing';
 import { type AssetLibrary, AssetError, type ObjectRenderer, type Scene, type TakenAsset } from '@farol/engine';
 import { type FieldValue, materialAssetFields, sameValue } from '@farol/engine/fields';
+import { canRename, endingOf, freeAssetName, joinName, splitName } from './assetNames';
 import { AddAssets } from './commands/AddAssets';
 import { RenameAsset } from './commands/RenameAsset';
 import { Sequence } from './commands/Sequence';
@@ -9,28 +10,6 @@ import { SetFolder } from './commands/SetFolder';
 /** Commands for what a user does with assets. Each captures what the scene is like when it is made. */
 
 type Values = Readonly<Record<string, FieldValue>>;
-
-/** The folder of an asset, '' for none, and its name without it. */
-export function splitName(name: string): { folder: string; leaf: string } {
-  const at = name.lastIndexOf('/');
-  return { folder: name.slice(0, Math.max(at, 0)), leaf: name.slice(at + 1) };
-}
-
-export const joinName = (folder: string, leaf: string): string => (folder === '' ? leaf : `${folder}/${leaf}`);
-
-/** Ending of a name that tells the format of its file, '.glb', '.ply.gz'; '' for what has none. */
-export const endingOf = (name: string): string => /\.(?:ply\.gz|[a-z0-9]{2,5})$/i.exec(name)?.[0] ?? '';
-
-/** A name that is free: 'Brick 2' when there is a 'Brick', 'robot 2.glb' when there is a 'robot.glb'. */
-export function freeAssetName(assets: AssetLibrary, name: string): string {
-  const { folder, leaf } = splitName(name);
-  const ending = endingOf(leaf);
-  const stem = leaf.slice(0, leaf.length - ending.length);
-  const [, root, number] = /^(.*?)(?: (\d+))?$/.exec(stem)!;
-  let free = name;
-  for (let n = Number(number ?? 1) + 1; assets.has(free); n++) free = joinName(folder, `${root} ${n}${ending}`);
-  return free;
-}
 
 /** A new material that is not in the library yet. */
 function newMaterial(assets: AssetLibrary, name: string, values: Values): TakenAsset {
@@ -111,13 +90,6 @@ export function renameAsset(scene: Scene, from: string, to: string): Command {
     : t('Renamed {name} to {next}', { name: from, next: name });
   return new RenameAsset(label, scene, from, name);
 }
-
-/** Whether an asset can get another name or folder. */
-export const canRename = (assets: AssetLibrary, name: string): boolean =>
-  assets.has(name) &&
-  !assets.isBuiltin(name) &&
-  assets.modelOf(name) === null &&
-  (assets.fileOf(name) !== null || assets.materialAsset(name) !== null);
 
 /** Puts assets into a folder, '' for none. A name that is taken there gets a number. */
 export function moveAssets(scene: Scene, names: readonly string[], folder: string): Command {

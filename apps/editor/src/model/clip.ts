@@ -12,7 +12,7 @@ import {
   serializeObject,
 } from '@farol/engine/files';
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { freeAssetName } from './assetEdits';
+import { freeAssetName } from './assetNames';
 import { AddAssets } from './commands/AddAssets';
 import { childrenOf, type Container, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';

@@ -9,7 +9,7 @@ import {
   type TakenAsset,
   whatKeepsTogether,
 } from '@farol/engine';
-import { endingOf, splitName } from './assetEdits';
+import { endingOf, splitName } from './assetNames';
 import { AddAssets } from './commands/AddAssets';
 import { PlaceComponents } from './commands/PlaceComponents';
 import { PlaceObjects } from './commands/PlaceObjects';

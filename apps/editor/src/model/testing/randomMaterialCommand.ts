@@ -3,7 +3,6 @@ import { ObjectRenderer } from '@farol/engine';
 import {
   addFolder,
   addMaterial,
-  canRename,
   duplicateMaterial,
   foldersOf,
   moveAssets,
@@ -12,6 +11,7 @@ import {
   renameFolder,
   valuesOfOwnMaterial,
 } from '../assetEdits';
+import { canRename } from '../assetNames';
 import { assetsBelow } from '../assetEdits';
 import { deleteAsset } from '../assetUsages';
 import type { EditorDocument } from '../EditorDocument';

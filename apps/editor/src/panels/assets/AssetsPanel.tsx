@@ -4,7 +4,8 @@ import { type KeyboardEvent, type ReactNode, useCallback, useMemo, useRef, useSt
 import { type AssetEntry, assetEntries, type AssetKind, kindLabel } from '../../files/assetKinds';
 import { isFileDrag } from '../../files/dragAsset';
 import { placeAsset } from '../../files/placeAsset';
-import { foldersOf, splitName } from '../../model/assetEdits';
+import { foldersOf } from '../../model/assetEdits';
+import { splitName } from '../../model/assetNames';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { LateItems, MenuButton } from '../../ui/MenuButton';

@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import { Fragment, type ReactNode } from 'react';
-import { splitName } from '../../model/assetEdits';
+import { splitName } from '../../model/assetNames';
 import { FolderTarget } from './FolderTarget';
 
 /** Where one is among the folders; each step up takes what is dropped on it. */

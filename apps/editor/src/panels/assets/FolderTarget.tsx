@@ -1,7 +1,8 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useState } from 'react';
 import { draggedAsset, isAssetDrag } from '../../files/dragAsset';
-import { canRename, moveAssets } from '../../model/assetEdits';
+import { moveAssets } from '../../model/assetEdits';
+import { canRename } from '../../model/assetNames';
 import { useEditor } from '../../ui/EditorContext';
 
 interface FolderTargetProps {

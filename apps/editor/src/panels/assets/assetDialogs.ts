@@ -1,7 +1,8 @@
 import { t, tCount } from '@farol/editing';
 import type { EditorApi } from '../../api/EditorApi';
 import type { AssetEntry } from '../../files/assetKinds';
-import { canRename, joinName, renameAsset, splitName } from '../../model/assetEdits';
+import { renameAsset } from '../../model/assetEdits';
+import { canRename, joinName, splitName } from '../../model/assetNames';
 import { deleteAsset, usagesOf } from '../../model/assetUsages';
 import { Sequence } from '../../model/commands/Sequence';
 import { deletePrefab, instancesOf, renamePrefab } from '../../model/prefabEdits';

@@ -1,7 +1,8 @@
 import { t } from '@farol/editing';
 import type { EditorApi } from '../../api/EditorApi';
 import type { MenuEntry } from '../../api/MenuEntry';
-import { addFolder, addMaterial, joinName, removeFolder, renameFolder, splitName } from '../../model/assetEdits';
+import { addFolder, addMaterial, removeFolder, renameFolder } from '../../model/assetEdits';
+import { joinName, splitName } from '../../model/assetNames';
 import { chooseFiles } from './chooseFiles';
 
 /** Adds a material to a folder, and shows its fields. */

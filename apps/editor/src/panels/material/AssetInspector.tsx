@@ -1,6 +1,7 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useMemo } from 'react';
-import { canRename, joinName, renameAsset, splitName } from '../../model/assetEdits';
+import { renameAsset } from '../../model/assetEdits';
+import { canRename, joinName, splitName } from '../../model/assetNames';
 import { assetEntry } from '../../files/assetKinds';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
