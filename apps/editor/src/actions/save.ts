@@ -41,7 +41,7 @@ async function write(editor: EditorApi, handle: FileSystemFileHandle | null): Pr
     notices.show('info', t('Saved {name}', { name: editor.file.name ?? '' }));
   } catch (error) {
     if (!(error instanceof Error) || error.name === 'AbortError') throw error;
-    failures.set(editor, notices.show('error', error.message, 'file'));
+    failures.set(editor, notices.show('error', error.message, 'file', { lasts: true }));
   }
 }
 

@@ -77,14 +77,16 @@ function planned(label: string, scene: Scene, plan: PrefabPlan, selected: readon
   );
 }
 
-/** What a field is called within a sentence. */
-const fieldLabel = ({ fields }: Component, name: string): string => labelOfField(name, fields[name]).toLowerCase();
+const fieldWords = (component: Component, field: string): { field: string; name: string } => ({
+  field: labelOfField(field, component.fields[field]).toLowerCase(),
+  name: component.gameObject.name,
+});
 
 /** Makes a prefab of an object with all below it, which becomes its first instance. @throws PrefabError for a part of an instance */
 export function createPrefab(scene: Scene, object: GameObject, selected: readonly string[]): Command {
   const { prefab, links } = makePrefab(object);
   const edits = [...links].map(([each, value]): PrefabEdit => ({ kind: 'link', object: each, value }));
-  return planned(t('Make prefab {name}', { name: prefab.name }), scene, { prefabs: [prefab], edits }, selected);
+  return planned(t('Made prefab {name}', { name: prefab.name }), scene, { prefabs: [prefab], edits }, selected);
 }
 
 /** Adds an instance at the end of a parent, and selects it. @param position - in the parent (m); the prefab's own when absent */
@@ -102,13 +104,13 @@ export function placePrefab(
 
 /** Gives a prefab everything that an instance has of its own; all others follow. */
 export function applyInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
-  return planned(t('Apply {name} to its prefab', { name: root.name }), scene, planApplyAll(root), selected);
+  return planned(t('Applied {name} to its prefab', { name: root.name }), scene, planApplyAll(root), selected);
 }
 
 /** Gives a prefab one field of an instance; all others follow. */
 export function applyField(scene: Scene, component: Component, field: string, selected: readonly string[]): Command {
   return planned(
-    t('Apply {field} to the prefab', { field: fieldLabel(component, field) }),
+    t('Applied {field} of {name} to its prefab', fieldWords(component, field)),
     scene,
     planApplyField(component, field),
     selected,
@@ -118,7 +120,7 @@ export function applyField(scene: Scene, component: Component, field: string, se
 /** Makes an instance as its prefab is. */
 export function revertInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
   return planned(
-    t('Revert {name} to its prefab', { name: root.name }),
+    t('Reverted {name} to its prefab', { name: root.name }),
     scene,
     { prefabs: [], edits: planRevertAll(root) },
     selected,
@@ -133,7 +135,7 @@ export function revertField(scene: Scene, override: FieldOverride, selected: rea
   const edits: PrefabEdit[] = [{ kind: 'field', component, field, value: base }];
   if (object.prefabLink?.pinned) edits.push({ kind: 'link', object, value: withoutPin(object.prefabLink, pin) });
   return planned(
-    t('Revert {field} to the prefab', { field: fieldLabel(component, field) }),
+    t('Reverted {field} of {name} to its prefab', fieldWords(component, field)),
     scene,
     { prefabs: [], edits },
     selected,
@@ -142,11 +144,11 @@ export function revertField(scene: Scene, override: FieldOverride, selected: rea
 
 /** Makes an instance an object of its own. */
 export function unpackInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
-  return planned(t('Unpack {name}', { name: root.name }), scene, { prefabs: [], edits: planUnpack(root) }, selected);
+  return planned(t('Unpacked {name}', { name: root.name }), scene, { prefabs: [], edits: planUnpack(root) }, selected);
 }
 
 export function renamePrefab(scene: Scene, prefab: Prefab, name: string): Command {
-  return new Sequence(t('Rename prefab {name}', { name: prefab.name }), [
+  return new Sequence(t('Renamed prefab {name} to {next}', { name: prefab.name, next: name }), [
     () => new SetPrefab(scene, prefab.id, { ...prefab, name }),
   ]);
 }
@@ -173,7 +175,7 @@ export function deletePrefab(scene: Scene, prefab: Prefab, selected: readonly st
   });
   const edits = instancesOf(scene, prefab.id).flatMap(planUnpack);
   return new Sequence(
-    t('Delete prefab {name}', { name: prefab.name }),
+    t('Deleted prefab {name}', { name: prefab.name }),
     [
       ...edits.map((edit) => () => commandOf(scene, edit)),
       ...others.map((other) => () => new SetPrefab(scene, other.id, other)),

@@ -2,7 +2,6 @@ import type { Texts } from '@farol/editing';
 
 /** Fields of materials, in Spanish. */
 export const materials: Texts = {
-  'New material {name}': 'Nuevo material {name}',
   'Green points down, as in maps made for DirectX.':
     'El verde apunta hacia abajo, como en los mapas hechos para DirectX.',
   'Flip green': 'Invertir el verde',

@@ -1,4 +1,3 @@
-import { t } from '@farol/editing';
 import type { IconName } from '../../style/iconPaths';
 
 const icons: Readonly<Record<string, IconName>> = {
@@ -16,5 +15,4 @@ const icons: Readonly<Record<string, IconName>> = {
 /** The icon of a type of component. */
 export const componentIcon = (typeName: string): IconName => icons[typeName] ?? 'object';
 
-/** The name of a type of component in words, 'Object Renderer', in the language that is shown. */
-export const wordsOf = (typeName: string): string => t(typeName.replaceAll(/([a-z])([A-Z])/g, '$1 $2'));
+export { componentName as wordsOf } from '../../model/componentName';
