@@ -2,23 +2,17 @@ import type { Texts } from '@farol/editing';
 
 /** Fields of materials, in Spanish. */
 export const materials: Texts = {
-  'New material {name}': 'Nuevo material {name}',
   'Green points down, as in maps made for DirectX.':
     'El verde apunta hacia abajo, como en los mapas hechos para DirectX.',
   'Flip green': 'Invertir el verde',
   'Strength of the bump map.': 'Fuerza del mapa de relieve.',
-  'Bump map strength': 'Fuerza del mapa de relieve',
   'How far white moves a vertex outwards.': 'Cuánto desplaza el blanco un vértice hacia fuera.',
   Displacement: 'Desplazamiento',
   'How far black moves a vertex outwards.': 'Cuánto desplaza el negro un vértice hacia fuera.',
-  'Displacement bias': 'Sesgo del desplazamiento',
   'Strength of the occlusion map.': 'Fuerza del mapa de oclusión.',
   Occlusion: 'Oclusión',
   'Factor of the light map.': 'Factor del mapa de luz.',
-  'Light map intensity': 'Intensidad del mapa de luz',
   'Strength of the normals of the clearcoat.': 'Fuerza de las normales del barniz.',
-  'Clearcoat bump strength': 'Fuerza del relieve del barniz',
-  'Clearcoat flip green': 'Invertir el verde del barniz',
   Sheen: 'Lustre',
   'Soft light at grazing angles, as of velvet.': 'Luz suave en ángulos rasantes, como el terciopelo.',
   'Colour of the sheen.': 'Color del lustre.',
@@ -28,9 +22,7 @@ export const materials: Texts = {
   Iridescence: 'Iridiscencia',
   'Colours of a thin film, as of a soap bubble.': 'Colores de una película fina, como una pompa de jabón.',
   'Index of refraction of the film.': 'Índice de refracción de la película.',
-  'Film index of refraction': 'Índice de refracción de la película',
   'Thickness of the film where its map is black.': 'Grosor de la película donde su mapa es negro.',
-  'Least film thickness': 'Grosor mínimo de la película',
   'Thickness of the film where its map is white, or there is none.':
     'Grosor de la película donde su mapa es blanco, o no lo hay.',
   'Film thickness': 'Grosor de la película',
@@ -139,4 +131,11 @@ export const materials: Texts = {
   'UV channel': 'Canal UV',
   'Which texture coordinates of the mesh it goes by; a mesh without them shows one texel.':
     'Qué coordenadas de textura de la malla sigue; una malla sin ellas muestra un solo téxel.',
+  'Bump height': 'Altura del relieve',
+  Bias: 'Sesgo',
+  'Light strength': 'Fuerza de la luz',
+  'Coat strength': 'Fuerza del barniz',
+  'Coat flip green': 'Invertir verde (barniz)',
+  'Film index': 'Índice película',
+  'Least thickness': 'Grosor mínimo',
 };

@@ -14,8 +14,6 @@ export const messages: Texts = {
     'La escena crece {sizes} al desempaquetarla, lo que puede tardar mucho o cerrar esta pestaña. Conviene abrirla solo si se conoce su procedencia.',
   'Open it': 'Abrirla',
   'Unsaved changes': 'Cambios sin guardar',
-  '“{name}” has changes that are not saved. They will be lost.': '«{name}» tiene cambios sin guardar. Se perderán.',
-  'Discard changes': 'Descartar los cambios',
   'This cannot be read': 'Esto no se puede leer',
   'What brings these components is not here, so they are kept as data: {names}. Add the plugin that they belong to.':
     'Falta lo que aporta estos componentes y se conservan como datos: {names}. Hay que añadir el complemento al que pertenecen.',
@@ -196,4 +194,7 @@ export const messages: Texts = {
     'contiene {count} recursos: hay que moverlos o eliminarlos antes.',
   'Techniques cannot be compared: this device draws to no float colour buffers (EXT_color_buffer_float).':
     'No se pueden comparar técnicas: este dispositivo no dibuja en búferes de color flotantes (EXT_color_buffer_float).',
+  '“{name}” has changes that are not saved. Save them before it is closed?':
+    '«{name}» tiene cambios sin guardar. ¿Guardarlos antes de cerrarla?',
+  'Don’t save': 'No guardar',
 };

@@ -253,7 +253,6 @@ export const panels: Texts = {
   'Open it, or drop assets into it': 'Se abre, o se sueltan recursos en ella',
   '{label}': '{label}',
   '{count} assets': '{count} recursos',
-  'Delete {label}': 'Eliminar {label}',
   'Name of the asset': 'Nombre del recurso',
   'Give to the selected objects': 'Dar a los objetos seleccionados',
   'The top': 'Lo alto',
@@ -349,4 +348,7 @@ export const panels: Texts = {
   go: 'ir',
   Diagnostics: 'Diagnósticos',
   'No diagnostics': 'Sin diagnósticos',
+  'There is none yet.': 'Todavía no hay ninguno.',
+  'Find a field': 'Buscar un campo',
+  'No field here is called that.': 'Ningún campo se llama así.',
 };
