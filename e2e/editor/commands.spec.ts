@@ -26,7 +26,7 @@ test('the palette finds what can be done, and does it', async ({ page }) => {
   await page.keyboard.press('ArrowDown');
   await expect(options.nth(1)).toHaveAttribute('aria-selected', 'true');
   await page.keyboard.press('Enter');
-  await expect.poll(() => history(page)).toEqual([`Add ${second}`]);
+  await expect.poll(() => history(page)).toEqual([`Added ${second}`]);
 
   // an object; Escape closes
   await expect(search).toHaveCount(0);
@@ -69,7 +69,7 @@ test('keys are chosen anew, clashes are told, and all of it is remembered and re
 
   await page.getByRole('treeitem', { name: 'Sun' }).first().focus();
   await page.keyboard.press('h');
-  expect(await history(page)).toEqual(['Duplicate Sun']);
+  expect(await history(page)).toEqual(['Duplicated Sun']);
   await page.keyboard.press('Control+d');
   expect(await history(page)).toHaveLength(1);
 
