@@ -1,12 +1,15 @@
 import { lazy, type ReactNode, Suspense, useLayoutEffect } from 'react';
 import { useEditor, useSignal } from '../ui/EditorContext';
 import { usePreferences } from '../ui/usePreferences';
-import { DialogHost } from './dialogs/DialogHost';
 import { NoticeList } from './dialogs/NoticeList';
 import { Dock } from './dock/Dock';
 import { StatusBar } from './status/StatusBar';
-import { Toolbar } from './toolbar/Toolbar';
+import './dialogs/dialogs.css';
+import './toolbar/toolbar.css';
 
+// the picture does not wait for the library of menus and dialogs
+const Toolbar = lazy(async () => ({ default: (await import('./toolbar/Toolbar')).Toolbar }));
+const DialogHost = lazy(async () => ({ default: (await import('./dialogs/DialogHost')).DialogHost }));
 const PlayTint = lazy(async () => ({ default: (await import('./play/PlayTint')).PlayTint }));
 const Tour = lazy(async () => ({ default: (await import('./tour/Tour')).Tour }));
 const PlayChanges = lazy(async () => ({ default: (await import('./play/PlayChanges')).PlayChanges }));
@@ -23,13 +26,17 @@ export function Layout(): ReactNode {
   useSignal(tour.changed);
   return (
     <div className="layout">
-      <Toolbar />
+      <Suspense fallback={<header className="toolbar" />}>
+        <Toolbar />
+      </Suspense>
       <Dock>
         <PlayEditsPlace />
         <NoticeList />
       </Dock>
       <StatusBar />
-      <DialogHost />
+      <Suspense fallback={null}>
+        <DialogHost />
+      </Suspense>
       <Suspense fallback={null}>{hasPlayed && <PlayTint />}</Suspense>
       <Suspense fallback={null}>{tour.current !== null && <Tour />}</Suspense>
     </div>

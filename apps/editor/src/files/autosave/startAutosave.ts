@@ -25,10 +25,21 @@ export async function startAutosave(
   }
   const autosave = new Autosave(editor, new AutosaveStore(), opened);
   try {
-    const lost = await autosave.store.lost();
     const clean = takeClean();
-    for (const { id, isDirty } of lost) if (!isDirty || clean.has(id)) await autosave.store.delete(id);
-    offer(await autosave.findLost());
+    const look = async (): Promise<RecoveryOffer | null> => {
+      for (const { id, isDirty } of await autosave.store.lost()) {
+        if (!isDirty || clean.has(id)) await autosave.store.delete(id);
+      }
+      return autosave.findLost();
+    };
+    const found = await look();
+    offer(found);
+    // a tab that was closed just now may hold its lock a little longer
+    if (!found)
+      void opened.then(look).then(
+        (late) => late && offer(late),
+        (error: unknown) => autosave.refused(error),
+      );
   } catch (error) {
     autosave.refused(error);
     offer(null);

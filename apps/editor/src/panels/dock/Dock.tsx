@@ -9,7 +9,7 @@ import { DockGroup } from './DockGroup';
 import { DockPanel } from './DockPanel';
 import { SheetEdge } from './SheetEdge';
 import { SheetTabs } from './SheetTabs';
-import { TAB_HEIGHT } from './TabStrip';
+import { TAB_HEIGHT } from './tabHeight';
 import { type TabDrag, useTabDrag } from './useTabDrag';
 
 /** The style of a rectangle of the dock. */

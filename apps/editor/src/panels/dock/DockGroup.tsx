@@ -1,7 +1,9 @@
-import type { PointerEvent, ReactNode } from 'react';
+import { lazy, type PointerEvent, type ReactNode, Suspense } from 'react';
 import type { PanelGroup } from '../../layout/LayoutNode';
 import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
-import { TabStrip } from './TabStrip';
+
+// menus and their library come after the first frame
+const TabStrip = lazy(async () => ({ default: (await import('./TabStrip')).TabStrip }));
 
 interface DockGroupProps {
   readonly group: PanelGroup;
@@ -16,7 +18,9 @@ export function DockGroup({ group, rectangle, groups, onDrag }: DockGroupProps):
   const { x, y, width, height } = rectangle;
   return (
     <div className="dock-group" data-group={group.id} style={{ left: x, top: y, width, height }}>
-      <TabStrip group={group} groups={groups} onDrag={onDrag} />
+      <Suspense fallback={<div className="tabs" />}>
+        <TabStrip group={group} groups={groups} onDrag={onDrag} />
+      </Suspense>
     </div>
   );
 }

@@ -9,9 +9,6 @@ import { LateItems } from '../../ui/MenuButton';
 import { dropTowards } from './dropTowards';
 import { tabEntries } from './tabEntries';
 
-/** CSS pixels. */
-export const TAB_HEIGHT = matchMedia('(pointer: coarse)').matches ? 40 : 30;
-
 const towards: Readonly<Record<string, Exclude<DropSide, 'centre'>>> = {
   ArrowLeft: 'left',
   ArrowRight: 'right',

@@ -1,7 +1,7 @@
 import type { PanelDrop } from '../../layout/editLayout';
 import type { DropSide } from '../../layout/LayoutNode';
 import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
-import { TAB_HEIGHT } from './TabStrip';
+import { TAB_HEIGHT } from './tabHeight';
 
 /** Parts of a group at each side where a panel is put beside it, not into it. */
 const MARGIN = 0.25;

@@ -28,7 +28,9 @@ export function Welcome({ request, onClose }: WelcomeProps): ReactNode {
   const isShown = usePreferences(({ showWelcome }) => showWelcome);
   useSignal(editor.fileChanged);
   const [isOver, setOver] = useState(false);
-  const [offer, setOffer] = useState(request.recovery);
+  const [isEmpty, setEmpty] = useState(false);
+  // it may come while the welcome is open
+  const offer = isEmpty ? null : request.recovery;
   const run = (action: Action): void => {
     onClose();
     editor.attempt(() => action.run(editor));
@@ -70,7 +72,7 @@ export function Welcome({ request, onClose }: WelcomeProps): ReactNode {
         {offer && (
           <section aria-label={t('Unsaved work was found')}>
             <h3>{t('Unsaved work was found')}</h3>
-            <SessionList offer={offer} onClose={onClose} onEmpty={() => setOffer(null)} />
+            <SessionList offer={offer} onClose={onClose} onEmpty={() => setEmpty(true)} />
           </section>
         )}
         <div className="welcome-starts">
