@@ -7,7 +7,9 @@ import type { Action } from '../api/Action';
 /** What the file dialogs of open and save offer. */
 export const fileType = {
   id: 'farol-scene',
-  description: 'Farol scene',
+  get description() {
+    return t('Farol scene');
+  },
   mimeTypes: ['application/x-farol'],
   extensions: ['.farol', '.json'],
 };

@@ -59,7 +59,7 @@ export function InspectorPanel(): ReactNode {
           }}
         />
       </header>
-      <div className="inspector-body" data-filtered={words.length > 0}>
+      <div key={asset === null ? 'objects' : 'asset'} className="inspector-body" data-filtered={words.length > 0}>
         <FieldFilter value={words}>{content}</FieldFilter>
         <p className="inspector-none">{t('No field here is called that.')}</p>
       </div>
