@@ -1,10 +1,5 @@
 import { Signal } from '@farol/editing';
-import {
-  type Camera as CameraComponent,
-  createWebGLRenderer,
-  type GameObject,
-  PictureRenderer,
-} from '@farol/engine';
+import { type Camera as CameraComponent, createWebGLRenderer, type GameObject, PictureRenderer } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName } from '@farol/renderer';
 import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
 import type { CameraView } from '../model/cameraEdits';
