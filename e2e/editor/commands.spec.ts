@@ -26,7 +26,7 @@ test('the palette finds what can be done, and does it', async ({ page }) => {
   await page.keyboard.press('ArrowDown');
   await expect(options.nth(1)).toHaveAttribute('aria-selected', 'true');
   await page.keyboard.press('Enter');
-  await expect.poll(() => history(page)).toEqual([`Added ${second}`]);
+  await expect.poll(() => history(page).then((steps) => steps.at(-1))).toBe(`Added ${second}`);
 
   // an object; Escape closes
   await expect(search).toHaveCount(0);

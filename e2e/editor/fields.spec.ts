@@ -14,6 +14,9 @@ async function enter(input: Locator, text: string): Promise<void> {
 
 /** Presses and drags to the right; the button stays down. @param at - part of the width @param by - CSS pixels */
 async function drag(page: Page, handle: Locator, at: number, by: number): Promise<void> {
+  // the mouse is free again, and the handle stands still
+  await page.waitForFunction(() => document.pointerLockElement === null);
+  await handle.scrollIntoViewIfNeeded();
   const { x, y, width, height } = (await handle.boundingBox())!;
   await page.mouse.move(x + width * at, y + height / 2);
   await page.mouse.down();

@@ -1,7 +1,7 @@
 export { sharedIcons } from './appearance/sharedIcons';
 export { Signal } from './Signal';
 export { Selection } from './Selection';
-export { countLabel, lowerFirst, namesOf } from './labels';
+export { countLabel, namesOf } from './labels';
 
 export type { Command, CommandSelection } from './history/Command';
 export { CommandStack } from './history/CommandStack';

@@ -1,12 +1,8 @@
 import { expect, it } from 'vitest';
-import { countLabel, lowerFirst } from './labels';
+import { countLabel } from './labels';
 
 it('names one object by its name or its type, and several by their number', () => {
-  expect(countLabel('Delete', [{ name: 'chest', type: 'Mesh' }])).toBe('Delete chest');
-  expect(countLabel('Delete', [{ name: '', type: 'Mesh' }])).toBe('Delete Mesh');
-  expect(countLabel('Delete', [{ name: 'a' }, { name: 'b' }])).toBe('Delete 2 objects');
-});
-
-it('puts a label into a sentence', () => {
-  expect(`Undo ${lowerFirst('Move Box')}`).toBe('Undo move Box');
+  expect(countLabel('Deleted', [{ name: 'chest', type: 'Mesh' }])).toBe('Deleted chest');
+  expect(countLabel('Deleted', [{ name: '', type: 'Mesh' }])).toBe('Deleted Mesh');
+  expect(countLabel('Deleted', [{ name: 'a' }, { name: 'b' }])).toBe('Deleted 2 objects');
 });

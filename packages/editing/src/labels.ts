@@ -19,6 +19,3 @@ export function countLabel(
   if (objects.length !== 1) return t('{verb} {count} objects', { verb, count: objects.length });
   return t('{verb} {name}', { verb, name: namesOf(objects) });
 }
-
-/** The label of a step within a sentence: 'Undo ' and 'delete chest'. */
-export const lowerFirst = (label: string): string => label.charAt(0).toLowerCase() + label.slice(1);

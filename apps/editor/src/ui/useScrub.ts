@@ -72,7 +72,7 @@ function press(target: HTMLElement, down: PointerEvent, scrub: RefObject<Scrub>)
       }
       if (Math.abs(total) < SLOP) return;
       hasBegun = true;
-      if (down.pointerType === 'mouse') lock(target);
+      if (down.pointerType === 'mouse') lock(target, over.signal);
       scrub.current.begin();
       scrub.current.move(total, factorOf(event));
     },
@@ -97,15 +97,18 @@ function press(target: HTMLElement, down: PointerEvent, scrub: RefObject<Scrub>)
       // the browser takes Escape for itself
       if (wasLocked && document.pointerLockElement !== target) finish(false);
       wasLocked = document.pointerLockElement === target;
-      // a drag may be over before the lock comes
-      if (wasLocked && over.signal.aborted) document.exitPointerLock();
     },
     options,
   );
 }
 
-/** Holds the mouse in its place, where the browser can. */
-function lock(target: HTMLElement): void {
+/** Holds the mouse in its place until the drag is over, where the browser can; the lock may come after that. */
+function lock(target: HTMLElement, over: AbortSignal): void {
+  const release = (): void => {
+    if (over.aborted && document.pointerLockElement === target) document.exitPointerLock();
+  };
+  document.addEventListener('pointerlockchange', release, { once: true });
   // older browsers return nothing, and some refuse
-  void (target.requestPointerLock() as Promise<void> | undefined)?.catch(() => {});
+  const asked = target.requestPointerLock() as Promise<void> | undefined;
+  void asked?.catch(() => document.removeEventListener('pointerlockchange', release));
 }

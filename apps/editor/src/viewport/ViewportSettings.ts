@@ -27,7 +27,8 @@ export abstract class ViewportSettings {
   set technique(technique: TechniqueName) {
     const { settings } = this.document.scene;
     this.farol.technique = technique;
-    this.document.commands.run(setValues(t('Set technique'), [settings], { technique }));
+    const name = t(this.farol.techniques[technique].label);
+    this.document.commands.run(setValues(t('Set technique to {name}', { name }), [settings], { technique }));
     this.changed.emit();
   }
 

@@ -12,7 +12,7 @@ import {
   type TreeInstance,
 } from '@headless-tree/core';
 import { useTree } from '@headless-tree/react';
-import { useEffect, useState } from 'react';
+import { useEffect, useRef, useState } from 'react';
 import { canMoveTo, moveObjects, renameObject } from '../../model/edits';
 import { childrenOf, type Container } from '../../model/commands/Placement';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -133,14 +133,23 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     for (let parent = object?.parent; parent; parent = parent.parent) above.push(parent.id);
     setExpandedItems((expanded) => (above.every((id) => expanded.includes(id)) ? expanded : [...expanded, ...above]));
   }, [document, primary]);
-  useEffect(() => {
-    if (primary === null) return;
-    const item = tree.getItems().find((each) => each.getId() === primary);
+  /** What is yet to be shown: its row may come with a later rendering than the selection. */
+  const toShow = useRef<string | null>(null);
+  const show = (): void => {
+    if (toShow.current === null) return;
+    const item = tree.getItems().find((each) => each.getId() === toShow.current);
     if (!item) return;
+    toShow.current = null;
     item.setFocused();
     scrollTo(item.getItemMeta().index);
+  };
+  useEffect(() => {
+    toShow.current = primary;
+    show();
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- once for each selection, after its parents were unfolded
   }, [tree, primary, expandedItems]);
+  // oxlint-disable-next-line react-hooks/exhaustive-deps, react/exhaustive-effect-dependencies -- rows may have come
+  useEffect(show, [tree, structure]);
 
   useKeptFocus(tree);
 
