@@ -137,4 +137,7 @@ export const actions: Texts = {
   'What the techniques cannot do': 'Lo que las técnicas no pueden hacer',
   'Examples for your own page': 'Ejemplos para una página propia',
   Plugins: 'Complementos',
+  'Numbers while dragging a handle': 'Números al arrastrar un manipulador',
+  'Set the amount; Tab: the next axis; Enter: keep it; Escape: put it back':
+    'Fijar la cantidad; Tab: el eje siguiente; Intro: conservarla; Esc: dejarlo como estaba',
 };

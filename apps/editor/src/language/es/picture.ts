@@ -82,7 +82,6 @@ export const picture: Texts = {
   'Effects of plugins': 'Efectos de complementos',
   'Names of effects of plugins that are on, with commas between them.':
     'Nombres de los efectos de complementos activados, separados por comas.',
-  'Set technique': 'Elegir la técnica',
   'Set effects': 'Elegir los efectos',
   'What is seen behind the objects, and lights them.': 'Lo que se ve detrás de los objetos, y los ilumina.',
   'How objects fade with distance.': 'Cómo se funden los objetos con la distancia.',
@@ -118,4 +117,5 @@ export const picture: Texts = {
   SMAA: 'SMAA',
   'Multisampled edges': 'Bordes con multimuestreo',
   TAA: 'TAA',
+  'Set technique to {name}': 'Elegir la técnica {name}',
 };
