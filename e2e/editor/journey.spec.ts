@@ -166,7 +166,8 @@ test('picks a light by its icon, also for a menu, and a decal', async ({ page })
   await expect(page.getByRole('treeitem', { name: 'Point light' })).toHaveCount(0);
 
   await addObject(page, 'Decal');
-  await page.mouse.move(icon.x, icon.y);
+  const decal = await pointOf(page, 'Decal');
+  await page.mouse.move(decal.x, decal.y);
   await expect.poll(() => page.evaluate(() => window.editor.viewport.gizmo.isHot)).toBe(true);
   // what was let go of has no handles, though no frame has been drawn since
   await page.evaluate(async () => {
@@ -180,11 +181,11 @@ test('picks a light by its icon, also for a menu, and a decal', async ({ page })
     await new Promise((resolve) => real(resolve));
   });
   await page.evaluate(() => window.editor.document.selection.set([window.editor.document.scene.find('Sun')!.id]));
-  await page.mouse.click(icon.x, icon.y);
+  await page.mouse.click(decal.x, decal.y);
   expect(await selected(), 'the handles are not yet where the sun is').toEqual(['Decal']);
   await page.keyboard.press('Escape');
   expect(await selected()).toEqual([]);
-  await page.mouse.click(icon.x, icon.y);
+  await page.mouse.click(decal.x, decal.y);
   expect(await selected()).toEqual(['Decal']);
   await page.evaluate(() => window.dispatchEvent(new Event('release')));
 

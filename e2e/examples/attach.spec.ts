@@ -96,6 +96,15 @@ test('on a page that knows nothing of Farol: select, edit, undo', async ({ page 
   expect(await intensity()).toBe(9);
   await page.getByRole('button', { name: 'Undo' }).click();
   expect(await intensity()).toBe(5);
+
+  // another language: what is selected, and the history, stay
+  await page.getByRole('combobox', { name: 'Language' }).selectOption('Español');
+  await expect(page.getByRole('combobox', { name: 'Idioma' })).toBeFocused();
+  await expect(page.getByRole('spinbutton', { name: 'Intensidad', exact: true })).toHaveValue('5');
+  await page.getByRole('button', { name: 'Rehacer' }).click();
+  expect(await intensity()).toBe(9);
+  await page.evaluate(() => (window.example.editor!.language = 'en'));
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeVisible();
 });
 
 test('several objects at once: shared and mixed values, copies, deletion; drawn by Farol', async ({ page }) => {

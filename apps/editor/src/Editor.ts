@@ -28,9 +28,11 @@ import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
 import { RecentFiles } from './model/RecentFiles';
+import { Tools } from './model/Tools';
 import { Registry } from './model/Registry';
 import { Tour } from './model/Tour';
 import { panels } from './panels';
+import { applyViews, type ViewChoice } from './viewport/panes/ViewChoice';
 import { Viewport } from './viewport/Viewport';
 import { Plugins } from './plugins/Plugins';
 import { unknownTypes } from './model/unknownTypes';
@@ -88,6 +90,7 @@ export class Editor implements EditorApi {
   readonly microShaderPlace = new PlaceToShow();
   readonly dialogs = new Dialogs();
   readonly clipboard = new Clipboard();
+  readonly tools = new Tools();
   readonly log = new ConsoleLog();
   readonly notices = new Notices(this.log);
   readonly drafts = new Drafts();
@@ -273,6 +276,7 @@ export class Editor implements EditorApi {
   }
 
   show(scene: Scene, file: OpenFile): void {
+    this.tools.end();
     this.document.open(scene);
     this.openFile = file;
     this.fileChanged.emit();
@@ -296,9 +300,12 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    const apply = ({ snapSteps }: Preferences): void => {
+    let shown: ViewChoice | null = null;
+    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, views }: Preferences): void => {
+      if (views !== shown) applyViews(this.viewport, (shown = views));
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
+      Object.assign(this.viewport, { snapTo, alignsToSurface, pivot });
     };
     apply(this.preferences.getState());
     this.preferences.subscribe(apply);

@@ -4,13 +4,13 @@ import { type FieldTable, materialAssetFields } from '@farol/engine/fields';
 import { techniques, views } from '@farol/renderer';
 import { expect, test } from 'vitest';
 import { sourceFiles } from '@farol/tools/sourceFiles';
-import { propertyTexts, textsOf } from '@farol/tools/texts';
+import { propertyTexts, tableOf, textsOf } from '@farol/tools/texts';
 import { actions } from './actions';
+import { englishViewLabel } from './actions/pictureActions';
 import { es } from './language/es';
 import { firstLanguage } from './language/languages';
 import { creations } from './model/creations';
 import { panels } from './panels';
-import { englishViewLabel } from './actions/pictureActions';
 
 const sources = [...sourceFiles()].filter(([path]) => !/\.(test|bench)\.tsx?$|\/testing\//.test(path));
 const below = (...folders: string[]): [string, string][] =>
@@ -83,6 +83,14 @@ test('whatever the editor shows is looked up in the language that is shown', () 
     ([path, source]) => textsOf(path, source).faults,
   );
   expect(faults).toEqual([]);
+});
+
+test('the attached editor has the same words', () => {
+  const texts = below('packages/attach/src/language').flatMap(([path, source]) =>
+    Object.entries(tableOf(path, source)),
+  );
+  expect(texts.length).toBeGreaterThan(100);
+  expect(texts.filter(([english, spanish]) => Object.hasOwn(es, english) && es[english] !== spanish)).toEqual([]);
 });
 
 test('the language is the chosen one, else the first of the browser, else English', () => {

@@ -35,6 +35,13 @@ export { stepOf } from './fields/stepOf';
 
 export { nearestEuler } from './gizmo/nearestEuler';
 export { type PoseValues, roundPose } from './gizmo/roundPose';
-export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
+export {
+  type DragOptions,
+  type DragStart,
+  placePivot,
+  type Pose,
+  TransformDrag,
+  type TransformMode,
+} from './gizmo/TransformDrag';
 export { formatTime } from './language/formatTime';
 export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';

@@ -27,6 +27,7 @@ export type {
   Transform as TransformType,
 } from './core/SceneGraph';
 export type { SceneMicroShaders } from './core/SceneMicroShaders';
+export type { SceneView, SceneViews } from './core/SceneViews';
 export type { SceneSettings } from './core/SceneSettings';
 export type { Vector3Input } from './core/toVector3';
 

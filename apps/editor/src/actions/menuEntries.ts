@@ -11,7 +11,7 @@ const menus: Readonly<Record<MenuName, readonly string[]>> = {
   file: ['new', 'open', 'save', 'share', 'recover'],
   edit: ['history', 'clipboard', 'select', 'handles', 'play', 'plugins'],
   object: ['name', 'state', 'tree', 'prefab'],
-  view: ['camera', 'picture', 'show', 'figures', 'panels', 'window'],
+  view: ['camera', 'side', 'bookmarks', 'views', 'shading', 'picture', 'show', 'figures', 'panels', 'window'],
   help: ['keys', 'learn', 'about'],
 };
 

@@ -17,6 +17,7 @@ import type { Notices } from '../model/Notices';
 import type { RecentFiles } from '../model/RecentFiles';
 import type { Registry } from '../model/Registry';
 import type { Tour } from '../model/Tour';
+import type { Tools } from '../model/Tools';
 import type { Viewport } from '../viewport/Viewport';
 import type { Action } from './Action';
 import type { EditorPlugin } from './EditorPlugin';
@@ -61,6 +62,8 @@ export interface EditorApi {
   readonly microShaderPlace: PlaceToShow;
   readonly dialogs: Dialogs;
   readonly clipboard: Clipboard;
+  /** What is open over the picture, such as copies that are being arranged. */
+  readonly tools: Tools;
   /** What the Console panel shows. */
   readonly log: ConsoleLog;
   readonly notices: Notices;

@@ -8,6 +8,7 @@ import { numbers } from './es/numbers';
 import { panels } from './es/panels';
 import { picture } from './es/picture';
 import { rendering } from './es/rendering';
+import { welcome } from './es/welcome';
 
 /** All texts of the editor in Spanish, by their English ones. */
 export const es: Texts = {
@@ -20,4 +21,5 @@ export const es: Texts = {
   ...panels,
   ...picture,
   ...rendering,
+  ...welcome,
 };

@@ -7,13 +7,18 @@ import { childrenOf, type Container, containerOf, placementOf, topmost } from '.
 import { PlaceComponents } from './commands/PlaceComponents';
 import { PlaceObjects } from './commands/PlaceObjects';
 import { SetProperty } from './commands/SetProperty';
+import { nameUniquely } from './UniqueNames';
 
 /** Commands for what a user does. Each captures what the scene is like when it is made, and is to be done then. */
 
 const ids = (objects: readonly GameObject[]): string[] => objects.map(({ id }) => id);
 
-/** Adds a new object at the end of a parent, and selects it. @param selected - what is selected now */
+/**
+ * Adds a new object at the end of a parent, under a name that no other one has, and selects it.
+ * @param selected - what is selected now
+ */
 export function addObject(scene: Scene, object: GameObject, parent: Container, selected: readonly string[]): Command {
+  nameUniquely(scene, [object]);
   const placement = { object, parent, index: childrenOf(parent).length };
   return new PlaceObjects(t('Add {name}', { name: object.name }), scene, 'add', [placement], {
     done: [object.id],
@@ -31,7 +36,7 @@ export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Com
   });
 }
 
-/** Puts a copy of each object, with all below it, after it, and selects the copies. */
+/** Puts a copy of each object, with all below it, after it, under a name of its own, and selects the copies. */
 export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const shift = new Map<Container, number>();
@@ -42,6 +47,7 @@ export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): 
     return { object: source.clone(), parent, index: index + 1 + earlier };
   });
   const copies = placements.map(({ object }) => object);
+  nameUniquely(scene, copies);
   return new PlaceObjects(countLabel(t('Duplicate'), tops), scene, 'add', placements, {
     done: ids(copies),
     undone: ids(objects),

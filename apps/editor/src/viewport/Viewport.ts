@@ -3,7 +3,6 @@ import {
   type Camera as CameraComponent,
   createWebGLRenderer,
   type GameObject,
-  InputRouter,
   PictureRenderer,
 } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName } from '@farol/renderer';
@@ -29,9 +28,11 @@ import { type Bounds, paneSurface } from './panes/paneSurface';
 import type { ViewPane } from './panes/ViewPane';
 import type { PickSurface } from './PickSurface';
 import { PictureCamera } from './PictureCamera';
+import { PlayView } from './PlayView';
 import { PointerPicker } from './PointerPicker';
+import { SceneInput } from './SceneInput';
 import type { PlainShading } from './shading/PlainShading';
-import { type Shading, techniqueOf } from './shading/Shading';
+import { isPlain, type Shading, techniqueOf } from './shading/Shading';
 import { ViewportSettings } from './ViewportSettings';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
@@ -52,6 +53,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly timed = new Signal();
   /** Emits when the picture has another size. */
   readonly resized = new Signal();
+  /** The user asks for the menu of shadings. */
+  readonly shadingAsked = new Signal();
   readonly statistics = new FrameStatistics();
   readonly webgl: WebGLRenderer;
   readonly farol: FarolRenderer;
@@ -64,9 +67,11 @@ export class Viewport extends ViewportSettings implements PickSurface {
 
   /** Draws by `farol` what the scene's settings say of the picture. */
   readonly picture: PictureRenderer;
+  /** Pointer and keys of a scene that plays. */
+  readonly input: SceneInput;
 
   private readonly added: AddedEffects;
-  private readonly input: InputRouter;
+  private readonly playView: PlayView;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
   /** Draws without lights; null while it is fetched, undefined before. */
@@ -115,10 +120,14 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.helpers.scene.add(this.gizmo.three);
     this.boxSelect = new BoxSelect(this);
     this.picker = new PointerPicker(this);
-    this.input = new InputRouter(surface, window, {
-      dispatchPointer: (event) => this.sceneListens && document.scene.dispatchPointer(event),
-      dispatchKey: (event) => (this.keysGoToScene || event.type === 'up') && document.scene.dispatchKey(event),
-    });
+    this.input = new SceneInput(
+      document,
+      canvas,
+      surface,
+      () => this.lookThrough !== null,
+      () => this.changed.emit(),
+    );
+    this.playView = new PlayView(document, this);
     for (const signal of [document.edited, document.selection.changed, document.simulation.changed, this.changed]) {
       this.endings.push(signal.subscribe(this.redraw));
     }
@@ -175,12 +184,18 @@ export class Viewport extends ViewportSettings implements PickSurface {
 
   /** Whether the pointer goes to the scene's own components. */
   get sceneListens(): boolean {
-    return this.lookThrough !== null && this.document.simulation.isPlaying;
+    return this.input.hasPointer;
   }
 
   /** Whether keys go to the scene's own components. */
   get keysGoToScene(): boolean {
-    return this.sceneListens;
+    return this.input.hasKeys;
+  }
+
+  /** Plays the scene, seen through a camera of it until it stops. @param isHere - whether from where the editor looks */
+  playThrough(camera: CameraComponent, isHere: boolean): void {
+    this.playView.play(camera, isHere ? this.viewed : null);
+    this.input.takeKeys();
   }
 
   /** The editor's own camera of the active view. */
@@ -210,22 +225,13 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.changed.emit();
   }
 
-  /** How the active view shows the scene. @throws Error naming what the device lacks */
+  /** How the active view shows the scene. */
   get shading(): Shading {
     return this.panes.active.shading;
   }
 
-  set shading(shading: Shading) {
-    this.shade(this.panes.active, shading);
-  }
-
-  /** Says how a view shows the scene. @throws Error naming what the device lacks */
+  /** Says how a view shows the scene. */
   shade(pane: ViewPane, shading: Shading): void {
-    if (shading === 'unlit') {
-      const { view } = this.farol;
-      this.farol.view = 'albedo';
-      this.farol.view = view;
-    }
     pane.shading = shading;
     this.changed.emit();
   }
@@ -341,6 +347,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.preview?.dispose();
     this.ball?.dispose();
     this.input.dispose();
+    this.playView.dispose();
     this.gizmo.dispose();
     this.helpers.dispose();
     this.pictureCamera.dispose();
@@ -382,21 +389,19 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private drawScene(pane: ViewPane, camera: Camera, lookThrough: CameraComponent | null): void {
     const { farol, painter, picture } = this;
     const { shading } = pane;
-    const { scene } = this.document;
-    if ((shading === 'clay' || shading === 'wireframe') && painter === null && this.plainShading()) {
+    const scene = this.document.scene;
+    if (isPlain(shading) && painter === null && this.plainShading()) {
       this.plain!.render(scene.three, camera, shading);
       return;
     }
-    const { view, technique } = farol;
+    const { technique } = farol;
     const own = techniqueOf(shading);
     try {
-      if (shading === 'unlit' && view === 'final') farol.view = 'albedo';
       if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
       // views beside the main one are for work: they go without blur, bloom and the like
       if (painter === null && pane === this.panes.main) picture.draw(scene, camera, lookThrough);
       else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
     } finally {
-      farol.view = view;
       farol.technique = technique;
     }
   }
@@ -432,6 +437,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private sceneOpened(): void {
     this.lookThrough = null;
     this.pictureCamera.showScene();
+    this.panes.lookFromSides();
   }
 
   /** Another scene, or a step of the history, may have brought another technique. */

@@ -4,7 +4,8 @@ import type { PictureRenderer } from '@farol/engine';
 import type { EditorDocument } from '../model/EditorDocument';
 import { setValues } from '../model/edits';
 import type { FrameLoop } from './FrameLoop';
-import type { Gizmo, GizmoMode, GizmoSpace } from './Gizmo';
+import type { Gizmo, GizmoMode, GizmoPivot, GizmoSpace } from './Gizmo';
+import type { SnapTarget } from './handles/DragSnap';
 import type { Helpers } from './Helpers';
 
 /** What the user chooses of the picture and its handles; each change is told. */
@@ -71,6 +72,36 @@ export abstract class ViewportSettings {
 
   set snapping(snapping: boolean) {
     this.gizmo.snapping = snapping;
+    this.changed.emit();
+  }
+
+  /** What drags hold to while they snap. */
+  get snapTo(): SnapTarget {
+    return this.gizmo.snapTo;
+  }
+
+  set snapTo(target: SnapTarget) {
+    this.gizmo.snapTo = target;
+    this.changed.emit();
+  }
+
+  /** Whether what is moved to a surface is turned so that its up is the normal there. */
+  get alignsToSurface(): boolean {
+    return this.gizmo.alignsToSurface;
+  }
+
+  set alignsToSurface(aligns: boolean) {
+    this.gizmo.alignsToSurface = aligns;
+    this.changed.emit();
+  }
+
+  /** What several objects turn and grow about. */
+  get pivot(): GizmoPivot {
+    return this.gizmo.pivot;
+  }
+
+  set pivot(pivot: GizmoPivot) {
+    this.gizmo.pivot = pivot;
     this.changed.emit();
   }
 

@@ -2,6 +2,14 @@ import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 
 export type TransformMode = 'translate' | 'rotate' | 'scale';
 
+/** How a drag is taken on. */
+export interface DragOptions {
+  /** Whether each object turns and grows in its place, not round the pivot. */
+  readonly each?: boolean;
+  /** Whether objects that move turn with the pivot too. */
+  readonly turns?: boolean;
+}
+
 /** Place, rotation and size of an object in its parent. */
 export interface Pose {
   readonly position: Vector3;
@@ -26,7 +34,7 @@ const turn = new Quaternion();
 
 /**
  * Poses of objects while a gizmo drags a pivot: the objects move, turn and grow with the pivot. A single object turns and
- * grows in its place; several go round the pivot.
+ * grows in its place; several go round the pivot, or each turns and grows in its own.
  */
 export class TransformDrag {
   private readonly starts: readonly Start[];
@@ -52,16 +60,16 @@ export class TransformDrag {
   }
 
   /** Poses for the pivot's present place, in the order of the starts; parts that the mode does not change are left out. */
-  poses(mode: TransformMode): Partial<Pose>[] {
+  poses(mode: TransformMode, { each = false, turns = false }: DragOptions = {}): Partial<Pose>[] {
     const { pivot, starts } = this;
     pivot.updateMatrixWorld();
     delta.copy(pivot.matrixWorld).multiply(this.pivotInverse);
     turn.copy(pivot.quaternion).multiply(this.pivotRotationInverse);
     return starts.map(({ world, worldToParent, worldRotation, parentRotation, scale }) => ({
-      ...((mode === 'translate' || starts.length > 1) && {
+      ...((mode === 'translate' || (starts.length > 1 && !each)) && {
         position: new Vector3().setFromMatrixPosition(world).applyMatrix4(delta).applyMatrix4(worldToParent),
       }),
-      ...(mode === 'rotate' && {
+      ...((mode === 'rotate' || (mode === 'translate' && turns)) && {
         quaternion: parentRotation.clone().invert().multiply(turn).multiply(worldRotation),
       }),
       ...(mode === 'scale' && { scale: scale.clone().multiply(pivot.scale) }),

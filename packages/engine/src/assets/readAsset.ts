@@ -5,6 +5,7 @@ import type { Asset } from './Asset';
 import { checkImageSize } from './imageSize';
 import { type FileAssetType, pathOf, type ReadOptions } from './loadAsset';
 import { readCube } from './readCube';
+import { readKtx2 } from './readKtx2';
 import { readEnvironment } from './readEnvironment';
 import { readModel } from './readModel';
 
@@ -17,6 +18,7 @@ function signatureOf(bytes: ArrayBuffer): string | null {
   if (text.startsWith('RIFF') && text.slice(8, 12) === 'WEBP') return 'WebP';
   if (text.startsWith('#?')) return 'HDR';
   if (text.startsWith('v/1\x01')) return 'EXR';
+  if (text.startsWith('\xabKTX 20\xbb')) return 'KTX2';
   return null;
 }
 
@@ -57,6 +59,10 @@ export async function readAsset(
     if (pathOf(path).endsWith('.cube')) return readCube(bytes);
     const said = signatureOf(bytes);
     if (said === 'HDR' || said === 'EXR') return readEnvironment(bytes, said);
+    if (said === 'KTX2') return readKtx2(bytes, options);
+    if (pathOf(path).endsWith('.ktx2')) {
+      throw new Error(`its bytes are ${said ?? 'something other'}, not KTX2: was another file renamed?`);
+    }
     if (/\.(hdr|exr)$/.test(pathOf(path))) {
       const wanted = pathOf(path).endsWith('.hdr') ? 'Radiance HDR' : 'OpenEXR';
       throw new Error(`its bytes are ${said ?? 'something other'}, not ${wanted}: was another file renamed?`);

@@ -88,6 +88,15 @@ export const lightFields = {
     label: 'Shadow map size',
     ...shadow,
   }),
+  shadowRadius: number(1, {
+    unit: 'texels',
+    min: 0,
+    max: 20,
+    step: 0.1,
+    help: 'How far the edges of shadows are blurred.',
+    label: 'Shadow softness',
+    ...shadow,
+  }),
   shadowBias: number(-0.0005, {
     min: -0.1,
     max: 0.1,

@@ -12,6 +12,7 @@ import { FileError } from './FileError';
 import { isRecord, join, type JsonRecord, ProblemList } from './ProblemList';
 import { readValues } from './readComponent';
 import { readMicroShaders } from './readMicroShaders';
+import { readViews } from './readViews';
 import { migrateFile } from './migrateFile';
 import { OwnAssets } from './OwnAssets';
 import { readObjects } from './readObjects';
@@ -127,6 +128,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
       'assetFolders',
       'prefabs',
       'microShaders',
+      'views',
       'objects',
     ],
   ]);
@@ -145,6 +147,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
     ...(raw.microShaders === undefined
       ? {}
       : { microShaders: readMicroShaders(raw.microShaders, 'microShaders', problems) }),
+    ...(raw.views === undefined ? {} : { views: readViews(raw.views, 'views', problems) }),
     ...(prefabs.length > 0 ? { prefabs } : {}),
     objects,
   };

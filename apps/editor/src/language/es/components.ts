@@ -113,9 +113,6 @@ export const components: Texts = {
   'A whole model, such as a glTF, with its animations.': 'Un modelo entero, por ejemplo glTF, con sus animaciones.',
   Model: 'Modelo',
   'The model that is drawn.': 'El modelo que se dibuja.',
-  Animation: 'Animación',
-  'Name of the animation that plays while the scene plays; none when empty.':
-    'Nombre de la animación que se reproduce con la escena; ninguna si está vacío.',
   Speed: 'Velocidad',
   'Factor of the speed; below 0 it runs backwards.': 'Factor de la velocidad; por debajo de 0 va hacia atrás.',
   'Ambient, hemisphere, directional, point or spot light.': 'Luz ambiente, hemisférica, direccional, puntual o focal.',
@@ -284,4 +281,9 @@ export const components: Texts = {
   'Kept as it is.': 'Se conserva como está.',
   'Part of the light that comes and goes.': 'Parte de la luz que va y viene.',
   'How fast it flickers.': 'Lo rápido que parpadea.',
+  Clip: 'Clip',
+  'The clip that plays while the scene plays.': 'El clip que se reproduce con la escena.',
+  Animator: 'Animador',
+  'Plays a clip of a model on the objects below.': 'Reproduce un clip de un modelo en los objetos que contiene.',
+  'The model whose clips it plays.': 'El modelo cuyos clips reproduce.',
 };

@@ -57,4 +57,7 @@ export const edits: Texts = {
   'Delete folder {name}': 'Eliminar la carpeta {name}',
   'Align {name} to the view': 'Alinear {name} con la vista',
   'Fly {name}': 'Volar {name}',
+  'Give {name} to the selection': 'Dar {name} a la selección',
+  '{name} material': 'Material de {name}',
+  'Give {name} a material of its own': 'Dar a {name} un material propio',
 };

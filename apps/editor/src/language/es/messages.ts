@@ -138,7 +138,6 @@ export const messages: Texts = {
   'Delete {label}?': '¿Eliminar {label}?',
   'It is used in {count} place. The step can be undone.': 'Se usa en {count} lugar. El paso se puede deshacer.',
   'It is used in {count} places. The step can be undone.': 'Se usa en {count} lugares. El paso se puede deshacer.',
-  '{label} cannot be renamed: only prefabs can.': '{label} no se puede renombrar: solo los prefabs.',
   'Exported {fileName}': 'Exportado {fileName}',
   '{label} copied': '{label}: copiado',
   'Imported {count} microshader of {name}': 'Importado {count} microshader de {name}',
@@ -179,4 +178,15 @@ export const messages: Texts = {
     '{name} está dentro de {parent}, que tiene una escala desigual: hay que igualarla para mover la cámara.',
   'The scene plays: stop it to move this camera.':
     'La escena se está reproduciendo: hay que detenerla para mover esta cámara.',
+  '{name} stays where it is: it came with Farol, or is a part of a model.':
+    '{name} se queda donde está: viene con Farol o es parte de un modelo.',
+  '{label} keeps its name: it came with Farol, or is a part of a model.':
+    '{label} conserva su nombre: viene con Farol o es parte de un modelo.',
+  'No object uses it.': 'Ningún objeto lo usa.',
+  'a skeleton': 'un esqueleto',
+  'morph targets': 'formas de mezcla',
+  'instances of a mesh': 'instancias de una malla',
+  'points or lines': 'puntos o líneas',
+  '{name} stays one object: it has {what}, which only a whole model keeps.':
+    '{name} se queda como un solo objeto: tiene {what}, que solo conserva un modelo entero.',
 };

@@ -122,8 +122,6 @@ export const rendering: Texts = {
   Lighting: 'Iluminación',
   'Light count': 'Número de luces',
   Overdraw: 'Sobredibujado',
-  'hardly any lights: lists would cost more than they save':
-    'apenas hay luces: las listas costarían más de lo que ahorran',
   'few lights over a pixel: a G-buffer would cost more than it saves':
     'pocas luces por píxel: un G-buffer costaría más de lo que ahorra',
   'many lights over a pixel: each surface is lit once, by the list of its cluster':
@@ -133,4 +131,6 @@ export const rendering: Texts = {
   Vignette: 'Viñeta',
   'Tiled deferred shading that grows dark towards the edges: an example of a plugin.':
     'Diferido por tiles que se oscurece hacia los bordes: un ejemplo de complemento.',
+  'hardly any lights: lists would cost more than they save':
+    'casi ninguna luz: las listas costarían más de lo que ahorran',
 };

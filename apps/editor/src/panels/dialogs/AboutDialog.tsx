@@ -18,7 +18,7 @@ export function AboutDialog({ onClose }: { onClose(): void }): ReactNode {
         {t('An editor of three.js scenes with very many lights, drawn by {techniques} techniques.', { techniques })}
       </Dialog.Description>
       <dl className="about">
-        <dt>{t('three.js')}</dt>
+        <dt>three.js</dt>
         <dd>r{REVISION}</dd>
         <dt>{t('Graphics device')}</dt>
         <dd>{name}</dd>

@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import { labelOf } from '../../api/Action';
 import { type ReactNode, useEffect, useRef } from 'react';
 import { Matrix4 } from 'three';
-import { lookFrom, sides } from '../../actions/sides';
+import { lookFrom, sideName, sides } from '../../actions/sides';
 import { useEditor } from '../../ui/EditorContext';
 
 const matrix = new Matrix4();
@@ -16,16 +16,6 @@ const turns = {
   front: '',
   back: 'rotateY(180deg)',
 };
-
-const sideName = (side: keyof typeof turns): string =>
-  ({
-    right: t('right##side'),
-    left: t('left##side'),
-    top: t('top##side'),
-    bottom: t('bottom##side'),
-    front: t('front##side'),
-    back: t('back##side'),
-  })[side];
 
 /** A cube that turns with the picture; a press on a face looks from that side. It costs no React while it turns. */
 export function ViewCube(): ReactNode {

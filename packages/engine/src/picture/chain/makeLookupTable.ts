@@ -9,8 +9,8 @@ interface Pixels {
 
 function pixelsOf(texture: Texture): Pixels | null {
   const image = texture.image as (Partial<Pixels> & { width: number; height: number }) | null;
-  if (!image || !(image.width > 0)) return null;
-  if (image.data) return image as Pixels;
+  if (!image || !(image.width > 0) || (texture as CompressedTexture).isCompressedTexture) return null;
+  if (image.data) return texture.type === UnsignedByteType ? (image as Pixels) : null;
   const canvas = document.createElement('canvas');
   canvas.width = image.width;
   canvas.height = image.height;
