@@ -1,4 +1,12 @@
-import { ClampToEdgeWrapping, Data3DTexture, LinearFilter, RGBAFormat, type Texture, UnsignedByteType } from 'three';
+import {
+  ClampToEdgeWrapping,
+  type CompressedTexture,
+  Data3DTexture,
+  LinearFilter,
+  RGBAFormat,
+  type Texture,
+  UnsignedByteType,
+} from 'three';
 
 /** RGBA of an image, 8 bits a channel, first row first. */
 interface Pixels {
