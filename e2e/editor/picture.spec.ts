@@ -81,6 +81,7 @@ test('the picture is the scene’s: chosen, undone, saved, opened again, and the
     await page.getByRole('option', { name: option }).click();
   };
   const plain = await picture(page);
+  const before = await serialized(page);
   await choose('Background', 'Sky');
   await choose('Technique', 'Deferred shading');
   await choose('Tone mapping', 'AgX');
@@ -103,14 +104,13 @@ test('the picture is the scene’s: chosen, undone, saved, opened again, and the
   await expect.poll(names).toEqual(['ambient occlusion', 'SMAA']);
 
   // in the file
+  const open = (text: string): Promise<boolean> =>
+    page.evaluate((bytes) => window.editor.openFileBytes(bytes, { name: null, handle: null }), text);
   const file = await serialized(page);
-  await page.evaluate(async () => {
-    const { editor } = window;
-    await editor.openScene('niceScene');
-  });
+  await open(before);
   expect(await page.evaluate(() => window.editor.viewport.technique)).toBe('auto');
   await expect.poll(names).not.toContain('ambient occlusion');
-  await page.evaluate((text) => window.editor.openFileBytes(text, { name: null, handle: null }), file);
+  await open(file);
   await expect.poll(names).toEqual(['ambient occlusion', 'SMAA']);
   expect(await page.evaluate(() => window.editor.viewport.technique)).toBe('deferred');
   expect(psnr(await picture(page), chosen)).toBeGreaterThan(45);
