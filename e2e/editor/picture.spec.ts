@@ -4,7 +4,7 @@ import { compareImages, type FloatImage, isFlat } from '../support/images';
 import { expect, test } from '../support/test';
 import { addObject, openEditor, serialized } from './editor';
 
-test.use({ viewport: { width: 900, height: 640 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });
 
 /** Of the pictures (pixels). */
 const WIDTH = 160;
@@ -82,7 +82,7 @@ test('the picture is the scene’s: chosen, undone, saved, opened again, and the
   };
   const plain = await picture(page);
   const before = await serialized(page);
-  await choose('Background', 'Sky');
+  await choose('Background', 'Gradient');
   await choose('Technique', 'Deferred shading');
   await choose('Tone mapping', 'AgX');
   await inspector.getByRole('checkbox', { name: 'Vignette' }).click();
