@@ -1,4 +1,4 @@
-import type { GameObject, Scene } from '@farol/engine';
+import type { GameObject, PictureRenderer, Scene } from '@farol/engine';
 import type { FarolRenderer } from '@farol/renderer';
 import { expect, type Page } from '@playwright/test';
 import type { Camera, Material, Object3D, WebGLRenderer } from 'three';
@@ -61,6 +61,7 @@ export interface EditorHandle {
     readonly panes: { readonly list: readonly PaneHandle[]; readonly active: PaneHandle };
     readonly webgl: WebGLRenderer;
     readonly farol: FarolRenderer;
+    readonly picture: PictureRenderer;
     renderNow(): void;
     drawMaterial(material: Material, canvas: HTMLCanvasElement): Promise<void>;
   };

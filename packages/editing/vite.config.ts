@@ -1,5 +1,7 @@
 import { defineConfig } from 'vite';
 import { libraryConfig } from '../tools/libraryConfig.mjs';
 
-/** The published bundle: one ES module, three left to the host. */
-export default defineConfig(libraryConfig(new URL('.', import.meta.url)));
+/** The published package: a file for each module, so that an app loads what its first frame needs alone; three is left to the host. */
+export default defineConfig(
+  libraryConfig(new URL('.', import.meta.url), { preserveModules: true, preserveModulesRoot: 'src' }),
+);

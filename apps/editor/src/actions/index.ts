@@ -42,7 +42,7 @@ import { showStatistics } from './statistics';
 import { themes } from './themes';
 import { undo } from './undo';
 import { startTour, welcome } from './welcome';
-import { continuous, showGrid, showIcons, showRanges } from './viewportToggles';
+import { continuous, showGrid, showIcons, showPictureEffects, showRanges } from './viewportToggles';
 
 /** Everything built in that the user can do by a key or a menu. A new action is a file and a line here. */
 export const actions: readonly Action[] = [
@@ -88,6 +88,7 @@ export const actions: readonly Action[] = [
   ...gizmoPivots,
   focus,
   showGrid,
+  showPictureEffects,
   showIcons,
   showRanges,
   continuous,

@@ -34,6 +34,18 @@ export const showRanges: Action = {
   checked: ({ viewport }) => viewport.showRanges,
 };
 
+/** They are in the way of work: what is out of focus cannot be seen. */
+export const showPictureEffects: Action = {
+  id: 'view.pictureEffects',
+  label: 'Picture effects: bloom, depth of field, grading, vignette',
+  icon: 'contrast',
+  menu: { menu: 'view', group: 'show' },
+  run({ viewport }) {
+    viewport.showPictureEffects = !viewport.showPictureEffects;
+  },
+  checked: ({ viewport }) => viewport.showPictureEffects,
+};
+
 export const continuous: Action = {
   id: 'view.continuous',
   label: 'Draw without pause, to see frame rates',

@@ -9,7 +9,7 @@ export interface SelectOption<T extends string> {
   readonly help?: string;
 }
 
-interface SelectBoxProps<T extends string> {
+export interface SelectBoxProps<T extends string> {
   /** Null where several values differ. */
   readonly value: T | null;
   readonly options: readonly SelectOption<T>[];

@@ -1,5 +1,6 @@
 import type { FarolRenderer, TechniqueName, View } from '@farol/renderer';
 import { Signal, t } from '@farol/editing';
+import type { PictureRenderer } from '@farol/engine';
 import type { EditorDocument } from '../model/EditorDocument';
 import { setValues } from '../model/edits';
 import type { FrameLoop } from './FrameLoop';
@@ -14,6 +15,7 @@ export abstract class ViewportSettings {
 
   abstract readonly document: EditorDocument;
   abstract readonly farol: FarolRenderer;
+  abstract readonly picture: PictureRenderer;
   abstract readonly gizmo: Gizmo;
   abstract readonly helpers: Helpers;
   protected abstract readonly loop: FrameLoop;
@@ -119,6 +121,16 @@ export abstract class ViewportSettings {
 
   set showIcons(show: boolean) {
     this.helpers.showIcons = show;
+    this.changed.emit();
+  }
+
+  /** Whether bloom, depth of field, grading and vignette of the scene are drawn. */
+  get showPictureEffects(): boolean {
+    return this.picture.showsEffects;
+  }
+
+  set showPictureEffects(show: boolean) {
+    this.picture.showsEffects = show;
     this.changed.emit();
   }
 

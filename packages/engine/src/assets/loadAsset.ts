@@ -17,7 +17,7 @@ export type FetchBytes = (url: string, options?: FetchOptions) => Promise<ArrayB
 export type FileAssetType = Extract<AssetType, 'mesh' | 'texture' | 'model'>;
 
 /** Endings of the files that can be read, for messages. */
-export const readableEndings = '.glb, .gltf, .ply, .ply.gz, .png, .jpg, .webp, .ktx2, .hdr and .exr';
+export const readableEndings = '.glb, .gltf, .ply, .ply.gz, .png, .jpg, .webp, .ktx2, .hdr, .exr and .cube';
 
 const limited: RequestInit = { credentials: 'omit', referrerPolicy: 'no-referrer', redirect: 'error' };
 
@@ -43,7 +43,7 @@ export function typeOfUrl(url: string): FileAssetType | null {
   const path = pathOf(url);
   if (/\.(glb|gltf)$/.test(path)) return 'model';
   if (/\.ply(\.gz)?$/.test(path)) return 'mesh';
-  return /\.(png|jpe?g|webp|ktx2|hdr|exr)$/.test(path) ? 'texture' : null;
+  return /\.(png|jpe?g|webp|ktx2|hdr|exr|cube)$/.test(path) ? 'texture' : null;
 }
 
 export interface ReadOptions {

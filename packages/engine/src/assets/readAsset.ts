@@ -4,6 +4,7 @@ import { parsePly } from '../geometry/parsePly';
 import type { Asset } from './Asset';
 import { checkImageSize } from './imageSize';
 import { type FileAssetType, pathOf, type ReadOptions } from './loadAsset';
+import { readCube } from './readCube';
 import { readKtx2 } from './readKtx2';
 import { readEnvironment } from './readEnvironment';
 import { readModel } from './readModel';
@@ -55,6 +56,7 @@ export async function readAsset(
   if (bytes.byteLength === 0) throw new Error('the file is empty: choose it again.');
   if (type === 'model') return readModel(bytes, options.renderer, options.signal);
   if (type === 'texture') {
+    if (pathOf(path).endsWith('.cube')) return readCube(bytes);
     const said = signatureOf(bytes);
     if (said === 'HDR' || said === 'EXR') return readEnvironment(bytes, said);
     if (said === 'KTX2') return readKtx2(bytes, options);

@@ -1,18 +1,5 @@
 /** The scenes that the apps offer, and what another one is made with. */
-import { benchmarkLightsScene } from './benchmark/benchmarkLightsScene';
-import { benchmarkLightsObjectsScene } from './benchmark/benchmarkLightsObjectsScene';
-import { dragonsScene } from './dragon/dragonsScene';
-import { niceSceneScene } from './dragon/niceSceneScene';
-import type { SceneDefinition } from './SceneDefinition';
-import { sponzaScene } from './sponza/sponzaScene';
-import { templeScene } from './temple/temple';
-
-/** The scenes that the apps offer, by name. */
-export const scenes: Readonly<Record<string, SceneDefinition>> = Object.fromEntries(
-  [templeScene, sponzaScene, niceSceneScene, dragonsScene, benchmarkLightsScene, benchmarkLightsObjectsScene].map(
-    (scene) => [scene.name, scene],
-  ),
-);
+export { scenes } from './scenes';
 
 export { benchmarkLights } from './benchmark/benchmarkLights';
 export { benchmarkLightsObjects } from './benchmark/benchmarkLightsObjects';

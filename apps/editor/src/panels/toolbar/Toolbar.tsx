@@ -13,7 +13,7 @@ import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
-import { SelectBox } from '../../ui/SelectBox';
+import { LateSelectBox as SelectBox } from '../../ui/LateSelectBox';
 import { useMedia } from '../../ui/useMedia';
 import { techniqueOptions } from '../../ui/techniqueOptions';
 import { viewOptions } from '../../ui/viewOptions';

@@ -17,7 +17,7 @@ import { ViewCube } from './ViewCube';
 import { ViewsMenu } from './ViewsMenu';
 import type { Viewport } from '../../viewport/Viewport';
 import { usePreferences } from '../../ui/usePreferences';
-import { SelectBox } from '../../ui/SelectBox';
+import { LateSelectBox as SelectBox } from '../../ui/LateSelectBox';
 
 const EDITOR_CAMERA = '/';
 

@@ -1,4 +1,12 @@
-import { ClampToEdgeWrapping, Data3DTexture, LinearFilter, RGBAFormat, type Texture, UnsignedByteType } from 'three';
+import {
+  ClampToEdgeWrapping,
+  type CompressedTexture,
+  Data3DTexture,
+  LinearFilter,
+  RGBAFormat,
+  type Texture,
+  UnsignedByteType,
+} from 'three';
 
 /** RGBA of an image, 8 bits a channel, first row first. */
 interface Pixels {
@@ -9,8 +17,8 @@ interface Pixels {
 
 function pixelsOf(texture: Texture): Pixels | null {
   const image = texture.image as (Partial<Pixels> & { width: number; height: number }) | null;
-  if (!image || !(image.width > 0)) return null;
-  if (image.data) return image as Pixels;
+  if (!image || !(image.width > 0) || (texture as CompressedTexture).isCompressedTexture) return null;
+  if (image.data) return texture.type === UnsignedByteType ? (image as Pixels) : null;
   const canvas = document.createElement('canvas');
   canvas.width = image.width;
   canvas.height = image.height;

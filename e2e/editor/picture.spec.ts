@@ -1,0 +1,132 @@
+import { pathToFileURL } from 'node:url';
+import type { Page } from '@playwright/test';
+import { compareImages, type FloatImage, isFlat } from '../support/images';
+import { expect, test } from '../support/test';
+import { addObject, openEditor, serialized } from './editor';
+
+test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });
+
+/** Of the pictures (pixels). */
+const WIDTH = 160;
+const HEIGHT = 90;
+
+/** RGBA bytes in base64 as floats from 0 to 1. */
+const decoded = (base64: string): FloatImage => ({
+  width: WIDTH,
+  height: HEIGHT,
+  data: Array.from(Buffer.from(base64, 'base64'), (byte) => byte / 255),
+});
+
+/** The picture that the scene's camera gives, in the editor. */
+async function picture(page: Page): Promise<FloatImage> {
+  const bytes = await page.evaluate(
+    ([width, height]) => {
+      const { viewport, document: edited } = window.editor;
+      const { webgl, picture: drawn } = viewport;
+      const camera = edited.scene.activeCamera!;
+      const [{ width: oldWidth, height: oldHeight }, ratio] = [viewport.canvas, webgl.getPixelRatio()];
+      webgl.setPixelRatio(1);
+      webgl.setSize(width, height, false);
+      camera.setViewport(width, height);
+      // what 'auto' smooths edges by is known after the first
+      for (let frame = 0; frame < 3; frame++) drawn.render(edited.scene, camera.three, camera);
+      const copy = Object.assign(document.createElement('canvas'), { width, height });
+      const context = copy.getContext('2d')!;
+      context.drawImage(viewport.canvas, 0, 0);
+      webgl.setPixelRatio(ratio);
+      webgl.setSize(oldWidth / ratio, oldHeight / ratio, false);
+      return btoa(String.fromCharCode(...context.getImageData(0, 0, width, height).data));
+    },
+    [WIDTH, HEIGHT] as const,
+  );
+  return decoded(bytes);
+}
+
+/** The picture of a page that plays the scene. */
+async function played(page: Page): Promise<FloatImage> {
+  const canvas = page.locator('canvas');
+  await expect(canvas).toHaveAttribute('aria-label', /./);
+  const bytes = await canvas.evaluate(
+    (element: HTMLCanvasElement) =>
+      new Promise<string>((resolve) => {
+        let frames = 0;
+        const frame = (): void => {
+          if (++frames < 6) return void requestAnimationFrame(frame);
+          const copy = Object.assign(document.createElement('canvas'), {
+            width: element.width,
+            height: element.height,
+          });
+          const context = copy.getContext('2d')!;
+          context.drawImage(element, 0, 0);
+          resolve(btoa(String.fromCharCode(...context.getImageData(0, 0, copy.width, copy.height).data)));
+        };
+        requestAnimationFrame(frame);
+      }),
+  );
+  return decoded(bytes);
+}
+
+const psnr = (a: FloatImage, b: FloatImage): number => compareImages(a, b).psnr;
+
+test('the picture is the scene’s: chosen, undone, saved, opened again, and the same on a page of its own', async ({
+  page,
+  context,
+}, info) => {
+  await openEditor(page, 'empty');
+  await addObject(page, 'Mesh', 'Sphere');
+  await page.evaluate(() => window.editor.document.selection.set([]));
+  const inspector = page.getByRole('region', { name: 'Inspector', exact: true });
+  const choose = async (field: string, option: string): Promise<void> => {
+    await inspector.getByRole('combobox', { name: field, exact: true }).click();
+    await page.getByRole('option', { name: option }).click();
+  };
+  const plain = await picture(page);
+  const before = await serialized(page);
+  await choose('Background', 'Gradient');
+  await choose('Technique', 'Deferred shading');
+  await choose('Tone mapping', 'AgX');
+  await inspector.getByRole('checkbox', { name: 'Vignette' }).click();
+  await inspector.getByRole('checkbox', { name: 'Bloom' }).click();
+  await inspector.getByRole('checkbox', { name: 'Ambient occlusion' }).click();
+  const names = (): Promise<readonly string[]> =>
+    page.evaluate(() => window.editor.viewport.farol.effects.map(({ name }) => name));
+  await expect.poll(names).toEqual(['ambient occlusion', 'SMAA']);
+  const chosen = await picture(page);
+  expect(isFlat(chosen)).toBe(false);
+  expect(psnr(chosen, plain)).toBeLessThan(20);
+
+  // what the technique cannot do is said
+  await expect(inspector.locator('.technique-limit')).toHaveCount(0);
+  await choose('Technique', 'Forward, multipass');
+  await expect(inspector.locator('.technique-limit')).toContainText('no ambient occlusion');
+  await expect.poll(names).toEqual([]);
+  await page.keyboard.press('Control+z');
+  await expect.poll(names).toEqual(['ambient occlusion', 'SMAA']);
+
+  // in the file
+  const open = (text: string): Promise<boolean> =>
+    page.evaluate((bytes) => window.editor.openFileBytes(bytes, { name: null, handle: null }), text);
+  const file = await serialized(page);
+  await open(before);
+  expect(await page.evaluate(() => window.editor.viewport.technique)).toBe('auto');
+  await expect.poll(names).not.toContain('ambient occlusion');
+  await open(file);
+  await expect.poll(names).toEqual(['ambient occlusion', 'SMAA']);
+  expect(await page.evaluate(() => window.editor.viewport.technique)).toBe('deferred');
+  expect(psnr(await picture(page), chosen)).toBeGreaterThan(45);
+
+  // on a page of its own
+  await page.keyboard.press('Control+Shift+E');
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Web page…' }).click();
+  const html = info.outputPath('picture.html');
+  await (await download).saveAs(html);
+  const other = await context.newPage();
+  const problems: string[] = [];
+  other.on('pageerror', (error) => problems.push(error.message));
+  other.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+  await other.setViewportSize({ width: WIDTH, height: HEIGHT });
+  await other.goto(pathToFileURL(html).href);
+  expect(psnr(await played(other), chosen)).toBeGreaterThan(34);
+  expect(problems).toEqual([]);
+});
