@@ -118,4 +118,6 @@ export const picture: Texts = {
   'Multisampled edges': 'Bordes con multimuestreo',
   TAA: 'TAA',
   'Set technique to {name}': 'Elegir la técnica {name}',
+  'Picture effects: bloom, depth of field, grading, vignette':
+    'Efectos de imagen: resplandor, profundidad de campo, gradación, viñeta',
 };
