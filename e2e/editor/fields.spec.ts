@@ -14,9 +14,15 @@ async function enter(input: Locator, text: string): Promise<void> {
 
 /** Presses and drags to the right; the button stays down. @param at - part of the width @param by - CSS pixels */
 async function drag(page: Page, handle: Locator, at: number, by: number): Promise<void> {
-  // the mouse is free again, and the handle stands still
-  await page.waitForFunction(() => document.pointerLockElement === null);
-  await handle.scrollIntoViewIfNeeded();
+  // once the mouse is free again, and the handle stands still
+  let before = '';
+  await expect
+    .poll(async () => {
+      const last = before;
+      before = await handle.evaluate((element) => JSON.stringify(element.getBoundingClientRect()));
+      return last === before && (await page.evaluate(() => document.pointerLockElement === null));
+    })
+    .toBe(true);
   const { x, y, width, height } = (await handle.boundingBox())!;
   await page.mouse.move(x + width * at, y + height / 2);
   await page.mouse.down();
