@@ -14,9 +14,15 @@ async function enter(input: Locator, text: string): Promise<void> {
 
 /** Presses and drags to the right; the button stays down. @param at - part of the width @param by - CSS pixels */
 async function drag(page: Page, handle: Locator, at: number, by: number): Promise<void> {
-  // the mouse is free again, and the handle stands still
-  await page.waitForFunction(() => document.pointerLockElement === null);
-  await handle.scrollIntoViewIfNeeded();
+  // once the mouse is free again, and the handle stands still
+  let before = '';
+  await expect
+    .poll(async () => {
+      const last = before;
+      before = await handle.evaluate((element) => JSON.stringify(element.getBoundingClientRect()));
+      return last === before && (await page.evaluate(() => document.pointerLockElement === null));
+    })
+    .toBe(true);
   const { x, y, width, height } = (await handle.boundingBox())!;
   await page.mouse.move(x + width * at, y + height / 2);
   await page.mouse.down();
@@ -70,7 +76,6 @@ test('numbers take what people type, say why they do not, and give the keys back
   const light = page.getByRole('region', { name: 'Light', exact: true });
   await light.getByRole('combobox', { name: 'Type' }).click();
   await page.getByRole('option', { name: 'spot' }).click();
-  await light.getByLabel('Cast shadow').click();
   const before = await history(page);
   const intensity = light.locator('[data-field="intensity"] .field-name');
   await drag(page, intensity, 0.5, 30);
@@ -95,6 +100,7 @@ test('numbers take what people type, say why they do not, and give the keys back
 
   // a group folds, and stays so; the box finds what is in it
   const bias = light.getByLabel('Shadow bias');
+  await expect(bias).toHaveCount(1);
   await light.getByRole('button', { name: 'Shadow', exact: true }).click();
   await expect(bias).toHaveCount(0);
   await page.getByRole('treeitem', { name: 'Sky' }).click();
