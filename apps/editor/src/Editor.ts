@@ -172,7 +172,8 @@ export class Editor implements EditorApi {
 
   libraryForNext(): AssetLibrary {
     const { assets } = this.document;
-    if (!assets.hasOwn) return assets;
+    // a file that is turned down leaves nothing in the library of a scene that stays
+    if (!assets.hasOwn && !this.commands.isDirty) return assets;
     return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
 
@@ -201,6 +202,12 @@ export class Editor implements EditorApi {
             signal,
           }),
       );
+      // asked only now that the file is known to be good
+      if (!(await this.mayLoseChanges())) {
+        scene.dispose();
+        if (assets !== this.document.assets) assets.dispose();
+        return false;
+      }
       this.show(scene, file);
       if (typeof bytes !== 'string') this.remember(bytes);
       return true;
@@ -235,12 +242,8 @@ export class Editor implements EditorApi {
 
   async mayLoseChanges(): Promise<boolean> {
     if (!this.commands.isDirty) return true;
-    return this.dialogs.show({
-      kind: 'confirm',
-      title: t('Unsaved changes'),
-      text: t('“{name}” has changes that are not saved. They will be lost.', { name: this.document.scene.name }),
-      action: t('Discard changes'),
-    });
+    const { askToSave } = await import('./actions/askToSave');
+    return askToSave(this);
   }
 
   attempt(run: () => unknown): void {
@@ -323,7 +326,7 @@ export class Editor implements EditorApi {
       });
       if (notices.current.some((notice) => notice.text === text)) return;
       console.error(error);
-      failure = notices.show('error', text, 'picture');
+      failure = notices.show('error', text, 'picture', { lasts: true });
     };
     viewport.drawn.subscribe(() => {
       if (failure === 0 || performance.now() - failedAt < RECOVERED) return;
@@ -333,7 +336,7 @@ export class Editor implements EditorApi {
     let loss = 0;
     viewport.canvas.addEventListener('webglcontextlost', () => {
       const text = t('The graphics device was lost. The picture comes back by itself; if not, save and reload.');
-      loss = notices.show('error', text, 'picture');
+      loss = notices.show('error', text, 'picture', { lasts: true });
     });
     viewport.canvas.addEventListener('webglcontextrestored', () => notices.remove(loss));
   }

@@ -1,6 +1,6 @@
 import { englishLabelOfField } from '@farol/editing';
 import { builtinComponents, Scene } from '@farol/engine';
-import { type FieldTable, materialAssetFields } from '@farol/engine/fields';
+import { type ChoiceField, type FieldTable, materialAssetFields } from '@farol/engine/fields';
 import { techniques, views } from '@farol/renderer';
 import { expect, test } from 'vitest';
 import { sourceFiles } from '@farol/tools/sourceFiles';
@@ -19,13 +19,16 @@ const editor = below('apps/editor/src', 'packages/editing/src');
 
 const words = (name: string): string => name.replaceAll(/([a-z])([A-Z])/g, '$1 $2');
 
+const choicesOf = ({ options, optionLabels = {} }: ChoiceField): string[] =>
+  options.map((option) => optionLabels[option] ?? option);
+
 const ofFields = (fields: FieldTable): string[] =>
   Object.entries(fields).flatMap(([name, field]) => [
     englishLabelOfField(name, field),
     field.help,
     // signs of units, such as 'm/s', are the same everywhere
     ...('unit' in field && field.unit && /\p{L}{4}| /u.test(field.unit) ? [field.unit] : []),
-    ...(field.kind === 'choice' ? field.options : []),
+    ...(field.kind === 'choice' ? choicesOf(field) : []),
   ]);
 
 /** Every text that the editor may ask for. */

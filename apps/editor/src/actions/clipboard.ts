@@ -55,7 +55,8 @@ export async function pasteAt(editor: EditorApi, at: { readonly x: number; reado
   const { scene, selection } = document;
   const { text } = clipboard;
   if (!isClip(text)) return;
-  const place = (copies: readonly GameObject[]): void => land(landingView(editor), copies, pointInPicture(editor, at));
+  const point = pointInPicture(editor, at);
+  const place = (copies: readonly GameObject[]): void => land(landingView(editor), copies, point);
   commands.run(pasteObjects(scene, text, scene, selection.ids, place));
 }
 

@@ -12,7 +12,7 @@ const targets: readonly [SnapTarget, string][] = [
 export const snapTargets: readonly Action[] = targets.map(([target, label]) => ({
   id: `gizmo.snap-${target}`,
   label,
-  menu: { menu: 'edit', group: 'snapping', submenu: 'Snapping' },
+  menu: { menu: 'edit', group: 'handles', submenu: 'Snapping' },
   run({ preferences, viewport }) {
     preferences.setState({ snapTo: target });
     viewport.snapping = true;
@@ -23,7 +23,7 @@ export const snapTargets: readonly Action[] = targets.map(([target, label]) => (
 export const alignToSurface: Action = {
   id: 'gizmo.snap-align',
   label: 'Turn along the surface',
-  menu: { menu: 'edit', group: 'snapping', submenu: 'Snapping' },
+  menu: { menu: 'edit', group: 'handles', submenu: 'Snapping' },
   run: ({ preferences }) => preferences.setState(({ alignsToSurface }) => ({ alignsToSurface: !alignsToSurface })),
   checked: ({ viewport }) => viewport.alignsToSurface,
 };
@@ -38,7 +38,7 @@ const pivots: readonly [GizmoPivot, string][] = [
 export const gizmoPivots: readonly Action[] = pivots.map(([pivot, label]) => ({
   id: `gizmo.pivot-${pivot}`,
   label,
-  menu: { menu: 'edit', group: 'snapping', submenu: 'Pivot' },
+  menu: { menu: 'edit', group: 'handles', submenu: 'Pivot' },
   run: ({ preferences }) => preferences.setState({ pivot }),
   checked: ({ viewport }) => viewport.pivot === pivot,
 }));

@@ -114,7 +114,8 @@ export interface EditorApi {
   libraryForNext(): EditorDocument['assets'];
   /**
    * Opens a file: a `.farol` container, or plain JSON. It is checked, and its assets are loaded, before anything changes:
-   * of a broken file a dialog lists all problems, and the present scene stays.
+   * of a broken file a dialog lists all problems, and the present scene stays. Of a good one the user is asked what becomes of
+   * unsaved changes.
    * @param bytes - of the file, or the scene as text
    * @param fileOf - assets that came with a text, by their paths in it
    * @returns whether it was opened
@@ -122,7 +123,7 @@ export interface EditorApi {
   openFileBytes(bytes: Uint8Array | string, file: OpenFile, fileOf?: (path: string) => Blob | null): Promise<boolean>;
   /** Asks before packed data become large. */
   mayUnpack(this: void, sizes: UnpackQuestion): Promise<boolean>;
-  /** Asks whether unsaved changes may be lost, when there are any. */
+  /** Asks what becomes of unsaved changes, when there are any. @returns whether another scene may take this one's place */
   mayLoseChanges(): Promise<boolean>;
   /** Runs something; what it throws becomes a message, save where the user turned back from choosing a file. */
   attempt(run: () => unknown): void;

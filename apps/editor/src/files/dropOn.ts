@@ -37,7 +37,6 @@ export async function dropOn(editor: EditorApi, { asset, files }: Dropped, targe
   const scene = [...files].find(([path]) => isScene(path));
   if (scene) {
     const [, file] = scene;
-    if (!(await editor.mayLoseChanges())) return;
     await editor.openFileBytes(new Uint8Array(await file.arrayBuffer()), { name: file.name, handle: null });
     return;
   }

@@ -7,7 +7,9 @@ import { land, type LandingView } from '../viewport/placing/land';
 /** A point of the picture in normalised device coordinates. @param at - of the page (CSS pixels); the middle when absent */
 export function pointInPicture({ viewport }: EditorApi, at?: { readonly x: number; readonly y: number }): Vector2 {
   if (!at) return new Vector2();
-  const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
+  // of several views the one at the point
+  viewport.panes.activateAt(at.x, at.y);
+  const { left, top, width, height } = viewport.bounds;
   return new Vector2(((at.x - left) / width) * 2 - 1, 1 - ((at.y - top) / height) * 2);
 }
 
@@ -31,5 +33,8 @@ export async function landInPicture(
   const { scene, assets } = editor.document;
   const missing = shapesToLoad(objects, assets);
   if (missing.length > 0) await Promise.all(missing.map((name) => assets.load(name)));
-  if (scene === editor.document.scene) land(landingView(editor), objects, pointInPicture(editor, at));
+  if (scene !== editor.document.scene) return;
+  // first: it makes the view active that is landed in
+  const point = pointInPicture(editor, at);
+  land(landingView(editor), objects, point);
 }

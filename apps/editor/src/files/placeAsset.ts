@@ -52,7 +52,7 @@ function makeObject(editor: EditorApi, { kind, name }: DraggedAsset): GameObject
 export function useAsEnvironment(editor: EditorApi, name: string): void {
   const { settings } = editor.document.scene;
   editor.commands.run(
-    new SetFields(t('Light by {name}', { name }), [
+    new SetFields(t('Lit the scene by {name}', { name }), [
       { owner: settings, name: 'environment', value: name },
       { owner: settings, name: 'background', value: 'environment' },
     ]),
@@ -68,7 +68,7 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
   const shared = kind === 'texture' && renderer.material !== null ? assets.materialAsset(renderer.material) : null;
   if (shared) {
     // a material that others may share keeps the rest of what it is
-    const label = t('Give {object} {asset}', { object: shared.name, asset: name });
+    const label = t('Gave {asset} to {object}', { object: shared.name, asset: name });
     editor.commands.run(new SetFields(label, [{ owner: shared, name: map, value: name }]));
     return true;
   }
@@ -76,7 +76,7 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
   const field = kind === 'texture' ? map : kind;
   const cleared = kind === 'texture' ? ['shader', 'material'] : kind === 'material' ? ['shader'] : [];
   editor.commands.run(
-    new SetFields(t('Give {object} {asset}', { object: target!.name, asset: name }), [
+    new SetFields(t('Gave {asset} to {object}', { object: target!.name, asset: name }), [
       { owner, name: field, value: name },
       ...cleared.map((each) => ({ owner, name: each, value: null })),
     ]),

@@ -32,9 +32,9 @@ it('names what is added and duplicated, and calls the step by what was copied', 
   const scene = sceneOf('Box');
   const add = addObject(scene, new GameObject('Box'), scene, []);
   add.do();
-  expect(add.label).toBe('Add Box 2');
+  expect(add.label).toBe('Added Box 2');
   const duplicate = duplicateObjects(scene, scene.roots);
   duplicate.do();
-  expect(duplicate.label).toBe('Duplicate 2 objects');
+  expect(duplicate.label).toBe('Duplicated 2 objects');
   expect(scene.roots.map(({ name }) => name)).toEqual(['Box', 'Box 3', 'Box 2', 'Box 4']);
 });

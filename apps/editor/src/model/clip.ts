@@ -180,7 +180,7 @@ export function pasteObjects(
   });
   for (const root of made) root.dispose();
   place(copies);
-  const label = countLabel(t('Paste'), copies);
+  const label = countLabel(t('Pasted'), copies);
   nameUniquely(scene, copies);
   const end = childrenOf(parent).length;
   const placements = copies.map((object, i) => ({ object, parent, index: end + i }));

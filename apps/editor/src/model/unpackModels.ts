@@ -53,7 +53,7 @@ export function unpackModels(scene: Scene, renderers: readonly ModelRenderer[]):
   const objects = named.map(({ gameObject }) => gameObject);
   const ids = objects.map(({ id }) => id);
   return new Sequence(
-    countLabel(t('Unpack'), objects),
+    countLabel(t('Unpacked'), objects),
     named.map((renderer) => () => unpackOne(scene, renderer)),
     { done: ids, undone: ids },
   );

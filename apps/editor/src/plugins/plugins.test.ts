@@ -232,7 +232,7 @@ describe('a plugin', () => {
     run(deleteObjects(scene, [tower]));
     editor.plugins.remove('Beacons');
     note();
-    expect(commands.history.at(-1)).toBe('Remove plugin Beacons');
+    expect(commands.history.at(-1)).toBe('Removed plugin Beacons');
     for (let i = states.length - 2; i >= 0; i--) {
       expect(commands.undo()).toBe(true);
       expect(stateOf(editor)).toBe(states[i]);
@@ -261,7 +261,7 @@ describe('a plugin', () => {
     expect(beaconOf(editor)).toBeInstanceOf(Beacon);
     expect(beaconOf(editor).authoredValues()).toEqual({ rate: 3, word: 'castle', depth: 0.5 });
     expect(stateOf(editor)).toBe(saved);
-    expect(commands.history.at(-1)).toBe('Bring back 1 Beacon');
+    expect(commands.history.at(-1)).toBe('Brought back 1 Beacon');
     while (commands.undo());
     expect(editor.document.scene.find('Tower')).toBeNull();
     while (commands.redo());

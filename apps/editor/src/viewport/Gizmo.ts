@@ -1,5 +1,5 @@
 import {
-  countLabel,
+  dragLabel,
   type DragStart,
   type FieldEdit,
   type Gesture,
@@ -8,7 +8,6 @@ import {
   type PoseValues,
   roundPose,
   SetFields,
-  t,
   TransformDrag,
 } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
@@ -35,7 +34,6 @@ export interface SnapSteps {
   readonly scale: number;
 }
 
-const labels = () => ({ select: t('Select'), translate: t('Move'), rotate: t('Rotate'), scale: t('Scale##verb') });
 const euler = new Euler();
 const middle = new Vector3();
 
@@ -299,7 +297,7 @@ export class Gizmo {
     const turns = this.assist?.apply({ snapTo: holdsTo, alignsToSurface }) ?? false;
     const poses = transform.poses(mode, { each: this.pivot === 'each', turns });
     const edits = poses.flatMap((pose, i) => editsOf(dragged[i], this.before[i], pose));
-    gesture.preview(new SetFields(countLabel(labels()[mode], dragged), edits));
+    gesture.preview(new SetFields(dragLabel(mode, dragged, transform), edits));
   }
 
   private end(): void {

@@ -38,6 +38,10 @@ function listed(chart: ChartSpec | null): ChartSpec[] {
  */
 export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): ChartSpec[] {
   const shown = runs.map((run) => withoutHidden(run, settings.hidden));
+  if (settings.hidden.size > 0 && shown.every(({ plan }) => plan.competitors.length === 0)) {
+    const sentences = ['All competitors are hidden: choose one above.'];
+    return seriesOf(shown).map((series) => ({ ...curveChart(shown, series, settings), sentences }));
+  }
   const names = runNames(runs);
   const own = kinds.flatMap((make) =>
     shown.flatMap((run, i) => {

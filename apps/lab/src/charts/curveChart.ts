@@ -18,7 +18,8 @@ export function curveChart(runs: readonly LabRun[], series: LabSeries, settings:
   const { metric } = settings;
   const names = runNames(runs);
   const curves = curvesOf(runs, series, metric);
-  const size = sizeText(series.cases);
+  const planned = runs.flatMap(({ plan }) => plan.series.find(({ name }) => name === series.name) ?? []);
+  const size = listOf([...new Set(planned.map(({ cases }) => sizeText(cases)))].filter(Boolean));
   const kind = settings.scale === 'log' ? 'logarithmic axes' : 'linear axes';
   const along = axisWords[series.axis].label.toLowerCase();
   return {

@@ -57,6 +57,35 @@ describe('curves', () => {
     expect(points[0].y).toBeLessThan(points[1].y);
   });
 
+  test('with everybody hidden no chart says that nothing was measured', () => {
+    const run = sampleRun();
+    const charts = chartsOf([run], { ...defaultSettings, hidden: new Set(run.plan.competitors) });
+    expect(new Set(charts.flatMap(({ sentences }) => sentences))).toEqual(
+      new Set(['All competitors are hidden: choose one above.']),
+    );
+  });
+
+  test('the title of a chart of two runs has the sizes of both', () => {
+    const [a, b] = [madeUpRun([1, 10], { deferred: [1, 2] }), madeUpRun([1, 10], { deferred: [3, 4] })];
+    const [series] = b.plan.series;
+    const cases = series.cases.map((labCase) => ({ ...labCase, width: 160, height: 90 }));
+    const small = { ...b, plan: { ...b.plan, series: [{ ...series, cases }] } };
+    const chart = chartsOf([a, small], defaultSettings).find(({ key }) => key === 'curve-made-up')!;
+    expect(chart.title.replaceAll('\u00a0', ' ')).toBe('Made up, 1280 × 720 and 160 × 90');
+  });
+
+  test('times of passes on a software rasteriser are told to be the processor’s', () => {
+    const run = sampleRun();
+    const noteOf = (device: string) =>
+      chartsOf([{ ...run, surroundings: { ...run.surroundings, device } }], defaultSettings).find(
+        ({ key }) => key === 'passes',
+      )!.notes;
+    expect(noteOf('NVIDIA H200')).toEqual([]);
+    expect(noteOf('SwiftShader Device')).toEqual([
+      'A software rasteriser drew this run: its timers count time on the processor, which need not add up to a frame.',
+    ]);
+  });
+
   test('hidden competitors are in no line, sentence or table', () => {
     const run = sampleRun();
     const hidden = new Set(Object.keys(competitorNames).filter((name) => name !== 'deferred'));

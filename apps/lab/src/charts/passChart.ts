@@ -1,5 +1,6 @@
 import type { LabRow, LabRun } from '../results/LabRun';
 import { formatMs, formatNumber } from '../words/format';
+import { isSoftware } from '../words/isSoftware';
 import { competitorLabel, competitorWord } from '../words/names';
 import { passTotal, passWords } from '../words/passWords';
 import { casesOf } from '../words/seriesCases';
@@ -47,9 +48,14 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
     description: `${kind} milliseconds of each pass, stacked, a bar a technique; ${label}.`,
     sentences: [...passWords(rows)],
     verdicts: [],
-    notes: rows.some((row) => row.passes!.kind !== 'gpu')
-      ? ['Without a timer on the GPU, the CPU’s part of each pass is shown.']
-      : [],
+    notes: [
+      ...(kind === 'CPU' ? ['Without a timer on the GPU, the CPU’s part of each pass is shown.'] : []),
+      ...(kind === 'GPU' && isSoftware(run)
+        ? [
+            'A software rasteriser drew this run: its timers count time on the processor, which need not add up to a frame.',
+          ]
+        : []),
+    ],
     table: {
       columns: ['Technique', ...names, 'Sum, ms'],
       rows: rows.map((row) => {

@@ -85,6 +85,18 @@ describe('compareRuns', () => {
     ]);
   });
 
+  it('says so when the same cases were drawn at other sizes', () => {
+    const b = elsewhere();
+    const small = b.plan.series.map((each) => ({
+      ...each,
+      cases: each.cases.map((labCase) => ({ ...labCase, width: 160, height: 90 })),
+    }));
+    b.plan = { ...b.plan, series: small };
+    expect(compareRuns(testRun(), b).differences[0]).toBe(
+      'No picture has the same size in both runs: measure both at one size.',
+    );
+  });
+
   it('says so when nothing can be compared', () => {
     const b = elsewhere();
     b.plan = { ...b.plan, competitors: ['stock'] };

@@ -79,7 +79,13 @@ function differencesOf(a: LabRun, b: LabRun, compared: number): string[] {
   const [ours, theirs] = [cases(a), cases(b)];
   const onlyOurs = [...ours].filter((each) => !theirs.has(each)).length;
   const onlyTheirs = [...theirs].filter((each) => !ours.has(each)).length;
-  if (compared === 0) found.push('The runs have no case and competitor in common: measure the same preset on both.');
+  if (compared === 0) {
+    found.push(
+      differInSize(a, b)
+        ? 'No picture has the same size in both runs: measure both at one size.'
+        : 'The runs have no case and competitor in common: measure the same preset on both.',
+    );
+  }
   if (onlyOurs > 0)
     found.push(`${counted(onlyOurs)} of the first run alone ${onlyOurs === 1 ? 'is' : 'are'} left out.`);
   if (onlyTheirs > 0) {
@@ -109,6 +115,15 @@ function differencesOf(a: LabRun, b: LabRun, compared: number): string[] {
   if (!a.complete) found.push('The first run ended before every case was measured.');
   if (!b.complete) found.push('The second run ended before every case was measured.');
   return found;
+}
+
+/** Whether the runs have cases in common, but for the size of the picture. */
+function differInSize(a: LabRun, b: LabRun): boolean {
+  const cases = ({ plan }: LabRun): LabCase[] => plan.series.flatMap((each) => each.cases);
+  const [ours, theirs] = [cases(a), cases(b)].map(
+    (list) => new Set(list.map((labCase) => caseKey({ ...labCase, width: 1, height: 1 }))),
+  );
+  return a.plan.competitors.some((name) => b.plan.competitors.includes(name)) && [...ours].some((each) => theirs.has(each));
 }
 
 const counted = (cases: number): string => (cases === 1 ? 'One case' : `${cases} cases`);

@@ -1,6 +1,6 @@
 import type { LabRun, Spread } from '../results/LabRun';
 import { boundsOf, compareSpreads, SAME } from '../words/compareSpreads';
-import { formatFactor, formatMs, formatNumber, listOf } from '../words/format';
+import { capital, formatFactor, formatMs, formatMsRange, formatNumber, listOf } from '../words/format';
 import { competitorWord, isTechnique } from '../words/names';
 import { type ThesisPair, timeIn } from './compareThesis';
 
@@ -166,7 +166,7 @@ function byBuffer(run: LabRun, both: readonly Both[], word: string): Omit<Conclu
   const range =
     buffers.length < 2
       ? ''
-      : ` Its G-buffer takes ${formatMs(Math.min(...times))} to ${formatMs(Math.max(...times))} from ${formatNumber(buffers[0].lights)} to ${formatNumber(buffers.at(-1)!.lights)} lights.`;
+      : ` Its G-buffer takes ${formatMsRange(times)} from ${formatNumber(buffers[0].lights)} to ${formatNumber(buffers.at(-1)!.lights)} lights.`;
   if (order === 0) return undecided(`${figures}: the spreads overlap.${range}`);
   if (order === 1) return { verdict: 'Refuted', evidence: `${figures}.${range}` };
   return {
@@ -189,21 +189,17 @@ function byFluency(pairs: readonly ThesisPair[]): Omit<Conclusion, 'claim'> {
   );
 }
 
-/** Who draws the most lights at 15 frames a second, and how far the best technique is. */
+/** Who draws more lights at 15 frames a second in each scene, and how far the best technique is. */
 function byReach(pairs: readonly ThesisPair[], forward: string, word: string): Omit<Conclusion, 'claim'> {
-  const reach = (competitor: string): { lights: number; measured: number } => {
-    const rows = pairs.flatMap((pair) => {
-      const time = pair.thesis.table === 'planes' ? undefined : timeIn(pair, competitor);
-      return time ? [{ lights: pair.thesis.lights, rate: 1000 / time.median }] : [];
-    });
-    const fluent = rows.filter(({ rate }) => rate >= FLUENT).map(({ lights }) => lights);
-    return { lights: Math.max(0, ...fluent), measured: rows.length };
-  };
-  const [a, b] = [reach(forward), reach('deferred')];
-  if (b.measured === 0 || a.measured === 0)
-    return undecided('One of the two has no figures in the atrium or the temple.');
-  const text = ({ lights }: { lights: number }): string =>
+  const scenes = (['sponza', 'temple'] as const).flatMap((table) => {
+    const rows = pairs.filter(({ thesis }) => thesis.table === table);
+    const [a, b] = [reachOf(rows, forward), reachOf(rows, 'deferred')];
+    return a === null || b === null ? [] : [{ where: sceneOf(rows[0]).trim(), a, b }];
+  });
+  if (scenes.length === 0) return undecided('One of the two has no figures in the atrium or the temple.');
+  const text = (lights: number): string =>
     lights === 0 ? 'with none of the counts measured' : `up to ${formatNumber(lights)} lights`;
+  const figures = scenes.map(({ where, a, b }) => `${where}: deferred ${text(b)}, ${word} ${text(a)}`);
   const last = pairs.findLast(
     (pair) => pair.thesis.table !== 'planes' && timeIn(pair, 'deferred') && pair.entries.length > 1,
   );
@@ -211,10 +207,20 @@ function byReach(pairs: readonly ThesisPair[], forward: string, word: string): O
   const factor = last && best ? timeIn(last, 'deferred')!.median / best.time.median : 1;
   const since =
     best && best.competitor !== 'deferred' && factor > 1 + SAME
-      ? ` ${competitorWord(best.competitor).replace(/^./, (c) => c.toUpperCase())} draws ${last!.label}${sceneOf(last!)} ${formatFactor(factor)} as fast as deferred.`
+      ? ` ${capital(competitorWord(best.competitor))} draws ${last!.label}${sceneOf(last!)} ${formatFactor(factor)} as fast as deferred.`
       : '';
-  return {
-    verdict: b.lights > a.lights ? 'Confirmed' : b.lights === 0 ? 'Undecided' : 'Refuted',
-    evidence: `15 frames a second in the atrium or the temple: deferred ${text(b)}, ${word} ${text(a)}.${since}`,
-  };
+  return decide(
+    scenes.map(({ a, b }) => (b > a ? 1 : b === 0 ? 0 : -1)),
+    `15 frames a second ${figures.join('; ')}.${since}`,
+  );
+}
+
+/** The most lights that a competitor draws at 15 frames a second in some rows, 0 for none; null where it has no figures. */
+function reachOf(rows: readonly ThesisPair[], competitor: string): number | null {
+  const measured = rows.flatMap((pair) => {
+    const time = timeIn(pair, competitor);
+    return time ? [{ lights: pair.thesis.lights, rate: 1000 / time.median }] : [];
+  });
+  if (measured.length === 0) return null;
+  return Math.max(0, ...measured.filter(({ rate }) => rate >= FLUENT).map(({ lights }) => lights));
 }

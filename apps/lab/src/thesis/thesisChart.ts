@@ -71,7 +71,7 @@ function summaryOf(conclusions: readonly Conclusion[]): string {
   ];
   const parts = words.flatMap(([verdict, word]) => {
     const count = conclusions.filter((each) => each.verdict === verdict).length;
-    return count === 0 ? [] : [`${count} ${word}`];
+    return count === 0 ? [] : [`${count} ${count === 1 ? 'is' : 'are'} ${word}`];
   });
   return `Of the thesis’s ${conclusions.length} conclusions ${listOf(parts)}.`;
 }

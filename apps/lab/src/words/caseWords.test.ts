@@ -101,7 +101,7 @@ describe('passes', () => {
     expect(passWords(rows)).toEqual([
       'Inferred spends 75% of 2 ms GPU time in “G-buffer”.',
       'Deferred spends 75% of 4 ms GPU time in “lights”: 2 ms more in all than inferred.',
-      'The G-buffer takes 1 ms to 1.5 ms of it.',
+      'G-buffers take 1 ms to 1.5 ms.',
     ]);
   });
 

@@ -23,6 +23,12 @@ describe('sentences of a series', () => {
     ]);
   });
 
+  test('a list of names has no commas within names', () => {
+    expect(wordsOf([10], { 'forward-single-pass': [1], forward: [1], deferred: [1] })[0]).toBe(
+      'Single-pass forward, forward and deferred tie for the fastest with 10 lights (1 ms).',
+    );
+  });
+
   test('neighbouring cases of one winner are one range', () => {
     const [sentence] = wordsOf([1, 4, 25, 100], { forward: [1, 2, 9, 40], 'tiled-deferred': [3, 3, 3, 4] });
     expect(sentence).toBe(
@@ -85,6 +91,11 @@ describe('sentences of a series', () => {
       'No figure for naive multipass in any case: C.',
       'One more reason stands in the table.',
     ]);
+  });
+
+  test('what stopped everybody is said once, without their names', () => {
+    const late = 'Not measured: the run may take 80 s, and they were over.';
+    expect(wordsOf([10, 100], { auto: [late, late], forward: [late, late] })).toEqual([`No figure in any case: ${late}`]);
   });
 
   test('figures that are no numbers, and cases without a row, are not compared', () => {

@@ -172,7 +172,10 @@ export function refusals(run: LabRun, series: LabSeries): string[] {
     const key = `${where}: ${reason}.`;
     byReason.set(key, [...(byReason.get(key) ?? []), competitorWord(competitor)]);
   }
-  const sentences = [...byReason].map(([key, who]) => `No figure for ${listOf(who)}${key}`);
+  const everybody = run.plan.competitors.length;
+  const sentences = [...byReason].map(([key, who]) =>
+    who.length > 1 && who.length === everybody ? `No figure${key}` : `No figure for ${listOf(who)}${key}`,
+  );
   const more = sentences.length - 3;
   const rest = more === 1 ? 'One more reason stands in the table.' : `${more} more reasons stand in the table.`;
   return more > 0 ? [...sentences.slice(0, 3), rest] : sentences;

@@ -12,6 +12,12 @@ export function formatMs(ms: number): string {
   return ms >= 10_000 ? `${formatNumber(ms / 1000)} s` : `${formatNumber(ms)} ms`;
 }
 
+/** Shortest to longest of some times: `0.1 ms to 2 ms`, or `0.1 ms` where both read the same. */
+export function formatMsRange(times: readonly number[]): string {
+  const [low, high] = [formatMs(Math.min(...times)), formatMs(Math.max(...times))];
+  return low === high ? low : `${low} to ${high}`;
+}
+
 /** Bytes, as `640 B`, `1.2 kB`, `35 MB`. */
 export function formatBytes(bytes: number): string {
   if (bytes < 1000) return `${formatNumber(bytes)} B`;

@@ -14,6 +14,8 @@ export function competitorHelp(name: string): string {
 }
 
 const inSentences: Readonly<Record<string, string>> = {
+  // without the label's comma, which would part a list
+  'forward-single-pass': 'single-pass forward',
   stock: 'three’s WebGLRenderer',
   multipass: 'naive multipass',
   'three-webgpu': 'three’s WebGPU',

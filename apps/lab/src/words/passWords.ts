@@ -1,5 +1,5 @@
 import type { LabRow } from '../results/LabRun';
-import { capital, formatMs, formatPercent } from './format';
+import { capital, formatMs, formatMsRange, formatPercent } from './format';
 import { competitorWord } from './names';
 
 /** Milliseconds of all passes of a row. */
@@ -23,9 +23,8 @@ export function passWords(rows: readonly LabRow[]): string[] {
     passes!.passes.filter(({ name, ms }) => /g-?buffer/i.test(name) && Number.isFinite(ms)).map(({ ms }) => ms),
   );
   if (buffers.length > 0) {
-    const [low, high] = [Math.min(...buffers), Math.max(...buffers)];
-    const range = formatMs(low) === formatMs(high) ? formatMs(low) : `${formatMs(low)} to ${formatMs(high)}`;
-    sentences.push(`The G-buffer takes ${range} of it.`);
+    const who = buffers.length === 1 ? 'The G-buffer takes' : 'G-buffers take';
+    sentences.push(`${who} ${formatMsRange(buffers)}.`);
   }
   return sentences;
 }

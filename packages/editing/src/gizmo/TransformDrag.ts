@@ -38,6 +38,7 @@ const turn = new Quaternion();
  */
 export class TransformDrag {
   private readonly starts: readonly Start[];
+  private readonly pivotStart: Vector3;
   private readonly pivotInverse: Matrix4;
   private readonly pivotRotationInverse: Quaternion;
 
@@ -46,6 +47,7 @@ export class TransformDrag {
     private readonly pivot: Object3D,
     starts: readonly DragStart[],
   ) {
+    this.pivotStart = pivot.position.clone();
     this.pivotInverse = pivot.matrixWorld.clone().invert();
     this.pivotRotationInverse = pivot.quaternion.clone().invert();
     this.starts = starts.map(({ position, quaternion, scale, parentWorld }) => {
@@ -57,6 +59,24 @@ export class TransformDrag {
         worldRotation: parentRotation.clone().multiply(quaternion),
       };
     });
+  }
+
+  /** How far the pivot was moved, in the world (m). */
+  get offset(): Vector3 {
+    return this.pivot.position.clone().sub(this.pivotStart);
+  }
+
+  /** By how much the pivot was turned (rad), -π to π: above 0 counterclockwise about the axis that it is nearest to. */
+  get angle(): number {
+    const { x, y, z, w } = turn.copy(this.pivot.quaternion).multiply(this.pivotRotationInverse);
+    const largest = [x, y, z].reduce((found, each) => (Math.abs(each) > Math.abs(found) ? each : found), 0);
+    const angle = 2 * Math.atan2(Math.hypot(x, y, z), Math.abs(w));
+    return angle * Math.sign(largest) * (w < 0 ? -1 : 1);
+  }
+
+  /** By what the pivot was made larger along its own axes. */
+  get factors(): Vector3 {
+    return this.pivot.scale.clone();
   }
 
   /** Poses for the pivot's present place, in the order of the starts; parts that the mode does not change are left out. */

@@ -13,6 +13,8 @@ interface FieldBase {
   /** Shown in place of the field's name. */
   readonly label?: string;
   readonly visibleWhen?: FieldCondition;
+  /** Title of the group of fields that it stands in; none when absent. */
+  readonly group?: string;
   /** Shown, but not to be edited by hand. */
   readonly readOnly?: boolean;
 }

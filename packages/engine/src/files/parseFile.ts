@@ -29,7 +29,9 @@ function parseJson(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (cause) {
-    const reason = shortText((cause as Error).message, 120);
+    // what the browser quotes of bytes says nothing
+    const isBinary = /[\0-\b\ufffd]/.test(text.slice(0, 1000));
+    const reason = isBinary ? 'it is no text' : shortText((cause as Error).message, 120);
     const problem = `is no JSON: ${reason}. Choose a scene that was saved by Farol.`;
     throw new FileError([{ path: '', problem: `The file ${problem}` }], { cause });
   }

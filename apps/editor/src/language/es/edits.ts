@@ -60,4 +60,12 @@ export const edits: Texts = {
   'Give {name} to the selection': 'Dar {name} a la selección',
   '{name} material': 'Material de {name}',
   'Give {name} a material of its own': 'Dar a {name} un material propio',
+  'Make prefab {name}': 'Crear el prefab {name}',
+  'Apply {name} to its prefab': 'Aplicar {name} a su prefab',
+  'Apply {field} to the prefab': 'Aplicar {field} al prefab',
+  'Revert {name} to its prefab': 'Devolver {name} a su prefab',
+  'Revert {field} to the prefab': 'Devolver {field} al prefab',
+  'Unpack {name}': 'Desempaquetar {name}',
+  'Rename prefab {name}': 'Renombrar el prefab {name}',
+  'Delete prefab {name}': 'Eliminar el prefab {name}',
 };

@@ -126,13 +126,13 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomPrefabCommand(random, document, pick(random, all), parent());
     case 26:
       return randomAssetCommand(random, document);
-    case 29:
-      return randomViewCommand(random, document);
     case 27:
     case 28:
       return randomMaterialCommand(random, document);
-    case 30:
+    case 29:
       return randomArrangement(random, scene, some(random, all).slice(0, 2));
+    case 30:
+      return randomViewCommand(random, document);
     default:
       return randomEdit(random, document, pick(random, pick(random, all).components));
   }

@@ -4,6 +4,9 @@ import type { ReactNode } from 'react';
 import { REVISION } from 'three';
 import { useEditor } from '../../ui/EditorContext';
 
+/** The licence's name, the same in every language. */
+const LICENCE = 'MIT';
+
 /** Says what the editor is, what it runs on, and under what terms. */
 export function AboutDialog({ onClose }: { onClose(): void }): ReactNode {
   const { viewport } = useEditor();
@@ -23,7 +26,7 @@ export function AboutDialog({ onClose }: { onClose(): void }): ReactNode {
         <dt>{t('Graphics device')}</dt>
         <dd>{name}</dd>
         <dt>{t('Licence')}</dt>
-        <dd>MIT</dd>
+        <dd>{LICENCE}</dd>
       </dl>
       <div className="dialog-buttons">
         <button type="button" className="button framed" onClick={onClose}>

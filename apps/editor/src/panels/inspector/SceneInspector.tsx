@@ -23,7 +23,10 @@ export function SceneInspector(): ReactNode {
           value={scene.name}
           label={t('Name of the scene')}
           onCommit={(name) =>
-            name.trim() && commands.run(new SetProperty(t('Rename scene'), [scene], 'name', name.trim()))
+            name.trim() &&
+            commands.run(
+              new SetProperty(t('Renamed the scene to {name}', { name: name.trim() }), [scene], 'name', name.trim()),
+            )
           }
         />
       </div>
@@ -38,7 +41,14 @@ export function SceneInspector(): ReactNode {
                 label={t('Active camera')}
                 onChange={(id) => {
                   const camera = scene.componentsOf(Camera).find((each) => each.id === id) ?? null;
-                  commands.run(new SetProperty(t('Set camera'), [scene], 'activeCamera', camera));
+                  commands.run(
+                    new SetProperty(
+                      t('Set the camera of the scene to {name}', { name: camera?.gameObject.name ?? t('none') }),
+                      [scene],
+                      'activeCamera',
+                      camera,
+                    ),
+                  );
                 }}
               />
             </div>

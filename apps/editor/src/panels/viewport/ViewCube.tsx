@@ -1,9 +1,12 @@
 import { t } from '@farol/editing';
 import { labelOf } from '../../api/Action';
-import { type ReactNode, useEffect, useRef } from 'react';
+import { type ReactNode, useEffect, useRef, useSyncExternalStore } from 'react';
 import { Matrix4 } from 'three';
+import { toggleOrthographic } from '../../actions/projection';
 import { lookFrom, sideName, sides } from '../../actions/sides';
 import { useEditor } from '../../ui/EditorContext';
+import { keyText } from '../../ui/keyText';
+import { useKeyBindings } from '../../ui/useKeyBindings';
 
 const matrix = new Matrix4();
 
@@ -55,6 +58,26 @@ export function ViewCube(): ReactNode {
           ))}
         </div>
       </div>
+      <ProjectionButton />
     </div>
+  );
+}
+
+/** Says whether the picture has perspective, and changes that. */
+function ProjectionButton(): ReactNode {
+  const editor = useEditor();
+  const { viewport } = editor;
+  const isFlat = useSyncExternalStore(viewport.drawn.subscribe, () => viewport.editorCamera.orthographic);
+  const label = isFlat ? t('Orthographic') : t('Perspective');
+  const key = useKeyBindings().keysOf(toggleOrthographic).at(0);
+  return (
+    <button
+      type="button"
+      className="button small projection"
+      title={key ? `${label} (${keyText(key)})` : label}
+      onClick={() => editor.attempt(() => toggleOrthographic.run(editor))}
+    >
+      {label}
+    </button>
   );
 }

@@ -56,7 +56,7 @@ export function ViewportToolbar(): ReactNode {
   ];
   return (
     <div className="viewport-bar">
-      <div className="button-group" role="toolbar" aria-label={t('Handles')}>
+      <div className="button-group handles" role="toolbar" aria-label={t('Handles')}>
         {gizmoModes.map((action) => (
           <ActionButton key={action.id} action={action} />
         ))}

@@ -189,8 +189,11 @@ export class DragAssist {
       const isTyped = i === typed.at;
       return { axis, text: `${before}${text}${isTyped ? '▏' : ''}${after}`, isTyped, isWrong: typed.isWrong(i) };
     });
-    const { clientWidth, clientHeight } = this.canvas;
-    this.readout.show(lines, ((this.pointer.x + 1) / 2) * clientWidth, ((1 - this.pointer.y) / 2) * clientHeight);
+    // the picture may be a part of what the readout is in
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const whole = this.canvas.parentElement?.getBoundingClientRect() ?? { left, top };
+    const x = left - whole.left + ((this.pointer.x + 1) / 2) * width;
+    this.readout.show(lines, x, top - whole.top + ((1 - this.pointer.y) / 2) * height);
   }
 
   private readonly pointerMoved = ({ clientX, clientY }: PointerEvent): void => {

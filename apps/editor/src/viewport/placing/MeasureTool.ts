@@ -75,7 +75,7 @@ export class MeasureTool implements Tool {
   /** The point under the pointer, and whether it is a vertex. */
   private pointAt({ clientX, clientY }: PointerEvent): { point: Vector3; isVertex: boolean } | null {
     const { viewport } = this;
-    const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
+    const { left, top, width, height } = viewport.bounds;
     const at = new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
     const camera = viewport.rayCamera;
     raycaster.setFromCamera(at, camera);
@@ -123,9 +123,12 @@ export class MeasureTool implements Tool {
     const y = event.clientY - top;
     if (!at) this.readout.markAt(null);
     else {
-      const { width, height } = this.viewport.size;
-      projected.copy(at.point).project(this.viewport.rayCamera);
-      const mark = { x: ((projected.x + 1) / 2) * width, y: ((1 - projected.y) / 2) * height };
+      const { bounds, rayCamera } = this.viewport;
+      projected.copy(at.point).project(rayCamera);
+      const mark = {
+        x: bounds.left - left + ((projected.x + 1) / 2) * bounds.width,
+        y: bounds.top - top + ((1 - projected.y) / 2) * bounds.height,
+      };
       this.readout.markAt(at.isVertex ? mark : null);
     }
     if (!this.first || this.isDone) return;

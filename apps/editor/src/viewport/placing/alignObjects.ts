@@ -50,7 +50,7 @@ export function alignObjects(scene: Scene, objects: readonly GameObject[], axis:
   const ways = parts.map(({ box }) =>
     new Vector3().setComponent('xyz'.indexOf(axis), wanted - sideOf(box, axis, side)),
   );
-  return moved(countLabel(t('Align'), namesOf(parts)), parts, ways);
+  return moved(countLabel(t('Aligned'), namesOf(parts)), parts, ways);
 }
 
 /**
@@ -83,7 +83,7 @@ export function distributeObjects(
     }
   }
   return moved(
-    countLabel(t('Distribute'), namesOf(parts)),
+    countLabel(t('Distributed'), namesOf(parts)),
     parts,
     parts.map((part) => new Vector3().setComponent('xyz'.indexOf(axis), ways.get(part)!)),
   );
@@ -114,7 +114,7 @@ export function dropToGround(scene: Scene, objects: readonly GameObject[]): Comm
   });
   const label =
     parts.length === 1
-      ? t('Drop {name} to the ground', { name: parts[0].object.name })
-      : tCount(parts.length, 'Drop {count} object to the ground', 'Drop {count} objects to the ground');
+      ? t('Dropped {name} to the ground', { name: parts[0].object.name })
+      : tCount(parts.length, 'Dropped {count} object to the ground', 'Dropped {count} objects to the ground');
   return moved(label, parts, ways);
 }

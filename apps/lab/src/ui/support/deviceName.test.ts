@@ -10,5 +10,6 @@ test.each([
     'SwiftShader Device (Subzero)',
   ],
   ['ANGLE (Intel, Vulkan 1.4.3 (Intel(R) Graphics (0x00007D55)), Intel open-source Mesa)', 'Intel(R) Graphics'],
+  ['ANGLE (NVIDIA, Vulkan 1.4.312 (NVIDIA NVIDIA H200 (0x00002335)), NVIDIA)', 'NVIDIA H200'],
   ['Mali-G78', 'Mali-G78'],
 ])('%s is shown as %s', (renderer, name) => expect(deviceName(renderer)).toBe(name));

@@ -10,5 +10,7 @@ export function deviceName(renderer: string): string {
     .replace(/ \(0x[0-9a-f]+\)/gi, '')
     .replace(/ (Direct3D\d*|OpenGL( ES)?|Vulkan [\d.]+).*$/, '')
     .replace(/\/PCIe\/SSE2$/, '')
+    // some drivers say the maker twice
+    .replace(/^(\S+) \1 /, '$1 ')
     .trim();
 }
