@@ -26,6 +26,7 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/MTLLoader.js',
       'three/addons/loaders/STLLoader.js',
       'three/addons/loaders/TGALoader.js',
+      'postprocessing',
     ],
   },
   resolve: {

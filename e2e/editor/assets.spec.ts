@@ -14,7 +14,7 @@ test('imports a glTF by drop, lights it by an HDR, places it again from the pane
   await openEditor(page, 'empty');
   await dropFiles(page, picture, [redBox()]);
   await expect(page.getByRole('treeitem', { name: 'box' })).toHaveAttribute('aria-selected', 'true');
-  expect(await history(page)).toEqual(['Import box.glb', 'Add box']);
+  expect(await history(page)).toEqual(['Imported box.glb', 'Added box']);
   expect(await fieldOf(page, 'box', 'ModelRenderer', 'model')).toBe('box.glb');
   await page.locator(picture).focus();
   await page.keyboard.press('f');
@@ -25,7 +25,7 @@ test('imports a glTF by drop, lights it by an HDR, places it again from the pane
   );
   const [darkRed] = await pixelAt(page, 0.5, 0.5);
   await dropFiles(page, picture, [plainSky(1)]);
-  await expect.poll(() => history(page)).toContain('Light by sky.hdr');
+  await expect.poll(() => history(page)).toContain('Lit the scene by sky.hdr');
   await expect.poll(async () => (await pixelAt(page, 0.5, 0.5))[0]).toBeGreaterThan(darkRed + 60);
   const [red, green, blue] = await pixelAt(page, 0.5, 0.5);
   expect(red).toBeGreaterThan(120);

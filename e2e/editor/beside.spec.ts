@@ -41,7 +41,7 @@ test('an OBJ in a ZIP comes in with its materials as one asset, and is undone', 
   await dropFiles(page, picture, [{ name: 'wall.zip', bytes: Buffer.from(zipSync(entries)) }]);
   await expect(page.getByRole('treeitem', { name: 'wall' })).toHaveAttribute('aria-selected', 'true');
   await expect(page.locator('.notices')).toContainText('wall.obj: these textures were not found: t/moss_n.png.');
-  expect(await history(page)).toEqual(['Import wall.glb', 'Add wall']);
+  expect(await history(page)).toEqual(['Imported wall.glb', 'Added wall']);
   expect(await fieldOf(page, 'wall', 'ModelRenderer', 'model')).toBe('wall.glb');
   await page.locator(picture).focus();
   await page.keyboard.press('f');

@@ -1,5 +1,5 @@
 import { expect, test } from '../support/test';
-import { history, openEditor } from './editor';
+import { addObject, history, openEditor } from './editor';
 
 test.use({ viewport: { width: 1100, height: 600 }, reducedMotion: 'reduce' });
 
@@ -26,7 +26,7 @@ test('the palette finds what can be done, and does it', async ({ page }) => {
   await page.keyboard.press('ArrowDown');
   await expect(options.nth(1)).toHaveAttribute('aria-selected', 'true');
   await page.keyboard.press('Enter');
-  await expect.poll(() => history(page)).toEqual([`Add ${second}`]);
+  await expect.poll(() => history(page)).toEqual([`Added ${second}`]);
 
   // an object; Escape closes
   await expect(search).toHaveCount(0);
@@ -69,7 +69,7 @@ test('keys are chosen anew, clashes are told, and all of it is remembered and re
 
   await page.getByRole('treeitem', { name: 'Sun' }).first().focus();
   await page.keyboard.press('h');
-  expect(await history(page)).toEqual(['Duplicate Sun']);
+  expect(await history(page)).toEqual(['Duplicated Sun']);
   await page.keyboard.press('Control+d');
   expect(await history(page)).toHaveLength(1);
 
@@ -85,4 +85,73 @@ test('keys are chosen anew, clashes are told, and all of it is remembered and re
   await dialog.getByRole('button', { name: 'Reset all' }).click();
   await expect(row.locator('kbd')).toHaveText(['Ctrl+D']);
   await expect(dialog.locator('[data-action="edit.hide"] kbd')).toHaveText(['H']);
+});
+
+/** What goes beyond the scene: files, windows, languages, plugins; undo itself; and playing, which puts everything back. */
+const beyond = /^(file|help|play|plugins)\.|^edit\.(undo|redo)$|^panels\.|^view\.theme/;
+
+test('whatever an action does to the scene is one step, undone and done again exactly', async ({ page }) => {
+  await openEditor(page, 'empty');
+  await addObject(page, 'Mesh', 'Cone');
+  const { edited, never, faults } = await page.evaluate(async (pattern) => {
+    const left = new RegExp(pattern);
+    interface Action {
+      readonly id: string;
+      run(editor: unknown): unknown;
+      enabled?(editor: unknown): boolean;
+    }
+    const editor = window.editor as typeof window.editor & {
+      readonly actions: { readonly list: readonly Action[]; get(id: string): Action | undefined };
+      readonly commands: { undo(): void; redo(): void };
+      readonly dialogs: { close(agreed: boolean): void };
+      readonly tools: { end(): boolean };
+    };
+    const { document, actions, commands, dialogs, tools } = editor;
+    const { scene, selection } = document;
+    const run = async (id: string): Promise<void> => void (await actions.get(id)!.run(editor));
+    const idOf = (name: string): string => scene.find(name)!.id;
+    // a group of two, an instance of a prefab, a mesh and a camera
+    selection.set([idOf('Sky')]);
+    for (const id of ['edit.duplicate', 'edit.duplicate', 'prefab.make']) await run(id);
+    const instance = selection.ids[0];
+    selection.set([idOf('Sun'), idOf('Sky')]);
+    await run('edit.group');
+    const group = selection.ids[0];
+    const selections = [[group], [instance], [idOf('Cone')], [idOf('Cone'), idOf('Camera'), group], []];
+    const edited = new Set<string>();
+    const enabled = new Set<string>();
+    const faults: string[] = [];
+    for (const action of actions.list.filter(({ id }) => !left.test(id))) {
+      // the panels follow
+      await new Promise((resolve) => setTimeout(resolve));
+      for (const ids of selections) {
+        selection.set(ids);
+        if (!(action.enabled?.(editor) ?? true)) continue;
+        enabled.add(action.id);
+        const before = editor.serialize();
+        const steps = commands.history.length;
+        await action.run(editor);
+        dialogs.close(false);
+        // a tool that waits for the user puts back what it shows
+        tools.end();
+        const after = editor.serialize();
+        const made = commands.history.length - steps;
+        if (made !== (after === before ? 0 : 1)) faults.push(`${action.id} made ${made} steps`);
+        if (after === before) continue;
+        edited.add(action.id);
+        commands.undo();
+        if (editor.serialize() !== before) faults.push(`${action.id} is not undone`);
+        commands.redo();
+        if (editor.serialize() !== after) faults.push(`${action.id} is not done again`);
+        commands.undo();
+      }
+    }
+    const all = actions.list.map(({ id }) => id).filter((id) => !left.test(id));
+    return { edited: [...edited], never: all.filter((id) => !enabled.has(id)), faults };
+  }, beyond.source);
+  expect(faults).toEqual([]);
+  const known = ['cut', 'paste', 'paste-below', 'duplicate', 'group', 'ungroup', 'delete', 'hide', 'lock'];
+  expect(edited).toEqual(expect.arrayContaining([...known.map((id) => `edit.${id}`), 'prefab.make', 'prefab.unpack']));
+  // it wants an imported model: assetEdits.test.ts undoes and redoes it
+  expect(never).toEqual(['model.unpack']);
 });

@@ -1,7 +1,23 @@
 import type { GameObject, Scene } from '@farol/engine';
 import type { FarolRenderer } from '@farol/renderer';
 import { expect, type Page } from '@playwright/test';
-import type { Material, WebGLRenderer } from 'three';
+import type { Camera, Material, Object3D, WebGLRenderer } from 'three';
+
+/** The editor's own camera of a view. */
+interface EditorCameraHandle {
+  readonly camera: Camera;
+  readonly target: { toArray(): number[] };
+  readonly orthographic: boolean;
+  readonly pose: { readonly orthographic: boolean };
+}
+
+/** A view. */
+interface PaneHandle {
+  readonly name: string;
+  readonly editorCamera: EditorCameraHandle;
+  readonly rectangle: { readonly x: number; readonly y: number; readonly width: number; readonly height: number };
+  readonly bounds: { readonly left: number; readonly top: number; readonly width: number; readonly height: number };
+}
 
 /** `window.editor` as far as the tests use it; documented in apps/editor/src/Editor.ts. */
 export interface EditorHandle {
@@ -39,8 +55,10 @@ export interface EditorHandle {
     readonly mode: string;
     readonly view: string;
     readonly statistics: { readonly frames: number };
-    readonly gizmo: { readonly snapSteps: unknown; readonly isHot: boolean };
-    readonly editorCamera: { readonly target: { toArray(): number[] } };
+    readonly gizmo: { readonly snapSteps: unknown; readonly isHot: boolean; readonly three: Object3D };
+    readonly editorCamera: EditorCameraHandle;
+    readonly lookThrough: object | null;
+    readonly panes: { readonly list: readonly PaneHandle[]; readonly active: PaneHandle };
     readonly webgl: WebGLRenderer;
     readonly farol: FarolRenderer;
     renderNow(): void;
@@ -93,10 +111,13 @@ export async function openEmptyScene(page: Page): Promise<void> {
 
 /** Adds something from the Add menu: the submenu's name, if it is in one, and its own. */
 export async function addObject(page: Page, ...names: string[]): Promise<void> {
+  const selected = (): Promise<string> => page.evaluate(() => window.editor.document.selection.ids.join());
+  const before = await selected();
   await page.getByRole('button', { name: 'Add', exact: true }).click();
   for (const name of names.slice(0, -1)) await page.getByRole('menuitem', { name, exact: true }).press('ArrowRight');
   await page.getByRole('menuitem', { name: names.at(-1), exact: true }).click();
   await menuIsGone(page);
+  await expect.poll(selected).not.toBe(before);
   await inspectorFollows(page);
 }
 

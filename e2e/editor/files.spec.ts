@@ -50,7 +50,7 @@ test('what a killed tab leaves is found, recovered, and stored again', async ({ 
   await next.getByRole('menuitem', { name: 'Recover…' }).click();
   await expect(dialog).toContainText('Unsaved work was found');
   await dialog.getByRole('button', { name: 'Recover' }).click();
-  await dialog.getByRole('button', { name: 'Discard changes' }).click();
+  await dialog.getByRole('button', { name: 'Don’t save' }).click();
   await expect(next.getByRole('treeitem', { name: 'Precious' })).toBeVisible();
   expect(await serialized(next)).toBe(work);
   expect(await next.evaluate(() => window.editor.commands.isDirty)).toBe(true);
@@ -120,7 +120,7 @@ test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ 
   await expect(page.getByRole('menuitem', { name: 'Revert to prefab' })).toContainText('It has 50.');
   await page.getByRole('menuitem', { name: 'Revert to prefab' }).click();
   expect(await intensities()).toEqual([50, 50, 50]);
-  expect((await history(page)).at(-1)).toBe('Revert intensity to the prefab');
+  expect((await history(page)).at(-1)).toBe('Reverted intensity of Point light to its prefab');
 
   // renamed
   await page.locator('.asset-card').first().click();

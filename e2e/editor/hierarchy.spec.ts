@@ -38,14 +38,14 @@ test('searches, groups, cuts, pastes and locks, and takes all of it back', async
   await page.keyboard.press('Control+v');
   await expect(page.getByRole('treeitem', { name: 'Cone' })).toHaveCount(2);
   await page.keyboard.press('l');
-  await expect(page.getByRole('button', { name: 'Unlock Cone' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Unlock Cone 2' })).toBeVisible();
   expect(await history(page)).toEqual([
     ...steps,
-    'Group 2 objects',
-    'Delete Cone',
-    'Paste Cone',
-    'Paste Cone',
-    'Lock Cone',
+    'Grouped 2 objects',
+    'Deleted Cone',
+    'Pasted Cone',
+    'Pasted Cone',
+    'Locked Cone 2',
   ]);
   for (let i = 0; i < 5; i++) await page.keyboard.press('Control+z');
   expect(await serialized(page)).toBe(before);

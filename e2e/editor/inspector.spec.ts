@@ -44,9 +44,9 @@ test('components are found by typing, ordered, copied and pasted; fields are res
   await intensity.getByRole('button', { name: 'Reset to default' }).click();
   expect(await fieldOf(page, 'Sun', 'Light', 'intensity')).toBe(1);
   expect((await history(page)).slice(-3)).toEqual([
-    'Set intensity of Light',
-    'Paste values of Light',
-    'Reset intensity',
+    'Set intensity of Box to 7',
+    'Pasted values into Light of Sun',
+    'Reset intensity of Sun',
   ]);
   for (let i = 0; i < 6; i++) await page.keyboard.press('Control+z');
   expect(await serialized(page)).toBe(before);

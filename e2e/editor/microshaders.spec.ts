@@ -98,7 +98,7 @@ test('edit a microshader, break it, mend it: the picture follows, and keeps the 
 
   // one step of history, saved with the scene
   await page.getByRole('tab', { name: 'History' }).click();
-  await expect.poll(() => history(page)).toEqual([...before, 'Edit microshader incidentLight']);
+  await expect.poll(() => history(page)).toEqual([...before, 'Edited microshader incidentLight']);
   const saved = await serialized(page);
   expect(JSON.parse(saved).microShaders.incidentLight).toContain('vec3(1.0, 0.0, 0.0)');
   await page.keyboard.press('Control+z');
@@ -139,7 +139,7 @@ test('a new chunk, and XML: into the scene and out of it', async ({ page }, info
   // the thesis's chunks come in as one step
   await panel(page).getByRole('button', { name: 'Import and export' }).click();
   await page.getByRole('menuitem', { name: "Import the thesis's" }).click();
-  await expect.poll(() => history(page).then((steps) => steps.at(-1))).toBe('Import thesis.xml');
+  await expect.poll(() => history(page).then((steps) => steps.at(-1))).toBe('Imported thesis.xml');
   const chunks = Object.keys(JSON.parse(await serialized(page)).microShaders);
   expect(chunks).toContain('own/tint');
   expect(chunks.length).toBeGreaterThan(10);
@@ -204,6 +204,6 @@ test('a set of microshaders comes in as a whole or not at all, and asks before i
   expect(await serialized(page)).toBe(before);
   await importXML('sound.xml', tint + sound);
   await dialog.getByRole('button', { name: 'Replace them' }).click({ timeout: 30_000 });
-  await expect.poll(() => history(page)).toEqual([...steps, 'Import sound.xml']);
+  await expect.poll(() => history(page)).toEqual([...steps, 'Imported sound.xml']);
   expect(Object.keys(JSON.parse(await serialized(page)).microShaders)).toEqual(['octahedralNormal', 'own/tint']);
 });

@@ -34,14 +34,14 @@ test('play, edit, stop: the scene is as it was, and values are kept one by one',
   const kept = page.getByRole('region', { name: 'Edited while playing' });
   await expect(kept).toContainText('2 → 5');
   expect(await axeProblems(page)).toEqual([]);
-  await kept.getByRole('button', { name: 'Keep intensity of Sun' }).click();
+  await kept.getByRole('button', { name: 'Kept intensity of Sun' }).click();
   expect(await fieldOf(page, 'Sun', 'Light', 'intensity')).toBe(5);
-  expect(await history(page)).toEqual(['Keep intensity of Sun']);
+  expect(await history(page)).toEqual(['Kept intensity of Sun']);
   await expect(kept.getByRole('listitem')).toHaveCount(1);
   await page.keyboard.press('Control+z');
   expect(await serialized(page)).toBe(before);
   await kept.getByRole('button', { name: 'Keep all' }).click();
-  expect(await history(page)).toEqual(['Keep edits of playing']);
+  expect(await history(page)).toEqual(['Kept the edits made while playing']);
   expect(await fieldOf(page, 'Sun', 'Transform', 'position')).toEqual([6, 9, 4]);
   await expect(kept).toHaveCount(0);
 });

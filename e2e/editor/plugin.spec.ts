@@ -17,7 +17,7 @@ test('a plugin brings a panel, a component with a field of its own, a technique 
   await expect(panel).toContainText('No lamp flickers.');
   await page.keyboard.press('Control+Alt+l');
   await expect(panel).toContainText('Flickering: Point light');
-  expect((await history(page)).at(-1)).toBe('Add Flicker');
+  expect((await history(page)).at(-1)).toBe('Added Flicker to Point light');
   expect(await axeProblems(page)).toEqual([]);
 
   // the component, with its kind of field, in the inspector and in the file

@@ -33,7 +33,12 @@ test('on a page that knows nothing of Farol: select, edit, undo', async ({ page 
   expect(await x()).toBe(0.5); // a preview, which Escape takes back
   await input.press('Escape');
   expect(await x()).toBe(-2);
-  await input.fill('0.5');
+  await input.fill('50q');
+  await input.press('Enter'); // no number: it stays, marked, with the reason
+  await expect(input).toHaveValue('50q');
+  await expect(page.getByText('“q” is neither a unit nor a function.')).toBeVisible();
+  expect(await x()).toBe(-2);
+  await input.fill('50cm');
   await input.press('Enter');
   expect(await x()).toBe(0.5);
   expect((await picture(page)).equals(before)).toBe(false); // although the page draws no frames by itself
@@ -66,9 +71,16 @@ test('on a page that knows nothing of Farol: select, edit, undo', async ({ page 
   await page.keyboard.press('Enter');
   expect(await rotation()).toEqual([0.123456789, Math.PI / 2, 1e-7, 'XYZ']);
   expect(await page.evaluate(() => window.example.editor!.commands.history.slice(-3))).toEqual([
-    ...['Set colour of MeshPhysicalMaterial', 'Set colour of MeshPhysicalMaterial', 'Set rotation of chest'],
+    ...[
+      'Set colour of MeshPhysicalMaterial to #ff0000 × 3',
+      'Set colour of MeshPhysicalMaterial to #0000ff × 3',
+      'Set rotation of chest to 7.074, 90, 0°',
+    ],
   ]);
-  for (const label of ['Undo set rotation of chest', 'Undo set colour of MeshPhysicalMaterial']) {
+  for (const label of [
+    'Undo: Set rotation of chest to 7.074, 90, 0°',
+    'Undo: Set colour of MeshPhysicalMaterial to #0000ff × 3',
+  ]) {
     await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute('title', label);
     await page.getByRole('button', { name: 'Undo' }).click();
   }
@@ -96,6 +108,15 @@ test('on a page that knows nothing of Farol: select, edit, undo', async ({ page 
   expect(await intensity()).toBe(9);
   await page.getByRole('button', { name: 'Undo' }).click();
   expect(await intensity()).toBe(5);
+
+  // another language: what is selected, and the history, stay
+  await page.getByRole('combobox', { name: 'Language' }).selectOption('Español');
+  await expect(page.getByRole('combobox', { name: 'Idioma' })).toBeFocused();
+  await expect(page.getByRole('spinbutton', { name: 'Intensidad', exact: true })).toHaveValue('5');
+  await page.getByRole('button', { name: 'Rehacer' }).click();
+  expect(await intensity()).toBe(9);
+  await page.evaluate(() => (window.example.editor!.language = 'en'));
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeVisible();
 });
 
 test('several objects at once: shared and mixed values, copies, deletion; drawn by Farol', async ({ page }) => {

@@ -98,6 +98,9 @@ test('a glTF dropped with its buffer and texture is shown with them', async ({ p
     'my blue.png': bluePng,
   });
   await shown(page).toBe('square.gltf');
+  // an address cannot hold the model, and the scene is not what is seen
+  expect(new URL(page.url()).searchParams.get('scene')).toBe(null);
+  expect(new URL(page.url()).searchParams.get('technique')).not.toBe(null);
   const image = await readImage(page);
   expect(middle(image, 2)).toBeGreaterThan(0.05);
   expect(middle(image, 2)).toBeGreaterThan(2 * middle(image, 0));

@@ -176,6 +176,10 @@ test('the help lists keys and address parameters', async ({ page }) => {
   await page.keyboard.press('?');
   const help = page.getByRole('dialog', { name: 'Help' });
   await expect(help).toBeVisible();
+  // in a low window it is read from its beginning
+  expect(
+    await help.evaluate(({ scrollHeight, clientHeight, scrollTop }) => [scrollHeight > clientHeight, scrollTop]),
+  ).toEqual([true, 0]);
   for (const text of ['W A S D', '?technique=', '?lights=', '?dpr=']) await expect(help).toContainText(text);
   await page.keyboard.press('Escape');
   await expect(help).toBeHidden();

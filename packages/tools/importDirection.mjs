@@ -82,6 +82,10 @@ export const importRules = [
     may: ['packages/engine', 'three', '@farol/renderer'],
     not: ['packages/engine/src/components', 'packages/engine/src/files', 'packages/engine/src/scenes'],
   },
+  {
+    from: 'packages/engine/src/picture/chain',
+    may: ['packages/engine', 'three', '@farol/renderer', 'postprocessing'],
+  },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine', '@farol/editing'] },

@@ -7,7 +7,7 @@ const shownAttributes = new Set([
 ]);
 
 /** Names and units that are the same in all languages. */
-const sameInAll = /\b(Farol|glTF|PSNR|SMAA|TAA|[CG]PU|FPS|ms|[kM]B|dB)\b/g;
+const sameInAll = /\b(Farol|three\.js|MIT|glTF|PSNR|SMAA|TAA|[CG]PU|FPS|ms|[kM]B|dB)\b/g;
 
 const hasWords = (/** @type {string} */ text) => /\p{L}{2}/u.test(text.replaceAll(sameInAll, ''));
 
@@ -102,4 +102,26 @@ export function propertyTexts(path, source, ...names) {
   };
   visit(parseSync(path, source).program);
   return texts;
+}
+
+/**
+ * A file's objects of texts alone, as one: of `export const a = { 'One': 'Uno' }` { One: 'Uno' }.
+ *
+ * @param {string} path
+ * @param {string} source
+ * @returns {Record<string, string>}
+ */
+export function tableOf(path, source) {
+  /** @type {Record<string, string>} */
+  const table = {};
+  /** @param {any} node */
+  const visit = (node) => {
+    if (Array.isArray(node)) node.forEach(visit);
+    if (typeof node?.type !== 'string') return;
+    if (node.type === 'Property' && typeof node.value.value === 'string')
+      table[node.key.name ?? node.key.value] = node.value.value;
+    for (const key of Object.keys(node)) if (key !== 'parent') visit(node[key]);
+  };
+  visit(parseSync(path, source).program);
+  return table;
 }

@@ -28,9 +28,11 @@ import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
 import { RecentFiles } from './model/RecentFiles';
+import { Tools } from './model/Tools';
 import { Registry } from './model/Registry';
 import { Tour } from './model/Tour';
 import { panels } from './panels';
+import { applyViews, type ViewChoice } from './viewport/panes/ViewChoice';
 import { Viewport } from './viewport/Viewport';
 import { Plugins } from './plugins/Plugins';
 import { unknownTypes } from './model/unknownTypes';
@@ -88,6 +90,7 @@ export class Editor implements EditorApi {
   readonly microShaderPlace = new PlaceToShow();
   readonly dialogs = new Dialogs();
   readonly clipboard = new Clipboard();
+  readonly tools = new Tools();
   readonly log = new ConsoleLog();
   readonly notices = new Notices(this.log);
   readonly drafts = new Drafts();
@@ -169,7 +172,8 @@ export class Editor implements EditorApi {
 
   libraryForNext(): AssetLibrary {
     const { assets } = this.document;
-    if (!assets.hasOwn) return assets;
+    // a file that is turned down leaves nothing in the library of a scene that stays
+    if (!assets.hasOwn && !this.commands.isDirty) return assets;
     return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
 
@@ -198,6 +202,12 @@ export class Editor implements EditorApi {
             signal,
           }),
       );
+      // asked only now that the file is known to be good
+      if (!(await this.mayLoseChanges())) {
+        scene.dispose();
+        if (assets !== this.document.assets) assets.dispose();
+        return false;
+      }
       this.show(scene, file);
       if (typeof bytes !== 'string') this.remember(bytes);
       return true;
@@ -232,12 +242,8 @@ export class Editor implements EditorApi {
 
   async mayLoseChanges(): Promise<boolean> {
     if (!this.commands.isDirty) return true;
-    return this.dialogs.show({
-      kind: 'confirm',
-      title: t('Unsaved changes'),
-      text: t('“{name}” has changes that are not saved. They will be lost.', { name: this.document.scene.name }),
-      action: t('Discard changes'),
-    });
+    const { askToSave } = await import('./actions/askToSave');
+    return askToSave(this);
   }
 
   attempt(run: () => unknown): void {
@@ -273,6 +279,7 @@ export class Editor implements EditorApi {
   }
 
   show(scene: Scene, file: OpenFile): void {
+    this.tools.end();
     this.document.open(scene);
     this.openFile = file;
     this.fileChanged.emit();
@@ -296,10 +303,12 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    const apply = ({ snapSteps, effects }: Preferences): void => {
-      this.viewport.setEffects(effects);
+    let shown: ViewChoice | null = null;
+    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, views }: Preferences): void => {
+      if (views !== shown) applyViews(this.viewport, (shown = views));
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
+      Object.assign(this.viewport, { snapTo, alignsToSurface, pivot });
     };
     apply(this.preferences.getState());
     this.preferences.subscribe(apply);
@@ -317,7 +326,7 @@ export class Editor implements EditorApi {
       });
       if (notices.current.some((notice) => notice.text === text)) return;
       console.error(error);
-      failure = notices.show('error', text, 'picture');
+      failure = notices.show('error', text, 'picture', { lasts: true });
     };
     viewport.drawn.subscribe(() => {
       if (failure === 0 || performance.now() - failedAt < RECOVERED) return;
@@ -327,7 +336,7 @@ export class Editor implements EditorApi {
     let loss = 0;
     viewport.canvas.addEventListener('webglcontextlost', () => {
       const text = t('The graphics device was lost. The picture comes back by itself; if not, save and reload.');
-      loss = notices.show('error', text, 'picture');
+      loss = notices.show('error', text, 'picture', { lasts: true });
     });
     viewport.canvas.addEventListener('webglcontextrestored', () => notices.remove(loss));
   }

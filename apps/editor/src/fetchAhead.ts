@@ -21,6 +21,7 @@ export async function fetchAhead(): Promise<boolean> {
       preloadSceneCode(),
       import('browser-fs-access'),
       import('./files/dropOn'),
+      import('./files/landInPicture'),
       import('./files/readScene'),
       import('./files/saveFile'),
       import('./panels/dialogs/TextDialog'),

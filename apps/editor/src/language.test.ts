@@ -1,16 +1,16 @@
 import { englishLabelOfField } from '@farol/editing';
 import { builtinComponents, Scene } from '@farol/engine';
-import { type FieldTable, materialAssetFields } from '@farol/engine/fields';
+import { type ChoiceField, type FieldTable, materialAssetFields } from '@farol/engine/fields';
 import { techniques, views } from '@farol/renderer';
 import { expect, test } from 'vitest';
 import { sourceFiles } from '@farol/tools/sourceFiles';
-import { propertyTexts, textsOf } from '@farol/tools/texts';
+import { propertyTexts, tableOf, textsOf } from '@farol/tools/texts';
 import { actions } from './actions';
+import { englishViewLabel } from './actions/pictureActions';
 import { es } from './language/es';
 import { firstLanguage } from './language/languages';
 import { creations } from './model/creations';
 import { panels } from './panels';
-import { englishViewLabel } from './actions/pictureActions';
 
 const sources = [...sourceFiles()].filter(([path]) => !/\.(test|bench)\.tsx?$|\/testing\//.test(path));
 const below = (...folders: string[]): [string, string][] =>
@@ -19,13 +19,16 @@ const editor = below('apps/editor/src', 'packages/editing/src');
 
 const words = (name: string): string => name.replaceAll(/([a-z])([A-Z])/g, '$1 $2');
 
+const choicesOf = ({ options, optionLabels = {} }: ChoiceField): string[] =>
+  options.map((option) => optionLabels[option] ?? option);
+
 const ofFields = (fields: FieldTable): string[] =>
   Object.entries(fields).flatMap(([name, field]) => [
     englishLabelOfField(name, field),
     field.help,
     // signs of units, such as 'm/s', are the same everywhere
     ...('unit' in field && field.unit && /\p{L}{4}| /u.test(field.unit) ? [field.unit] : []),
-    ...(field.kind === 'choice' ? field.options : []),
+    ...(field.kind === 'choice' ? choicesOf(field) : []),
   ]);
 
 /** Every text that the editor may ask for. */
@@ -83,6 +86,14 @@ test('whatever the editor shows is looked up in the language that is shown', () 
     ([path, source]) => textsOf(path, source).faults,
   );
   expect(faults).toEqual([]);
+});
+
+test('the attached editor has the same words', () => {
+  const texts = below('packages/attach/src/language').flatMap(([path, source]) =>
+    Object.entries(tableOf(path, source)),
+  );
+  expect(texts.length).toBeGreaterThan(100);
+  expect(texts.filter(([english, spanish]) => Object.hasOwn(es, english) && es[english] !== spanish)).toEqual([]);
 });
 
 test('the language is the chosen one, else the first of the browser, else English', () => {

@@ -390,7 +390,7 @@ export class Viewer {
     this.setEffects();
     // Timer queries cannot be nested: without the menu they are left to whoever measures.
     this.farol.timing = this.state.gui;
-    writeAddress(writeState(this.state, known));
+    writeAddress(writeState(this.state, known, this.model === null));
     for (const listener of this.listeners) listener();
     if (!this.app.scene.activeCamera) return; // the first scene is on its way
     if (this.state.time === null) this.app.start();

@@ -1,4 +1,5 @@
 import type { FarolRenderer } from '@farol/renderer';
+import type { AttachLanguage } from './language/languages';
 
 export interface AttachOptions {
   /** The FarolRenderer that the page draws with, if it does; its technique, view and figures are shown then. */
@@ -7,6 +8,8 @@ export interface AttachOptions {
   container?: HTMLElement;
   /** The element that the page's own controls listen on. Default the canvas. */
   domElement?: HTMLElement;
+  /** The language of the panels, 'en' or 'es'. Default the first of the browser's that there is, else English. */
+  language?: AttachLanguage;
   /**
    * Called when the scene was edited, for a page that draws on demand. Default: the scene is drawn once more if the page
    * itself draws no frame soon.

@@ -1,15 +1,13 @@
-import { type CommandStack, t } from '@farol/editing';
+import type { CommandStack } from '@farol/editing';
 import type { FarolRenderer } from '@farol/renderer';
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 import type { AttachOptions } from './AttachOptions';
 import { type Drawer, Drawing } from './model/Drawing';
 import { duplicateSelected } from './model/duplicateSelected';
 import { removeSelected } from './model/removeSelected';
+import { type AttachLanguage, browserLanguage, speak } from './language/languages';
 import { Session } from './model/Session';
-import { Bar } from './panels/Bar';
-import { FramePanel } from './panels/FramePanel';
-import { Inspector } from './panels/Inspector';
-import { Tree } from './panels/Tree';
+import { Panels } from './panels/Panels';
 import style from './style.css?inline';
 import { element } from './ui/element';
 import { drawOver } from './viewport/drawOver';
@@ -27,9 +25,13 @@ const attached = new WeakSet<WebGLRenderer>();
 export class AttachedEditor {
   /** What was put into the page; the panels are in its shadow root, where styles of the page do not reach. */
   readonly element: HTMLElement;
+  private readonly root: ShadowRoot;
   private readonly session: Session;
   private readonly hook: RenderHook;
   private readonly drawing: Drawing;
+  private readonly gizmo: Gizmo;
+  private panels: Panels;
+  private shown: AttachLanguage = 'en';
   private readonly parts: { dispose(): void }[];
   private readonly timer: number;
   private isDisposed = false;
@@ -58,30 +60,25 @@ export class AttachedEditor {
     });
     const drawing = new Drawing(session, hook, options.farol ?? null);
     const pointer = new Pointer(session, gizmo, options.domElement ?? webgl.domElement);
-    const tree = new Tree(session);
-    const inspector = new Inspector(session);
-    const frame = new FramePanel(session, hook, drawing);
-    const panels = element('div', { className: 'panels' }, tree.search, tree.element, inspector.element, frame.element);
-    const bar = new Bar(session, gizmo, () => (panels.hidden = !panels.hidden));
-    this.element = this.makeHost(bar.element, panels);
+    this.element = element('div', { className: 'farol-attach' });
+    this.root = this.element.attachShadow({ mode: 'open' });
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(style);
+    this.root.adoptedStyleSheets = [sheet];
     this.session = session;
     this.hook = hook;
     this.drawing = drawing;
-    this.parts = [pointer, bar, frame, inspector, tree, drawing, box, gizmo, hook];
+    this.gizmo = gizmo;
+    this.panels = this.makePanels(options.language ?? browserLanguage());
+    this.parts = [pointer, drawing, box, gizmo, hook];
     session.selection.changed.subscribe(() => this.redraw());
     session.edited.subscribe(() => {
-      inspector.refresh();
+      this.panels.inspector.refresh();
       this.redraw();
     });
     (options.container ?? document.body).append(this.element);
-    const refresh = () => {
-      if (panels.hidden) return;
-      tree.refresh();
-      inspector.refresh();
-      frame.refresh();
-    };
-    refresh();
-    this.timer = setInterval(refresh, REFRESH) as unknown as number;
+    this.panels.refresh();
+    this.timer = setInterval(() => this.panels.refresh(), REFRESH) as unknown as number;
   }
 
   /** The object that was selected last, or null; setting it selects it alone. */
@@ -116,6 +113,18 @@ export class AttachedEditor {
     return this.session.commands;
   }
 
+  /** The language of the panels; one for all attached editors of the page, which others follow when they are made. */
+  get language(): AttachLanguage {
+    return this.shown;
+  }
+
+  set language(language: AttachLanguage) {
+    if (language === this.shown || this.isDisposed) return;
+    this.panels.dispose();
+    this.panels = this.makePanels(language);
+    this.panels.refresh();
+  }
+
   /** The FarolRenderer that draws the page; null while three's own renderer does. */
   get farol(): FarolRenderer | null {
     return this.drawing.farol;
@@ -134,23 +143,28 @@ export class AttachedEditor {
     if (this.isDisposed) return;
     this.isDisposed = true;
     clearInterval(this.timer);
-    for (const part of this.parts) part.dispose();
+    for (const part of [this.panels, ...this.parts]) part.dispose();
     this.element.remove();
     attached.delete(this.webgl);
     if (this.options.onChange) this.options.onChange();
     else if (this.hook.isIdle) this.webgl.render(this.session.scene, this.session.camera);
   }
 
-  private makeHost(...children: HTMLElement[]): HTMLElement {
-    const host = element('div', { className: 'farol-attach' });
-    const root = host.attachShadow({ mode: 'open' });
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(style);
-    root.adoptedStyleSheets = [sheet];
-    const editor = element('section', { className: 'editor', 'aria-label': t('Farol editor') }, ...children);
-    editor.addEventListener('keydown', (event) => this.key(event));
-    root.append(editor);
-    return host;
+  /** Makes the panels in a language, and puts them into the page. */
+  private makePanels(language: AttachLanguage): Panels {
+    speak(language);
+    this.shown = language;
+    const { session, gizmo, hook, drawing } = this;
+    const panels = new Panels({
+      ...{ session, gizmo, hook, drawing, language },
+      onLanguage: (chosen) => {
+        this.language = chosen;
+        this.panels.language.focus();
+      },
+    });
+    panels.element.addEventListener('keydown', (event) => this.key(event));
+    this.root.append(panels.element);
+    return panels;
   }
 
   /** Keys pressed in the panels; the page does not get them. */

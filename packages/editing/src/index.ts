@@ -1,6 +1,7 @@
+export { sharedIcons } from './appearance/sharedIcons';
 export { Signal } from './Signal';
 export { Selection } from './Selection';
-export { countLabel, lowerFirst } from './labels';
+export { countLabel, lowerFirst, namesOf } from './labels';
 
 export type { Command, CommandSelection } from './history/Command';
 export { CommandStack } from './history/CommandStack';
@@ -30,11 +31,20 @@ export {
   readNumber,
   readNumberInRange,
 } from './fields/readNumber';
+export { valueText } from './fields/valueText';
 export { roundToStep } from './fields/roundToStep';
 export { stepOf } from './fields/stepOf';
 
+export { dragLabel } from './gizmo/dragLabel';
 export { nearestEuler } from './gizmo/nearestEuler';
 export { type PoseValues, roundPose } from './gizmo/roundPose';
-export { type DragStart, placePivot, type Pose, TransformDrag, type TransformMode } from './gizmo/TransformDrag';
+export {
+  type DragOptions,
+  type DragStart,
+  placePivot,
+  type Pose,
+  TransformDrag,
+  type TransformMode,
+} from './gizmo/TransformDrag';
 export { formatTime } from './language/formatTime';
 export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';

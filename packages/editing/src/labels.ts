@@ -1,17 +1,23 @@
 import { t } from './language/translate';
 
+/** What objects are called together: 'chest', or '3 objects'. @param objects - at least one; one without a name goes by its type */
+export function namesOf(objects: readonly { readonly name: string; readonly type?: string }[]): string {
+  if (objects.length !== 1) return t('{count} objects', { count: objects.length });
+  const [{ name, type = t('object') }] = objects;
+  return name || type;
+}
+
 /**
- * 'Delete chest', or 'Delete 3 objects', in the language that is shown.
- * @param verb - in that language: `t('Delete')`
+ * 'Deleted chest', or 'Deleted 3 objects', in the language that is shown.
+ * @param verb - in that language: `t('Deleted')`
  * @param objects - at least one; one without a name goes by its type
  */
 export function countLabel(
   verb: string,
   objects: readonly { readonly name: string; readonly type?: string }[],
 ): string {
-  const [{ name, type = t('object') }] = objects;
-  if (objects.length === 1) return t('{verb} {name}', { verb, name: name || type });
-  return t('{verb} {count} objects', { verb, count: objects.length });
+  if (objects.length !== 1) return t('{verb} {count} objects', { verb, count: objects.length });
+  return t('{verb} {name}', { verb, name: namesOf(objects) });
 }
 
 /** The label of a step within a sentence: 'Undo ' and 'delete chest'. */

@@ -5,6 +5,7 @@
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
 export { followEffects } from './app/followEffects';
+export { techniqueLimits, type TechniqueLimits } from './picture/techniqueLimits';
 export { PictureRenderer, type PictureRendererOptions, type ScenePainter } from './picture/PictureRenderer';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
@@ -26,6 +27,7 @@ export type {
   Transform as TransformType,
 } from './core/SceneGraph';
 export type { SceneMicroShaders } from './core/SceneMicroShaders';
+export type { SceneView, SceneViews } from './core/SceneViews';
 export type { SceneSettings } from './core/SceneSettings';
 export type { Vector3Input } from './core/toVector3';
 

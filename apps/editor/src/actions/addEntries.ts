@@ -6,19 +6,42 @@ import { type Creation, creations } from '../model/creations';
 import { type IconName, iconPaths } from '../style/iconPaths';
 import type { MenuEntry } from '../api/MenuEntry';
 
-/** Adds something to the scene. @param parent - what it goes below; the top of the tree when null */
-export function addCreation(editor: EditorApi, creation: Creation, parent: GameObject | null): void {
-  const { document, viewport, commands } = editor;
+/** A point of the page (CSS pixels). */
+export interface PagePoint {
+  readonly x: number;
+  readonly y: number;
+}
+
+/**
+ * Adds something to the scene.
+ * @param parent - what it goes below, and where it begins; at the top of the tree, and where one looks, when null
+ * @param at - the point of the picture that counts; its middle when absent
+ */
+export async function addCreation(
+  editor: EditorApi,
+  creation: Creation,
+  parent: GameObject | null,
+  at?: PagePoint,
+): Promise<void> {
+  const { document, commands } = editor;
+  const { scene, selection } = document;
   const object = creation.make();
-  // a child begins where its parent is; others in the middle of the picture
-  if (!parent) object.transform.position = viewport.editorCamera.target.toArray();
-  commands.run(addObject(document.scene, object, parent ?? document.scene, document.selection.ids));
+  if (!parent) {
+    const { landInPicture } = await import('../files/landInPicture');
+    await landInPicture(editor, [object], at);
+    if (scene !== document.scene) return;
+  }
+  commands.run(addObject(scene, object, parent ?? scene, selection.ids));
 }
 
 const iconOf = (kind: string): IconName => (kind in iconPaths ? (kind as IconName) : 'object');
 
-/** The lines of the Add menu. @param parent - what the new object goes below; the top of the tree when null */
-export function addEntries(editor: EditorApi, parent: GameObject | null = null): MenuEntry[] {
+/**
+ * The lines of the Add menu.
+ * @param parent - what the new object goes below; the top of the tree when null
+ * @param at - the point of the picture where it lands; its middle when absent
+ */
+export function addEntries(editor: EditorApi, parent: GameObject | null = null, at?: PagePoint): MenuEntry[] {
   const all = creations(editor.document.scene);
   const entries = (group: Creation['group'], folder: string | null = null): MenuEntry[] =>
     all
@@ -26,7 +49,7 @@ export function addEntries(editor: EditorApi, parent: GameObject | null = null):
       .map((creation) => ({
         label: creation.label,
         icon: iconOf(creation.kind),
-        run: () => editor.attempt(() => addCreation(editor, creation, parent)),
+        run: () => editor.attempt(() => addCreation(editor, creation, parent, at)),
       }));
   const folders = [...new Set(all.flatMap(({ folder }) => folder ?? []))];
   const parts = folders.map((folder): MenuEntry => ({ label: folder, entries: entries('mesh', folder) }));

@@ -1,3 +1,4 @@
+import type { GameObject } from '@farol/engine';
 import type { EditorApi } from '../api/EditorApi';
 import { copyObjects, isClip, pasteObjects } from '../model/clip';
 import { deleteObjects } from '../model/edits';
@@ -45,6 +46,19 @@ export const paste: Action = {
   },
   enabled: ({ clipboard }) => isClip(clipboard.text),
 };
+
+/** At the top of the tree, on what is seen at a point of the page (CSS pixels). */
+export async function pasteAt(editor: EditorApi, at: { readonly x: number; readonly y: number }): Promise<void> {
+  const { landingView, pointInPicture } = await import('../files/landInPicture');
+  const { land } = await import('../viewport/placing/land');
+  const { document, commands, clipboard } = editor;
+  const { scene, selection } = document;
+  const { text } = clipboard;
+  if (!isClip(text)) return;
+  const point = pointInPicture(editor, at);
+  const place = (copies: readonly GameObject[]): void => land(landingView(editor), copies, point);
+  commands.run(pasteObjects(scene, text, scene, selection.ids, place));
+}
 
 /** Below what is selected. */
 export const pasteBelow: Action = {

@@ -6,5 +6,5 @@ export const focus: Action = {
   keys: ['F', 'NumpadDecimal'],
   menu: { menu: 'view', group: 'camera' },
   run: ({ viewport }) => viewport.focus(),
-  enabled: ({ viewport }) => viewport.lookThrough === null,
+  enabled: ({ viewport }) => viewport.flightProblem === null,
 };

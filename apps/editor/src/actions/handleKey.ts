@@ -30,13 +30,17 @@ function isOwnKey(target: EventTarget | null, action: Action): boolean {
 /**
  * Does the action of a key.
  * @param isCapture - before the focused element hears of the key: only actions that count in every place, which no menu
- * that is just closing shall swallow; else those that count where the focus is
+ * that is just closing shall swallow; else those that count where the focus is: none while keys go to a scene that plays,
+ * but Escape, which gives them back
  * @returns whether there is one; nobody else shall do anything with the key then
  */
 export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: boolean): boolean {
   if (event.defaultPrevented || event.isComposing || editor.dialogs.current) return false;
-  // a scene that is played through one of its cameras has the letters for itself
-  if (editor.viewport.sceneListens && !event.ctrlKey && !event.metaKey && event.key.length === 1) return false;
+  if (editor.viewport.keysGoToScene && !isCapture) {
+    if (event.key !== 'Escape') return false;
+    editor.viewport.input.giveKeysBack();
+    return true;
+  }
   const focus = focusOf(event.target);
   for (const action of allActions(editor)) {
     if ((action.inFields ?? false) !== isCapture) continue;

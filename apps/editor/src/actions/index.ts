@@ -1,8 +1,11 @@
+import { keepViews, showViews } from './bookmarks';
+import { align, distribute, drop } from './arrange';
 import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import type { Action } from '../api/Action';
 import { deselect } from './deselect';
 import { duplicate } from './duplicate';
+import { duplicateMany } from './duplicateMany';
 import { focus } from './focus';
 import { gizmoModes } from './gizmoModes';
 import { gizmoSpace } from './gizmoSpace';
@@ -13,24 +16,28 @@ import { chooseLanguage } from './language';
 import { lock } from './lock';
 import { goToMenuBar } from './menuBar';
 import { measure } from './measure';
+import { measureDistance } from './measureDistance';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
-import { pause, play, step, stop } from './play';
+import { pause, play, playFromCamera, playFromHere, step, stop } from './play';
 import { makeMaterial, newMaterial, unpackModel } from './materials';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
 import { toggleOrthographic, turns } from './projection';
+import { nextView, quadView, resetViews } from './quadView';
 import { redo } from './redo';
 import { remove } from './remove';
 import { rename } from './rename';
 import { exportScene } from './exportScene';
 import { save, saveAs } from './save';
 import { selectAll } from './selectAll';
+import { shadings, showShadings } from './shadings';
 import { showKeys } from './showKeys';
 import { showPalette } from './showPalette';
 import { maximiseViewport, nextPanel, previousPanel, resetPanels } from './showPanels';
 import { lookFrom } from './sides';
 import { snap } from './snap';
+import { alignToSurface, gizmoPivots, snapTargets } from './snapping';
 import { showStatistics } from './statistics';
 import { themes } from './themes';
 import { undo } from './undo';
@@ -55,6 +62,11 @@ export const actions: readonly Action[] = [
   paste,
   pasteBelow,
   duplicate,
+  duplicateMany,
+  drop,
+  ...align,
+  ...distribute,
+  measureDistance,
   group,
   ungroup,
   remove,
@@ -71,6 +83,9 @@ export const actions: readonly Action[] = [
   ...gizmoModes,
   gizmoSpace,
   snap,
+  ...snapTargets,
+  alignToSurface,
+  ...gizmoPivots,
   focus,
   showGrid,
   showIcons,
@@ -81,7 +96,16 @@ export const actions: readonly Action[] = [
   toggleOrthographic,
   ...turns,
   ...cameraActions,
+  ...showViews,
+  ...keepViews,
+  quadView,
+  nextView,
+  resetViews,
+  ...shadings,
+  showShadings,
   play,
+  playFromCamera,
+  playFromHere,
   pause,
   step,
   stop,

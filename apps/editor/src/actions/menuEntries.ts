@@ -9,10 +9,13 @@ export type MenuName = MenuPlace['menu'];
 /** The menus of the bar, from left to right, each with its groups from top to bottom. Other groups come after these. */
 const menus: Readonly<Record<MenuName, readonly string[]>> = {
   file: ['new', 'open', 'save', 'share', 'recover'],
-  edit: ['history', 'clipboard', 'select', 'handles', 'play', 'plugins'],
-  object: ['name', 'state', 'tree', 'prefab'],
-  view: ['camera', 'picture', 'show', 'figures', 'panels', 'window'],
-  help: ['keys', 'learn', 'about'],
+  edit: ['history', 'clipboard', 'select', 'snapping', 'handles', 'play', 'plugins'],
+  object: ['name', 'state', 'tree', 'duplicate', 'align', 'material', 'prefab'],
+  view: [
+    ...['camera', 'side', 'bookmarks', 'views', 'shading', 'picture'],
+    ...['show', 'measure', 'figures', 'panels', 'window'],
+  ],
+  help: ['keys', 'learn', 'language', 'about'],
 };
 
 export const menuNames = Object.keys(menus) as readonly MenuName[];

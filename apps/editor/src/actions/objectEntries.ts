@@ -5,6 +5,7 @@ import type { Action } from '../api/Action';
 import { addEntries } from './addEntries';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import { duplicate } from './duplicate';
+import { duplicateMany } from './duplicateMany';
 import { focus } from './focus';
 import { group, ungroup } from './group';
 import { hide } from './hide';
@@ -20,7 +21,7 @@ export function objectEntries(editor: EditorApi): MenuEntry[] | null {
   const entries = (...actions: Action[]): MenuEntry[] => actions.map((action) => actionEntry(action, editor));
   return [
     { label: t('Add below'), icon: 'add', entries: addEntries(editor, selected) },
-    ...['separator' as const, ...entries(cut, copy, paste, pasteBelow, duplicate)],
+    ...['separator' as const, ...entries(cut, copy, paste, pasteBelow, duplicate, duplicateMany)],
     ...['separator' as const, ...entries(rename, group, ungroup, makePrefab, unpackPrefab, remove)],
     ...['separator' as const, ...entries(hide, lock, focus)],
   ];

@@ -9,7 +9,6 @@ export const open: Action = {
   icon: 'open',
   menu: { menu: 'file', group: 'open' },
   async run(editor) {
-    if (!(await editor.mayLoseChanges())) return;
     const { fileOpen } = await import('browser-fs-access');
     const file = await fileOpen(fileType);
     await editor.openFileBytes(new Uint8Array(await file.arrayBuffer()), {

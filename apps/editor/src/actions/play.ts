@@ -1,4 +1,12 @@
+import type { Camera } from '@farol/engine';
 import type { Action } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
+import { isEvenlyScaled } from '../model/cameraEdits';
+
+const mainCamera = ({ document }: EditorApi): Camera | null => document.scene.activeCamera as Camera | null;
+
+const canPlayThrough = (editor: EditorApi): boolean =>
+  editor.document.simulation.state === 'stopped' && mainCamera(editor) !== null;
 
 export const play: Action = {
   id: 'play.play',
@@ -46,4 +54,31 @@ export const stop: Action = {
   menu: { menu: 'edit', group: 'play' },
   run: ({ document }) => document.simulation.stop(),
   enabled: ({ document }) => document.simulation.state !== 'stopped',
+};
+
+/** Seen through the scene's camera, as the finished scene will be. */
+export const playFromCamera: Action = {
+  id: 'play.fromCamera',
+  label: 'Play from the camera',
+  keys: ['Alt+P'],
+  inFields: true,
+  icon: 'camera',
+  menu: { menu: 'edit', group: 'play' },
+  run: (editor) => editor.viewport.playThrough(mainCamera(editor)!, false),
+  enabled: canPlayThrough,
+};
+
+/** The scene's camera begins where the editor looks from, until the scene stops. */
+export const playFromHere: Action = {
+  id: 'play.fromHere',
+  label: 'Play from here',
+  keys: ['Alt+Shift+P'],
+  inFields: true,
+  icon: 'eye',
+  menu: { menu: 'edit', group: 'play' },
+  run: (editor) => editor.viewport.playThrough(mainCamera(editor)!, true),
+  enabled(editor) {
+    const parent = mainCamera(editor)?.gameObject.parent;
+    return canPlayThrough(editor) && (!parent || isEvenlyScaled(parent));
+  },
 };

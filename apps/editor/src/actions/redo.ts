@@ -1,10 +1,9 @@
 import type { Action } from '../api/Action';
-import { lowerFirst, t } from '@farol/editing';
+import { t } from '@farol/editing';
 
 export const redo: Action = {
   id: 'edit.redo',
-  label: ({ commands }) =>
-    commands.redoLabel ? t('Redo {edit}', { edit: lowerFirst(commands.redoLabel) }) : t('Redo'),
+  label: ({ commands }) => (commands.redoLabel ? t('Redo: {edit}', { edit: commands.redoLabel }) : t('Redo')),
   keys: ['Ctrl+Y', 'Ctrl+Shift+Z'],
   inFields: true,
   icon: 'redo',

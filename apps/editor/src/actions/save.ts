@@ -7,7 +7,9 @@ import type { Action } from '../api/Action';
 /** What the file dialogs of open and save offer. */
 export const fileType = {
   id: 'farol-scene',
-  description: 'Farol scene',
+  get description() {
+    return t('Farol scene');
+  },
   mimeTypes: ['application/x-farol'],
   extensions: ['.farol', '.json'],
 };
@@ -39,7 +41,7 @@ async function write(editor: EditorApi, handle: FileSystemFileHandle | null): Pr
     notices.show('info', t('Saved {name}', { name: editor.file.name ?? '' }));
   } catch (error) {
     if (!(error instanceof Error) || error.name === 'AbortError') throw error;
-    failures.set(editor, notices.show('error', error.message, 'file'));
+    failures.set(editor, notices.show('error', error.message, 'file', { lasts: true }));
   }
 }
 

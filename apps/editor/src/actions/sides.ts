@@ -18,17 +18,17 @@ export type Side = (typeof sides)[number][0];
 export function sideName(side: Side): string {
   switch (side) {
     case 'right':
-      return t('Right');
+      return t('right##side');
     case 'left':
-      return t('Left');
+      return t('left##side');
     case 'top':
-      return t('Top');
+      return t('top##side');
     case 'bottom':
-      return t('Bottom');
+      return t('bottom##side');
     case 'front':
-      return t('Front');
+      return t('front##side');
     case 'back':
-      return t('Back');
+      return t('back##side');
   }
 }
 

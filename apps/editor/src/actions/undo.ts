@@ -1,10 +1,9 @@
-import { lowerFirst, t } from '@farol/editing';
+import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 
 export const undo: Action = {
   id: 'edit.undo',
-  label: ({ commands }) =>
-    commands.undoLabel ? t('Undo {edit}', { edit: lowerFirst(commands.undoLabel) }) : t('Undo'),
+  label: ({ commands }) => (commands.undoLabel ? t('Undo: {edit}', { edit: commands.undoLabel }) : t('Undo')),
   keys: ['Ctrl+Z'],
   inFields: true,
   icon: 'undo',

@@ -17,6 +17,7 @@ import type { Notices } from '../model/Notices';
 import type { RecentFiles } from '../model/RecentFiles';
 import type { Registry } from '../model/Registry';
 import type { Tour } from '../model/Tour';
+import type { Tools } from '../model/Tools';
 import type { Viewport } from '../viewport/Viewport';
 import type { Action } from './Action';
 import type { EditorPlugin } from './EditorPlugin';
@@ -61,6 +62,8 @@ export interface EditorApi {
   readonly microShaderPlace: PlaceToShow;
   readonly dialogs: Dialogs;
   readonly clipboard: Clipboard;
+  /** What is open over the picture, such as copies that are being arranged. */
+  readonly tools: Tools;
   /** What the Console panel shows. */
   readonly log: ConsoleLog;
   readonly notices: Notices;
@@ -111,7 +114,8 @@ export interface EditorApi {
   libraryForNext(): EditorDocument['assets'];
   /**
    * Opens a file: a `.farol` container, or plain JSON. It is checked, and its assets are loaded, before anything changes:
-   * of a broken file a dialog lists all problems, and the present scene stays.
+   * of a broken file a dialog lists all problems, and the present scene stays. Of a good one the user is asked what becomes of
+   * unsaved changes.
    * @param bytes - of the file, or the scene as text
    * @param fileOf - assets that came with a text, by their paths in it
    * @returns whether it was opened
@@ -119,7 +123,7 @@ export interface EditorApi {
   openFileBytes(bytes: Uint8Array | string, file: OpenFile, fileOf?: (path: string) => Blob | null): Promise<boolean>;
   /** Asks before packed data become large. */
   mayUnpack(this: void, sizes: UnpackQuestion): Promise<boolean>;
-  /** Asks whether unsaved changes may be lost, when there are any. */
+  /** Asks what becomes of unsaved changes, when there are any. @returns whether another scene may take this one's place */
   mayLoseChanges(): Promise<boolean>;
   /** Runs something; what it throws becomes a message, save where the user turned back from choosing a file. */
   attempt(run: () => unknown): void;

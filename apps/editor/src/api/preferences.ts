@@ -1,7 +1,9 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
 import type { Language } from '../language/languages';
-import type { EffectChoice } from '../viewport/ViewportEffects';
+import { defaultViews, type ViewChoice } from '../viewport/panes/ViewChoice';
+import type { GizmoPivot } from '../viewport/Gizmo';
+import type { SnapTarget } from '../viewport/handles/DragSnap';
 
 /** What the user has set up of the editor itself; kept in the browser, not in files. */
 export interface Preferences {
@@ -15,8 +17,13 @@ export interface Preferences {
   snapSteps: { readonly translate: number; readonly rotate: number; readonly scale: number };
   /** Whether the welcome is shown when the editor opens. */
   showWelcome: boolean;
-  /** What takes part in the picture beside the technique. */
-  effects: EffectChoice;
+  /** What drags hold to while they snap, and whether what is moved to a surface is turned along it. */
+  snapTo: SnapTarget;
+  alignsToSurface: boolean;
+  /** What several objects turn and grow about. */
+  pivot: GizmoPivot;
+  /** One view or four, and how they show the scene. */
+  views: ViewChoice;
 }
 
 export type PreferenceStore = StoreApi<Preferences>;
@@ -29,9 +36,12 @@ export const createPreferences = (storage: string): PreferenceStore =>
         folded: {},
         theme: 'dark',
         language: null,
+        views: defaultViews,
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },
         showWelcome: true,
-        effects: { antialiasing: 'auto', on: [] },
+        snapTo: 'grid',
+        alignsToSurface: false,
+        pivot: 'centre',
       }),
       { name: storage },
     ),

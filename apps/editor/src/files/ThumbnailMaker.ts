@@ -42,7 +42,9 @@ export class ThumbnailMaker {
   private readonly target = new WebGLRenderTarget(SIZE, SIZE, { type: HalfFloatType, samples: 4 });
   private readonly pixels = new Uint16Array(SIZE * SIZE * 4);
   private readonly pictures = new WeakMap<object, Map<string, Promise<string | null>>>();
-  private last: Promise<unknown> = Promise.resolve();
+  /** Pictures that wait; what was asked for last is drawn first. */
+  private readonly waiting: (() => Promise<void>)[] = [];
+  private isDrawing = false;
 
   constructor(private readonly viewport: Viewport) {
     whenLost(viewport.webgl, () => this.target.dispose());
@@ -62,13 +64,25 @@ export class ThumbnailMaker {
     if (material && !known.has(key)) this.forget(known);
     let picture = known.get(key);
     if (!picture) {
-      picture = this.last.then(idle).then(() => this.draw(entry, prefab));
-      this.last = picture;
+      picture = new Promise((resolve) => {
+        this.waiting.push(async () => resolve(await this.draw(entry, prefab)));
+      });
+      void this.drawWaiting();
       known.set(key, picture);
       // what was not loaded yet is asked for again
       void picture.then((address) => address ?? known.delete(key));
     }
     return picture;
+  }
+
+  private async drawWaiting(): Promise<void> {
+    if (this.isDrawing) return;
+    this.isDrawing = true;
+    while (this.waiting.length > 0) {
+      await idle();
+      await this.waiting.pop()!();
+    }
+    this.isDrawing = false;
   }
 
   /** Lets pictures go, once those that show them have had the time for others. */

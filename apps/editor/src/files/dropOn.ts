@@ -1,12 +1,9 @@
-import type { GameObject } from '@farol/engine';
-import type { Vector3Tuple } from '@farol/engine/fields';
-import { Plane, Raycaster, Vector2, Vector3 } from 'three';
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
-import { hitPoint } from '../viewport/pick';
 import type { FileMap } from '@farol/engine/files';
 import type { DraggedAsset } from './dragAsset';
 import { importFiles } from './importFiles';
+import { pointInPicture } from './landInPicture';
 import { type DropPlace, placeAsset } from './placeAsset';
 
 const isScene = (name: string): boolean => /\.(farol|json)$/i.test(name);
@@ -24,25 +21,8 @@ export type DropTarget =
   /** Files are imported, and nothing is placed. */
   | { readonly kind: 'elsewhere' };
 
-const ground = new Plane(new Vector3(0, 1, 0), 0);
-const raycaster = new Raycaster();
-
-/** The point and the object under the pointer: on what is seen there, else on the ground, else in the middle. */
-function placeInPicture(editor: EditorApi, x: number, y: number): DropPlace {
-  const { viewport, document } = editor;
-  const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
-  const point = new Vector2(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2);
-  const hit = hitPoint(document.scene, viewport.camera, point);
-  const target: GameObject | null = viewport.pick(point);
-  if (hit) return { point: hit.point.toArray() as Vector3Tuple, target };
-  raycaster.setFromCamera(point, viewport.camera);
-  const onGround = raycaster.ray.intersectPlane(ground, new Vector3());
-  const isNear = onGround && onGround.distanceTo(viewport.camera.position) < 1000;
-  return isNear ? { point: onGround.toArray() as Vector3Tuple, target } : { target };
-}
-
 function placeOf(editor: EditorApi, target: DropTarget): DropPlace {
-  if (target.kind === 'picture') return placeInPicture(editor, target.x, target.y);
+  if (target.kind === 'picture') return { at: target, target: editor.viewport.pick(pointInPicture(editor, target)) };
   const object = target.kind === 'tree' && target.id !== null ? editor.document.scene.findById(target.id) : null;
   const parent: Container | undefined = object ?? undefined;
   return { parent, target: object };
@@ -57,7 +37,6 @@ export async function dropOn(editor: EditorApi, { asset, files }: Dropped, targe
   const scene = [...files].find(([path]) => isScene(path));
   if (scene) {
     const [, file] = scene;
-    if (!(await editor.mayLoseChanges())) return;
     await editor.openFileBytes(new Uint8Array(await file.arrayBuffer()), { name: file.name, handle: null });
     return;
   }

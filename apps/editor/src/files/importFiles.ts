@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import type { AssetLibrary } from '@farol/engine';
-import { decodedUri, expandZips, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
+import { decodedUri, expandZips, packFbx, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { withProgress } from './withProgress';
 import { freeAssetName } from '../model/assetEdits';
@@ -8,7 +8,7 @@ import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
 
 /** Endings of the files that can be imported, for messages: an OBJ or STL is packed into a GLB, and a ZIP unpacked. */
-const importable = readableEndings.replace('.gltf,', '.gltf, .obj, .stl, .zip,');
+const importable = readableEndings.replace('.gltf,', '.gltf, .fbx, .obj, .stl, .zip,');
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
@@ -48,7 +48,7 @@ async function packed(files: FileMap, path: string, left: Set<string>): Promise<
   return new Blob([bytes], { type: 'model/gltf-binary' });
 }
 
-/** One GLB of an OBJ or STL, its materials and textures, which are taken out of `left`. @param notes - gets what is missing */
+/** One GLB of an FBX, OBJ or STL, its materials and textures, which are taken out of `left`. @param notes - gets what is missing */
 async function packedObj(
   files: FileMap,
   path: string,
@@ -56,7 +56,8 @@ async function packedObj(
   notes: string[],
   signal: AbortSignal,
 ): Promise<Blob> {
-  const obj = await packObj(files, path, signal);
+  const pack = /\.fbx$/i.test(path) ? packFbx : packObj;
+  const obj = await pack(files, path, signal);
   for (const each of obj.used) left.delete(each);
   notes.push(...obj.notes);
   return new Blob([obj.glb], { type: 'model/gltf-binary' });
@@ -117,7 +118,7 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
   const takeAll = async (): Promise<void> => {
     // of the model first: what it names is a part of it
     for (const path of files.keys()) {
-      const ending = /\.(gltf|obj|stl)$/i.exec(path)?.[1].toLowerCase();
+      const ending = /\.(gltf|fbx|obj|stl)$/i.exec(path)?.[1].toLowerCase();
       if (ending === undefined) continue;
       left.delete(path);
       try {

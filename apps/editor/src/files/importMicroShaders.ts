@@ -66,6 +66,6 @@ export async function importMicroShaders(
   }
   if (document.scene !== scene)
     throw new Error(t('{file} is not imported: another scene was opened meanwhile.', { file }));
-  microShaders.takeOver(t('Import {file}', { file }), edits);
+  microShaders.takeOver(t('Imported {file}', { file }), edits);
   return names;
 }

@@ -26,7 +26,16 @@ function isOurs(event: DragEvent): event is DragEvent & { readonly dataTransfer:
  * the tree, or elsewhere, where files are imported only. What a field takes for itself is not heard of here.
  */
 export function watchDrops(editor: EditorApi): void {
+  /** An open dialog is answered first: nothing is taken behind it, and the browser does not leave the editor for the file. */
+  const isRefused = (event: DragEvent): boolean => {
+    if (!editor.dialogs.current || !event.dataTransfer || !isFileDrag(event.dataTransfer)) return false;
+    event.preventDefault();
+    event.stopPropagation();
+    event.dataTransfer.dropEffect = 'none';
+    return true;
+  };
   const over = (event: DragEvent): void => {
+    if (isRefused(event)) return;
     if (!isOurs(event)) return;
     const { kind } = targetOf(event);
     if (kind === 'elsewhere' && isAssetDrag(event.dataTransfer)) return;
@@ -35,7 +44,7 @@ export function watchDrops(editor: EditorApi): void {
     event.dataTransfer.dropEffect = 'copy';
   };
   const drop = (event: DragEvent): void => {
-    if (!isOurs(event)) return;
+    if (isRefused(event) || !isOurs(event)) return;
     // else the browser would leave the editor for the file
     event.preventDefault();
     const target = targetOf(event);

@@ -1,5 +1,6 @@
 import type { Texts } from '@farol/editing';
 import { actions } from './es/actions';
+import { arrange } from './es/arrange';
 import { components } from './es/components';
 import { edits } from './es/edits';
 import { materials } from './es/materials';
@@ -7,11 +8,15 @@ import { messages } from './es/messages';
 import { numbers } from './es/numbers';
 import { panels } from './es/panels';
 import { picture } from './es/picture';
+import { player } from './es/player';
 import { rendering } from './es/rendering';
+import { views } from './es/views';
+import { welcome } from './es/welcome';
 
 /** All texts of the editor in Spanish, by their English ones. */
 export const es: Texts = {
   ...actions,
+  ...arrange,
   ...components,
   ...edits,
   ...materials,
@@ -19,5 +24,8 @@ export const es: Texts = {
   ...numbers,
   ...panels,
   ...picture,
+  ...player,
   ...rendering,
+  ...views,
+  ...welcome,
 };

@@ -155,8 +155,8 @@ export class MicroShaderEditing {
     if (users.length > 0)
       throw new Error(t('“{name}” is needed by {users}: change those first.', { name, users: users.join(', ') }));
     const label = this.isOwn(name)
-      ? t('Delete microshader {name}', { name })
-      : t('Revert microshader {name}', { name });
+      ? t('Deleted microshader {name}', { name })
+      : t('Reverted microshader {name}', { name });
     this.run(label, [{ name, text: null }]);
   }
 
@@ -246,7 +246,7 @@ export class MicroShaderEditing {
   private preview(name: string, text: string | null): void {
     const { commands, scene } = this.document;
     if (!this.gesture?.isOpen) this.gesture = commands.begin();
-    this.gesture.preview(new SetMicroShaders(t('Edit microshader {name}', { name }), scene, [{ name, text }]));
+    this.gesture.preview(new SetMicroShaders(t('Edited microshader {name}', { name }), scene, [{ name, text }]));
   }
 
   /** Brings the scene's texts into the renderers: after an edit, an undo, or when another scene was opened. */

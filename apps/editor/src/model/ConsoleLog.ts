@@ -1,4 +1,5 @@
 import { Signal } from '@farol/editing';
+import { readableText } from './readableText';
 
 export type ConsoleKind = 'error' | 'warning' | 'info';
 
@@ -39,7 +40,8 @@ export class ConsoleLog {
   }
 
   /** Says something. What was said before is said again at the end, and counted. */
-  add(kind: ConsoleKind, source: ConsoleSource, text: string, place?: ConsoleEntry['place']): void {
+  add(kind: ConsoleKind, source: ConsoleSource, message: string, place?: ConsoleEntry['place']): void {
+    const text = readableText(message);
     const isSame = (entry: ConsoleEntry): boolean =>
       entry.kind === kind && entry.source === source && entry.text === text;
     const before = this.list.find(isSame);

@@ -2,13 +2,15 @@ import { Signal } from '@farol/editing';
 import type { FileProblem } from '@farol/engine/files';
 import type { SessionInfo } from './SessionInfo';
 
-/** A question with two answers. */
+/** A question with two answers, or three. */
 export interface ConfirmDialog {
   readonly kind: 'confirm';
   readonly title: string;
   readonly text: string;
   /** What the button that agrees says. */
   readonly action: string;
+  /** A third answer: its button, and what is called before the dialog closes without agreement. */
+  readonly other?: { readonly label: string; choose(): void };
 }
 
 /** Everything that is wrong with a file. */

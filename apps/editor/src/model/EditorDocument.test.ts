@@ -128,6 +128,6 @@ describe('EditorDocument', () => {
     copy.transform.worldPosition.toArray().forEach((value, i) => expect(value).toBeCloseTo([1, 2, 3][i], 9));
     expect(() => pasteObjects(scene, text.replace('"Transform"', '"Teleporter"'), scene, [])).toThrow(/Teleporter/);
     expect(() => pasteObjects(scene, 'text', scene, [])).toThrow(/clipboard/);
-    expect(commands.history).toEqual(['Paste Source']);
+    expect(commands.history).toEqual(['Pasted Source']);
   });
 });

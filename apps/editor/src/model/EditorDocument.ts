@@ -42,6 +42,8 @@ export class EditorDocument {
   readonly materials = new Signal();
   /** The assets that are selected, by name, or id of a prefab: the last one is what the inspector shows. */
   readonly assetSelection = new AssetSelection<string>();
+  /** Emits when a view that is kept with the scene changes. */
+  readonly views = new Signal();
   /** Emits when a microshader of the scene changes. */
   readonly microShaders = new Signal();
   /** Takes what a component throws while it is simulated. */
@@ -126,6 +128,7 @@ export class EditorDocument {
       this.ownerSignals.get(change.material)?.emit();
       this.materials.emit();
     } else if (change.kind === 'microshader') this.microShaders.emit();
+    else if (change.kind === 'view') this.views.emit();
     else {
       if (change.kind === 'prefab' || (change.kind === 'object' && change.property === 'prefab')) this.prefabs.emit();
       this.structure.emit();

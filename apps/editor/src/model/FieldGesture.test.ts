@@ -56,7 +56,7 @@ it('takes a value that comes after the commit into the same step, unless that wa
   commands.markSaved();
   gesture.amend(6);
   gesture.amend(7);
-  expect(commands.history).toEqual(['Set intensity of Light']);
+  expect(commands.history).toEqual(['Set intensity of Light to 7']);
   expect(commands.isDirty).toBe(true);
   expect(lights.map(({ intensity }) => intensity)).toEqual([7, 7]);
   commands.undo();

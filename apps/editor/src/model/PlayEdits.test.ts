@@ -58,7 +58,7 @@ describe('edits while playing', () => {
     ]);
     playEdits.keep(playEdits.changes[1]);
     expect(light.range).toBe(5);
-    expect(commands.history).toEqual([...steps, 'Keep range of Lamp']);
+    expect(commands.history).toEqual([...steps, 'Kept range of Lamp']);
     expect(playEdits.changes.map(({ name }) => name)).toEqual(['decay']);
     commands.undo();
     expect(state()).toBe(before);
@@ -93,11 +93,11 @@ describe('edits while playing', () => {
     const played = state();
     simulation.stop();
     expect(state()).toBe(before);
-    expect(playEdits.others).toEqual(['Add Added', 'Delete Other', 'Move Lamp']);
+    expect(playEdits.others).toEqual(['Added Added', 'Deleted Other', 'Moved Lamp into Added']);
     expect(() => playEdits.keep(playEdits.changes[0])).toThrow(/was added while playing/);
     playEdits.keepAll();
     expect(state()).toBe(played);
-    expect(commands.history).toEqual(['Keep edits of playing']);
+    expect(commands.history).toEqual(['Kept the edits made while playing']);
     commands.undo();
     expect(state()).toBe(before);
     commands.redo();

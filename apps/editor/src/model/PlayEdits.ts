@@ -93,7 +93,7 @@ export class PlayEdits {
   keep(change: PlayChange): void {
     const { owner, name, to } = change;
     this.check(change);
-    this.document.commands.run(new SetFields(t('Keep {name}', { name: nameOf(change) }), [{ owner, name, value: to }]));
+    this.document.commands.run(new SetFields(t('Kept {name}', { name: nameOf(change) }), [{ owner, name, value: to }]));
     this.values = this.values.filter((each) => !sameField(each, change));
     this.dropAll();
     this.changed.emit();
@@ -102,12 +102,12 @@ export class PlayEdits {
   /** Keeps what is left, as one step of history. @throws Error as `keep` does; nothing is kept then */
   keepAll(): void {
     if (this.canKeepAll) {
-      this.document.commands.run(new CommandList(t('Keep edits of playing'), this.all));
+      this.document.commands.run(new CommandList(t('Kept the edits made while playing'), this.all));
       this.all = [];
     } else {
       for (const change of this.values) this.check(change);
       const edits = this.values.map(({ owner, name, to }) => ({ owner, name, value: to }));
-      this.document.commands.run(new SetFields(t('Keep edits of playing'), edits));
+      this.document.commands.run(new SetFields(t('Kept the edits made while playing'), edits));
     }
     this.dismiss();
   }

@@ -48,7 +48,7 @@ export function addMaterial(
 ): { command: Command; name: string } {
   const { assets } = scene;
   const made = newMaterial(assets, name, values);
-  const label = t('New material {name}', { name: made.name });
+  const label = t('Made material {name}', { name: made.name });
   const edits = users.flatMap((owner): FieldEdit[] => [
     { owner, name: 'shader', value: null },
     { owner, name: 'material', value: made.name },
@@ -80,9 +80,9 @@ export function valuesOfOwnMaterial(renderer: ObjectRenderer): Record<string, Fi
 /** A copy of a material, in the same folder. @throws AssetError when its fields cannot be read */
 export function duplicateMaterial(scene: Scene, name: string): { command: Command; name: string } {
   const material = scene.assets.materialAsset(name);
-  if (!material) throw new AssetError(name, 'is not made of fields: make a new material.');
+  if (!material) throw new AssetError(name, t('is not made of fields: make a new material.'));
   const made = addMaterial(scene, name, material.changedValues());
-  return { ...made, command: withLabel(t('Duplicate {name}', { name }), made.command) };
+  return { ...made, command: withLabel(t('Duplicated {name}', { name }), made.command) };
 }
 
 const withLabel = (label: string, command: Command): Command => new Sequence(label, [() => command]);
@@ -93,7 +93,7 @@ function checkedName(assets: AssetLibrary, from: string, to: string): string {
     .split('/')
     .map((part) => part.trim())
     .join('/');
-  if (name.split('/').includes('')) throw new AssetError(to, 'needs a name.');
+  if (name.split('/').includes('')) throw new AssetError(to, t('needs a name.'));
   const ending = endingOf(from);
   const isFile = assets.fileOf(from) !== null;
   return isFile && ending !== '' && !name.toLowerCase().endsWith(ending.toLowerCase()) ? name + ending : name;
@@ -103,12 +103,12 @@ function checkedName(assets: AssetLibrary, from: string, to: string): string {
 export function renameAsset(scene: Scene, from: string, to: string): Command {
   const { assets } = scene;
   const name = checkedName(assets, from, to);
-  if (name !== from && assets.has(name)) throw new AssetError(name, 'is there already: choose another name.');
+  if (name !== from && assets.has(name)) throw new AssetError(name, t('is there already: choose another name.'));
   const isMove = splitName(name).leaf === splitName(from).leaf;
   const folder = splitName(name).folder || t('the top');
   const label = isMove
-    ? t('Move {name} to {folder}', { name: splitName(from).leaf, folder })
-    : t('Rename {name} to {next}', { name: from, next: name });
+    ? t('Moved {name} to {folder}', { name: splitName(from).leaf, folder })
+    : t('Renamed {name} to {next}', { name: from, next: name });
   return new RenameAsset(label, scene, from, name);
 }
 
@@ -154,8 +154,8 @@ export function addFolder(scene: Scene, path: string): Command {
   const { assets } = scene;
   const name = checkedName(assets, path, path);
   if (foldersOf(assets).includes(name) || assets.has(name))
-    throw new AssetError(name, 'is there already: choose another name.');
-  return new SetFolder(t('New folder {name}', { name }), assets, name, true);
+    throw new AssetError(name, t('is there already: choose another name.'));
+  return new SetFolder(t('Made folder {name}', { name }), assets, name, true);
 }
 
 /** Gives a folder another path, with all in it. @throws AssetError when there is one of that path */
@@ -163,10 +163,10 @@ export function renameFolder(scene: Scene, from: string, to: string): Command {
   const { assets } = scene;
   const path = checkedName(assets, from, to);
   if (foldersOf(assets).includes(path) || assets.has(path))
-    throw new AssetError(path, 'is there already: choose another name.');
-  if (path.startsWith(`${from}/`)) throw new AssetError(from, 'cannot be put into itself: choose another folder.');
+    throw new AssetError(path, t('is there already: choose another name.'));
+  if (path.startsWith(`${from}/`)) throw new AssetError(from, t('cannot be put into itself: choose another folder.'));
   const next = (name: string): string => path + name.slice(from.length);
-  const label = t('Rename {name} to {next}', { name: from, next: path });
+  const label = t('Renamed {name} to {next}', { name: from, next: path });
   const made = assets.folders.filter((folder) => folder === from || folder.startsWith(`${from}/`));
   return new Sequence(label, [
     ...assetsBelow(assets, from).map((name) => () => new RenameAsset(label, scene, name, next(name))),
@@ -184,10 +184,10 @@ export function removeFolder(scene: Scene, path: string): Command {
   if (count > 0) {
     throw new AssetError(
       path,
-      `holds ${count === 1 ? 'an asset' : `${count} assets`}: move or delete ${count === 1 ? 'it' : 'them'} first.`,
+      tCount(count, 'holds an asset: move or delete it first.', 'holds {count} assets: move or delete them first.'),
     );
   }
-  const label = t('Delete folder {name}', { name: path });
+  const label = t('Deleted folder {name}', { name: path });
   const made = assets.folders.filter((folder) => folder === path || folder.startsWith(`${path}/`));
   return new Sequence(
     label,

@@ -77,7 +77,7 @@ export function deleteAsset(scene: Scene, asset: string): Command {
     const { next, usages } = without(scene, prefab, names);
     return usages.length > 0 ? [next] : [];
   });
-  return new Sequence(t('Delete {asset}', { asset }), [
+  return new Sequence(t('Deleted {asset}', { asset }), [
     ...prefabs.map((prefab) => () => new SetPrefab(scene, prefab.id, prefab)),
     ...(edits.length > 0 ? [() => new SetFields('Clear', edits)] : []),
     () => new RemoveAsset(scene.assets, asset),

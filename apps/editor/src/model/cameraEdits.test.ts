@@ -51,7 +51,7 @@ it('brings a camera below turned and scaled objects to a view, as one step', () 
     commands.run(alignCamera(camera, view));
     expectSeenFrom(camera, view);
     expect(camera.fov, "a camera's own field of view stays").toBe(Math.PI / 3);
-    expect(commands.history).toEqual(['Align Camera to the view']);
+    expect(commands.history).toEqual(['Aligned Camera to the view']);
     commands.undo();
     expect(camera.gameObject.transform.authoredValues()).toEqual(before);
   }

@@ -85,7 +85,7 @@ export function alignCamera(camera: Camera, view: CameraView): Command {
   if (problem !== null) throw new Error(problem);
   const lens = Object.entries(lensOf(view, camera)).map(([name, value]) => ({ owner: camera, name, value }));
   const edits = [...poseEdits(camera.gameObject, view), ...lens];
-  return new SetFields(t('Align {name} to the view', { name: camera.gameObject.name }), edits);
+  return new SetFields(t('Aligned {name} to the view', { name: camera.gameObject.name }), edits);
 }
 
 /** Adds a camera that sees what is seen now, and selects it. @param selected - what is selected now */

@@ -17,6 +17,7 @@ import { AddAssets } from './commands/AddAssets';
 import { childrenOf, type Container, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';
 import { Sequence } from './commands/Sequence';
+import { nameUniquely } from './UniqueNames';
 
 /** Copied GameObjects as JSON data: what the clipboard holds. */
 export interface Clip {
@@ -126,12 +127,19 @@ function placeInWorld(object: GameObject, world: readonly number[], parent: Cont
 }
 
 /**
- * Puts copied objects below a parent, where they were in the world, with ids of their own, and selects them. All of the
+ * Puts copied objects below a parent, where they were in the world, with ids and names of their own, and selects them. All of the
  * text is checked first.
  * @param parent - for objects whose parent is still the same, their authored values stay to the last digit
+ * @param place - moves the copies, which are in no scene yet, to another place
  * @throws FileError listing what is wrong with the text; nothing has changed then
  */
-export function pasteObjects(scene: Scene, text: string, parent: Container, selected: readonly string[]): Command {
+export function pasteObjects(
+  scene: Scene,
+  text: string,
+  parent: Container,
+  selected: readonly string[],
+  place: (copies: readonly GameObject[]) => void = () => {},
+): Command {
   let clip: { objects?: FileObject[]; assets?: FileAsset[]; worlds?: number[][] };
   try {
     clip = JSON.parse(text) as typeof clip;
@@ -171,11 +179,13 @@ export function pasteObjects(scene: Scene, text: string, parent: Container, sele
     if (!isHome && Array.isArray(world) && world.length === 16) placeInWorld(copy, world, parent);
   });
   for (const root of made) root.dispose();
+  place(copies);
+  const label = countLabel(t('Pasted'), copies);
+  nameUniquely(scene, copies);
   const end = childrenOf(parent).length;
   const placements = copies.map((object, i) => ({ object, parent, index: end + i }));
-  const label = countLabel(t('Paste'), copies);
   const selection = { done: copies.map(({ id }) => id), undone: selected };
-  const place = new PlaceObjects(label, scene, 'add', placements, selection);
-  if (materials.length === 0) return place;
-  return new Sequence(label, [() => new AddAssets(scene.assets, materials), () => place], selection);
+  const add = new PlaceObjects(label, scene, 'add', placements, selection);
+  if (materials.length === 0) return add;
+  return new Sequence(label, [() => new AddAssets(scene.assets, materials), () => add], selection);
 }

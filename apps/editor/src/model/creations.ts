@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import { Camera, type ComponentClass, Decal, GameObject, Light, ObjectRenderer, type Scene } from '@farol/engine';
-import type { FieldValue } from '@farol/engine/fields';
+import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
@@ -15,13 +15,24 @@ export interface Creation {
   make(): GameObject;
 }
 
+/** Sizes of meshes that would be too small at 1 m. */
+const scales: Readonly<Record<string, Vector3Tuple>> = { plane: [10, 1, 10] };
+
+/** What new meshes are like: as in other editors they throw shadows, and shadows fall on them. */
+export const meshShadows = { castShadow: true, receiveShadow: true } as const;
+
+/** Shadows with soft edges. @param size - of the shadow map (texels) */
+function softShadow(size: number): Values {
+  return { shadowMapSize: size, shadowRadius: 2 };
+}
+
 /** What new lights are like, so that they are seen at once among others. */
 const lightValues: Readonly<Record<string, Values>> = {
   ambient: { intensity: 0.3 },
   hemisphere: { intensity: 0.6 },
-  directional: { intensity: 1.5 },
-  point: { intensity: 20, range: 10 },
-  spot: { intensity: 60, range: 15 },
+  directional: { intensity: 1.5, castShadow: true, ...softShadow(2048) },
+  point: { intensity: 12, range: 10, ...softShadow(512) },
+  spot: { intensity: 30, range: 15, castShadow: true, ...softShadow(1024) },
 };
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
@@ -56,7 +67,12 @@ function meshCreation(mesh: string): Creation {
     .split('/')
     .map((name) => t(words(name)))
     .toReversed();
-  return { label, group: 'mesh', folder, kind: 'mesh', make: () => withComponent(label, ObjectRenderer, { mesh }) };
+  const make = (): GameObject => {
+    const object = withComponent(label, ObjectRenderer, { mesh, ...meshShadows });
+    if (mesh in scales) object.transform.scale = scales[mesh];
+    return object;
+  };
+  return { label, group: 'mesh', folder, kind: 'mesh', make };
 }
 
 /** All that can be added, from the registries: a mesh or a type of light that is added there is here too. */

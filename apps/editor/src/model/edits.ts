@@ -1,21 +1,33 @@
-import { type Command, countLabel, SetFields, t } from '@farol/editing';
+import { type Command, countLabel, namesOf, SetFields, t } from '@farol/editing';
 import { type Component, type ComponentClass, GameObject, type Scene } from '@farol/engine';
 import type { FieldOwner, FieldValue } from '@farol/engine/fields';
+import { componentName } from './componentName';
 import { MoveComponents } from './commands/MoveComponents';
 import { MoveObjects } from './commands/MoveObjects';
 import { childrenOf, type Container, containerOf, placementOf, topmost } from './commands/Placement';
 import { PlaceComponents } from './commands/PlaceComponents';
 import { PlaceObjects } from './commands/PlaceObjects';
 import { SetProperty } from './commands/SetProperty';
+import { nameUniquely } from './UniqueNames';
 
 /** Commands for what a user does. Each captures what the scene is like when it is made, and is to be done then. */
 
 const ids = (objects: readonly GameObject[]): string[] => objects.map(({ id }) => id);
 
-/** Adds a new object at the end of a parent, and selects it. @param selected - what is selected now */
+/** A component and the objects that it is on, for labels. @param components - of one type */
+const ofObjects = (components: readonly Component[]): { component: string; name: string } => ({
+  component: componentName(components[0]?.typeName ?? ''),
+  name: components.length === 0 ? '' : namesOf(components.map(({ gameObject }) => gameObject)),
+});
+
+/**
+ * Adds a new object at the end of a parent, under a name that no other one has, and selects it.
+ * @param selected - what is selected now
+ */
 export function addObject(scene: Scene, object: GameObject, parent: Container, selected: readonly string[]): Command {
+  nameUniquely(scene, [object]);
   const placement = { object, parent, index: childrenOf(parent).length };
-  return new PlaceObjects(t('Add {name}', { name: object.name }), scene, 'add', [placement], {
+  return new PlaceObjects(t('Added {name}', { name: object.name }), scene, 'add', [placement], {
     done: [object.id],
     undone: selected,
   });
@@ -25,13 +37,13 @@ export function addObject(scene: Scene, object: GameObject, parent: Container, s
 export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const placements = tops.map((object) => placementOf(object, scene));
-  return new PlaceObjects(countLabel(t('Delete'), tops), scene, 'remove', placements, {
+  return new PlaceObjects(countLabel(t('Deleted'), tops), scene, 'remove', placements, {
     done: [],
     undone: ids(objects),
   });
 }
 
-/** Puts a copy of each object, with all below it, after it, and selects the copies. */
+/** Puts a copy of each object, with all below it, after it, under a name of its own, and selects the copies. */
 export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const shift = new Map<Container, number>();
@@ -42,7 +54,8 @@ export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): 
     return { object: source.clone(), parent, index: index + 1 + earlier };
   });
   const copies = placements.map(({ object }) => object);
-  return new PlaceObjects(countLabel(t('Duplicate'), tops), scene, 'add', placements, {
+  nameUniquely(scene, copies);
+  return new PlaceObjects(countLabel(t('Duplicated'), tops), scene, 'add', placements, {
     done: ids(copies),
     undone: ids(objects),
   });
@@ -66,28 +79,32 @@ export function moveObjects(scene: Scene, objects: readonly GameObject[], parent
   const moving = new Set(tops);
   const staying = childrenOf(parent).filter((child) => !moving.has(child));
   const before = index === undefined ? null : (staying[index] ?? null);
-  const verb = tops.every((object) => containerOf(object, scene) === parent) ? t('Reorder') : t('Move');
-  return new MoveObjects(countLabel(verb, tops), scene, tops, parent, before);
+  const name = namesOf(tops);
+  let label = t('Moved {name} to the top', { name });
+  if (tops.every((object) => containerOf(object, scene) === parent)) label = t('Reordered {name}', { name });
+  else if (parent instanceof GameObject) label = t('Moved {name} into {parent}', { name, parent: parent.name });
+  return new MoveObjects(label, scene, tops, parent, before);
 }
 
 export function renameObject(object: GameObject, name: string): Command {
-  return new SetProperty(t('Rename {name}', { name: object.name }), [object], 'name', name);
+  return new SetProperty(t('Renamed {name} to {next}', { name: object.name, next: name }), [object], 'name', name);
 }
 
 /** Shows or hides objects, with all below them. */
 export function setActive(objects: readonly GameObject[], active: boolean): Command {
-  return new SetProperty(countLabel(active ? t('Show') : t('Hide'), objects), objects, 'active', active);
+  return new SetProperty(countLabel(active ? t('Showed') : t('Hid'), objects), objects, 'active', active);
 }
 
 /** Locks objects, with all below them, against being picked in the picture; or unlocks them. */
 export function setLocked(objects: readonly GameObject[], locked: boolean): Command {
-  return new SetProperty(countLabel(locked ? t('Lock') : t('Unlock'), objects), objects, 'locked', locked);
+  return new SetProperty(countLabel(locked ? t('Locked') : t('Unlocked'), objects), objects, 'locked', locked);
 }
 
 export function setEnabled(components: readonly Component[], enabled: boolean): Command {
+  const words = ofObjects(components);
   const label = enabled
-    ? t('Enable {name}', { name: components[0]?.typeName })
-    : t('Disable {name}', { name: components[0]?.typeName });
+    ? t('Switched on {component} of {name}', words)
+    : t('Switched off {component} of {name}', words);
   return new SetProperty(label, components, 'enabled', enabled);
 }
 
@@ -109,7 +126,12 @@ export function addComponent(
       for (const name of Object.keys(values)) component.set(name, values[name]);
       return { component, object, index: object.components.length };
     });
-  return new PlaceComponents(t('Add {name}', { name: type.typeName }), scene, 'add', places);
+  return new PlaceComponents(
+    t('Added {component} to {name}', { component: componentName(type.typeName), name: namesOf(objects) }),
+    scene,
+    'add',
+    places,
+  );
 }
 
 /** Takes components off their objects. */
@@ -120,15 +142,15 @@ export function removeComponents(scene: Scene, components: readonly Component[])
       return { component, object, index: object.components.indexOf(component) };
     })
     .toSorted((a, b) => a.index - b.index);
-  return new PlaceComponents(t('Remove {name}', { name: components[0]?.typeName }), scene, 'remove', places);
+  return new PlaceComponents(t('Removed {component} from {name}', ofObjects(components)), scene, 'remove', places);
 }
 
 /** Moves components among those of their objects. @param by - -1 for up, 1 for down */
 export function moveComponents(components: readonly Component[], by: number): Command {
   return new MoveComponents(
     by < 0
-      ? t('Move {name} up', { name: components[0]?.typeName })
-      : t('Move {name} down', { name: components[0]?.typeName }),
+      ? t('Moved {component} of {name} up', ofObjects(components))
+      : t('Moved {component} of {name} down', ofObjects(components)),
     components,
     by,
   );

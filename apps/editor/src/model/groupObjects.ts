@@ -29,7 +29,7 @@ export function groupObjects(scene: Scene, objects: readonly GameObject[]): Comm
   const group = new GameObject(t('Group'));
   group.transform.position = middleOf(tops, place).toArray();
   return new Sequence(
-    countLabel(t('Group'), tops),
+    countLabel(t('Grouped'), tops),
     [
       () => new PlaceObjects('Add group', scene, 'add', [{ ...place, object: group }], none),
       () => new MoveObjects('Move into group', scene, tops, group, null),
@@ -52,8 +52,8 @@ export function ungroupObjects(scene: Scene, objects: readonly GameObject[]): Co
   ]);
   return new Sequence(
     groups.length === 1
-      ? t('Ungroup {name}', { name: groups[0].name })
-      : t('Ungroup {count} groups', { count: groups.length }),
+      ? t('Ungrouped {name}', { name: groups[0].name })
+      : t('Ungrouped {count} groups', { count: groups.length }),
     steps,
     {
       done: freed.map(({ id }) => id),

@@ -1,6 +1,9 @@
 import { t } from '@farol/editing';
 import { type AssetLibrary, Camera, GameObject, Light, Scene } from '@farol/engine';
 
+/** Soft and steady: a shadow map of 2 cm a texel. */
+const sunShadow = { castShadow: true, shadowMapSize: 2048, shadowRadius: 2 } as const;
+
 /** A scene to begin with: a camera, a sun and a sky. */
 export function makeEmptyScene(assets: AssetLibrary): Scene {
   const scene = new Scene({ name: t('Untitled'), assets });
@@ -8,7 +11,7 @@ export function makeEmptyScene(assets: AssetLibrary): Scene {
   camera.addComponent(Camera);
   camera.transform.lookAt([4, 3, 6], [0, 0.5, 0]);
   const sun = new GameObject(t('Sun'));
-  sun.addComponent(Light, { type: 'directional', intensity: 2 });
+  sun.addComponent(Light, { type: 'directional', intensity: 2, ...sunShadow });
   sun.transform.lookAt([6, 8, 4], [0, 0, 0]);
   const sky = new GameObject(t('Sky'));
   sky.addComponent(Light, { type: 'hemisphere', intensity: 0.4 });

@@ -1,4 +1,4 @@
-import { type Command, SetFields } from '@farol/editing';
+import { type Command, labelOfField, SetFields, t } from '@farol/editing';
 import type { Component, GameObject, Scene } from '@farol/engine';
 import {
   type FieldOverride,
@@ -77,11 +77,16 @@ function planned(label: string, scene: Scene, plan: PrefabPlan, selected: readon
   );
 }
 
+const fieldWords = (component: Component, field: string): { field: string; name: string } => ({
+  field: labelOfField(field, component.fields[field]).toLowerCase(),
+  name: component.gameObject.name,
+});
+
 /** Makes a prefab of an object with all below it, which becomes its first instance. @throws PrefabError for a part of an instance */
 export function createPrefab(scene: Scene, object: GameObject, selected: readonly string[]): Command {
   const { prefab, links } = makePrefab(object);
   const edits = [...links].map(([each, value]): PrefabEdit => ({ kind: 'link', object: each, value }));
-  return planned(`Make prefab ${prefab.name}`, scene, { prefabs: [prefab], edits }, selected);
+  return planned(t('Made prefab {name}', { name: prefab.name }), scene, { prefabs: [prefab], edits }, selected);
 }
 
 /** Adds an instance at the end of a parent, and selects it. @param position - in the parent (m); the prefab's own when absent */
@@ -99,17 +104,27 @@ export function placePrefab(
 
 /** Gives a prefab everything that an instance has of its own; all others follow. */
 export function applyInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
-  return planned(`Apply ${root.name} to its prefab`, scene, planApplyAll(root), selected);
+  return planned(t('Applied {name} to its prefab', { name: root.name }), scene, planApplyAll(root), selected);
 }
 
 /** Gives a prefab one field of an instance; all others follow. */
 export function applyField(scene: Scene, component: Component, field: string, selected: readonly string[]): Command {
-  return planned(`Apply ${field} to the prefab`, scene, planApplyField(component, field), selected);
+  return planned(
+    t('Applied {field} of {name} to its prefab', fieldWords(component, field)),
+    scene,
+    planApplyField(component, field),
+    selected,
+  );
 }
 
 /** Makes an instance as its prefab is. */
 export function revertInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
-  return planned(`Revert ${root.name} to its prefab`, scene, { prefabs: [], edits: planRevertAll(root) }, selected);
+  return planned(
+    t('Reverted {name} to its prefab', { name: root.name }),
+    scene,
+    { prefabs: [], edits: planRevertAll(root) },
+    selected,
+  );
 }
 
 /** Gives a field of an instance what the prefab has. */
@@ -119,16 +134,23 @@ export function revertField(scene: Scene, override: FieldOverride, selected: rea
   const pin = override.path.slice(override.path.indexOf('/') + 1);
   const edits: PrefabEdit[] = [{ kind: 'field', component, field, value: base }];
   if (object.prefabLink?.pinned) edits.push({ kind: 'link', object, value: withoutPin(object.prefabLink, pin) });
-  return planned(`Revert ${field} to the prefab`, scene, { prefabs: [], edits }, selected);
+  return planned(
+    t('Reverted {field} of {name} to its prefab', fieldWords(component, field)),
+    scene,
+    { prefabs: [], edits },
+    selected,
+  );
 }
 
 /** Makes an instance an object of its own. */
 export function unpackInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
-  return planned(`Unpack ${root.name}`, scene, { prefabs: [], edits: planUnpack(root) }, selected);
+  return planned(t('Unpacked {name}', { name: root.name }), scene, { prefabs: [], edits: planUnpack(root) }, selected);
 }
 
 export function renamePrefab(scene: Scene, prefab: Prefab, name: string): Command {
-  return new Sequence(`Rename prefab ${prefab.name}`, [() => new SetPrefab(scene, prefab.id, { ...prefab, name })]);
+  return new Sequence(t('Renamed prefab {name} to {next}', { name: prefab.name, next: name }), [
+    () => new SetPrefab(scene, prefab.id, { ...prefab, name }),
+  ]);
 }
 
 /** The roots of all instances of a prefab in a scene. */
@@ -153,7 +175,7 @@ export function deletePrefab(scene: Scene, prefab: Prefab, selected: readonly st
   });
   const edits = instancesOf(scene, prefab.id).flatMap(planUnpack);
   return new Sequence(
-    `Delete prefab ${prefab.name}`,
+    t('Deleted prefab {name}', { name: prefab.name }),
     [
       ...edits.map((edit) => () => commandOf(scene, edit)),
       ...others.map((other) => () => new SetPrefab(scene, other.id, other)),

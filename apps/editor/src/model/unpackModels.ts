@@ -51,9 +51,11 @@ export function unpackModels(scene: Scene, renderers: readonly ModelRenderer[]):
     if (problem !== null) throw new Error(problem);
   }
   const objects = named.map(({ gameObject }) => gameObject);
+  const ids = objects.map(({ id }) => id);
   return new Sequence(
-    countLabel(t('Unpack'), objects),
+    countLabel(t('Unpacked'), objects),
     named.map((renderer) => () => unpackOne(scene, renderer)),
+    { done: ids, undone: ids },
   );
 }
 

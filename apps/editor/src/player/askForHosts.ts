@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ForeignAddress } from '@farol/engine/files';
 
 /** Asks whether the scene of a link may load from other hosts. @returns the hosts: all of them, or none */
@@ -5,10 +6,12 @@ export function askForHosts(addresses: readonly ForeignAddress[]): Promise<reado
   const hosts = [...new Set(addresses.map(({ origin }) => origin))];
   const place = document.createElement('div');
   place.setAttribute('role', 'dialog');
-  place.setAttribute('aria-label', 'Files of other hosts');
+  place.setAttribute('aria-label', t('Files of other hosts'));
   const text = document.createElement('p');
-  const listed = hosts.slice(0, 8).join('\n') + (hosts.length > 8 ? `\n… and ${hosts.length - 8} more` : '');
-  text.textContent = `This scene asks for files of other hosts, which would learn that you open it:\n${listed}`;
+  const listed =
+    hosts.slice(0, 8).join('\n') +
+    (hosts.length > 8 ? `\n${t('… and {count} more', { count: hosts.length - 8 })}` : '');
+  text.textContent = `${t('This scene asks for files of other hosts, which would learn that you open it:')}\n${listed}`;
   place.append(text);
   return new Promise((resolve) => {
     const add = (label: string, answer: readonly string[]): void => {
@@ -21,8 +24,8 @@ export function askForHosts(addresses: readonly ForeignAddress[]): Promise<reado
       });
       place.append(button);
     };
-    add('Load from these hosts', hosts);
-    add('Open without them', []);
+    add(t('Load from these hosts'), hosts);
+    add(t('Open without them'), []);
     document.body.prepend(place);
   });
 }

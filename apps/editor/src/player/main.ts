@@ -1,3 +1,4 @@
+import { setTexts } from '@farol/editing';
 import {
   App,
   AssetLibrary,
@@ -11,6 +12,8 @@ import { deserialize, FileError, type ForeignAddress, readSceneFile } from '@far
 import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { decodeLink } from '../files/share/linkText';
+import { player } from '../language/es/player';
+import { firstLanguage } from '../language/languages';
 import { askForHosts, keepToHosts } from './askForHosts';
 
 /**
@@ -101,6 +104,10 @@ function listens(scene: Scene): boolean {
 }
 
 async function start(): Promise<void> {
+  if (firstLanguage(null, navigator.languages) === 'es') {
+    setTexts(player, 'es');
+    document.documentElement.lang = 'es';
+  }
   const app = new App({ parent: document.body, renderer: { antialias: true } });
   const scene = await readScene(app.webgl);
   app.scene = scene;

@@ -54,7 +54,7 @@ export class Plugins {
     this.install(plugin);
     const swaps = this.restored(plugin);
     if (swaps.length > 0) {
-      const label = t('Bring back {components}', { components: countsOf(swaps.map(({ after }) => after)) });
+      const label = t('Brought back {components}', { components: countsOf(swaps.map(({ after }) => after)) });
       const step = new SwapComponents(label, document.scene, swaps);
       document.commands.run(new PluginStep(step, { do: () => this.install(plugin) }));
     }
@@ -77,7 +77,7 @@ export class Plugins {
     // steps of the history may hold components of the plugin: they are undone only where the plugin is
     if (components.length > 0 || (isInHistory && (plugin.components?.length ?? 0) > 0)) {
       const swaps = components.map((before) => ({ before, after: asUnknown(before) }));
-      const step = new SwapComponents(t('Remove plugin {name}', { name }), document.scene, swaps);
+      const step = new SwapComponents(t('Removed plugin {name}', { name }), document.scene, swaps);
       commands.run(new PluginStep(step, { do: () => this.uninstall(plugin), undo: () => this.install(plugin) }));
     } else this.uninstall(plugin);
     const kept =

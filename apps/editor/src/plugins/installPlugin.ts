@@ -31,6 +31,7 @@ export function installPlugin(editor: EditorApi, plugin: EditorPlugin): () => vo
     endings.push(fieldEditors.add({ id: name, editor: control }));
   for (const [name, technique] of Object.entries(plugin.techniques ?? {})) {
     farol.addTechnique(name, technique);
+    viewport.picture.retakeTechnique();
     endings.push(() => {
       // what compares techniques has renderers of its own, which know this one
       viewport.painter = null;

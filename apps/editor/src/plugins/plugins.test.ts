@@ -1,7 +1,7 @@
 import { builtinComponents, Component, ComponentRegistry, GameObject, Scene } from '@farol/engine';
 import { component, type FieldType, custom, number, string } from '@farol/engine/fields';
 import { deserialize, serialize, UnknownComponent } from '@farol/engine/files';
-import type { FarolEffect, FarolRenderer, Technique } from '@farol/renderer';
+import type { FarolEffect, Technique } from '@farol/renderer';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { actions } from '../actions';
 import type { CustomFieldEditor, EditorApi } from '../api/EditorApi';
@@ -17,7 +17,7 @@ import { Notices } from '../model/Notices';
 import { Registry } from '../model/Registry';
 import { Signal } from '@farol/editing';
 import { panels } from '../panels';
-import { ViewportEffects } from '../viewport/ViewportEffects';
+import { AddedEffects } from '../viewport/AddedEffects';
 import { Plugins } from './Plugins';
 
 const help = 'For a test.';
@@ -55,13 +55,17 @@ function makeEditor(): EditorApi & { plugins: Plugins } {
     addTechnique: (name: string, technique: Technique) => void (techniques[name] = technique),
     removeTechnique: (name: string) => void delete techniques[name],
   };
-  const effects = new ViewportEffects(farol as unknown as FarolRenderer, vi.fn<() => void>(), (error) => {
-    throw error;
-  });
+  const added = new AddedEffects({ added: new Map(), addedChanged: vi.fn<() => void>() });
   const log = new ConsoleLog();
   const editor = {
     document: new EditorDocument(undefined, components),
-    viewport: { farol, addedEffects: effects.added, painter: {}, changed: new Signal() },
+    viewport: {
+      farol,
+      addedEffects: added.registry,
+      picture: { retakeTechnique: vi.fn<() => void>() },
+      painter: {},
+      changed: new Signal(),
+    },
     microShaders: {
       registry: { has: (name: string) => chunks.has(name) },
       addChunks(texts: Record<string, string>) {
@@ -228,7 +232,7 @@ describe('a plugin', () => {
     run(deleteObjects(scene, [tower]));
     editor.plugins.remove('Beacons');
     note();
-    expect(commands.history.at(-1)).toBe('Remove plugin Beacons');
+    expect(commands.history.at(-1)).toBe('Removed plugin Beacons');
     for (let i = states.length - 2; i >= 0; i--) {
       expect(commands.undo()).toBe(true);
       expect(stateOf(editor)).toBe(states[i]);
@@ -257,7 +261,7 @@ describe('a plugin', () => {
     expect(beaconOf(editor)).toBeInstanceOf(Beacon);
     expect(beaconOf(editor).authoredValues()).toEqual({ rate: 3, word: 'castle', depth: 0.5 });
     expect(stateOf(editor)).toBe(saved);
-    expect(commands.history.at(-1)).toBe('Bring back 1 Beacon');
+    expect(commands.history.at(-1)).toBe('Brought back 1 Beacon');
     while (commands.undo());
     expect(editor.document.scene.find('Tower')).toBeNull();
     while (commands.redo());

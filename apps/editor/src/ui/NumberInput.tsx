@@ -1,5 +1,6 @@
 import { formatNumber, readNumberInRange, roundToStep, t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useId, useRef, useState } from 'react';
+import { leaveField } from './leaveField';
 import { Slider } from './Slider';
 import { useScrub } from './useScrub';
 
@@ -116,22 +117,15 @@ export function NumberInput(props: NumberInputProps): ReactNode {
     setDraft(null);
     discard();
   };
-  const leave = (): void => {
-    // a popup keeps the focus, else the page has it
-    const popup = input.current?.closest<HTMLElement>('.popup, .dialog');
-    if (popup) popup.focus();
-    else input.current?.blur();
-  };
-
   const keyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
     const { key } = event;
     if (key === 'Enter') {
       event.stopPropagation();
-      if (takeOver()) leave();
+      if (takeOver()) leaveField(event.currentTarget);
     } else if (key === 'Escape') {
       event.stopPropagation();
       giveBack();
-      leave();
+      leaveField(event.currentTarget);
     } else if (key === 'ArrowUp' || key === 'ArrowDown') {
       event.preventDefault();
       if (!takeOver()) return;

@@ -58,7 +58,9 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
         <Combobox.Positioner className="positioner" sideOffset={3} align="end">
           <Combobox.Popup className="popup search-popup" aria-label={label}>
             <Combobox.Input className="input" placeholder={t('Search')} aria-label={t('Search: {label}', { label })} />
-            <Combobox.Empty className="menu-empty">{t('Nothing of that name.')}</Combobox.Empty>
+            <Combobox.Empty className="menu-empty">
+              {options.length === 0 ? t('There is none yet.') : t('Nothing of that name.')}
+            </Combobox.Empty>
             <Combobox.List className="menu-list">
               {(option: SearchOption) => (
                 <Combobox.Item key={option.value} value={option} className="menu-item">

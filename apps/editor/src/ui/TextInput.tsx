@@ -1,4 +1,5 @@
-import { type KeyboardEvent, type ReactNode, useState } from 'react';
+import { leaveField } from './leaveField';
+import { type KeyboardEvent, type ReactNode, useRef, useState } from 'react';
 
 interface TextInputProps {
   /** Null where several values differ. */
@@ -10,20 +11,28 @@ interface TextInputProps {
   onCommit(value: string): void;
 }
 
-/** Text that counts once Enter is pressed or the field is left; Escape goes back. */
+/** Text that counts once Enter is pressed or the field is left; Escape goes back. Both leave the field. */
 export function TextInput({ value, label, description, disabled, onCommit }: TextInputProps): ReactNode {
   /** What is being typed; null while nothing is. */
-  const [draft, setDraft] = useState<string | null>(null);
+  const [draft, showDraft] = useState<string | null>(null);
+  /** The draft as it is at once: leaving the field comes before the next rendering. */
+  const current = useRef<string | null>(null);
+  const setDraft = (next: string | null): void => {
+    current.current = next;
+    showDraft(next);
+  };
 
   const commit = (): void => {
+    const { current: typed } = current;
     setDraft(null);
-    if (draft !== null && draft !== value) onCommit(draft);
+    if (typed !== null && typed !== value) onCommit(typed);
   };
-  const keyDown = (event: KeyboardEvent): void => {
+  const keyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
     if (event.key === 'Enter') commit();
     else if (event.key === 'Escape') setDraft(null);
     else return;
     event.stopPropagation();
+    leaveField(event.currentTarget);
   };
 
   return (

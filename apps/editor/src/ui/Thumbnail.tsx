@@ -19,7 +19,8 @@ export function Thumbnail({ entry, size = 28 }: { entry: AssetEntry; size?: numb
   const [inSight, setInSight] = useState(false);
   useEffect(() => {
     const observer = new IntersectionObserver(([first]) => first.isIntersecting && setInSight(true));
-    observer.observe(place.current!);
+    // the card, since what is within it may be left out of the layout as long as it is out of sight
+    observer.observe(place.current!.parentElement!);
     return () => observer.disconnect();
   }, []);
   const picture = useThumbnail(entry, inSight);

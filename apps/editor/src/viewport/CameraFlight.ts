@@ -6,7 +6,7 @@ import type { EditorDocument } from '../model/EditorDocument';
 import type { EditorCamera } from './EditorCamera';
 
 /** Notches of the wheel, and presses of keys, that are no farther apart than this (ms) are one step. */
-const BURST = 800;
+const BURST = 1000;
 
 /** No camera's place. */
 const NOWHERE = Array.from({ length: 16 }, () => 0) as Parameters<Matrix4['set']>;

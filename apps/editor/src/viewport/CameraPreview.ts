@@ -1,4 +1,4 @@
-import type { Camera as CameraComponent, Scene as EngineScene } from '@farol/engine';
+import { type Camera as CameraComponent, PictureRenderer, type Scene as EngineScene } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry } from '@farol/renderer';
 import {
   type ColorSpace,
@@ -32,6 +32,7 @@ export interface PreviewPlace {
 /** What a camera of the scene sees, as a small picture in a corner of the large one. Made when it is first asked for. */
 export class CameraPreview {
   private readonly farol: FarolRenderer;
+  private readonly picture: PictureRenderer;
   private readonly target: WebGLRenderTarget;
   private readonly endLost: () => void;
   private readonly quad: Mesh<PlaneGeometry, MeshBasicMaterial>;
@@ -41,7 +42,11 @@ export class CameraPreview {
   /** What the small picture was drawn of. */
   private drawnOf = '';
 
-  constructor(private readonly webgl: WebGLRenderer) {
+  /** @param redraw - called when the small picture is to be drawn anew */
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    redraw: () => void,
+  ) {
     const colours = drawsFloats(webgl)
       ? { type: HalfFloatType }
       : { type: UnsignedByteType, colorSpace: SRGBColorSpace as ColorSpace };
@@ -51,6 +56,11 @@ export class CameraPreview {
       this.drawnOf = '';
     });
     this.farol = new FarolRenderer(webgl, { technique: 'forward-single-pass' });
+    const again = (): void => {
+      this.drawnOf = '';
+      redraw();
+    };
+    this.picture = new PictureRenderer(this.farol, { redraw: again, followsRendering: false });
     const material = new MeshBasicMaterial({
       map: this.target.texture,
       depthTest: false,
@@ -94,7 +104,7 @@ export class CameraPreview {
       camera.setViewport(place.width, place.height);
       webgl.setRenderTarget(this.target);
       webgl.autoClear = true;
-      this.farol.render(scene.three, camera.three);
+      this.picture.render(scene, camera.three, camera);
       webgl.setRenderTarget(before);
     }
     webgl.autoClear = false;
@@ -107,6 +117,7 @@ export class CameraPreview {
 
   dispose(): void {
     this.endLost();
+    this.picture.dispose();
     this.farol.dispose();
     this.target.dispose();
     this.quad.geometry.dispose();

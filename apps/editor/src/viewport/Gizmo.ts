@@ -1,5 +1,5 @@
 import {
-  countLabel,
+  dragLabel,
   type DragStart,
   type FieldEdit,
   type Gesture,
@@ -8,7 +8,6 @@ import {
   type PoseValues,
   roundPose,
   SetFields,
-  t,
   TransformDrag,
 } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
@@ -17,9 +16,13 @@ import type { TransformControls } from 'three/examples/jsm/controls/TransformCon
 import { topmost } from '../model/commands/Placement';
 import type { EditorDocument } from '../model/EditorDocument';
 import { boundsOf } from './boundsOf';
+import type { DragAssist } from './handles/DragAssist';
+import type { SnapTarget } from './handles/DragSnap';
 
 export type GizmoMode = 'select' | 'translate' | 'rotate' | 'scale';
 export type GizmoSpace = 'world' | 'local';
+/** What several objects turn and grow about: their middle, each its own place, or the place of the one chosen last. */
+export type GizmoPivot = 'centre' | 'each' | 'active';
 
 /** By what drags go while they snap. */
 export interface SnapSteps {
@@ -31,7 +34,6 @@ export interface SnapSteps {
   readonly scale: number;
 }
 
-const labels = () => ({ select: t('Select'), translate: t('Move'), rotate: t('Rotate'), scale: t('Scale##verb') });
 const euler = new Euler();
 const middle = new Vector3();
 
@@ -58,6 +60,8 @@ export class Gizmo {
 
   /** Null until something is first selected: they are fetched then. */
   private controls: TransformControls | null = null;
+  private assist: DragAssist | null = null;
+  private isSuspended = false;
   private loading: Promise<void> | null = null;
   private ownSpace: GizmoSpace = 'world';
   private readonly proxy = new Object3D();
@@ -71,6 +75,10 @@ export class Gizmo {
   private currentMode: GizmoMode = 'translate';
   private ctrl = false;
   private isSnapping = false;
+  private snapTarget: SnapTarget = 'grid';
+  /** Whether what is moved to a surface by the middle handle is turned so that its up is the normal there. */
+  alignsToSurface = false;
+  pivot: GizmoPivot = 'centre';
   private isDisposed = false;
   private readonly endSelection: () => void;
   private steps: SnapSteps = { translate: 0.5, rotate: MathUtils.degToRad(15), scale: 0.1 };
@@ -124,6 +132,23 @@ export class Gizmo {
     this.applySnapping();
   }
 
+  /** What drags hold to while they snap. */
+  get snapTo(): SnapTarget {
+    return this.snapTarget;
+  }
+
+  set snapTo(target: SnapTarget) {
+    this.snapTarget = target;
+    this.applySnapping();
+  }
+
+  /** Takes the handles away while something else has the pointer. */
+  set suspended(suspended: boolean) {
+    this.isSuspended = suspended;
+    if (suspended) this.cancel();
+    this.onChange();
+  }
+
   /** Each above 0. */
   get snapSteps(): SnapSteps {
     return this.steps;
@@ -159,12 +184,17 @@ export class Gizmo {
   cancel(): boolean {
     if (!this.gesture) return false;
     this.gesture.discard();
-    this.gesture = null;
-    if (this.controls) {
-      this.controls.dragging = false;
-      this.controls.axis = null;
-    }
+    this.release();
     return true;
+  }
+
+  /** Ends a drag before the pointer is up. */
+  private release(): void {
+    this.gesture = null;
+    this.assist?.end();
+    if (!this.controls) return;
+    this.controls.dragging = false;
+    this.controls.axis = null;
   }
 
   dispose(): void {
@@ -173,11 +203,27 @@ export class Gizmo {
     this.isDisposed = true;
     this.endSelection();
     this.controls?.dispose();
+    this.assist?.dispose();
   }
 
   private async load(): Promise<void> {
-    const { TransformControls } = await import('three/examples/jsm/controls/TransformControls.js');
+    const [{ TransformControls }, { DragAssist }] = await Promise.all([
+      import('three/examples/jsm/controls/TransformControls.js'),
+      import('./handles/DragAssist'),
+    ]);
     if (this.isDisposed) return;
+    // hears of the pointer before the handles do
+    this.assist = new DragAssist(
+      this.canvas,
+      () => this.controls?.pointerMove(null),
+      (keeps) => {
+        if (!keeps) this.cancel();
+        else {
+          this.gesture?.commit();
+          this.release();
+        }
+      },
+    );
     const controls = new TransformControls(new PerspectiveCamera(), this.canvas);
     // a finger is wider than a pointer
     controls.size = matchMedia('(pointer: coarse)').matches ? 1.3 : 0.85;
@@ -210,7 +256,7 @@ export class Gizmo {
 
   /** Takes the handles away where there is nothing to move by them. @returns whether that is so */
   private letGo(): boolean {
-    if (this.targets().length > 0 && this.currentMode !== 'select') return false;
+    if (this.targets().length > 0 && this.currentMode !== 'select' && !this.isSuspended) return false;
     this.detach();
     return true;
   }
@@ -220,10 +266,10 @@ export class Gizmo {
     if (controls?.object && !controls.dragging) controls.detach();
   }
 
-  /** In the middle of the selection, turned as the one chosen last. */
+  /** At the pivot of the selection, turned as the one chosen last. A single object's is its own place. */
   private placeProxy(objects: readonly GameObject[]): void {
     const last = objects.at(-1)!.object3D;
-    if (objects.length === 1) middle.setFromMatrixPosition(last.matrixWorld);
+    if (objects.length === 1 || this.pivot === 'active') middle.setFromMatrixPosition(last.matrixWorld);
     else boundsOf(objects).getCenter(middle);
     placePivot(this.proxy, middle, last.matrixWorld);
   }
@@ -236,25 +282,39 @@ export class Gizmo {
     this.before = objects.map(({ transform }) => transform.authoredValues() as unknown as PoseValues);
     this.transform = new TransformDrag(this.proxy, objects.map(startOf));
     this.gesture = this.document.commands.begin();
+    const { controls, currentMode: mode, proxy: pivot } = this;
+    if (!controls || mode === 'select') return;
+    const { camera, axis, space } = controls;
+    const { scene } = this.document;
+    this.assist?.begin({ scene, camera, mode, axis: axis ?? '', space, dragged: objects, pivot });
   }
 
   private drag(): void {
     const { gesture, transform, dragged, currentMode: mode } = this;
     if (!gesture?.isOpen || !transform || mode === 'select') return;
-    const edits = transform.poses(mode).flatMap((pose, i) => editsOf(dragged[i], this.before[i], pose));
-    gesture.preview(new SetFields(countLabel(labels()[mode], dragged), edits));
+    const holdsTo = this.snaps && this.snapTarget !== 'grid' ? this.snapTarget : null;
+    const { alignsToSurface } = this;
+    const turns = this.assist?.apply({ snapTo: holdsTo, alignsToSurface }) ?? false;
+    const poses = transform.poses(mode, { each: this.pivot === 'each', turns });
+    const edits = poses.flatMap((pose, i) => editsOf(dragged[i], this.before[i], pose));
+    gesture.preview(new SetFields(dragLabel(mode, dragged, transform), edits));
   }
 
   private end(): void {
     this.gesture?.commit();
     this.gesture = null;
+    this.assist?.end();
+  }
+
+  private get snaps(): boolean {
+    return this.isSnapping !== this.ctrl;
   }
 
   private applySnapping(): void {
-    const snaps = this.isSnapping !== this.ctrl;
+    const { snaps } = this;
     if (!this.controls) return;
     const { translate, rotate, scale } = this.steps;
-    this.controls.translationSnap = snaps ? translate : null;
+    this.controls.translationSnap = snaps && this.snapTarget === 'grid' ? translate : null;
     this.controls.rotationSnap = snaps ? rotate : null;
     this.controls.scaleSnap = snaps ? scale : null;
   }

@@ -2,15 +2,15 @@ import { Signal } from '@farol/editing';
 import {
   type Camera as CameraComponent,
   createWebGLRenderer,
-  followEffects,
   type GameObject,
-  InputRouter,
+  PictureRenderer,
 } from '@farol/engine';
 import { FarolRenderer, type MicroShaderRegistry, type TechniqueName } from '@farol/renderer';
 import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
 import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { Registry } from '../model/Registry';
+import { type AddedEffect, AddedEffects } from './AddedEffects';
 import { BoxSelect } from './BoxSelect';
 import { CameraPreview } from './CameraPreview';
 import { CanvasPlace } from './CanvasPlace';
@@ -28,10 +28,11 @@ import { type Bounds, paneSurface } from './panes/paneSurface';
 import type { ViewPane } from './panes/ViewPane';
 import type { PickSurface } from './PickSurface';
 import { PictureCamera } from './PictureCamera';
+import { PlayView } from './PlayView';
 import { PointerPicker } from './PointerPicker';
+import { SceneInput } from './SceneInput';
 import type { PlainShading } from './shading/PlainShading';
-import { type Shading, techniqueOf } from './shading/Shading';
-import { type AddedEffect, type EffectChoice, ViewportEffects } from './ViewportEffects';
+import { isPlain, type Shading, techniqueOf } from './shading/Shading';
 import { ViewportSettings } from './ViewportSettings';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
@@ -52,6 +53,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly timed = new Signal();
   /** Emits when the picture has another size. */
   readonly resized = new Signal();
+  /** The user asks for the menu of shadings. */
+  readonly shadingAsked = new Signal();
   readonly statistics = new FrameStatistics();
   readonly webgl: WebGLRenderer;
   readonly farol: FarolRenderer;
@@ -62,13 +65,19 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly picker: PointerPicker;
   readonly boxSelect: BoxSelect;
 
-  private readonly effects: ViewportEffects;
-  private readonly input: InputRouter;
+  /** Draws by `farol` what the scene's settings say of the picture. */
+  readonly picture: PictureRenderer;
+  /** Pointer and keys of a scene that plays. */
+  readonly input: SceneInput;
+
+  private readonly added: AddedEffects;
+  private readonly playView: PlayView;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
   /** Draws without lights; null while it is fetched, undefined before. */
   private plain: PlainShading | null | undefined;
   private assetChanges = 0;
+  private drawnBy: TechniqueName = 'auto';
   private readonly endings: (() => void)[] = [];
   private readonly pictureCamera: PictureCamera;
   private readonly place: CanvasPlace;
@@ -92,7 +101,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
-    this.effects = new ViewportEffects(this.farol, this.redraw, (error) => this.onError(error));
+    this.picture = new PictureRenderer(this.farol, { redraw: this.redraw, failed: (error) => this.onError(error) });
+    this.added = new AddedEffects(this.picture.effects);
     const dragged = (isDragging: boolean): void => {
       this.editorCamera.enabled = !isDragging;
     };
@@ -110,10 +120,14 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.helpers.scene.add(this.gizmo.three);
     this.boxSelect = new BoxSelect(this);
     this.picker = new PointerPicker(this);
-    this.input = new InputRouter(surface, window, {
-      dispatchPointer: (event) => this.sceneListens && document.scene.dispatchPointer(event),
-      dispatchKey: (event) => (this.keysGoToScene || event.type === 'up') && document.scene.dispatchKey(event),
-    });
+    this.input = new SceneInput(
+      document,
+      canvas,
+      surface,
+      () => this.lookThrough !== null,
+      () => this.changed.emit(),
+    );
+    this.playView = new PlayView(document, this);
     for (const signal of [document.edited, document.selection.changed, document.simulation.changed, this.changed]) {
       this.endings.push(signal.subscribe(this.redraw));
     }
@@ -139,7 +153,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.ownPainter?.dispose();
     this.ownPainter = painter;
     if (painter) this.panes.isQuad = false;
-    this.effects.suspended = painter !== null;
+    this.picture.effects.suspended = painter !== null;
     this.changed.emit();
   }
 
@@ -170,12 +184,18 @@ export class Viewport extends ViewportSettings implements PickSurface {
 
   /** Whether the pointer goes to the scene's own components. */
   get sceneListens(): boolean {
-    return this.lookThrough !== null && this.document.simulation.isPlaying;
+    return this.input.hasPointer;
   }
 
   /** Whether keys go to the scene's own components. */
   get keysGoToScene(): boolean {
-    return this.sceneListens;
+    return this.input.hasKeys;
+  }
+
+  /** Plays the scene, seen through a camera of it until it stops. @param isHere - whether from where the editor looks */
+  playThrough(camera: CameraComponent, isHere: boolean): void {
+    this.playView.play(camera, isHere ? this.viewed : null);
+    this.input.takeKeys();
   }
 
   /** The editor's own camera of the active view. */
@@ -205,22 +225,13 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.changed.emit();
   }
 
-  /** How the active view shows the scene. @throws Error naming what the device lacks */
+  /** How the active view shows the scene. */
   get shading(): Shading {
     return this.panes.active.shading;
   }
 
-  set shading(shading: Shading) {
-    this.shade(this.panes.active, shading);
-  }
-
-  /** Says how a view shows the scene. @throws Error naming what the device lacks */
+  /** Says how a view shows the scene. */
   shade(pane: ViewPane, shading: Shading): void {
-    if (shading === 'unlit') {
-      const { view } = this.farol;
-      this.farol.view = 'albedo';
-      this.farol.view = view;
-    }
     pane.shading = shading;
     this.changed.emit();
   }
@@ -238,24 +249,20 @@ export class Viewport extends ViewportSettings implements PickSurface {
 
   /** Has the next frame drawn, and those that an effect gathers. */
   invalidate(): void {
-    this.loop.ask(this.effects.frames);
-  }
-
-  /** Sets what takes part in the picture beside the technique. */
-  setEffects(choice: EffectChoice): void {
-    this.effects.choice = choice;
+    this.loop.ask(this.picture.effects.frames);
   }
 
   /** Effects of plugins. */
   get addedEffects(): Registry<AddedEffect> {
-    return this.effects.added;
+    return this.added.registry;
   }
 
   /** Draws now. */
   renderNow(): void {
     const { width, height } = this.place;
     const { list, active } = this.panes;
-    followEffects(this.farol, this.document.scene, this.redraw);
+    const { scene } = this.document;
+    this.picture.follow(scene);
     if (list.length > 1) this.webgl.clear();
     for (let i = 0; i < list.length; i++) if (list[i] !== active) this.drawPane(list[i]);
     // last, since the handles are taken where they were drawn last
@@ -264,14 +271,15 @@ export class Viewport extends ViewportSettings implements PickSurface {
       this.webgl.setScissorTest(false);
       this.webgl.setViewport(0, 0, width, height);
     }
+    this.picture.effects.update(scene.settings);
+    this.noticeTechnique();
     const { previewed } = this;
     if (previewed) {
       this.preview ??= this.makePreview();
-      const { scene, edited } = this.document;
+      const { edited } = this.document;
       const key = `${edited.revision} ${scene.time} ${this.assetChanges}`;
       this.preview.render(scene, previewed, width, height, key);
     }
-    this.effects.update();
     this.statistics.add(performance.now());
     this.drawn.emit();
   }
@@ -339,13 +347,14 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.preview?.dispose();
     this.ball?.dispose();
     this.input.dispose();
+    this.playView.dispose();
     this.gizmo.dispose();
     this.helpers.dispose();
     this.pictureCamera.dispose();
     this.panes.dispose();
     this.plain?.dispose();
     this.ownPainter?.dispose();
-    this.effects.dispose();
+    this.picture.dispose();
     this.farol.dispose();
     this.webgl.dispose();
   }
@@ -371,27 +380,28 @@ export class Viewport extends ViewportSettings implements PickSurface {
     const camera = this.cameraOf(pane);
     const lookThrough = pane === panes.main ? this.lookThrough : null;
     lookThrough?.setViewport(width, height);
-    this.drawScene(pane, camera);
+    this.drawScene(pane, camera, lookThrough);
     this.gizmo.update(this.raysOf(pane));
     if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
       this.helpers.render(webgl, camera, lookThrough, this.gizmo.isDragging);
   }
 
-  private drawScene({ shading }: ViewPane, camera: Camera): void {
-    const { farol } = this;
-    const scene = this.document.scene.three;
-    if ((shading === 'clay' || shading === 'wireframe') && this.painter === null && this.plainShading()) {
-      this.plain!.render(scene, camera, shading);
+  private drawScene(pane: ViewPane, camera: Camera, lookThrough: CameraComponent | null): void {
+    const { farol, painter, picture } = this;
+    const { shading } = pane;
+    const scene = this.document.scene;
+    if (isPlain(shading) && painter === null && this.plainShading()) {
+      this.plain!.render(scene.three, camera, shading);
       return;
     }
-    const { view, technique } = farol;
+    const { technique } = farol;
     const own = techniqueOf(shading);
     try {
-      if (shading === 'unlit' && view === 'final') farol.view = 'albedo';
       if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
-      (this.painter ?? farol).render(scene, camera);
+      // views beside the main one are for work: they go without blur, bloom and the like
+      if (painter === null && pane === this.panes.main) picture.draw(scene, camera, lookThrough);
+      else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
     } finally {
-      farol.view = view;
       farol.technique = technique;
     }
   }
@@ -419,7 +429,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
   }
 
   private makePreview(): CameraPreview {
-    const preview = new CameraPreview(this.webgl);
+    const preview = new CameraPreview(this.webgl, this.redraw);
     this.shareMicroShaders(preview.microshaders);
     return preview;
   }
@@ -427,6 +437,15 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private sceneOpened(): void {
     this.lookThrough = null;
     this.pictureCamera.showScene();
+    this.panes.lookFromSides();
+  }
+
+  /** Another scene, or a step of the history, may have brought another technique. */
+  private noticeTechnique(): void {
+    const { technique } = this.farol;
+    if (technique === this.drawnBy) return;
+    this.drawnBy = technique;
+    this.changed.emit();
   }
 
   /** A camera that was taken out cannot be looked through. */

@@ -1,7 +1,10 @@
 import type { FarolRenderer, TechniqueName, View } from '@farol/renderer';
-import { Signal } from '@farol/editing';
+import { Signal, t } from '@farol/editing';
+import type { EditorDocument } from '../model/EditorDocument';
+import { setValues } from '../model/edits';
 import type { FrameLoop } from './FrameLoop';
-import type { Gizmo, GizmoMode, GizmoSpace } from './Gizmo';
+import type { Gizmo, GizmoMode, GizmoPivot, GizmoSpace } from './Gizmo';
+import type { SnapTarget } from './handles/DragSnap';
 import type { Helpers } from './Helpers';
 
 /** What the user chooses of the picture and its handles; each change is told. */
@@ -9,6 +12,7 @@ export abstract class ViewportSettings {
   /** Emits when one of the settings changes, those of the viewport included. */
   readonly changed = new Signal();
 
+  abstract readonly document: EditorDocument;
   abstract readonly farol: FarolRenderer;
   abstract readonly gizmo: Gizmo;
   abstract readonly helpers: Helpers;
@@ -19,9 +23,11 @@ export abstract class ViewportSettings {
     return this.farol.technique;
   }
 
-  /** @throws Error naming what the device lacks */
+  /** That of the scene: another one is a step of the history. @throws Error when there is no such technique, or the device lacks what it needs */
   set technique(technique: TechniqueName) {
+    const { settings } = this.document.scene;
     this.farol.technique = technique;
+    this.document.commands.run(setValues(t('Set technique'), [settings], { technique }));
     this.changed.emit();
   }
 
@@ -64,6 +70,36 @@ export abstract class ViewportSettings {
 
   set snapping(snapping: boolean) {
     this.gizmo.snapping = snapping;
+    this.changed.emit();
+  }
+
+  /** What drags hold to while they snap. */
+  get snapTo(): SnapTarget {
+    return this.gizmo.snapTo;
+  }
+
+  set snapTo(target: SnapTarget) {
+    this.gizmo.snapTo = target;
+    this.changed.emit();
+  }
+
+  /** Whether what is moved to a surface is turned so that its up is the normal there. */
+  get alignsToSurface(): boolean {
+    return this.gizmo.alignsToSurface;
+  }
+
+  set alignsToSurface(aligns: boolean) {
+    this.gizmo.alignsToSurface = aligns;
+    this.changed.emit();
+  }
+
+  /** What several objects turn and grow about. */
+  get pivot(): GizmoPivot {
+    return this.gizmo.pivot;
+  }
+
+  set pivot(pivot: GizmoPivot) {
+    this.gizmo.pivot = pivot;
     this.changed.emit();
   }
 

@@ -1,5 +1,5 @@
 import { type GameObject, gameObjectOf, type Scene } from '@farol/engine';
-import { type Camera, type Intersection, type Object3D, Raycaster, SkinnedMesh, type Vector2 } from 'three';
+import { type Camera, type Intersection, type Object3D, type Ray, Raycaster, SkinnedMesh, type Vector2 } from 'three';
 
 export interface PickHit {
   readonly object: GameObject;
@@ -37,6 +37,19 @@ export function hitPoint(
   let nearest: Intersection | null = null;
   for (const hit of hits) if ((!nearest || hit.distance < nearest.distance) && counts(hit)) nearest = hit;
   return nearest;
+}
+
+/**
+ * All that a ray hits, nearest first, as of the last drawn frame; counted as `hitPoint` does.
+ * @param camera - whose layers count
+ */
+export function rayHits(scene: Scene, ray: Ray, camera: Camera): Intersection[] {
+  raycaster.ray.copy(ray);
+  raycaster.camera = camera;
+  raycaster.layers.mask = camera.layers.mask;
+  const hits: Intersection[] = [];
+  collect(scene.three, camera, hits);
+  return hits.sort((a, b) => a.distance - b.distance);
 }
 
 /**

@@ -5,15 +5,16 @@ import type { KnownNames, ViewerState } from './ViewerState';
  * The query of a URL that gives this state back: scene, technique and view always, the rest where it differs from its
  * default. `readState(writeState(state))` is `state`, less parameters that the scene does not have.
  *
+ * @param isScene whether a scene is on show, not a model, which no query can hold: the query names no scene then. Default true
  * @returns the query with its '?'
  */
-export function writeState(state: ViewerState, { scenes, defaults }: KnownNames): string {
+export function writeState(state: ViewerState, { scenes, defaults }: KnownNames, isScene = true): string {
   const entries: [string, FieldValue][] = [
-    ['scene', state.scene],
     ['technique', state.technique],
     ['view', state.view],
   ];
-  const fields = scenes[state.scene]?.parameters ?? {};
+  if (isScene) entries.unshift(['scene', state.scene]);
+  const fields = isScene ? (scenes[state.scene]?.parameters ?? {}) : {};
   for (const [name, field] of Object.entries(fields)) {
     const value = state.parameters[name];
     if (value !== undefined && String(value) !== String(field.default)) entries.push([name, value]);

@@ -27,6 +27,7 @@ export class HelpPanel {
 
     this.dialog.className = 'help';
     this.dialog.setAttribute('aria-label', 'Help');
+    this.dialog.tabIndex = -1;
     const close = document.createElement('button');
     close.type = 'button';
     close.textContent = 'Close';
@@ -46,8 +47,11 @@ export class HelpPanel {
   }
 
   toggle(): void {
-    if (this.dialog.open) this.dialog.close();
-    else this.dialog.showModal();
+    if (this.dialog.open) return this.dialog.close();
+    this.dialog.showModal();
+    // the browser has put the focus on the first button, which is at the end, and scrolled there
+    this.dialog.focus();
+    this.dialog.scrollTop = 0;
   }
 }
 

@@ -39,7 +39,7 @@ export function duplicateSelected({ commands, selection, topmost: objects }: Ses
   const placements = objects.map((object) => ({ ...placementOf(object), object: copyOf(object) }));
   commands.run(
     new PlaceObjects(
-      countLabel(t('Duplicate'), objects),
+      countLabel(t('Duplicated'), objects),
       'add',
       // after the original, and after the copies that come before it under the same parent
       placements.map((each) => {

@@ -44,7 +44,7 @@ describe('removeSelected', () => {
     removeSelected(session);
     expect(treeOf(session.scene)).toBe('f');
     expect(session.selection.items).toEqual([]);
-    expect(session.commands.undoLabel).toBe('Delete 3 objects');
+    expect(session.commands.undoLabel).toBe('Deleted 3 objects');
     session.commands.undo();
     expect(treeOf(session.scene)).toBe(before);
     expect(session.selection.items.map(({ name }) => name).join('')).toBe('eba');

@@ -14,5 +14,5 @@ export function removeSelected({ commands, topmost: objects, camera }: Session):
     if (objects.includes(above)) throw new Error(t('The page looks through this camera: it cannot be deleted.'));
   }
   const selection = { done: [], undone: objects };
-  commands.run(new PlaceObjects(countLabel(t('Delete'), objects), 'remove', objects.map(placementOf), selection));
+  commands.run(new PlaceObjects(countLabel(t('Deleted'), objects), 'remove', objects.map(placementOf), selection));
 }

@@ -1,7 +1,8 @@
-import { lowerFirst, t, type TransformMode } from '@farol/editing';
+import { t, type TransformMode } from '@farol/editing';
 import type { Session } from '../model/Session';
 import { duplicateSelected } from '../model/duplicateSelected';
 import { removeSelected } from '../model/removeSelected';
+import { icon, type IconName } from '../ui/icon';
 import { element } from '../ui/element';
 import type { Gizmo } from '../viewport/Gizmo';
 
@@ -32,26 +33,34 @@ export class Bar {
       made.addEventListener('click', run);
       return made;
     };
-    this.undo = button(t('Undo'), () => session.commands.undo());
-    this.redo = button(t('Redo'), () => session.commands.redo());
+    // the words and icons of Farol's own editor
+    const iconButton = (name: IconName, text: string, run: () => void) => {
+      const made = button('', run);
+      made.append(icon(name));
+      made.className = 'icon-button';
+      made.ariaLabel = made.title = text;
+      return made;
+    };
+    this.undo = iconButton('undo', t('Undo'), () => session.commands.undo());
+    this.redo = iconButton('redo', t('Redo'), () => session.commands.redo());
     const press = (made: HTMLButtonElement, isPressed: boolean) => made.setAttribute('aria-pressed', String(isPressed));
     const gizmos = Object.entries(modes()).map(([mode, label]) => {
-      const made = button(label, () => {
+      const made = iconButton(mode as TransformMode, label, () => {
         gizmo.mode = mode as TransformMode;
         for (const each of gizmos) press(each, each === made);
       });
       press(made, gizmo.mode === mode);
       return made;
     });
-    const space = button(t('Local'), () => {
+    const space = iconButton('local', t("Handles along the object's axes, not the world's"), () => {
       gizmo.space = gizmo.space === 'local' ? 'world' : 'local';
       press(space, gizmo.space === 'local');
     });
     press(space, gizmo.space === 'local');
-    this.duplicate = button(t('Duplicate'), () => session.attempt(() => duplicateSelected(session)));
-    this.remove = button(t('Delete'), () => session.attempt(() => removeSelected(session)));
-    this.duplicate.title = t('Ctrl+D in the panels');
-    this.remove.title = t('Delete in the panels');
+    this.duplicate = iconButton('duplicate', t('Duplicate'), () => session.attempt(() => duplicateSelected(session)));
+    this.remove = iconButton('remove', t('Delete'), () => session.attempt(() => removeSelected(session)));
+    this.duplicate.title = `${t('Duplicate')} (Ctrl+D)`;
+    this.remove.title = `${t('Delete')} (${t('Delete##key')})`;
     const fold = button(t('Hide'), () => {
       toggle();
       const isFolded = fold.ariaExpanded === 'true';
@@ -74,9 +83,9 @@ export class Bar {
     const { undoLabel, redoLabel } = commands;
     // not `disabled`, which would take the focus, and with it the keys, from a button that was just pressed
     this.undo.ariaDisabled = String(undoLabel === null);
-    this.undo.title = undoLabel === null ? '' : t('Undo {edit}', { edit: lowerFirst(undoLabel) });
+    this.undo.title = undoLabel === null ? t('Undo') : t('Undo: {edit}', { edit: undoLabel });
     this.redo.ariaDisabled = String(redoLabel === null);
-    this.redo.title = redoLabel === null ? '' : t('Redo {edit}', { edit: lowerFirst(redoLabel) });
+    this.redo.title = redoLabel === null ? t('Redo') : t('Redo: {edit}', { edit: redoLabel });
     for (const each of [this.duplicate, this.remove]) each.ariaDisabled = String(topmost.length === 0);
     this.problem.hidden = problem === '';
     this.problem.textContent = problem;

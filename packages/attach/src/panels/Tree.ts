@@ -2,6 +2,8 @@ import { t } from '@farol/editing';
 import type { Object3D } from 'three';
 import type { Session } from '../model/Session';
 import { element } from '../ui/element';
+import { icon } from '../ui/icon';
+import { objectIcon } from '../ui/objectIcon';
 
 const ROW = 22; // CSS pixels, as in style.css
 const MARGIN = 4; // rows drawn above and below what is seen
@@ -149,6 +151,7 @@ export class Tree {
       'div',
       { role: 'treeitem', id: `object-${id}` },
       element('span', { className: 'twist', 'aria-hidden': true }),
+      element('span', { className: 'kind' }),
       element('span', { className: 'name' }),
       element('span', { className: 'type' }),
     );
@@ -167,8 +170,15 @@ export class Tree {
     row.style.top = `${index * ROW}px`;
     row.style.paddingLeft = `${6 + 12 * depth}px`;
     row.dataset.index = String(index);
-    const [twist, name, type] = row.children;
-    setText(twist, !hasChildren ? '' : isOpen ? '▾' : '▸');
+    const [twist, kind, name, type] = row.children as unknown as HTMLElement[];
+    if (twist.childElementCount === 0) twist.append(icon('chevron', 10));
+    twist.dataset.open = String(isOpen);
+    twist.style.visibility = hasChildren ? '' : 'hidden';
+    const wanted = objectIcon(object);
+    if (kind.dataset.icon !== wanted) {
+      kind.dataset.icon = wanted;
+      kind.replaceChildren(icon(wanted, 14));
+    }
     setText(name, object.name || object.type);
     setText(type, object.name ? object.type : '');
   }
@@ -177,7 +187,7 @@ export class Tree {
     const target = event.target as HTMLElement;
     const row = this.rows[Number(target.closest<HTMLElement>('.row')?.dataset.index ?? -1)];
     if (!row) return;
-    if (target.className === 'twist' && row.object.children.length > 0) this.toggle(row.object);
+    if (target.closest('.twist') && row.object.children.length > 0) this.toggle(row.object);
     else this.choose(row.object, event);
   }
 

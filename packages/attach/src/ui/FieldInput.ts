@@ -19,6 +19,7 @@ export class FieldInput {
   private readonly label: string;
   private readonly parts: readonly FieldPart[];
   private readonly gesture: FieldGesture<Object3D>;
+  private readonly problem = element('p', { className: 'problem', role: 'alert', hidden: true });
 
   /** @param owners at least one, all with the field */
   constructor(
@@ -40,23 +41,20 @@ export class FieldInput {
       isTriple ? element('span', heading, this.label) : element('label', { ...heading, htmlFor: id }, this.label),
       element('span', { className: 'controls' }, ...this.parts.map(({ control }) => control)),
       element('span', { className: 'unit', 'aria-hidden': true }, this.unit),
+      this.problem,
     );
     for (const part of this.parts) {
       part.control.setAttribute('aria-description', description);
       part.control.addEventListener('input', () => this.preview(session, part));
-      part.control.addEventListener('change', () => this.close());
+      part.control.addEventListener('change', () => this.takeOver(part));
     }
-    this.element.addEventListener('keydown', (event) => {
-      if (event.key !== 'Escape' || !this.gesture.isOpen) return;
-      this.gesture.discard();
-      this.close();
-    });
+    this.element.addEventListener('keydown', (event) => this.key(event));
     this.refresh();
   }
 
   /** Shows the value as it is now, unless it is being edited. */
   refresh(): void {
-    if (this.gesture.isOpen) return;
+    if (this.gesture.isOpen || this.parts.some(isWrong)) return;
     const values = this.owners.map((owner) => owner.getAuthored(this.name));
     for (const part of this.parts) part.show(values);
   }
@@ -68,7 +66,44 @@ export class FieldInput {
       mark(part, '');
       part.forget();
     }
+    this.tell('');
     this.refresh();
+  }
+
+  /** What was typed counts; what is no number stays, marked, with the reason, and is not taken. */
+  private takeOver(part: FieldPart): void {
+    const problem = part.unfinished?.() ?? null;
+    if (problem === null) {
+      this.close();
+      return;
+    }
+    this.gesture.discard();
+    mark(part, problem);
+    this.tell(problem);
+  }
+
+  /** Enter takes what was typed, Escape goes back; both leave the field, so that keys are the editor's again. */
+  private key({ key, target }: KeyboardEvent): void {
+    if (key !== 'Enter' && key !== 'Escape') return;
+    const part = this.parts.find(({ control }) => control === target);
+    if (key === 'Escape') {
+      this.gesture.discard();
+      this.close();
+    }
+    if (!(target instanceof HTMLInputElement) || target.type !== 'text') return;
+    if (key === 'Enter' && part?.unfinished?.()) {
+      this.takeOver(part);
+      return;
+    }
+    // the panel gets the keys from now on
+    const panel = this.element.closest<HTMLElement>('[tabindex]');
+    if (panel) panel.focus();
+    else target.blur();
+  }
+
+  private tell(problem: string): void {
+    this.problem.textContent = problem;
+    this.problem.hidden = problem === '';
   }
 
   private get unit(): string {
@@ -83,17 +118,23 @@ export class FieldInput {
     let problem = '';
     try {
       const update = part.read();
+      if (update === undefined) return;
       if (update === null) gesture.discard();
       else gesture.preview(update as FieldUpdate);
     } catch (error) {
       problem = error instanceof FieldError ? `${this.label} ${error.problem}` : messageOf(error);
     }
+    // what it was before, not what was typed before it was wrong
+    if (problem !== '') gesture.discard();
     mark(part, problem);
+    this.tell(problem);
     session.edited.emit();
   }
 }
 
 const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+const isWrong = ({ control }: FieldPart): boolean => control.getAttribute('aria-invalid') === 'true';
 
 /** Marks a control as wrong, with the reason as its tooltip. @param problem '' for none */
 function mark({ control }: FieldPart, problem: string): void {

@@ -1,8 +1,12 @@
 import {
   formatNumber,
   numberDisplay,
+  type NumberRange,
+  readNumberInRange,
+  roundToStep,
   sharedColour,
   sharedValue,
+  splitColour,
   t,
   withCoordinate,
   withIntensity,
@@ -11,8 +15,9 @@ import {
 import type { Field, FieldValue, Vector3Tuple } from '@farol/engine/fields';
 import { element } from './element';
 
-/** A new value, or a new triple made from each owner's own. */
-export type PartUpdate = number | string | boolean | ((before: Vector3Tuple) => Vector3Tuple);
+/** A new value, or one made from each owner's own. */
+export type PartUpdate =
+  number | string | boolean | ((before: number) => number) | ((before: Vector3Tuple) => Vector3Tuple);
 
 /** A control of a field: the whole value, one coordinate of three, or screen colour or intensity of a colour. */
 export interface FieldPart {
@@ -21,8 +26,13 @@ export interface FieldPart {
   show(values: readonly FieldValue[]): void;
   /** Has the next `show` write to the control in any case. */
   forget(): void;
-  /** What the control says; null where it is empty because the owners differ. */
-  read(): PartUpdate | null;
+  /**
+   * What the control says: null where it is empty, undefined for the beginning of a number.
+   * @throws Error that says why it is no number
+   */
+  read(): PartUpdate | null | undefined;
+  /** Why what is in the control cannot be taken over as it is; null when it can. */
+  readonly unfinished?: () => string | null;
 }
 
 const AXES = ['x', 'y', 'z'] as const;
@@ -62,7 +72,7 @@ function part(
   control: FieldPart['control'],
   textOf: (values: readonly FieldValue[]) => string | null,
   write: (text: string | null, values: readonly FieldValue[]) => void,
-  read: (isMixed: boolean) => PartUpdate | null,
+  read: () => PartUpdate | null | undefined,
 ): FieldPart {
   let shown: string | null | undefined;
   return {
@@ -75,40 +85,82 @@ function part(
       write(text, values);
     },
     forget: () => void (shown = undefined),
-    read: () => read(shown === null),
+    read,
   };
 }
 
-/** An input of numbers; an empty one is NaN, which no field allows, or leaves differing values as they are. */
+/** A number, or what makes one of the number before, both as they are shown. */
+type Typed = number | ((before: number) => number);
+
+/**
+ * An input that takes what a number's field of Farol's own editor takes: expressions, units, `+=`. Arrow keys step.
+ * @param updateOf the update of a number, or of what makes one
+ */
 function numericPart(
-  control: HTMLInputElement,
+  range: NumberRange & { readonly step: number },
+  properties: Record<string, unknown>,
   textOf: (values: readonly FieldValue[]) => string | null,
-  updateOf: (shown: number) => PartUpdate,
+  updateOf: (shown: Typed) => PartUpdate,
 ): FieldPart {
+  const { min, max, step } = range;
+  const limits = {
+    ...(min !== undefined && { 'aria-valuemin': min }),
+    ...(max !== undefined && { 'aria-valuemax': max }),
+  };
+  const control = element('input', {
+    ...{ type: 'text', inputMode: 'decimal', role: 'spinbutton', autocomplete: 'off', spellcheck: false },
+    ...limits,
+    ...properties,
+  });
   const write = (text: string | null): void => {
     control.value = text ?? '';
     control.placeholder = text === null ? '—' : '';
+    if (text === null) control.removeAttribute('aria-valuenow');
+    else control.setAttribute('aria-valuenow', text);
   };
-  return part(control, textOf, write, (isMixed) => {
-    if (control.value === '') return isMixed ? null : updateOf(Number.NaN);
-    return updateOf(Number(control.value));
+  control.addEventListener('keydown', (event) => {
+    if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+    const read = readNumberInRange(control.value, range);
+    if (read.problem !== null || read.isRelative) return;
+    event.preventDefault();
+    const by = step * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+    const next = roundToStep(read.valueFor(0) + (event.key === 'ArrowUp' ? by : -by), by);
+    control.value = String(Math.min(Math.max(next, min ?? -Infinity), max ?? Infinity));
+    control.dispatchEvent(new Event('input', { bubbles: true }));
   });
+  // the browser tells of no change that it did not see typed
+  control.addEventListener('keyup', ({ key }) => {
+    if (key === 'ArrowUp' || key === 'ArrowDown') control.dispatchEvent(new Event('change', { bubbles: true }));
+  });
+  control.addEventListener('focus', () => control.select());
+  const read = (): PartUpdate | null | undefined => {
+    if (control.value.trim() === '') return null;
+    const typed = readNumberInRange(control.value, range);
+    if (typed.problem === null) return updateOf(typed.isRelative ? typed.valueFor : typed.valueFor(0));
+    if (typed.isIncomplete) return undefined;
+    throw new Error(typed.problem);
+  };
+  const unfinished = (): string | null =>
+    control.value.trim() === '' ? null : readNumberInRange(control.value, range).problem;
+  return { ...part(control, textOf, write, read), unfinished };
 }
 
 /** @param axis of a vector or of Euler angles; none for a single number */
 function numberPart(field: Field, id: string, label: string, axis?: number): FieldPart {
-  const { min = '', max = '', step, toShown, fromShown } = numberDisplay(field);
-  const control = element('input', { type: 'number', id, min, max, step, 'aria-label': label });
+  const { toShown, fromShown, ...range } = numberDisplay(field);
   const text = (value: number | null): string | null =>
     value === null ? null : formatNumber(toShown(value), axis === undefined ? 'long' : 'short');
+  const inField = (shown: Typed): number | ((before: number) => number) =>
+    typeof shown === 'function' ? (before) => fromShown(shown(toShown(before))) : fromShown(shown);
   return numericPart(
-    control,
+    range,
+    { id, 'aria-label': label },
     (values) => {
       const { value, parts } = sharedValue(values);
       if (axis === undefined) return text(value as number | null);
       return text((value as Vector3Tuple | null)?.[axis] ?? parts![axis]);
     },
-    (shown) => (axis === undefined ? fromShown(shown) : withCoordinate(axis, fromShown(shown))),
+    (shown) => (axis === undefined ? inField(shown) : withCoordinate(axis, inField(shown))),
   );
 }
 
@@ -125,14 +177,17 @@ function screenColourPart(id: string): FieldPart {
 
 /** The factor by which a colour is brighter than a screen. */
 function intensityPart(label: string): FieldPart {
-  const control = element('input', { type: 'number', min: 1, step: 0.1, 'aria-label': label, className: 'intensity' });
   return numericPart(
-    control,
+    { min: 1, step: 0.1, unit: '×' },
+    { 'aria-label': label, className: 'intensity' },
     (values) => {
       const { intensity } = sharedColour(values as readonly Vector3Tuple[]);
       return intensity === null ? null : formatNumber(intensity, 'short');
     },
-    (shown) => withIntensity(shown),
+    (shown) =>
+      typeof shown === 'function'
+        ? (before: Vector3Tuple) => withIntensity(shown(splitColour(before).intensity))(before)
+        : withIntensity(shown),
   );
 }
 

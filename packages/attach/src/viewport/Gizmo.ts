@@ -1,20 +1,24 @@
-import { countLabel, type Gesture, placePivot, t, TransformDrag, type TransformMode } from '@farol/editing';
-import { Matrix4, Object3D, type PerspectiveCamera, Scene, type Vector2, Vector3 } from 'three';
+import {
+  dragLabel,
+  type Gesture,
+  placePivot,
+  type Pose,
+  roundPose,
+  TransformDrag,
+  type TransformMode,
+} from '@farol/editing';
+import { Euler, Matrix4, Object3D, type PerspectiveCamera, Quaternion, Scene, type Vector2, Vector3 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { Session } from '../model/Session';
-import { poseOf, SetPoses } from './SetPoses';
+import { type AngledPose, poseOf, SetPoses } from './SetPoses';
 
-const labels = (): Record<TransformMode, string> => ({
-  translate: t('Move'),
-  rotate: t('Rotate'),
-  scale: t('Scale##verb'),
-});
 const middle = new Vector3();
 const place = new Vector3();
 
 /** A drag under way. */
 interface Drag {
   readonly objects: readonly Object3D[];
+  readonly before: readonly AngledPose[];
   readonly transform: TransformDrag;
   readonly gesture: Gesture<Object3D>;
 }
@@ -92,11 +96,12 @@ export class Gizmo {
   begin(at: Vector2): void {
     const { session, pivot } = this;
     const objects = session.topmost;
-    const starts = objects.map((object) => ({
-      ...poseOf(object),
+    const before = objects.map(poseOf);
+    const starts = objects.map((object, i) => ({
+      ...before[i],
       parentWorld: object.parent?.matrixWorld ?? new Matrix4(),
     }));
-    this.current = { objects, transform: new TransformDrag(pivot, starts), gesture: session.commands.begin() };
+    this.current = { objects, before, transform: new TransformDrag(pivot, starts), gesture: session.commands.begin() };
     this.controls.pointerDown(pointer(at, 0));
   }
 
@@ -121,10 +126,22 @@ export class Gizmo {
 
   private preview(): void {
     if (!this.current) return;
-    const { objects, transform, gesture } = this.current;
-    gesture.preview(new SetPoses(countLabel(labels()[this.mode], objects), objects, transform.poses(this.mode)));
+    const { objects, before, transform, gesture } = this.current;
+    const poses = transform.poses(this.mode).map((pose, i) => rounded(objects[i], before[i], pose));
+    gesture.preview(new SetPoses(dragLabel(this.mode, objects, transform), objects, poses));
     this.session.edited.emit();
   }
+}
+
+/** What a drag led to, as somebody would type it, with the angles that are nearest to those before. */
+function rounded({ rotation: { order } }: Object3D, before: AngledPose, pose: Partial<Pose>): Partial<AngledPose> {
+  const start = { position: before.position.toArray(), rotation: before.angles, scale: before.scale.toArray() };
+  const { position, rotation, scale } = roundPose(start, pose, order);
+  return {
+    ...(position && { position: new Vector3(...position) }),
+    ...(rotation && { quaternion: new Quaternion().setFromEuler(new Euler(...rotation, order)), angles: rotation }),
+    ...(scale && { scale: new Vector3(...scale) }),
+  };
 }
 
 /** A pointer as TransformControls take it: normalised device coordinates and a button. */

@@ -50,3 +50,14 @@ it('goes by the matrix of an object whose page sets the matrix by hand', () => {
   commands.undo();
   expect(object.matrix.elements[12]).toBe(5);
 });
+
+it('keeps the angles that the page has given, when it is undone', () => {
+  const object = new Object3D();
+  object.rotation.set(0, 2.9, 0);
+  const commands = new CommandStack<Object3D>();
+  const quaternion = new Quaternion(0, 0, 0, 1);
+  commands.run(new SetPoses('Rotate', [object], [{ quaternion, angles: [2 * Math.PI, 0, 0] }]));
+  expect(object.rotation.x).toBe(2 * Math.PI);
+  commands.undo();
+  expect(object.rotation.toArray().slice(0, 3)).toEqual([0, 2.9, 0]);
+});

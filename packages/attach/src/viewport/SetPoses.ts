@@ -1,16 +1,24 @@
-import type { Command, Pose } from '@farol/editing';
+import type { Command, Pose, Triple } from '@farol/editing';
 import type { Object3D } from 'three';
+
+/** A pose with the angles that the page sees in `rotation` (rad), in the object's own order: a rotation has many. */
+export interface AngledPose extends Pose {
+  readonly angles: Triple;
+}
+
+/** Angles that differ by less are the same (rad). */
+const SAME = 1e-9;
 
 /** Puts objects to places: what a drag of the gizmo does. */
 export class SetPoses implements Command<Object3D> {
   /** Poses before the first `do`; null until then. */
-  private before: readonly Pose[] | null = null;
+  private before: readonly AngledPose[] | null = null;
 
   /** @param poses of the objects, in their order; what does not change is left out */
   constructor(
     readonly label: string,
     private readonly objects: readonly Object3D[],
-    private readonly poses: readonly Partial<Pose>[],
+    private readonly poses: readonly Partial<AngledPose>[],
   ) {}
 
   get isEmpty(): boolean {
@@ -45,15 +53,21 @@ export class SetPoses implements Command<Object3D> {
 }
 
 /** Where an object is in its parent: by its matrix, where the page sets that one by hand. */
-export function poseOf({ position, quaternion, scale, matrix, matrixAutoUpdate }: Object3D): Pose {
+export function poseOf({ position, quaternion, rotation, scale, matrix, matrixAutoUpdate }: Object3D): AngledPose {
   const pose = { position: position.clone(), quaternion: quaternion.clone(), scale: scale.clone() };
   if (!matrixAutoUpdate) matrix.decompose(pose.position, pose.quaternion, pose.scale);
-  return pose;
+  const { x, y, z } = matrixAutoUpdate ? rotation : rotation.clone().setFromQuaternion(pose.quaternion);
+  return { ...pose, angles: [x, y, z] };
 }
 
-function apply(object: Object3D, { position, quaternion, scale }: Partial<Pose>): void {
+function apply(object: Object3D, { position, quaternion, angles, scale }: Partial<AngledPose>): void {
   if (position) object.position.copy(position);
   if (quaternion) object.quaternion.copy(quaternion);
+  const { rotation } = object;
+  // three has chosen some of the angles that there are for it
+  if (angles && [rotation.x, rotation.y, rotation.z].some((angle, i) => Math.abs(angle - angles[i]) > SAME)) {
+    rotation.set(...(angles as [number, number, number]));
+  }
   if (scale) object.scale.copy(scale);
   if (!object.matrixAutoUpdate) object.updateMatrix();
 }

@@ -55,7 +55,7 @@ describe('FieldGesture', () => {
   it('names several owners by their number where their names differ', () => {
     const commands = new CommandStack();
     new FieldGesture(commands, [new Lamp('A', 1), new Lamp('B', 2)], 'shadowBias').commit(3);
-    expect(commands.history).toEqual(['Set bias of 2 objects']);
+    expect(commands.history).toEqual(['Set bias of 2 objects to 3']);
   });
 
   it('lets an undo in the middle of a drag stand', () => {

@@ -2,8 +2,9 @@ import type { Command } from '../history/Command';
 import type { CommandStack } from '../history/CommandStack';
 import type { Gesture } from '../history/Gesture';
 import { labelOfField } from './labelOfField';
-import type { FieldTarget, FieldValue } from './FieldTarget';
-import { SetFields } from './SetFields';
+import { type FieldDescription, type FieldTarget, type FieldValue, sameValue } from './FieldTarget';
+import { type FieldEdit, SetFields } from './SetFields';
+import { valueText } from './valueText';
 import { t } from '../language/translate';
 
 /** A new value, or each owner's value made from its own, such as another x and the same y and z. */
@@ -16,11 +17,15 @@ export class FieldGesture<Item = string> {
   /** The step that the last commit made; null when it made none. */
   private step: Command<Item> | null = null;
 
-  /** @param owners all of one type; at least one */
+  /**
+   * @param owners all of one type; at least one
+   * @param whose what labels of the history call them; by their `ownerName` when absent
+   */
   constructor(
     private readonly commands: CommandStack<Item>,
     private readonly owners: readonly FieldTarget[],
     private readonly name: string,
+    private readonly whose?: () => string,
   ) {}
 
   /** Whether an edit is under way: previewed, and neither kept nor discarded, by an undo for example. */
@@ -71,16 +76,22 @@ export class FieldGesture<Item = string> {
       owner.check?.(name, value);
       return { owner, name, value };
     });
-    return new SetFields(this.label, edits);
+    return new SetFields(this.labelOf(edits), edits);
   }
 
-  /** 'Set cast shadow of PointLight', 'Set position of 3 objects'. */
-  private get label(): string {
-    const { owners, name } = this;
+  /** 'Set intensity of Lamp to 5', 'Switched on cast shadow of Sun', 'Set position of 3 objects'. */
+  private labelOf(edits: readonly FieldEdit[]): string {
+    const { owners, name: field } = this;
     const [{ fields, ownerName }] = owners;
-    const whose = owners.every((owner) => owner.ownerName === ownerName)
-      ? ownerName
-      : t('{count} objects', { count: owners.length });
-    return t('Set {field} of {name}', { field: labelOfField(name, fields[name]).toLowerCase(), name: whose });
+    const isShared = owners.every((owner) => owner.ownerName === ownerName);
+    const name = this.whose?.() ?? (isShared ? ownerName : t('{count} objects', { count: owners.length }));
+    const words = { field: labelOfField(field, fields[field]).toLowerCase(), name };
+    const [{ value }] = edits;
+    if (!edits.every((edit) => sameValue(edit.value, value))) return t('Set {field} of {name}', words);
+    if (value === true) return t('Switched on {field} of {name}', words);
+    if (value === false) return t('Switched off {field} of {name}', words);
+    const text = valueText(fields[field] as FieldDescription, value);
+    if (text === null) return t('Set {field} of {name}', words);
+    return t('Set {field} of {name} to {value}', { ...words, value: text });
   }
 }

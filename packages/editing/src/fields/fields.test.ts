@@ -60,6 +60,9 @@ describe('numbers as they are shown', () => {
   it('writes as many decimals as there is room for, and no zeros at the end', () => {
     expect([formatNumber(2, 'long'), formatNumber(0.1234567, 'long')]).toEqual(['2', '0.12346']);
     expect([formatNumber(-1.5, 'short'), formatNumber(0.1234567, 'short')]).toEqual(['-1.5', '0.123']);
+    expect([-63.4345, -163.4345, 1234.56].map((value) => formatNumber(value, 'short'))).toEqual([
+      ...['-63.43', '-163.4', '1234.6'],
+    ]);
     expect(formatNumber(-1e-9, 'short')).toBe('0');
     expect([formatNumber(1.23e-4, 'short'), formatNumber(-2e-7, 'long')]).toEqual(['0.00012', '-2e-7']);
   });

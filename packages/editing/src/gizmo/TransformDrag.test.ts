@@ -1,6 +1,6 @@
 import { Group, Matrix4, Object3D, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { placePivot, type Pose, TransformDrag, type TransformMode } from './TransformDrag';
+import { type DragOptions, placePivot, type Pose, TransformDrag, type TransformMode } from './TransformDrag';
 
 /** An object 2 m along x of nothing, and one in a group that is moved, turned and twice as large. */
 function scene(): [Object3D, Object3D] {
@@ -16,7 +16,12 @@ function scene(): [Object3D, Object3D] {
 }
 
 /** Drags objects about a pivot at the place of the first. */
-function drag(objects: readonly Object3D[], mode: TransformMode, move: (pivot: Object3D) => void): void {
+function drag(
+  objects: readonly Object3D[],
+  mode: TransformMode,
+  move: (pivot: Object3D) => void,
+  options?: DragOptions,
+): void {
   const pivot = new Object3D();
   for (const object of objects) object.updateWorldMatrix(true, false);
   placePivot(pivot, new Vector3().setFromMatrixPosition(objects[0].matrixWorld), objects[0].matrixWorld);
@@ -28,7 +33,7 @@ function drag(objects: readonly Object3D[], mode: TransformMode, move: (pivot: O
   }));
   const transform = new TransformDrag(pivot, starts);
   move(pivot);
-  transform.poses(mode).forEach((pose, i) => apply(objects[i], pose));
+  transform.poses(mode, options).forEach((pose, i) => apply(objects[i], pose));
 }
 
 function apply(object: Object3D, { position, quaternion, scale }: Partial<Pose>): void {
@@ -52,6 +57,35 @@ describe('TransformDrag', () => {
       [13, 2, 3],
     ]);
     expect(axisOf(child)).toEqual([0, 0, -1]);
+  });
+
+  it('turns and sizes each in its place, if asked', () => {
+    const [free, child] = scene();
+    drag([free, child], 'rotate', (pivot) => pivot.rotateY(Math.PI / 2), { each: true });
+    drag([free, child], 'scale', (pivot) => pivot.scale.set(3, 1, 1), { each: true });
+    expect([placeOf(free), placeOf(child)]).toEqual([
+      [2, 0, 0],
+      [12, 0, 0],
+    ]);
+    expect([axisOf(free), axisOf(child)]).toEqual([
+      [0, 0, -1],
+      [-1, 0, 0],
+    ]);
+    expect([free.scale.x, child.scale.x]).toEqual([3, 3]);
+  });
+
+  it('turns what moves with the pivot, if asked', () => {
+    const [free, child] = scene();
+    const move = (pivot: Object3D): void => void pivot.rotateY(Math.PI / 2).position.set(2, 5, 0);
+    drag([free, child], 'translate', move, { turns: true });
+    expect([placeOf(free), placeOf(child)]).toEqual([
+      [2, 5, 0],
+      [2, 5, -10],
+    ]);
+    expect([axisOf(free), axisOf(child)]).toEqual([
+      [0, 0, -1],
+      [-1, 0, 0],
+    ]);
   });
 
   it('turns several about the pivot, one in its place', () => {

@@ -2,6 +2,14 @@ import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 
 export type TransformMode = 'translate' | 'rotate' | 'scale';
 
+/** How a drag is taken on. */
+export interface DragOptions {
+  /** Whether each object turns and grows in its place, not round the pivot. */
+  readonly each?: boolean;
+  /** Whether objects that move turn with the pivot too. */
+  readonly turns?: boolean;
+}
+
 /** Place, rotation and size of an object in its parent. */
 export interface Pose {
   readonly position: Vector3;
@@ -26,10 +34,11 @@ const turn = new Quaternion();
 
 /**
  * Poses of objects while a gizmo drags a pivot: the objects move, turn and grow with the pivot. A single object turns and
- * grows in its place; several go round the pivot.
+ * grows in its place; several go round the pivot, or each turns and grows in its own.
  */
 export class TransformDrag {
   private readonly starts: readonly Start[];
+  private readonly pivotStart: Vector3;
   private readonly pivotInverse: Matrix4;
   private readonly pivotRotationInverse: Quaternion;
 
@@ -38,6 +47,7 @@ export class TransformDrag {
     private readonly pivot: Object3D,
     starts: readonly DragStart[],
   ) {
+    this.pivotStart = pivot.position.clone();
     this.pivotInverse = pivot.matrixWorld.clone().invert();
     this.pivotRotationInverse = pivot.quaternion.clone().invert();
     this.starts = starts.map(({ position, quaternion, scale, parentWorld }) => {
@@ -51,17 +61,35 @@ export class TransformDrag {
     });
   }
 
+  /** How far the pivot was moved, in the world (m). */
+  get offset(): Vector3 {
+    return this.pivot.position.clone().sub(this.pivotStart);
+  }
+
+  /** By how much the pivot was turned (rad), -π to π: above 0 counterclockwise about the axis that it is nearest to. */
+  get angle(): number {
+    const { x, y, z, w } = turn.copy(this.pivot.quaternion).multiply(this.pivotRotationInverse);
+    const largest = [x, y, z].reduce((found, each) => (Math.abs(each) > Math.abs(found) ? each : found), 0);
+    const angle = 2 * Math.atan2(Math.hypot(x, y, z), Math.abs(w));
+    return angle * Math.sign(largest) * (w < 0 ? -1 : 1);
+  }
+
+  /** By what the pivot was made larger along its own axes. */
+  get factors(): Vector3 {
+    return this.pivot.scale.clone();
+  }
+
   /** Poses for the pivot's present place, in the order of the starts; parts that the mode does not change are left out. */
-  poses(mode: TransformMode): Partial<Pose>[] {
+  poses(mode: TransformMode, { each = false, turns = false }: DragOptions = {}): Partial<Pose>[] {
     const { pivot, starts } = this;
     pivot.updateMatrixWorld();
     delta.copy(pivot.matrixWorld).multiply(this.pivotInverse);
     turn.copy(pivot.quaternion).multiply(this.pivotRotationInverse);
     return starts.map(({ world, worldToParent, worldRotation, parentRotation, scale }) => ({
-      ...((mode === 'translate' || starts.length > 1) && {
+      ...((mode === 'translate' || (starts.length > 1 && !each)) && {
         position: new Vector3().setFromMatrixPosition(world).applyMatrix4(delta).applyMatrix4(worldToParent),
       }),
-      ...(mode === 'rotate' && {
+      ...((mode === 'rotate' || (mode === 'translate' && turns)) && {
         quaternion: parentRotation.clone().invert().multiply(turn).multiply(worldRotation),
       }),
       ...(mode === 'scale' && { scale: scale.clone().multiply(pivot.scale) }),

@@ -11,6 +11,8 @@ const drawn: unknown[][] = [];
 
 vi.mock('@farol/renderer', () => ({
   FarolRenderer: class {
+    readonly info = { technique: '', passes: [] };
+    readonly effects = [];
     render(...args: unknown[]): void {
       drawn.push(args);
     }

@@ -22,6 +22,7 @@ vi.mock('@farol/renderer', async (original) => ({
   FarolRenderer: class {
     readonly microshaders = null;
     readonly effects = [];
+    readonly info = { technique: '', passes: [] };
     render(): void {
       drawn.push(sizes.at(-1));
     }

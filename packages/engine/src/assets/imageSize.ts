@@ -49,7 +49,11 @@ function jpegSize(view: DataView): { width: number; height: number } | null {
 export function checkImageSize(bytes: Uint8Array): void {
   const size = imageSize(bytes);
   if (!size) return;
-  const { width, height } = size;
+  checkPixels(size.width, size.height);
+}
+
+/** @throws Error when a picture of so many pixels would take absurd memory */
+export function checkPixels(width: number, height: number): void {
   if (width <= SIDE && height <= SIDE && width * height <= PIXELS) return;
   throw new Error(
     `its picture has ${width} × ${height} pixels, and ${SIDE} a side, ${PIXELS / 2 ** 20} million in all, is the limit: make it smaller.`,

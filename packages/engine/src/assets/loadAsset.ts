@@ -17,7 +17,7 @@ export type FetchBytes = (url: string, options?: FetchOptions) => Promise<ArrayB
 export type FileAssetType = Extract<AssetType, 'mesh' | 'texture' | 'model'>;
 
 /** Endings of the files that can be read, for messages. */
-export const readableEndings = '.glb, .gltf, .ply, .ply.gz, .png, .jpg, .webp, .hdr and .exr';
+export const readableEndings = '.glb, .gltf, .ply, .ply.gz, .png, .jpg, .webp, .ktx2, .hdr and .exr';
 
 const limited: RequestInit = { credentials: 'omit', referrerPolicy: 'no-referrer', redirect: 'error' };
 
@@ -43,13 +43,13 @@ export function typeOfUrl(url: string): FileAssetType | null {
   const path = pathOf(url);
   if (/\.(glb|gltf)$/.test(path)) return 'model';
   if (/\.ply(\.gz)?$/.test(path)) return 'mesh';
-  return /\.(png|jpe?g|webp|hdr|exr)$/.test(path) ? 'texture' : null;
+  return /\.(png|jpe?g|webp|ktx2|hdr|exr)$/.test(path) ? 'texture' : null;
 }
 
 export interface ReadOptions {
   /** Scale a mesh to a longest side of 1 m and stand it on y = 0, centred in x and z. */
   readonly normalise?: boolean;
-  /** What will draw the asset: needed for models with KTX2 textures only. */
+  /** What will draw the asset: needed for KTX2 textures only. */
   readonly renderer?: WebGLRenderer | null;
   /** Cancels the reading. */
   readonly signal?: AbortSignal;

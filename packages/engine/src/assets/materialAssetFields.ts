@@ -23,7 +23,7 @@ function sharedFields(): FieldTable {
 export const materialAssetFields: FieldTable = {
   ...sharedFields(),
   normalFlip: boolean(false, { help: 'Green points down, as in maps made for DirectX.', label: 'Flip green', ...lit }),
-  bumpScale: number(1, { step: 0.05, help: 'Strength of the bump map.', label: 'Bump map strength', ...lit }),
+  bumpScale: number(1, { step: 0.05, help: 'Strength of the bump map.', label: 'Bump height', ...lit }),
   displacementScale: number(1, {
     unit: 'm',
     step: 0.01,
@@ -35,20 +35,20 @@ export const materialAssetFields: FieldTable = {
     unit: 'm',
     step: 0.01,
     help: 'How far black moves a vertex outwards.',
-    label: 'Displacement bias',
+    label: 'Bias',
     ...lit,
   }),
   aoIntensity: number(1, { ...part, help: 'Strength of the occlusion map.', label: 'Occlusion' }),
-  lightMapIntensity: number(1, { min: 0, step: 0.05, help: 'Factor of the light map.', label: 'Light map intensity' }),
+  lightMapIntensity: number(1, { min: 0, step: 0.05, help: 'Factor of the light map.', label: 'Light strength' }),
   clearcoatNormalScale: number(1, {
     step: 0.05,
     help: 'Strength of the normals of the clearcoat.',
-    label: 'Clearcoat bump strength',
+    label: 'Coat strength',
     ...physical,
   }),
   clearcoatNormalFlip: boolean(false, {
     help: 'Green points down, as in maps made for DirectX.',
-    label: 'Clearcoat flip green',
+    label: 'Coat flip green',
     ...physical,
   }),
   sheen: number(0, { ...part, help: 'Soft light at grazing angles, as of velvet.', ...physical }),
@@ -60,7 +60,7 @@ export const materialAssetFields: FieldTable = {
     max: 2.333,
     step: 0.01,
     help: 'Index of refraction of the film.',
-    label: 'Film index of refraction',
+    label: 'Film index',
     ...physical,
   }),
   iridescenceThicknessMin: number(100, {
@@ -68,7 +68,7 @@ export const materialAssetFields: FieldTable = {
     min: 0,
     step: 10,
     help: 'Thickness of the film where its map is black.',
-    label: 'Least film thickness',
+    label: 'Least thickness',
     ...physical,
   }),
   iridescenceThicknessMax: number(400, {

@@ -4,6 +4,7 @@ import { parsePly } from '../geometry/parsePly';
 import type { Asset } from './Asset';
 import { checkImageSize } from './imageSize';
 import { type FileAssetType, pathOf, type ReadOptions } from './loadAsset';
+import { readKtx2 } from './readKtx2';
 import { readEnvironment } from './readEnvironment';
 import { readModel } from './readModel';
 
@@ -16,6 +17,7 @@ function signatureOf(bytes: ArrayBuffer): string | null {
   if (text.startsWith('RIFF') && text.slice(8, 12) === 'WEBP') return 'WebP';
   if (text.startsWith('#?')) return 'HDR';
   if (text.startsWith('v/1\x01')) return 'EXR';
+  if (text.startsWith('\xabKTX 20\xbb')) return 'KTX2';
   return null;
 }
 
@@ -55,6 +57,10 @@ export async function readAsset(
   if (type === 'texture') {
     const said = signatureOf(bytes);
     if (said === 'HDR' || said === 'EXR') return readEnvironment(bytes, said);
+    if (said === 'KTX2') return readKtx2(bytes, options);
+    if (pathOf(path).endsWith('.ktx2')) {
+      throw new Error(`its bytes are ${said ?? 'something other'}, not KTX2: was another file renamed?`);
+    }
     if (/\.(hdr|exr)$/.test(pathOf(path))) {
       const wanted = pathOf(path).endsWith('.hdr') ? 'Radiance HDR' : 'OpenEXR';
       throw new Error(`its bytes are ${said ?? 'something other'}, not ${wanted}: was another file renamed?`);

@@ -2,7 +2,7 @@ import { Matrix4, OrthographicCamera, PerspectiveCamera } from 'three';
 import { component } from '../fields/component';
 import { angle, boolean, choice, number } from '../fields/fields';
 import type { Transform } from '../core/Transform';
-import { toneMappingNames } from '../picture/toneMappings';
+import { toneMappingLabels, toneMappingNames } from '../picture/toneMappings';
 
 const ownFocus = { visibleWhen: { field: 'depthOfField', equals: ['own'] } };
 const perspective = { visibleWhen: { field: 'projection', equals: ['perspective'] } };
@@ -37,8 +37,9 @@ export class Camera extends component({
   near: number(0.1, { unit: 'm', min: 0.0001, help: 'Distance of the nearest thing that is seen.' }),
   far: number(200, { unit: 'm', min: 0.001, help: 'Distance of the farthest thing that is seen.' }),
   toneMapping: choice('scene', ['scene', ...toneMappingNames], {
-    help: 'Tone mapping of what this camera sees; "scene" is what the scene has.',
+    help: 'Tone mapping of what this camera sees.',
     label: 'Tone mapping',
+    optionLabels: { scene: 'Of the scene', ...toneMappingLabels },
   }),
   exposureCompensation: number(0, {
     min: -20,
@@ -50,6 +51,7 @@ export class Camera extends component({
   depthOfField: choice('scene', ['scene', 'off', 'own'], {
     help: 'Depth of field: the scene’s, none, or one of this camera.',
     label: 'Depth of field',
+    optionLabels: { scene: 'Of the scene', off: 'Off', own: 'Own' },
   }),
   focusDistance: number(10, {
     unit: 'm',

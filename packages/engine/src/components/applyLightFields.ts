@@ -46,6 +46,7 @@ function applyShadow(values: LightValues, light: DirectionalLight | PointLight |
     shadow.map?.dispose();
     shadow.map = null;
   }
+  shadow.radius = values.shadowRadius;
   shadow.bias = values.shadowBias;
   shadow.normalBias = values.shadowNormalBias;
   if (!(light instanceof DirectionalLight)) return;

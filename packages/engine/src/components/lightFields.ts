@@ -3,9 +3,10 @@ import { angle, boolean, choice, colour, number } from '../fields/fields';
 const withPlace = { visibleWhen: { field: 'type', equals: ['point', 'spot'] } };
 const withDirectColour = { visibleWhen: { field: 'type', equals: ['directional', 'point', 'spot'] } };
 const spot = { visibleWhen: { field: 'type', equals: ['spot'] } };
-const shadow = { visibleWhen: { field: 'castShadow', equals: [true] } };
-const nearFar = { visibleWhen: { field: 'attenuation', equals: ['near-far'] } };
-const polynomial = { visibleWhen: { field: 'attenuation', equals: ['polynomial'] } };
+const shadow = { visibleWhen: { field: 'castShadow', equals: [true] }, group: 'Shadow' };
+const fading = { group: 'Fading' };
+const nearFar = { visibleWhen: { field: 'attenuation', equals: ['near-far'] }, ...fading };
+const polynomial = { visibleWhen: { field: 'attenuation', equals: ['polynomial'] }, ...fading };
 
 /** The fields of a Light (thesis 3.2.5.3, with three's physical falloff beside its two attenuations). */
 export const lightFields = {
@@ -25,16 +26,19 @@ export const lightFields = {
   ambient: colour([0, 0, 0], {
     help: 'Light added to every surface in reach, whichever way it faces.',
     label: 'Ambient colour',
+    group: 'More colours',
     ...withDirectColour,
   }),
   ownSpecular: boolean(false, {
     help: 'Give highlights a colour of their own.',
     label: 'Own highlight colour',
+    group: 'More colours',
     ...withDirectColour,
   }),
   specular: colour([1, 1, 1], {
     help: 'Colour of highlights.',
     label: 'Highlight colour',
+    group: 'More colours',
     visibleWhen: { field: 'ownSpecular', equals: [true] },
   }),
   cutoff: angle(Math.PI / 6, {
@@ -53,6 +57,7 @@ export const lightFields = {
   }),
   attenuation: choice('physical', ['physical', 'near-far', 'polynomial'], {
     help: "How light fades with distance: three's physical falloff, from near to far, or by three coefficients.",
+    ...fading,
     ...withPlace,
   }),
   range: number(10, {
@@ -60,6 +65,7 @@ export const lightFields = {
     min: 0,
     step: 0.1,
     help: 'Distance where the light ends; 0 for a physical light without end.',
+    ...fading,
     visibleWhen: { field: 'attenuation', equals: ['physical', 'polynomial'] },
   }),
   decay: number(2, {
@@ -67,6 +73,7 @@ export const lightFields = {
     max: 10,
     step: 0.1,
     help: 'Power of the distance by which light fades; 2 in nature.',
+    ...fading,
     visibleWhen: { field: 'attenuation', equals: ['physical'] },
   }),
   near: number(1, { unit: 'm', min: 0, step: 0.1, help: 'Distance up to which the light is full.', ...nearFar }),
@@ -77,6 +84,7 @@ export const lightFields = {
   castShadow: boolean(false, {
     help: 'Whether objects throw shadows in it.',
     label: 'Cast shadow',
+    group: 'Shadow',
     ...withDirectColour,
   }),
   shadowMapSize: number(1024, {
@@ -86,6 +94,15 @@ export const lightFields = {
     integer: true,
     help: 'Width and height of the shadow map.',
     label: 'Shadow map size',
+    ...shadow,
+  }),
+  shadowRadius: number(1, {
+    unit: 'texels',
+    min: 0,
+    max: 20,
+    step: 0.1,
+    help: 'How far the edges of shadows are blurred.',
+    label: 'Shadow softness',
     ...shadow,
   }),
   shadowBias: number(-0.0005, {

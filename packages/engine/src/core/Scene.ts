@@ -18,6 +18,7 @@ import type {
 } from './SceneGraph';
 import { SceneIndex } from './SceneIndex';
 import { SceneMicroShaders } from './SceneMicroShaders';
+import { SceneViews } from './SceneViews';
 import { SceneRoot } from './SceneRoot';
 import { SceneSettings } from './SceneSettings';
 
@@ -37,6 +38,7 @@ class BaseScene implements SceneType {
   registry: ComponentRegistry;
   readonly settings: SceneSettings;
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
+  readonly views = new SceneViews((place) => this.notify({ kind: 'view', place }));
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
   readonly childList: GameObject[] = [];
@@ -89,6 +91,10 @@ class BaseScene implements SceneType {
   componentsOf<T extends Component>(type: string): readonly T[];
   componentsOf(type: ComponentClass | string): readonly Component[] {
     return this.index.componentsOf(type);
+  }
+
+  get takesKeys(): boolean {
+    return this.index.keyed.array.some((component) => component.isActive);
   }
 
   get requiredEffects(): readonly RequiredEffect[] {

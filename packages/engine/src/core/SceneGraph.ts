@@ -16,6 +16,7 @@ import type { PrefabTable } from '../prefabs/PrefabTable';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import type { RequiredEffect } from './RequiredEffect';
 import type { SceneMicroShaders } from './SceneMicroShaders';
+import type { SceneViews } from './SceneViews';
 import type { SceneSettings } from './SceneSettings';
 import type { Vector3Input } from './toVector3';
 
@@ -316,6 +317,7 @@ export type SceneChange =
       readonly before: FieldValue;
     }
   | { readonly kind: 'microshader'; readonly name: string }
+  | { readonly kind: 'view'; readonly place: number }
   | { readonly kind: 'prefab'; readonly id: string }
   | { readonly kind: 'active-camera' | 'name' };
 
@@ -330,6 +332,8 @@ export interface Scene extends GameObjectContainer {
   readonly settings: SceneSettings;
   /** Microshaders that are saved with the scene. */
   readonly microShaders: SceneMicroShaders;
+  /** Views that editors keep with the scene. */
+  readonly views: SceneViews;
   /** What objects of the scene are copies of. */
   readonly prefabs: PrefabTable;
   /** Takes what a component throws while it is updated; the others go on. While null, `update` throws it. */
@@ -338,6 +342,8 @@ export interface Scene extends GameObjectContainer {
   readonly roots: readonly GameObject[];
   /** How many objects it has, however deep in the tree. */
   readonly size: number;
+  /** Whether a component that is active listens to keys. */
+  readonly takesKeys: boolean;
   /** The effects of the renderer that components of the scene need; the same array all along. */
   readonly requiredEffects: readonly RequiredEffect[];
   /**

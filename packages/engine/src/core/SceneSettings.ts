@@ -42,8 +42,8 @@ export class SceneSettings extends BaseFieldOwner {
     return this.count;
   }
 
-  /** Fulfilled when the sky is there that was asked for last. @throws Error (as a rejection) when its code cannot be fetched */
-  get skyReady(): Promise<void> {
+  /** Fulfilled when the sky is there that was asked for last; null before any is waited for. @throws Error (as a rejection) when its code cannot be fetched */
+  get skyReady(): Promise<void> | null {
     return this.skySource.ready;
   }
 

@@ -13,6 +13,8 @@ interface FieldBase {
   /** Shown in place of the field's name. */
   readonly label?: string;
   readonly visibleWhen?: FieldCondition;
+  /** Title of the group of fields that it stands in; none when absent. */
+  readonly group?: string;
   /** Shown, but not to be edited by hand. */
   readonly readOnly?: boolean;
 }
@@ -57,6 +59,8 @@ export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly kind: 'choice';
   readonly default: Option;
   readonly options: readonly Option[];
+  /** What options are shown as, where that is not their name. */
+  readonly optionLabels?: { readonly [K in Option]?: string };
 }
 
 export interface Vector3Field extends FieldBase {

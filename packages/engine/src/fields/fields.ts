@@ -52,7 +52,7 @@ export const string = (value: string, options: Options<StringField>): StringFiel
 export const choice = <const Option extends string>(
   value: NoInfer<Option>,
   options: readonly Option[],
-  rest: Options<ChoiceField>,
+  rest: Options<ChoiceField<Option>>,
 ): ChoiceField<Option> => ({ kind: 'choice', default: value, options, ...rest });
 
 /** Three coordinates. */

@@ -1,3 +1,4 @@
+import type { SceneView } from '../core/SceneViews';
 import type { AssetType, FieldValue } from '../fields/Field';
 
 /**
@@ -71,6 +72,11 @@ export interface FileAsset {
   values?: Record<string, FieldValue>;
 }
 
+/** A view of the scene that editors keep, in a place from 1 to 9, each of which is taken once. */
+export interface FileView extends SceneView {
+  readonly place: number;
+}
+
 /** A scene as versioned JSON. Objects are in tree order, so siblings keep their order. */
 export interface FarolFile {
   format: 'farol-scene';
@@ -88,6 +94,8 @@ export interface FarolFile {
    * the renderer's `parseMicroShader`) by name. None when absent.
    */
   microShaders?: Record<string, string>;
+  /** Views that editors keep, by their places. None when absent. */
+  views?: FileView[];
   /** None when absent. */
   prefabs?: Prefab[];
   objects: FileObject[];

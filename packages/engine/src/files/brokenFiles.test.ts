@@ -32,6 +32,8 @@ function file(change: (objects: FileObject[], file: FarolFile) => void): FarolFi
 const setValue = (name: string, value: unknown): FarolFile =>
   file((objects) => (objects[0].components[0].values[name] = value as never));
 
+const view = { name: 'Door', position: [1, 2, 3], target: [0, 0, 0], fov: 1, orthographic: false } as const;
+
 const broken: [string, unknown, RegExp][] = [
   ['no JSON', '{"format": ', /is no JSON/],
   ['no object', '[]', /must hold an object/],
@@ -47,6 +49,32 @@ const broken: [string, unknown, RegExp][] = [
     'a microshader of a bad name',
     file((_, f) => (f.microShaders = { 'a b': '' })),
     /microShaders\.a b .*use letters, digits/,
+  ],
+  [
+    'a view in no place',
+    file((_, f) => (f.views = [{ ...view, place: 0 }])),
+    /views\[0\]\.place must be a whole number from 1/,
+  ],
+  [
+    'two views in one place',
+    file(
+      (_, f) =>
+        (f.views = [
+          { ...view, place: 3 },
+          { ...view, place: 3 },
+        ]),
+    ),
+    /views\[1\]\.place is 3 as that of another/,
+  ],
+  [
+    'a view of itself',
+    file((_, f) => (f.views = [{ ...view, place: 1, target: view.position }])),
+    /views\[0\]\.target must be elsewhere/,
+  ],
+  [
+    'a view without a field of view',
+    file((_, f) => (f.views = [{ ...view, place: 1, fov: undefined as never }])),
+    /views\[0\]\.fov must be an angle from 0\.01 to 3\.1 rad, not nothing/,
   ],
   ['an unknown key', { ...file(() => {}), extra: 1 }, /extra is unknown here/],
   [

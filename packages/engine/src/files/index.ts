@@ -27,6 +27,7 @@ export { makeKTX2Loader } from '../assets/makeKTX2Loader';
 export { decodedUri, packGltf } from './packGltf';
 export type { PackedObj } from './obj/PackedObj';
 export { type HandedScene, handoverMessages, openBeside, type OpenBesideOptions } from './openBeside';
+export { packFbx } from './packFbx';
 export { packObj } from './packObj';
 export { type GltfJson, readGltfJson } from '../assets/readGltfJson';
 export { checkModelFile, modelError } from '../assets/readModel';

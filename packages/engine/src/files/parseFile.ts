@@ -12,6 +12,7 @@ import { FileError } from './FileError';
 import { isRecord, join, type JsonRecord, ProblemList } from './ProblemList';
 import { readValues } from './readComponent';
 import { readMicroShaders } from './readMicroShaders';
+import { readViews } from './readViews';
 import { migrateFile } from './migrateFile';
 import { OwnAssets } from './OwnAssets';
 import { readObjects } from './readObjects';
@@ -28,7 +29,9 @@ function parseJson(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (cause) {
-    const reason = shortText((cause as Error).message, 120);
+    // what the browser quotes of bytes says nothing
+    const isBinary = /[\0-\b\ufffd]/.test(text.slice(0, 1000));
+    const reason = isBinary ? 'it is no text' : shortText((cause as Error).message, 120);
     const problem = `is no JSON: ${reason}. Choose a scene that was saved by Farol.`;
     throw new FileError([{ path: '', problem: `The file ${problem}` }], { cause });
   }
@@ -127,6 +130,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
       'assetFolders',
       'prefabs',
       'microShaders',
+      'views',
       'objects',
     ],
   ]);
@@ -145,6 +149,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
     ...(raw.microShaders === undefined
       ? {}
       : { microShaders: readMicroShaders(raw.microShaders, 'microShaders', problems) }),
+    ...(raw.views === undefined ? {} : { views: readViews(raw.views, 'views', problems) }),
     ...(prefabs.length > 0 ? { prefabs } : {}),
     objects,
   };

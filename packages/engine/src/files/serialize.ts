@@ -2,11 +2,12 @@ import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { MaterialAsset } from '../assets/MaterialAsset';
 import type { GameObject } from '../core/SceneGraph';
 import type { Scene } from '../core/SceneGraph';
+import type { SceneView } from '../core/SceneViews';
 import type { FieldOwner } from '../fields/FieldOwner';
 import { sameValue } from '../fields/FieldOwner';
 import type { FieldValue } from '../fields/Field';
 import { assetUses } from './assetUses';
-import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from './FarolFile';
+import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject, type FileView } from './FarolFile';
 
 export interface SerializeOptions {
   /** Where the addresses of assets come from; the scene's own library when absent. */
@@ -27,6 +28,13 @@ function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, F
 /** By name, so that the same texts make the same file. */
 const sorted = (texts: ReadonlyMap<string, string>): Record<string, string> =>
   Object.fromEntries([...texts].toSorted(([a], [b]) => (a < b ? -1 : 1)));
+
+/** A copy, its members always in the same order. */
+const fileView = (place: number, { name, position, target, fov, orthographic }: SceneView): FileView => ({
+  ...{ place, name, fov, orthographic },
+  position: [position[0], position[1], position[2]],
+  target: [target[0], target[1], target[2]],
+});
 
 /** Whether what an object links to is there: the link of one that was pasted from another scene leads nowhere. */
 const hasPrefab = ({ prefabLink, scene }: GameObject): boolean =>
@@ -88,6 +96,9 @@ export function serializeHead(scene: Scene, options: SerializeOptions = {}): Far
     assets: lastingAssets(options.assets ?? scene.assets),
     ...foldersIn(options.assets ?? scene.assets),
     ...(scene.microShaders.texts.size > 0 ? { microShaders: sorted(scene.microShaders.texts) } : {}),
+    ...(scene.views.entries.length > 0
+      ? { views: scene.views.entries.map(([place, view]) => fileView(place, view)) }
+      : {}),
     ...(scene.prefabs.list.length > 0 ? { prefabs: [...scene.prefabs.list] } : {}),
     objects: [],
   };

@@ -90,10 +90,13 @@ export function sceneCase(random: FuzzRandom): FarolFile {
       { name: 'model.glb', type: 'model', url: `data:model/gltf-binary;base64,${base64(glbBytes(gltf()))}` },
     ].filter(() => !random.once(9)) as FarolFile['assets'],
     ...(random.once(4) ? { microShaders: { 'own/tint': '// Tints.\n#include "other"\nvec3 tint;\n' } } : {}),
+    ...(random.once(4) ? { views: [{ place: 4, name: 'Door', fov: 0.8, orthographic: true, ...looks }] } : {}),
     ...(prefabs.length > 0 ? { prefabs } : {}),
     objects,
   };
 }
+
+const looks = { position: [1, 2, 3], target: [0, -1, 0.5] } as const;
 
 const triangle = [
   'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z',

@@ -1,5 +1,6 @@
 import type { FarolEffect, FarolRenderer } from '@farol/renderer';
 import type { AmbientOcclusion } from '@farol/renderer/ambient-occlusion';
+import type { TAA } from '@farol/renderer/antialiasing';
 import type { EffectName } from '@farol/renderer/effects';
 import type { SceneSettings } from '../core/SceneSettings';
 import { techniqueLimits } from './techniqueLimits';
@@ -54,6 +55,11 @@ export class PictureEffects {
     this.revision = settings.revision;
     this.technique = technique;
     this.refresh();
+  }
+
+  /** Forgets what earlier frames have gathered: the picture has other tones now. */
+  forgetFrames(): void {
+    (this.made.get('taa') as TAA | undefined)?.reset();
   }
 
   /** Takes in effects of plugins that came, and gives back those that went. */

@@ -1,5 +1,5 @@
 import type { FarolEffect, FarolRenderer, PassInfo, TechniqueName } from '@farol/renderer';
-import { type Camera, Color, NoToneMapping, type Scene as ThreeScene, Vector4, type WebGLRenderTarget } from 'three';
+import { type Camera, NoToneMapping, type Scene as ThreeScene, Vector4, type WebGLRenderTarget } from 'three';
 import { followEffects } from '../app/followEffects';
 import type { CameraComponent, Scene } from '../core/SceneGraph';
 import type { PictureChain } from './chain/PictureChain';
@@ -43,7 +43,7 @@ export class PictureRenderer {
   private readonly followsRendering: boolean;
   private readonly look = new PictureLook();
   private readonly viewport = new Vector4();
-  private readonly background = new Color();
+  private tones = 0;
   private technique = 'auto';
   private code: PictureCode | null = null;
   private isFetching = false;
@@ -59,7 +59,6 @@ export class PictureRenderer {
     this.failed = options.failed ?? ((error) => console.error((error as Error).message));
     this.followsRendering = options.followsRendering ?? true;
     this.effects = new PictureEffects(farol, this.redraw, this.failed);
-    farol.webgl.domElement.addEventListener('webglcontextlost', this.free);
   }
 
   /**
@@ -68,39 +67,50 @@ export class PictureRenderer {
    * @param component - the component that the camera is of, whose own settings count; null for a camera of the host's
    */
   render(scene: Scene, camera: Camera, component: CameraComponent | null = null): void {
-    const { farol, look } = this;
-    this.prepare(scene);
-    look.take(scene.settings, component);
-    const chain = farol.view === 'final' ? this.chainFor(scene) : null;
-    if (chain === null) this.renderPlain(farol, scene, camera);
-    else this.renderByChain(chain, scene, camera);
+    this.follow(scene);
+    this.draw(scene, camera, component);
     if (this.followsRendering) this.effects.update(scene.settings);
   }
 
-  /** Has something else draw the scene, in the tones of the picture and without its effects. */
-  renderBy(painter: ScenePainter, scene: Scene, camera: Camera, component: CameraComponent | null = null): void {
-    this.prepare(scene);
+  /**
+   * Draws as `render` does, for hosts that draw several views of a scene in a frame: they call `follow` before the first, and
+   * `effects.update` after the last.
+   */
+  draw(scene: Scene, camera: Camera, component: CameraComponent | null): void {
+    const { farol, look } = this;
+    look.take(scene.settings, component);
+    const chain = farol.view === 'final' ? this.chainFor(scene) : null;
+    this.noticeTones(chain);
+    if (chain === null) this.renderPlain(farol, scene, camera);
+    else this.renderByChain(chain, scene, camera);
+  }
+
+  /** Has something draw the scene in the tones of the picture and without its effects; else as `draw`. */
+  drawBy(painter: ScenePainter, scene: Scene, camera: Camera, component: CameraComponent | null): void {
     this.look.take(scene.settings, component);
     this.renderPlain(painter, scene, camera);
-    if (this.followsRendering) this.effects.update(scene.settings);
+  }
+
+  /** Has the scene's technique taken anew in the next frame, now that the renderer may know it. */
+  retakeTechnique(): void {
+    if (this.technique !== 'auto') this.technique = '';
   }
 
   dispose(): void {
     this.isDisposed = true;
-    this.farol.webgl.domElement.removeEventListener('webglcontextlost', this.free);
     this.free();
     this.effects.dispose();
   }
 
-  /** Brings the renderer up to what the scene needs. */
-  private prepare(scene: Scene): void {
+  /** Brings the renderer up to what the scene asks for: technique, effects, sky. */
+  follow(scene: Scene): void {
     const { farol } = this;
     const { settings } = scene;
     followEffects(farol, scene, this.redraw);
     const { skyReady } = settings;
     if (skyReady !== this.waitsFor) {
       this.waitsFor = skyReady;
-      skyReady.then(this.redraw, this.failed);
+      skyReady?.then(this.redraw, this.failed);
     }
     if (!this.followsRendering) return;
     if (settings.technique !== this.technique) this.take(settings.technique);
@@ -119,6 +129,15 @@ export class PictureRenderer {
     }
   }
 
+  /** What gathers frames begins anew when the tones are others: light that is not tone mapped is no past for other light. */
+  private noticeTones(chain: PictureChain | null): void {
+    const { toneMapping, exposure } = this.look;
+    const tones = chain !== null ? -1 : toneMapping === NoToneMapping ? 0 : toneMapping + exposure / 1e4;
+    if (tones === this.tones) return;
+    this.tones = tones;
+    this.effects.forgetFrames();
+  }
+
   private renderPlain(painter: ScenePainter, scene: Scene, camera: Camera): void {
     const { webgl } = this.farol;
     const { toneMapping, exposure } = this.look;
@@ -126,22 +145,18 @@ export class PictureRenderer {
       painter.render(scene.three, camera);
       return;
     }
-    const { background } = scene.three;
-    const colour = webgl.getRenderTarget() === null && background instanceof Color ? background : null;
     const before = webgl.toneMapping;
     const exposureBefore = webgl.toneMappingExposure;
     webgl.toneMapping = toneMapping;
     webgl.toneMappingExposure = exposure;
-    if (colour !== null) {
-      this.background.copy(colour);
-      this.ask()?.toneMapColour(colour, toneMapping, exposure);
-    }
+    const code = webgl.getRenderTarget() === null ? this.ask() : null;
+    code?.surroundings.toneMap(scene.three, toneMapping, exposure);
     try {
       painter.render(scene.three, camera);
     } finally {
       webgl.toneMapping = before;
       webgl.toneMappingExposure = exposureBefore;
-      colour?.copy(this.background);
+      code?.surroundings.restore(scene.three);
     }
   }
 
@@ -182,7 +197,7 @@ export class PictureRenderer {
     if (!has && !isApart) return null;
     const code = this.ask();
     if (code === null || !code.PictureChain.isPossible(this.farol.webgl)) return null;
-    this.chain ??= new code.PictureChain(this.farol.webgl, this.redraw);
+    this.chain ??= this.makeChain(code);
     this.chain.showsEffects = this.showsEffects;
     return this.chain;
   }
@@ -201,8 +216,17 @@ export class PictureRenderer {
     return null;
   }
 
+  private makeChain({ PictureChain }: PictureCode): PictureChain {
+    const { webgl } = this.farol;
+    // what is freed after the context is back, three would delete in a context that it does not belong to
+    webgl.domElement.addEventListener('webglcontextlost', this.free);
+    return new PictureChain(webgl, this.redraw);
+  }
+
   private readonly free = (): void => {
-    this.chain?.dispose();
+    if (this.chain === null) return;
+    this.farol.webgl.domElement.removeEventListener('webglcontextlost', this.free);
+    this.chain.dispose();
     this.chain = null;
   };
 }

@@ -1,6 +1,6 @@
 import type { FieldCondition, FieldType } from '../fields/Field';
 import { angle, asset, boolean, choice, colour, custom, number, string } from '../fields/fields';
-import { toneMappingNames } from './toneMappings';
+import { toneMappingLabels, toneMappingNames } from './toneMappings';
 
 /** Shown only while a switch is on. */
 const on = (field: string): { visibleWhen: FieldCondition } => ({ visibleWhen: { field, equals: [true] } });
@@ -22,6 +22,7 @@ export type SkyPreset = (typeof skyPresets)[number];
 export const skyFields = {
   background: choice('colour', ['colour', 'gradient', 'sky', 'environment'], {
     help: 'What is seen where there is no object.',
+    optionLabels: { colour: 'Colour', gradient: 'Gradient', sky: 'Sky', environment: 'Environment' },
   }),
   backgroundColour: colour([0.02, 0.025, 0.035], {
     help: 'Colour behind the objects.',
@@ -31,6 +32,13 @@ export const skyFields = {
   sky: choice('clear-day', skyPresets, {
     help: 'A sky that is made in code.',
     label: 'Preset',
+    optionLabels: {
+      'clear-day': 'Clear day',
+      overcast: 'Overcast',
+      sunset: 'Sunset',
+      night: 'Night',
+      studio: 'Studio',
+    },
     ...when('background', 'sky'),
   }),
   skyTop: colour([0.08, 0.2, 0.5], { help: 'Colour straight above.', label: 'Top', ...when('background', 'gradient') }),
@@ -83,7 +91,10 @@ export const skyFields = {
 };
 
 export const fogFields = {
-  fog: choice('none', ['none', 'linear', 'exponential'], { help: 'Fog that fades objects into a colour.' }),
+  fog: choice('none', ['none', 'linear', 'exponential'], {
+    help: 'Fog that fades objects into a colour.',
+    optionLabels: { none: 'None', linear: 'Linear', exponential: 'Exponential' },
+  }),
   fogFromSky: boolean(false, {
     help: 'The fog has the colour of the sky at the horizon, or of the background.',
     label: 'Colour from the sky',
@@ -122,6 +133,7 @@ export const toneMappingFields = {
   toneMapping: choice('none', toneMappingNames, {
     help: 'How light of any brightness becomes colours of a screen; three’s tone mappings.',
     label: 'Tone mapping',
+    optionLabels: toneMappingLabels,
   }),
   exposure: number(1, {
     min: 0,
@@ -233,8 +245,15 @@ export const vignetteFields = {
 export const renderingFields = {
   technique: custom(techniqueType, 'auto', { help: 'By what the scene is drawn; "Automatic" picks what is fastest.' }),
   antialiasing: choice('auto', ['auto', 'none', 'smaa', 'edges', 'taa'], {
-    help: 'How edges are smoothed; "auto" is multisampled where the technique can be, else SMAA.',
+    help: 'How edges are smoothed. Automatic is multisampled where the technique can be, else SMAA; TAA gathers frames.',
     label: 'Anti-aliasing',
+    optionLabels: {
+      auto: 'Automatic',
+      none: 'Of the technique',
+      smaa: 'SMAA',
+      edges: 'Multisampled edges',
+      taa: 'TAA',
+    },
   }),
   ambientOcclusion: boolean(false, {
     help: 'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.',

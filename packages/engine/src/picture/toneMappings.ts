@@ -20,6 +20,17 @@ export const toneMappings = {
   neutral: NeutralToneMapping,
 } as const satisfies Record<string, ToneMapping>;
 
+/** What they are shown as. */
+export const toneMappingLabels = {
+  none: 'None',
+  linear: 'Linear',
+  reinhard: 'Reinhard',
+  cineon: 'Cineon',
+  'aces-filmic': 'ACES filmic',
+  agx: 'AgX',
+  neutral: 'Neutral',
+} as const;
+
 export type ToneMappingName = keyof typeof toneMappings;
 
 export const toneMappingNames = Object.keys(toneMappings) as ToneMappingName[];

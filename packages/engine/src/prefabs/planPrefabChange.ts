@@ -108,7 +108,19 @@ export function planPrefabChange(scene: Scene, next: Prefab, except: GameObject 
       edits.push(...new InstanceUpdate(instance, scene.prefabs.get(id)!, changed.get(id)!, scene.registry).edits);
     }
   }
-  return { prefabs: [...changed.values()], edits };
+  return { prefabs: [...changed.values()], edits: withoutLost(edits) };
+}
+
+/** Without removing what is below another object that goes, and goes with it: an instance within what an instance loses. */
+function withoutLost(edits: readonly PrefabEdit[]): PrefabEdit[] {
+  const removed = new Set<GameObject>();
+  for (const edit of edits) if (edit.kind === 'remove-object') removed.add(edit.object);
+  return edits.filter((edit) => {
+    if (edit.kind !== 'remove-object') return true;
+    let above = edit.object.parent;
+    while (above && !removed.has(above)) above = above.parent;
+    return !above;
+  });
 }
 
 /** Puts a prefab in the place of that with its id, or adds it: all instances follow, and keep their overrides. */

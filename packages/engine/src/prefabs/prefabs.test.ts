@@ -303,3 +303,14 @@ test('nothing is changed by a plan', () => {
   lightOf(lamp).intensity = 5;
   expect(JSON.stringify(serialize(scene))).toBe(before);
 });
+
+test('what goes with an object that is removed is not removed once more', () => {
+  const { lamp, prefab } = lampPrefab();
+  const [bulb] = lamp.children;
+  place(prefab, bulb);
+  const objects = prefab.objects.filter(({ name }) => name !== 'Bulb');
+  const plan = planPrefabChange(scene, { ...prefab, objects });
+  expect(plan.edits.flatMap((edit) => (edit.kind === 'remove-object' ? [edit.object] : []))).toEqual([bulb]);
+  run(plan);
+  expect(lamp.children).toEqual([]);
+});

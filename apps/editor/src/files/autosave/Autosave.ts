@@ -106,7 +106,7 @@ export class Autosave implements DraftKeeper {
   refused(error: unknown): void {
     const { drafts, notices } = this.editor;
     drafts.fail(draftReason(error), this.storedAt ?? this.changedAt ?? Date.now());
-    if (this.refusals++ === 0) this.notice = notices.show('error', drafts.problem!);
+    if (this.refusals++ === 0) this.notice = notices.show('error', drafts.problem!, 'file', { lasts: true });
     if (this.store.restarts !== this.restarts) {
       this.restarts = this.store.restarts;
       this.files.clear();
@@ -119,7 +119,6 @@ export class Autosave implements DraftKeeper {
   private async recover({ id, name, fileName, handle }: SessionInfo): Promise<void> {
     const { editor } = this;
     await this.opened;
-    if (!(await editor.mayLoseChanges())) return;
     const { text, files } = await this.store.read(id);
     if (!(await editor.openFileBytes(text, { name: fileName, handle }, (path) => files.get(path) ?? null))) return;
     editor.commands.markUnsaved();

@@ -23,7 +23,7 @@ export async function encodeLink(text: string): Promise<string> {
  * @throws Error when there is none, it was cut short on its way, or it becomes too large; AbortError when the answer was no
  */
 export async function decodeLink(hash: string, mayUnpack?: MayUnpack): Promise<string> {
-  if (!isLink(hash)) throw new Error('The address holds no scene: it must go on with #scene=…');
+  if (!isLink(hash)) throw new Error(t('The address holds no scene: it must go on with #scene=…'));
   try {
     const base64 = hash.slice(PREFIX.length).replaceAll('-', '+').replaceAll('_', '/');
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

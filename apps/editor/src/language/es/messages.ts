@@ -36,8 +36,6 @@ export const messages: Texts = {
   '{name} asks for files of other hosts': '{name} pide archivos de otros servidores',
   'They would learn that you open it, and when. Without them the rest of the scene opens. It asks for:':
     'Sabrían que se abre, y cuándo. Sin ellos se abre el resto de la escena. Pide:',
-  'Load from these hosts': 'Cargar de estos servidores',
-  'Open without them': 'Abrir sin ellos',
   Hosts: 'Servidores',
   'there is no room left': 'no queda espacio',
   'Free space on the disk, or choose another place.': 'Hay que liberar espacio en el disco o elegir otro lugar.',
@@ -126,8 +124,6 @@ export const messages: Texts = {
   'it has no IndexedDB, as in some private windows.': 'no tiene IndexedDB, como en algunas ventanas privadas.',
   'it has no Web Locks, which pages have only over https.':
     'no tiene Web Locks, que las páginas solo tienen por https.',
-  'The link is damaged or cut short: copy all of it, to its last letter.':
-    'El enlace está dañado o cortado: hay que copiarlo entero, hasta la última letra.',
   ' The largest assets are {names}.': ' Los recursos más grandes son {names}.',
   'The link would have {size}, and may have {limit}.{why} Export a web page instead.':
     'El enlace ocuparía {size} y el máximo es {limit}.{why} Se puede exportar una página web.',
@@ -138,7 +134,6 @@ export const messages: Texts = {
   'Delete {label}?': '¿Eliminar {label}?',
   'It is used in {count} place. The step can be undone.': 'Se usa en {count} lugar. El paso se puede deshacer.',
   'It is used in {count} places. The step can be undone.': 'Se usa en {count} lugares. El paso se puede deshacer.',
-  '{label} cannot be renamed: only prefabs can.': '{label} no se puede renombrar: solo los prefabs.',
   'Exported {fileName}': 'Exportado {fileName}',
   '{label} copied': '{label}: copiado',
   'Imported {count} microshader of {name}': 'Importado {count} microshader de {name}',
@@ -179,4 +174,26 @@ export const messages: Texts = {
     '{name} está dentro de {parent}, que tiene una escala desigual: hay que igualarla para mover la cámara.',
   'The scene plays: stop it to move this camera.':
     'La escena se está reproduciendo: hay que detenerla para mover esta cámara.',
+  '{name} stays where it is: it came with Farol, or is a part of a model.':
+    '{name} se queda donde está: viene con Farol o es parte de un modelo.',
+  '{label} keeps its name: it came with Farol, or is a part of a model.':
+    '{label} conserva su nombre: viene con Farol o es parte de un modelo.',
+  'No object uses it.': 'Ningún objeto lo usa.',
+  'a skeleton': 'un esqueleto',
+  'morph targets': 'formas de mezcla',
+  'instances of a mesh': 'instancias de una malla',
+  'points or lines': 'puntos o líneas',
+  '{name} stays one object: it has {what}, which only a whole model keeps.':
+    '{name} se queda como un solo objeto: tiene {what}, que solo conserva un modelo entero.',
+  'Farol scene': 'Escena de Farol',
+  'is not made of fields: make a new material.': 'no está hecho de campos: hay que crear un material nuevo.',
+  'needs a name.': 'necesita un nombre.',
+  'is there already: choose another name.': 'ya existe: hay que elegir otro nombre.',
+  'cannot be put into itself: choose another folder.':
+    'no se puede poner dentro de sí misma: hay que elegir otra carpeta.',
+  'holds an asset: move or delete it first.': 'contiene un recurso: hay que moverlo o eliminarlo antes.',
+  'holds {count} assets: move or delete them first.':
+    'contiene {count} recursos: hay que moverlos o eliminarlos antes.',
+  'Techniques cannot be compared: this device draws to no float colour buffers (EXT_color_buffer_float).':
+    'No se pueden comparar técnicas: este dispositivo no dibuja en búferes de color flotantes (EXT_color_buffer_float).',
 };

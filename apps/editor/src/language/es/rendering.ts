@@ -24,15 +24,6 @@ export const rendering: Texts = {
   'Off by more than 2': 'Difieren en más de 2',
   '{percent}% of the pixels': '{percent} % de los píxeles',
   Automatic: 'Automático',
-  'Multisampled where the technique can be, else SMAA.': 'Multimuestreo donde la técnica lo permite; si no, SMAA.',
-  'Of the technique': 'De la técnica',
-  'Techniques with a G-buffer have none.': 'Las técnicas con G-buffer no tienen.',
-  SMAA: 'SMAA',
-  'Smooths the edges of each picture by itself.': 'Suaviza los bordes de cada imagen por sí sola.',
-  'Multisampled edges': 'Bordes con multimuestreo',
-  'Draws the geometry once more, with 4 samples a pixel.': 'Dibuja la geometría otra vez, con 4 muestras por píxel.',
-  TAA: 'TAA',
-  'Gathers frames, each drawn a part of a pixel off.': 'Acumula fotogramas, cada uno desplazado una parte de píxel.',
   'Ambient occlusion': 'Oclusión ambiental',
   'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.':
     'La luz indirecta llega menos a los rincones; «Automático» elige entonces una técnica con G-buffer.',
@@ -122,8 +113,6 @@ export const rendering: Texts = {
   Lighting: 'Iluminación',
   'Light count': 'Número de luces',
   Overdraw: 'Sobredibujado',
-  'hardly any lights: lists would cost more than they save':
-    'apenas hay luces: las listas costarían más de lo que ahorran',
   'few lights over a pixel: a G-buffer would cost more than it saves':
     'pocas luces por píxel: un G-buffer costaría más de lo que ahorra',
   'many lights over a pixel: each surface is lit once, by the list of its cluster':
@@ -133,4 +122,6 @@ export const rendering: Texts = {
   Vignette: 'Viñeta',
   'Tiled deferred shading that grows dark towards the edges: an example of a plugin.':
     'Diferido por tiles que se oscurece hacia los bordes: un ejemplo de complemento.',
+  'hardly any lights: lists would cost more than they save':
+    'casi ninguna luz: las listas costarían más de lo que ahorran',
 };

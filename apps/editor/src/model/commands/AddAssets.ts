@@ -3,8 +3,8 @@ import type { AssetLibrary, TakenAsset } from '@farol/engine';
 
 const labelOf = (assets: readonly TakenAsset[]): string =>
   assets.length === 1
-    ? t('Import {name}', { name: assets[0].name })
-    : t('Import {count} assets', { count: assets.length });
+    ? t('Imported {name}', { name: assets[0].name })
+    : t('Imported {count} assets', { count: assets.length });
 
 /** Puts loaded assets into the library. */
 export class AddAssets implements Command {
@@ -41,7 +41,7 @@ export class RemoveAsset implements Command {
     private readonly assets: AssetLibrary,
     private readonly name: string,
   ) {
-    this.label = t('Delete {name}', { name });
+    this.label = t('Deleted {name}', { name });
   }
 
   do(): void {

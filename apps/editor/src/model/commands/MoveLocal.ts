@@ -12,7 +12,7 @@ export class MoveLocal extends StructuralCommand {
     private readonly object: GameObject,
     private readonly parent: Container,
   ) {
-    super(t('Move {name}', { name: object.name }), scene);
+    super(t('Moved {name}', { name: object.name }), scene);
   }
 
   protected override apply(): void {

@@ -14,7 +14,7 @@ export class SetPrefab implements Command {
     private readonly id: string,
     private readonly next: Prefab | null,
   ) {
-    this.label = next ? t('Change prefab') : t('Delete prefab');
+    this.label = next ? t('Changed prefab') : t('Deleted prefab');
   }
 
   do(): void {

@@ -23,10 +23,12 @@ import {
 import type { EditorDocument } from '../EditorDocument';
 import { groupObjects, ungroupObjects } from '../groupObjects';
 import { below, objectsOf, pick, type Random } from './random';
+import { randomArrangement } from './randomArrangement';
 import { randomAssetCommand } from './randomAssetCommand';
 import { randomEdit } from './randomEdit';
 import { randomMaterialCommand } from './randomMaterialCommand';
 import { randomPrefabCommand } from './randomPrefabCommand';
+import { randomViewCommand } from './randomViewCommand';
 
 /** Some objects, often nested ones. */
 const some = (random: Random, all: readonly GameObject[]): GameObject[] => {
@@ -49,7 +51,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 30);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 32);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -127,6 +129,10 @@ export function randomCommand(random: Random, document: EditorDocument): Command
     case 27:
     case 28:
       return randomMaterialCommand(random, document);
+    case 29:
+      return randomArrangement(random, scene, some(random, all).slice(0, 2));
+    case 30:
+      return randomViewCommand(random, document);
     default:
       return randomEdit(random, document, pick(random, pick(random, all).components));
   }

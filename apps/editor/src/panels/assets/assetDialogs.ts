@@ -46,7 +46,7 @@ export async function removeEntries(editor: EditorApi, entries: readonly AssetEn
     const prefab = kind === 'prefab' ? scene.prefabs.get(name) : null;
     return prefab ? deletePrefab(scene, prefab, document.selection.ids) : deleteAsset(scene, name);
   });
-  commands.run(made.length === 1 ? made[0]() : new Sequence(t('Delete {label}', { label: what }), made));
+  commands.run(made.length === 1 ? made[0]() : new Sequence(t('Deleted {label}', { label: what }), made));
   document.assetSelection.clear();
 }
 

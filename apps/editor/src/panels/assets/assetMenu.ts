@@ -23,7 +23,7 @@ function materialEntries(editor: EditorApi, { name, label }: AssetEntry): MenuEn
       disabled: users.length === 0,
       run: () =>
         editor.attempt(() =>
-          commands.run(giveMaterial(users, name, t('Give {name} to the selection', { name: label }))),
+          commands.run(giveMaterial(users, name, t('Gave {name} to the selection', { name: label }))),
         ),
     },
   ];

@@ -4,6 +4,9 @@ import type { ReactNode } from 'react';
 import { REVISION } from 'three';
 import { useEditor } from '../../ui/EditorContext';
 
+/** The licence's name, the same in every language. */
+const LICENCE = 'MIT';
+
 /** Says what the editor is, what it runs on, and under what terms. */
 export function AboutDialog({ onClose }: { onClose(): void }): ReactNode {
   const { viewport } = useEditor();
@@ -18,12 +21,12 @@ export function AboutDialog({ onClose }: { onClose(): void }): ReactNode {
         {t('An editor of three.js scenes with very many lights, drawn by {techniques} techniques.', { techniques })}
       </Dialog.Description>
       <dl className="about">
-        <dt>{t('three.js')}</dt>
+        <dt>three.js</dt>
         <dd>r{REVISION}</dd>
         <dt>{t('Graphics device')}</dt>
         <dd>{name}</dd>
         <dt>{t('Licence')}</dt>
-        <dd>MIT</dd>
+        <dd>{LICENCE}</dd>
       </dl>
       <div className="dialog-buttons">
         <button type="button" className="button framed" onClick={onClose}>

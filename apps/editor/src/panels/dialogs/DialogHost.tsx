@@ -1,7 +1,8 @@
 import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import { lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef } from 'react';
-import type { DialogRequest } from '../../model/Dialogs';
+import { readableText } from '../../model/readableText';
+import type { ConfirmDialog, DialogRequest } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dialogs.css';
 
@@ -74,8 +75,8 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
   if (request.kind === 'palette') return <CommandPalette onClose={() => onClose(false)} />;
   return (
     <>
-      <Dialog.Title>{request.title}</Dialog.Title>
-      <Dialog.Description>{request.text}</Dialog.Description>
+      <Dialog.Title>{readableText(request.title)}</Dialog.Title>
+      <Dialog.Description>{readableText(request.text)}</Dialog.Description>
       {request.kind === 'problems' && (
         // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
         <ul
@@ -86,7 +87,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
           {request.problems.map(({ path, problem }, i) => (
             // oxlint-disable-next-line react/no-array-index-key -- two objects may have the same name
             <li key={i}>
-              {path && <code>{path}</code>} {problem}
+              {path && <code>{readableText(path)}</code>} {readableText(problem)}
             </li>
           ))}
         </ul>
@@ -94,6 +95,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
       <Buttons
         action={request.action}
         refusal={request.kind === 'problems' ? request.refusal : undefined}
+        other={request.kind === 'confirm' ? request.other : undefined}
         onClose={onClose}
       />
     </>
@@ -103,15 +105,28 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
 interface ButtonsProps {
   readonly action?: string;
   readonly refusal?: string;
+  readonly other?: ConfirmDialog['other'];
   onClose(agreed: boolean): void;
 }
 
-function Buttons({ action, refusal = t('Cancel'), onClose }: ButtonsProps): ReactNode {
+function Buttons({ action, refusal = t('Cancel'), other, onClose }: ButtonsProps): ReactNode {
   return (
     <div className="dialog-buttons">
       <button type="button" className="button framed" onClick={() => onClose(false)}>
         {action ? refusal : t('Close')}
       </button>
+      {other && (
+        <button
+          type="button"
+          className="button framed"
+          onClick={() => {
+            other.choose();
+            onClose(false);
+          }}
+        >
+          {other.label}
+        </button>
+      )}
       {action && (
         <button type="button" className="button primary" onClick={() => onClose(true)}>
           {action}

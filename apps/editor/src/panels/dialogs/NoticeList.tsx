@@ -1,38 +1,49 @@
 import { t } from '@farol/editing';
-import { type ReactNode, useEffect } from 'react';
+import { type ReactNode, useEffect, useState } from 'react';
 import type { Notice } from '../../model/Notices';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** How long a message that is no error stays (ms): a short one, and each letter. */
+/** How long a message stays (ms): a short one, an error, and each letter. */
 const SHOWN = 4000;
+const ERROR = 10_000;
 const READ = 70;
 
-/** Messages over the picture. Errors stay until they are closed. */
+/** Messages in the lower corner of the picture, where nothing else is. They stay while the pointer or the focus is on one. */
 export function NoticeList(): ReactNode {
   const { notices } = useEditor();
   useSignal(notices.changed);
+  const [isRead, setIsRead] = useState(false);
   return (
-    <div className="notices" role="status" aria-live="polite">
+    <div
+      className="notices"
+      role="status"
+      aria-live="polite"
+      onPointerEnter={() => setIsRead(true)}
+      onPointerLeave={() => setIsRead(false)}
+      onFocus={() => setIsRead(true)}
+      onBlur={() => setIsRead(false)}
+    >
       {notices.current.map((notice) => (
-        <NoticeItem key={notice.id} notice={notice} onClose={() => notices.remove(notice.id)} />
+        <NoticeItem key={notice.id} notice={notice} isRead={isRead} onClose={() => notices.remove(notice.id)} />
       ))}
     </div>
   );
 }
 
-function NoticeItem({ notice, onClose }: { notice: Notice; onClose(): void }): ReactNode {
-  const { id, kind, text } = notice;
+function NoticeItem({ notice, isRead, onClose }: { notice: Notice; isRead: boolean; onClose(): void }): ReactNode {
+  const { id, kind, text, count, lasts } = notice;
   useEffect(() => {
-    if (kind === 'error') return;
-    const timer = setTimeout(onClose, Math.max(SHOWN, text.length * READ));
+    if (lasts || isRead) return;
+    const timer = setTimeout(onClose, Math.max(kind === 'error' ? ERROR : SHOWN, text.length * READ));
     return () => clearTimeout(timer);
-    // oxlint-disable-next-line react-hooks/exhaustive-deps -- one time for each message
-  }, [id, kind]);
+    // oxlint-disable-next-line react-hooks/exhaustive-deps -- begun anew when it is said again, or was read
+  }, [id, kind, count, lasts, isRead]);
   return (
     <div className={`notice ${kind}`}>
       <Icon name={kind === 'info' ? 'check' : 'warning'} />
-      <span>{text}</span>
+      <span className="notice-text">{text}</span>
+      {count > 1 && <span className="notice-count">×{count}</span>}
       <button type="button" className="button small" aria-label={t('Close message')} onClick={onClose}>
         <Icon name="close" size={12} />
       </button>

@@ -1,4 +1,4 @@
-import { type ReactNode, useLayoutEffect, useRef, useState, useSyncExternalStore } from 'react';
+import { type CSSProperties, type ReactNode, useLayoutEffect, useRef, useState, useSyncExternalStore } from 'react';
 import { groupWith, MAIN_PANEL } from '../../layout/LayoutNode';
 import { placeLayout, type Rectangle } from '../../layout/placeLayout';
 import { isSmallWindow, placeSheet } from '../../layout/smallWindow';
@@ -66,9 +66,10 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
         const rectangle = there ? belowTabs(there.rectangle) : null;
         return group.panels.map((id) => ({ id, isInFront: there !== undefined && id === group.active, rectangle }));
       });
+  const picture = shown.find(({ id, isInFront }) => id === 'viewport' && isInFront)?.rectangle ?? null;
   const drag = useTabDrag(place, placed.groups);
   return (
-    <main ref={place} className="dock">
+    <main ref={place} className="dock" style={pictureStyle(picture, height)}>
       {size !== null && (
         <>
           {placed.groups.map(({ group, rectangle }) => (
@@ -88,6 +89,16 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
       {children}
     </main>
   );
+}
+
+/** Where the picture is, for what is shown in a corner of it: none of this while it is behind another panel. */
+function pictureStyle(rectangle: Rectangle | null, height: number): CSSProperties | undefined {
+  if (!rectangle) return undefined;
+  return {
+    '--picture-left': `${rectangle.x}px`,
+    '--picture-bottom': `${height - rectangle.y - rectangle.height}px`,
+    '--picture-width': `${rectangle.width}px`,
+  } as CSSProperties;
 }
 
 const belowTabs = ({ x, y, width, height }: Rectangle): Rectangle => ({

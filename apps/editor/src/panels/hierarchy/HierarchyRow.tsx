@@ -86,6 +86,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
           className="input rename"
           aria-label={t('Name of {name}', { name: object.name })}
           onClick={(event) => event.stopPropagation()}
+          onFocus={(event) => event.currentTarget.select()}
           onKeyDown={(event) => {
             event.stopPropagation();
             if (event.key === 'Enter') tree.completeRenaming();

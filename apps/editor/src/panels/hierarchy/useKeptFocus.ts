@@ -1,11 +1,8 @@
 import type { TreeInstance } from '@headless-tree/core';
 import { useEffect, useRef } from 'react';
 
-/**
- * Keeps the focus in a tree when the row that has it goes, by a deletion or by a move: keys go on.
- * @param revision - differs whenever rows may have come or gone
- */
-export function useKeptFocus(tree: TreeInstance<string>, revision: unknown): void {
+/** Keeps the focus in a tree when the row that has it goes, by a deletion or by a move: keys go on. */
+export function useKeptFocus(tree: TreeInstance<string>): void {
   const wasInside = useRef(false);
   useEffect(() => {
     const focused = (event: FocusEvent): void => {
@@ -22,12 +19,12 @@ export function useKeptFocus(tree: TreeInstance<string>, revision: unknown): voi
       document.removeEventListener('pointerdown', pressed);
     };
   }, []);
+  // after each rendering: rows go in one that comes after that of the edit
   useEffect(() => {
     if (!wasInside.current) return;
     const frame = requestAnimationFrame(() => {
       if (document.activeElement === document.body && tree.getItems().length > 0) tree.updateDomFocus();
     });
     return () => cancelAnimationFrame(frame);
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- rows may have gone with it
-  }, [tree, revision]);
+  });
 }

@@ -142,7 +142,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- once for each selection, after its parents were unfolded
   }, [tree, primary, expandedItems]);
 
-  useKeptFocus(tree, `${structure} ${primary}`);
+  useKeptFocus(tree);
 
   useEffect(
     () =>

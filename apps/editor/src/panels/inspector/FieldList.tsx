@@ -1,7 +1,8 @@
 import { sharedValue } from '@farol/editing';
 import { type Field, type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
-import type { ReactNode } from 'react';
+import type { ReactElement, ReactNode } from 'react';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { FieldGroup } from './FieldGroup';
 import { FieldRow } from './FieldRow';
 import { useLiveTexts } from './useLiveTexts';
 
@@ -24,7 +25,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
   useOwnersRevision(owners);
   const places = useLiveTexts(owners.length === 1 ? owners[0] : null);
   const [owner] = owners;
-  return (names ?? Object.keys(owner.fields))
+  const rows = (names ?? Object.keys(owner.fields))
     .filter((name) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
     .map((name) => {
       const field = owner.fields[name];
@@ -44,4 +45,21 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
         />
       );
     });
+  return inGroups(owner, rows);
+}
+
+/** Fields of a group stand together below its title, after those that are in none. */
+function inGroups(owner: FieldOwner, rows: readonly ReactElement[]): ReactNode {
+  const groupOf = ({ key }: ReactElement): string | undefined => owner.fields[key!].group;
+  const groups = new Set(rows.map(groupOf));
+  groups.delete(undefined);
+  if (groups.size === 0) return rows;
+  return [
+    ...rows.filter((row) => groupOf(row) === undefined),
+    ...[...groups].map((group) => (
+      <FieldGroup key={`group ${group}`} id={`${owner.ownerName}/${group}`} title={group!}>
+        {rows.filter((row) => groupOf(row) === group)}
+      </FieldGroup>
+    )),
+  ];
 }

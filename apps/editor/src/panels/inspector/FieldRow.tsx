@@ -4,8 +4,10 @@ import { type ComponentType, memo, type ReactNode, useCallback, useMemo } from '
 import { fieldEditors } from '../../fields';
 import type { FieldEditorProps } from '../../api/FieldEditorProps';
 import { resetFields } from '../../model/edits';
+import { ownersName } from '../../model/ownersName';
 import { OverrideMark } from '../prefab/OverrideMark';
 import { useEditor } from '../../ui/EditorContext';
+import { useIsFound } from '../../ui/FieldFilter';
 import { Icon } from '../../ui/Icon';
 
 interface FieldRowProps {
@@ -30,7 +32,10 @@ interface FieldRowProps {
 export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode {
   const { owners, name, field, value, mixed, parts, isDefault, places, choices } = props;
   const editor = useEditor();
-  const gesture = useMemo(() => new FieldGesture(editor.commands, owners, name), [editor, owners, name]);
+  const gesture = useMemo(
+    () => new FieldGesture(editor.commands, owners, name, () => ownersName(owners)),
+    [editor, owners, name],
+  );
   // one editor for each kind: the table's type says so, which a union of its members cannot
   const Editor = fieldEditors[field.kind] as ComponentType<FieldEditorProps<Field>>;
   const label = labelOfField(name, field);
@@ -42,6 +47,8 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
     },
     [places, name],
   );
+  const isFound = useIsFound(label, name);
+  if (!isFound) return null;
   return (
     <div className={`field field-${field.kind}`} data-field={name} data-help={description}>
       <span className="field-label" title={description}>
@@ -55,7 +62,13 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
             title={t('Reset {label} to its default', { label })}
             onClick={() =>
               editor.attempt(() =>
-                editor.commands.run(resetFields(t('Reset {label}', { label: label.toLowerCase() }), owners, [name])),
+                editor.commands.run(
+                  resetFields(
+                    t('Reset {field} of {name}', { field: label.toLowerCase(), name: ownersName(owners) }),
+                    owners,
+                    [name],
+                  ),
+                ),
               )
             }
           >

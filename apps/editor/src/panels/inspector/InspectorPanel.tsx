@@ -1,6 +1,7 @@
 import { t } from '@farol/editing';
-import { type FocusEvent, type PointerEvent, type ReactNode, useDeferredValue, useState } from 'react';
+import { type FocusEvent, type PointerEvent, type ReactNode, useDeferredValue, useMemo, useState } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { FieldFilter, wordsOfFilter } from '../../ui/FieldFilter';
 import './inspector.css';
 import { AssetInspector } from '../material/AssetInspector';
 import { ObjectInspector } from './ObjectInspector';
@@ -12,16 +13,21 @@ export function InspectorPanel(): ReactNode {
   useSignal(document.selection.changed);
   useSignal(document.assetSelection.changed);
   useSignal(document.opened);
-  const [help, setHelp] = useState('');
+  const [{ help, of: helpOf }, showHelp] = useState<{ help: string; of: unknown }>({ help: '', of: null });
+  const [filter, setFilter] = useState('');
+  const words = useMemo(() => wordsOfFilter(filter), [filter]);
   // who walks through the tree by a key that is held down waits for the tree alone
   const ids = useDeferredValue(document.selection.ids);
 
+  const asset = document.assetSelection.primary;
+  // help of what is no longer selected is out of date
+  const subject = asset ?? ids;
+  const setHelp = (text: string): void => showHelp({ help: text, of: subject });
   const show = (event: PointerEvent | FocusEvent): void => {
     const field = (event.target as HTMLElement).closest<HTMLElement>('[data-help]');
     setHelp(field?.dataset.help ?? '');
   };
 
-  const asset = document.assetSelection.primary;
   const ofObjects = ids.length > 0 ? <ObjectInspector ids={ids} /> : <SceneInspector />;
   const content = asset === null ? ofObjects : <AssetInspector key={asset} name={asset} />;
 
@@ -32,10 +38,32 @@ export function InspectorPanel(): ReactNode {
       aria-busy={ids !== document.selection.ids}
       onPointerOver={show}
       onFocus={show}
+      onBlur={() => setHelp('')}
       onPointerLeave={() => setHelp('')}
     >
-      <div className="inspector-body">{content}</div>
-      <p className="inspector-help">{help}</p>
+      <header className="panel-header">
+        <input
+          className="input search"
+          type="search"
+          value={filter}
+          placeholder={t('Find a field')}
+          aria-label={t('Find a field')}
+          autoComplete="off"
+          spellCheck={false}
+          onChange={(event) => setFilter(event.target.value)}
+          onKeyDown={(event) => {
+            if (event.key !== 'Escape') return;
+            event.stopPropagation();
+            setFilter('');
+            event.currentTarget.blur();
+          }}
+        />
+      </header>
+      <div key={asset === null ? 'objects' : 'asset'} className="inspector-body" data-filtered={words.length > 0}>
+        <FieldFilter value={words}>{content}</FieldFilter>
+        <p className="inspector-none">{t('No field here is called that.')}</p>
+      </div>
+      <p className="inspector-help">{helpOf === subject ? help : ''}</p>
     </section>
   );
 }

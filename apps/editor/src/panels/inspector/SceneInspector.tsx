@@ -1,12 +1,12 @@
 import { t } from '@farol/editing';
-import { type ReactNode, useMemo } from 'react';
+import type { ReactNode } from 'react';
 import { Camera } from '@farol/engine';
 import { SetProperty } from '../../model/commands/SetProperty';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { SelectBox } from '../../ui/SelectBox';
 import { TextInput } from '../../ui/TextInput';
-import { FieldList } from './FieldList';
+import { PictureSections } from './PictureSections';
 import { Section } from './Section';
 
 /** The scene as a whole, shown while no object is selected. */
@@ -14,7 +14,6 @@ export function SceneInspector(): ReactNode {
   const { document, commands } = useEditor();
   useSignal(document.structure);
   const { scene } = document;
-  const owners = useMemo(() => [scene.settings], [scene]);
   const cameras = scene.componentsOf(Camera).map((camera) => ({ value: camera.id, label: camera.gameObject.name }));
   return (
     <>
@@ -24,7 +23,10 @@ export function SceneInspector(): ReactNode {
           value={scene.name}
           label={t('Name of the scene')}
           onCommit={(name) =>
-            name.trim() && commands.run(new SetProperty(t('Rename scene'), [scene], 'name', name.trim()))
+            name.trim() &&
+            commands.run(
+              new SetProperty(t('Renamed the scene to {name}', { name: name.trim() }), [scene], 'name', name.trim()),
+            )
           }
         />
       </div>
@@ -39,14 +41,21 @@ export function SceneInspector(): ReactNode {
                 label={t('Active camera')}
                 onChange={(id) => {
                   const camera = scene.componentsOf(Camera).find((each) => each.id === id) ?? null;
-                  commands.run(new SetProperty(t('Set camera'), [scene], 'activeCamera', camera));
+                  commands.run(
+                    new SetProperty(
+                      t('Set the camera of the scene to {name}', { name: camera?.gameObject.name ?? t('none') }),
+                      [scene],
+                      'activeCamera',
+                      camera,
+                    ),
+                  );
                 }}
               />
             </div>
           </div>
         )}
-        <FieldList owners={owners} />
       </Section>
+      <PictureSections settings={scene.settings} />
     </>
   );
 }

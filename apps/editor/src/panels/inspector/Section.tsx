@@ -1,6 +1,7 @@
 import type { ReactNode } from 'react';
 import { Icon } from '../../ui/Icon';
 import type { IconName } from '../../style/iconPaths';
+import { SectionTitle, useIsFiltering } from '../../ui/FieldFilter';
 import { useEditor } from '../../ui/EditorContext';
 import { usePreferences } from '../../ui/usePreferences';
 
@@ -21,7 +22,8 @@ interface SectionProps {
 export function Section(props: SectionProps): ReactNode {
   const { id, title, help, icon, isFoldedAtFirst = false, controls, children } = props;
   const { preferences } = useEditor();
-  const isFolded = usePreferences(({ folded }) => folded[id] ?? isFoldedAtFirst);
+  const isFiltering = useIsFiltering();
+  const isFolded = usePreferences(({ folded }) => folded[id] ?? isFoldedAtFirst) && !isFiltering;
   const fold = (): void => {
     preferences.setState((before) => ({ folded: { ...before.folded, [id]: !isFolded } }));
   };
@@ -39,7 +41,11 @@ export function Section(props: SectionProps): ReactNode {
         </h3>
         {controls}
       </header>
-      {!isFolded && <div className="section-body">{children}</div>}
+      {!isFolded && (
+        <SectionTitle value={title}>
+          <div className="section-body">{children}</div>
+        </SectionTitle>
+      )}
     </section>
   );
 }

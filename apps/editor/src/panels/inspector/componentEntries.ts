@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { namesOf, t } from '@farol/editing';
 import type { Component } from '@farol/engine';
 import type { EditorApi } from '../../api/EditorApi';
 import { copyComponent, fittingValues, readComponentClip } from '../../model/componentClip';
@@ -13,6 +13,7 @@ export function componentEntries(editor: EditorApi, components: readonly Compone
   const { typeName } = first;
   const title = wordsOf(typeName);
   const isTransform = typeName === 'Transform';
+  const words = { component: title, name: namesOf(components.map(({ gameObject }) => gameObject)) };
   const list = first.gameObject.components;
   const place = list.indexOf(first);
   const clip = readComponentClip(clipboard.text);
@@ -37,7 +38,8 @@ export function componentEntries(editor: EditorApi, components: readonly Compone
       icon: 'paste',
       disabled: !values,
       run: attempt(
-        () => values && commands.run(setValues(t('Paste values of {title}', { title }), components, values)),
+        () =>
+          values && commands.run(setValues(t('Pasted values into {component} of {name}', words), components, values)),
       ),
     },
     {
@@ -66,7 +68,7 @@ export function componentEntries(editor: EditorApi, components: readonly Compone
       label: t('Reset'),
       help: t('Gives every field its default.'),
       icon: 'undo',
-      run: attempt(() => commands.run(resetFields(t('Reset {title}', { title }), components))),
+      run: attempt(() => commands.run(resetFields(t('Reset {component} of {name}', words), components))),
     },
     {
       label: t('Remove'),

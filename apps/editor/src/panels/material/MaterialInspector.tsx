@@ -4,6 +4,7 @@ import { isFieldVisible } from '@farol/engine/fields';
 import { Fragment, type ReactNode, useMemo, useState } from 'react';
 import { FieldList } from '../inspector/FieldList';
 import { Section } from '../inspector/Section';
+import { useIsFiltering } from '../../ui/FieldFilter';
 import { Icon } from '../../ui/Icon';
 import { TurningBall } from '../../ui/TurningBall';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
@@ -62,23 +63,27 @@ function SectionOfMaterial({ material, owners, section }: SectionOfMaterialProps
 
 /** How a map lies on the surface; folded until asked for. */
 function Placement({ owners, map }: { owners: readonly MaterialAsset[]; map: string }): ReactNode {
-  const [isOpen, setOpen] = useState(false);
+  const [isChosen, setOpen] = useState(false);
+  const isFiltering = useIsFiltering();
+  const isOpen = isChosen || isFiltering;
   const names = useMemo(() => placementFields(map), [map]);
   const [{ fields }] = owners;
   return (
     <div className="placement">
-      <button
-        type="button"
-        className="placement-title"
-        aria-expanded={isOpen}
-        aria-label={t('Placement of {map}', { map: labelOfField(map, fields[map]) })}
-        onClick={() => setOpen(!isOpen)}
-      >
-        <span className="fold" data-open={isOpen}>
-          <Icon name="chevron" size={10} />
-        </span>
-        {t('Placement')}
-      </button>
+      {!isFiltering && (
+        <button
+          type="button"
+          className="placement-title"
+          aria-expanded={isOpen}
+          aria-label={t('Placement of {map}', { map: labelOfField(map, fields[map]) })}
+          onClick={() => setOpen(!isOpen)}
+        >
+          <span className="fold" data-open={isOpen}>
+            <Icon name="chevron" size={10} />
+          </span>
+          {t('Placement')}
+        </button>
+      )}
       {isOpen && (
         <div className="placement-fields">
           <FieldList owners={owners} names={names} />

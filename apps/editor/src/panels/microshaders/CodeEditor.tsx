@@ -43,7 +43,14 @@ export function CodeEditor({ name, text, errors, goTo, onInput, onLeave }: CodeE
       state: EditorState.create({ doc: text, extensions: glslExtensions((next) => handlers.current.onInput(next)) }),
     });
     view.current = made;
+    // the list of errors comes below the text and takes room of it: the line that is typed stays in sight
+    const sizes = new ResizeObserver(() => {
+      if (!made.hasFocus) return;
+      made.dispatch({ effects: EditorView.scrollIntoView(made.state.selection.main.head) });
+    });
+    sizes.observe(place.current!);
     return () => {
+      sizes.disconnect();
       view.current = null;
       made.destroy();
     };

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
 import { bracketMatching, HighlightStyle, indentUnit, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import { shader } from '@codemirror/legacy-modes/mode/clike';
@@ -53,6 +54,29 @@ const theme = EditorView.theme({
   },
 });
 
+/** The words of the code editor's own search and lists, in the language that is shown. */
+const phrases = (): Record<string, string> => ({
+  Find: t('Find'),
+  Replace: t('Replace'),
+  next: t('next'),
+  previous: t('previous'),
+  all: t('all'),
+  'match case': t('match case'),
+  regexp: t('regexp'),
+  'by word': t('by word'),
+  replace: t('replace'),
+  'replace all': t('replace all'),
+  close: t('close'),
+  'current match': t('current match'),
+  'on line': t('on line'),
+  'replaced $ matches': t('replaced $ matches'),
+  'replaced match on line $': t('replaced match on line $'),
+  'Go to line': t('Go to line'),
+  go: t('go'),
+  Diagnostics: t('Diagnostics'),
+  'No diagnostics': t('No diagnostics'),
+});
+
 /** Marks a change that came from elsewhere, such as an undo of the document's. */
 export const fromOutside = Annotation.define<boolean>();
 
@@ -73,8 +97,9 @@ export function glslExtensions(onInput: (text: string) => void): Extension {
     StreamLanguage.define(shader),
     syntaxHighlighting(style),
     theme,
+    EditorState.phrases.of(phrases()),
     keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]),
-    EditorView.contentAttributes.of({ 'aria-label': 'Text of the microshader', spellcheck: 'false', tabindex: '0' }),
+    EditorView.contentAttributes.of({ 'aria-label': t('Text of the microshader'), spellcheck: 'false', tabindex: '0' }),
     EditorView.updateListener.of((update) => {
       const byHand = update.transactions.some(
         (transaction) => transaction.docChanged && transaction.annotation(fromOutside) !== true,

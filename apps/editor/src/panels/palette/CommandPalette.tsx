@@ -6,12 +6,10 @@ import { matchKey } from '../../actions/matchKey';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { keyText } from '../../ui/keyText';
+import { LINES } from './lines';
 import { matchItems } from './matchItems';
 import './palette.css';
 import { objectItems, OBJECTS, type PaletteItem, paletteItems } from './paletteItems';
-
-/** Lines that are shown at most. */
-const LINES = 60;
 
 /** Everything that can be done, found by typing; objects of the scene too. */
 export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {

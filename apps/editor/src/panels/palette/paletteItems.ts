@@ -23,6 +23,7 @@ const groups = (): Readonly<Record<string, string>> => ({
   file: t('File'),
   edit: t('Edit'),
   view: t('View'),
+  camera: t('Camera'),
   gizmo: t('Handles'),
   play: t('Play'),
   panels: t('Panels'),

@@ -66,7 +66,7 @@ export function Toolbar(): ReactNode {
         ))}
       </div>
       <div className="toolbar-part end">
-        <div className="labelled">
+        <div className="labelled technique">
           <span aria-hidden="true">{t('Technique')}</span>
           <SelectBox
             value={viewport.technique}

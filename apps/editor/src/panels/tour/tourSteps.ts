@@ -26,7 +26,7 @@ export const tourSteps = (): readonly TourStep[] => [
     text: t('Meshes, lights, cameras and decals. What you add is selected, and one step back by Ctrl+Z.'),
   },
   {
-    target: '[aria-label="Handles"], .handles-menu',
+    target: '.handles, .handles-menu',
     panel: 'viewport',
     title: t('Move, rotate, scale'),
     text: t('Click something in the picture, then W moves it, E rotates it, R scales it. Hold Ctrl to snap.'),
@@ -50,7 +50,7 @@ export const tourSteps = (): readonly TourStep[] => [
     text: t('Models, textures and materials. Drop files anywhere on the window, and drag from here into the picture.'),
   },
   {
-    target: '.toolbar [aria-label="Technique"], .menu-bar',
+    target: '.toolbar .technique, .menu-bar',
     title: t('Technique'),
     text: t('How the lights are drawn: the same picture at different speeds. View > Technique has them too.'),
   },

@@ -3,6 +3,8 @@ import { Popover } from '@base-ui/react/popover';
 import { type ReactNode, useRef } from 'react';
 import { Icon } from '../../ui/Icon';
 import { NumberInput } from '../../ui/NumberInput';
+import { SelectBox } from '../../ui/SelectBox';
+import { Toggle } from '../../ui/Toggle';
 import type { Preferences } from '../../api/preferences';
 import { useEditor } from '../../ui/EditorContext';
 import { usePreferences } from '../../ui/usePreferences';
@@ -18,6 +20,9 @@ const steps = () =>
 export function SnapSteps(): ReactNode {
   const { preferences } = useEditor();
   const chosen = usePreferences(({ snapSteps }) => snapSteps);
+  const snapTo = usePreferences((all) => all.snapTo);
+  const alignsToSurface = usePreferences((all) => all.alignsToSurface);
+  const pivot = usePreferences((all) => all.pivot);
   const set = (name: keyof Preferences['snapSteps'], value: number): void => {
     preferences.setState(({ snapSteps }) => ({ snapSteps: { ...snapSteps, [name]: value } }));
   };
@@ -30,6 +35,42 @@ export function SnapSteps(): ReactNode {
       <Popover.Portal>
         <Popover.Positioner className="positioner" sideOffset={3} align="start">
           <Popover.Popup className="popup snap-popup" aria-label={t('Snap steps')}>
+            <div className="snap-row">
+              <span aria-hidden="true">{t('Snap to')}</span>
+              <SelectBox
+                value={snapTo}
+                label={t('Snap to')}
+                options={[
+                  { value: 'grid', label: t('Steps') },
+                  { value: 'surface', label: t('Surfaces') },
+                  { value: 'vertex', label: t('Vertices') },
+                ]}
+                onChange={(target) => preferences.setState({ snapTo: target })}
+              />
+            </div>
+            {snapTo === 'surface' && (
+              <div className="snap-row">
+                <span aria-hidden="true">{t('Turn along it')}</span>
+                <Toggle
+                  value={alignsToSurface}
+                  label={t('Turn along the surface')}
+                  onChange={(aligns) => preferences.setState({ alignsToSurface: aligns })}
+                />
+              </div>
+            )}
+            <div className="snap-row">
+              <span aria-hidden="true">{t('Pivot')}</span>
+              <SelectBox
+                value={pivot}
+                label={t('Pivot')}
+                options={[
+                  { value: 'centre', label: t('Middle'), help: t('Of all that is selected') },
+                  { value: 'each', label: t('Each'), help: t('Each object turns and grows in its place') },
+                  { value: 'active', label: t('Last'), help: t('The object selected last') },
+                ]}
+                onChange={(chosenPivot) => preferences.setState({ pivot: chosenPivot })}
+              />
+            </div>
             {steps().map(({ name, label, ...rest }) => (
               <div key={name} className="snap-row">
                 <span aria-hidden="true">{label}</span>

@@ -1,9 +1,12 @@
 import { t } from '@farol/editing';
 import { labelOf } from '../../api/Action';
-import { type ReactNode, useEffect, useRef } from 'react';
+import { type ReactNode, useEffect, useRef, useSyncExternalStore } from 'react';
 import { Matrix4 } from 'three';
-import { lookFrom, sides } from '../../actions/sides';
+import { toggleOrthographic } from '../../actions/projection';
+import { lookFrom, sideName, sides } from '../../actions/sides';
 import { useEditor } from '../../ui/EditorContext';
+import { keyText } from '../../ui/keyText';
+import { useKeyBindings } from '../../ui/useKeyBindings';
 
 const matrix = new Matrix4();
 
@@ -16,16 +19,6 @@ const turns = {
   front: '',
   back: 'rotateY(180deg)',
 };
-
-const sideName = (side: keyof typeof turns): string =>
-  ({
-    right: t('right##side'),
-    left: t('left##side'),
-    top: t('top##side'),
-    bottom: t('bottom##side'),
-    front: t('front##side'),
-    back: t('back##side'),
-  })[side];
 
 /** A cube that turns with the picture; a press on a face looks from that side. It costs no React while it turns. */
 export function ViewCube(): ReactNode {
@@ -65,6 +58,26 @@ export function ViewCube(): ReactNode {
           ))}
         </div>
       </div>
+      <ProjectionButton />
     </div>
+  );
+}
+
+/** Says whether the picture has perspective, and changes that. */
+function ProjectionButton(): ReactNode {
+  const editor = useEditor();
+  const { viewport } = editor;
+  const isFlat = useSyncExternalStore(viewport.drawn.subscribe, () => viewport.editorCamera.orthographic);
+  const label = isFlat ? t('Orthographic') : t('Perspective');
+  const key = useKeyBindings().keysOf(toggleOrthographic).at(0);
+  return (
+    <button
+      type="button"
+      className="button small projection"
+      title={key ? `${label} (${keyText(key)})` : label}
+      onClick={() => editor.attempt(() => toggleOrthographic.run(editor))}
+    >
+      {label}
+    </button>
   );
 }

@@ -1,11 +1,12 @@
 import { Menu } from '@base-ui/react/menu';
+import { t } from '@farol/editing';
 import { type ReactNode, useEffect, useMemo, useState } from 'react';
 import { addEntries } from '../../actions/addEntries';
-import { paste } from '../../actions/clipboard';
+import { paste, pasteAt } from '../../actions/clipboard';
 import { objectEntries } from '../../actions/objectEntries';
 import { useEditor } from '../../ui/EditorContext';
 import { LateItems } from '../../ui/MenuButton';
-import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
+import type { MenuEntry } from '../../api/MenuEntry';
 import { MenuPress } from '../../viewport/MenuPress';
 
 /** The menu of what is seen at a point of the picture; over nothing, what can be added. */
@@ -22,8 +23,14 @@ export function ViewportMenu(): ReactNode {
     return () => press.dispose();
   }, [viewport]);
   const anchor = useMemo(() => ({ getBoundingClientRect: () => DOMRect.fromRect(point) }), [point]);
+  const pasteEntry = (): MenuEntry => ({
+    label: t('Paste here'),
+    icon: paste.icon,
+    disabled: !paste.enabled!(editor),
+    run: () => editor.attempt(() => pasteAt(editor, point)),
+  });
   const entries = (): readonly MenuEntry[] =>
-    objectEntries(editor) ?? [...addEntries(editor), 'separator', actionEntry(paste, editor)];
+    objectEntries(editor) ?? [...addEntries(editor, null, point), 'separator', pasteEntry()];
   return (
     <Menu.Root open={isOpen} onOpenChange={setIsOpen}>
       <Menu.Portal>

@@ -4,11 +4,14 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
 import { PreviewFrame } from './PreviewFrame';
 import { StatisticsOverlay } from './StatisticsOverlay';
+import { ViewLine } from './ViewLine';
 import { ViewportMenu } from './ViewportMenu';
 import { ViewportToolbar } from './ViewportToolbar';
 
 const PainterOverlay = lazy(async () => ({ default: (await import('../frame/PainterOverlay')).PainterOverlay }));
 const PlayFrame = lazy(async () => ({ default: (await import('../play/PlayFrame')).PlayFrame }));
+const QuadOverlay = lazy(async () => ({ default: (await import('./QuadOverlay')).QuadOverlay }));
+const ToolBox = lazy(async () => ({ default: (await import('./tools/ToolBox')).ToolBox }));
 const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
 
 /** Views whose colours stand for numbers. */
@@ -16,8 +19,9 @@ const counts: ReadonlySet<string> = new Set(['light-count', 'overdraw']);
 
 /** The picture. The canvas is the Viewport's own: React only gives it a place. */
 export function ViewportPanel(): ReactNode {
-  const { viewport, document } = useEditor();
+  const { viewport, document, tools } = useEditor();
   useSignal(viewport.changed);
+  useSignal(tools.changed);
   const { simulation } = document;
   useSignal(simulation.changed);
   const place = useRef<HTMLDivElement>(null);
@@ -34,7 +38,10 @@ export function ViewportPanel(): ReactNode {
       {!isGrid && <ViewportToolbar />}
       {viewport.showStatistics && <StatisticsOverlay />}
       {!isGrid && <PreviewFrame />}
+      <ViewLine />
       <Suspense fallback={null}>
+        {viewport.isQuad && <QuadOverlay />}
+        {tools.current && <ToolBox key={tools.current.id} tool={tools.current} />}
         {viewport.painter && <PainterOverlay />}
         {simulation.state !== 'stopped' && <PlayFrame />}
         {counts.has(viewport.view) && !viewport.painter && <HeatScale />}

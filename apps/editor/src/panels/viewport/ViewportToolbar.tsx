@@ -3,6 +3,7 @@ import { type ReactNode, useSyncExternalStore } from 'react';
 import { Camera } from '@farol/engine';
 import { gizmoModes } from '../../actions/gizmoModes';
 import { gizmoSpace } from '../../actions/gizmoSpace';
+import { quadView } from '../../actions/quadView';
 import { snap } from '../../actions/snap';
 import { showStatistics } from '../../actions/statistics';
 import { continuous, showGrid, showIcons, showRanges } from '../../actions/viewportToggles';
@@ -10,16 +11,18 @@ import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
 import { ActionButton } from '../../ui/ActionButton';
 import { MenuButton } from '../../ui/MenuButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { ShadingMenu } from './ShadingMenu';
 import { SnapSteps } from './SnapSteps';
 import { ViewCube } from './ViewCube';
+import { ViewsMenu } from './ViewsMenu';
 import type { Viewport } from '../../viewport/Viewport';
 import { usePreferences } from '../../ui/usePreferences';
 import { SelectBox } from '../../ui/SelectBox';
 
 const EDITOR_CAMERA = '/';
 
-/** What is drawn over the picture. */
-const display = [showGrid, showIcons, showRanges, continuous, showStatistics];
+/** What is drawn over the picture, and how many views there are. */
+const display = [showGrid, showIcons, showRanges, continuous, showStatistics, quadView];
 
 /** @param id - of a camera of the scene; anything else stands for the editor's own */
 function lookThrough(viewport: Viewport, id: string): void {
@@ -53,7 +56,7 @@ export function ViewportToolbar(): ReactNode {
   ];
   return (
     <div className="viewport-bar">
-      <div className="button-group" role="toolbar" aria-label={t('Handles')}>
+      <div className="button-group handles" role="toolbar" aria-label={t('Handles')}>
         {gizmoModes.map((action) => (
           <ActionButton key={action.id} action={action} />
         ))}
@@ -64,6 +67,8 @@ export function ViewportToolbar(): ReactNode {
       </div>
       {isSmall ? (
         <div className="button-group">
+          <ViewsMenu />
+          <ShadingMenu />
           <MenuButton label={t('Display')} icon="eye" iconOnly entries={folded} />
         </div>
       ) : (
@@ -72,6 +77,8 @@ export function ViewportToolbar(): ReactNode {
             <ActionButton key={action.id} action={action} />
           ))}
           <span className="bar-line" />
+          <ViewsMenu />
+          <ShadingMenu />
           <SelectBox
             value={through}
             options={views}

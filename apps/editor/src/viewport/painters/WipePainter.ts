@@ -1,4 +1,4 @@
-import { Signal } from '@farol/editing';
+import { Signal, t } from '@farol/editing';
 import { followEffects } from '@farol/engine';
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { type Camera, HalfFloatType, type Scene, Vector2, WebGLRenderTarget } from 'three';
@@ -45,7 +45,7 @@ export class WipePainter implements Painter {
   ) {
     if (!drawsFloats(viewport.webgl, true)) {
       throw new Error(
-        'Techniques cannot be compared: this device draws to no float colour buffers (EXT_color_buffer_float).',
+        t('Techniques cannot be compared: this device draws to no float colour buffers (EXT_color_buffer_float).'),
       );
     }
     this.other = new FarolRenderer(viewport.webgl, { timing: true });

@@ -1,8 +1,7 @@
 import { Vector3 } from 'three';
-import { EditorCamera } from '../EditorCamera';
 import type { Shading } from '../shading/Shading';
-import { type Bounds, paneSurface } from './paneSurface';
-import type { PaneRectangle, ViewPane } from './ViewPane';
+import type { Bounds } from './paneSurface';
+import { type PaneRectangle, ViewPane } from './ViewPane';
 
 /** The views beside the main one: name, and direction from what is seen to the eye. */
 const sides = [
@@ -98,7 +97,7 @@ export class Panes {
 
   /** The active view's part of the page. */
   get bounds(): Bounds {
-    return this.boundsOf(this.current);
+    return this.current.bounds;
   }
 
   /** Makes the view active that is at a point of the page. */
@@ -152,19 +151,7 @@ export class Panes {
   }
 
   private make(name: ViewPane['name'], shading: Shading): ViewPane {
-    const surface = paneSurface(this.canvas, () => this.boundsOf(pane));
-    const pane: ViewPane = {
-      name,
-      shading,
-      rectangle: { x: 0, y: 0, width: 1, height: 1 },
-      editorCamera: new EditorCamera(surface, this.hasKeys),
-    };
-    return pane;
-  }
-
-  private boundsOf({ rectangle }: ViewPane): Bounds {
-    const { left, top } = this.canvas.getBoundingClientRect();
-    return { left: left + rectangle.x, top: top + rectangle.y, width: rectangle.width, height: rectangle.height };
+    return new ViewPane(name, shading, this.canvas, this.hasKeys);
   }
 
   /** Top at the left above, the main view beside it, the front below, and the right beside that. */

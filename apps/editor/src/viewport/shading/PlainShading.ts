@@ -2,7 +2,6 @@ import {
   type Camera,
   Color,
   DoubleSide,
-  type Material,
   MeshBasicMaterial,
   type Scene,
   ShaderMaterial,
@@ -10,6 +9,8 @@ import {
   UniformsUtils,
   type WebGLRenderer,
 } from 'three';
+import type { PlainShadingName } from './Shading';
+import { UnlitMaterial } from './UnlitMaterial';
 import fragmentShader from './clay.frag.glsl?raw';
 import vertexShader from './clay.vert.glsl?raw';
 
@@ -21,7 +22,7 @@ const BACKGROUND = new Color(0x2a2d33);
  */
 export class PlainShading {
   private readonly wireframe = new MeshBasicMaterial({
-    color: 0xb4bac4,
+    color: 0x989fab,
     wireframe: true,
     fog: false,
     toneMapped: false,
@@ -35,16 +36,17 @@ export class PlainShading {
     toneMapped: false,
   });
 
+  private readonly unlit = new UnlitMaterial();
+
   constructor(private readonly webgl: WebGLRenderer) {}
 
   /** Draws to the render target, viewport and scissor of the renderer. */
-  render(scene: Scene, camera: Camera, shading: 'clay' | 'wireframe'): void {
+  render(scene: Scene, camera: Camera, shading: PlainShadingName): void {
     const { webgl } = this;
     const { background, overrideMaterial, environment } = scene;
     const { autoUpdate } = webgl.shadowMap;
-    const material: Material = shading === 'clay' ? this.clay : this.wireframe;
-    scene.overrideMaterial = material;
-    scene.background = BACKGROUND;
+    scene.overrideMaterial = this[shading];
+    if (shading !== 'unlit') scene.background = BACKGROUND;
     scene.environment = null;
     webgl.shadowMap.autoUpdate = false;
     try {
@@ -60,5 +62,6 @@ export class PlainShading {
   dispose(): void {
     this.wireframe.dispose();
     this.clay.dispose();
+    this.unlit.dispose();
   }
 }

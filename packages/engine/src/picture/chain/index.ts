@@ -1,3 +1,3 @@
 /** What a scene's picture needs that not every scene has: fetched when the first does. */
 export { PictureChain } from './PictureChain';
-export { toneMapColour } from '../toneMapColour';
+export { surroundings } from './surroundings';

@@ -1,6 +1,8 @@
-import type { SceneSettings } from '../../core/SceneSettings';
+import type { ValuesOf } from '../../fields/Field';
+import type { skyFields } from '../pictureFields';
 import type { Sky } from './makeSky';
 
+type SkySettings = Readonly<ValuesOf<typeof skyFields>>;
 type SkyCode = typeof import('./makeSky');
 
 let code: SkyCode | null = null;
@@ -22,8 +24,8 @@ export function loadSkyCode(): Promise<void> {
 
 /** The sky that a scene's settings ask for, made when they change. */
 export class SkySource {
-  /** Fulfilled when the sky that was asked for last is there; rejected when its code could not be fetched. */
-  ready: Promise<void> = Promise.resolve();
+  /** Fulfilled when the sky that was asked for last is there; rejected when its code could not be fetched. Null before any is waited for. */
+  ready: Promise<void> | null = null;
   private made: Sky | null = null;
   private key = '';
 
@@ -31,7 +33,7 @@ export class SkySource {
   constructor(private readonly came: () => void) {}
 
   /** What is asked for; null for none, and until its code is there. */
-  of(settings: SceneSettings): Sky | null {
+  of(settings: SkySettings): Sky | null {
     const key = keyOf(settings);
     if (key === this.key) return this.made;
     if (key !== '' && code === null) {
@@ -53,12 +55,12 @@ export class SkySource {
   }
 }
 
-function keyOf({ background, sky, skyTop, skyHorizon, skyGround }: SceneSettings): string {
+function keyOf({ background, sky, skyTop, skyHorizon, skyGround }: SkySettings): string {
   if (background === 'sky') return sky;
   return background === 'gradient' ? [skyTop, skyHorizon, skyGround].join(' ') : '';
 }
 
-function make(settings: SceneSettings, { makePresetSky, makeGradientSky }: SkyCode): Sky {
+function make(settings: SkySettings, { makePresetSky, makeGradientSky }: SkyCode): Sky {
   const { background, sky, skyTop: top, skyHorizon: horizon, skyGround: ground } = settings;
   return background === 'sky' ? makePresetSky(sky) : makeGradientSky({ top, horizon, ground });
 }

@@ -7,7 +7,7 @@ import { skyLooks } from './skyLooks';
 const WIDTH = 256;
 const HEIGHT = 128;
 
-/** Mean luminance of the rows from one elevation to another (0 is straight below, 1 straight above). */
+/** Mean luminance of the rows from one height to another: 0 is straight below, 1 straight above. */
 function meanOf(pixels: Float32Array, from: number, to: number): number {
   const first = Math.floor(from * HEIGHT) * WIDTH * 3;
   const last = Math.ceil(to * HEIGHT) * WIDTH * 3;
@@ -17,20 +17,23 @@ function meanOf(pixels: Float32Array, from: number, to: number): number {
   return sum / ((last - first) / 3);
 }
 
-test.each(skyPresets)(
-  '%s is light that can be drawn, the same each time, and meets itself behind the camera',
-  (preset) => {
-    const pixels = paintSky(skyLooks[preset], WIDTH, HEIGHT);
-    expect(pixels.every((value) => value >= 0 && value < 100)).toBe(true);
-    const again = paintSky(skyLooks[preset], WIDTH, HEIGHT);
-    expect(again.every((value, i) => value === pixels[i])).toBe(true);
-    // at the seam neighbours differ no more than clouds and lamps differ elsewhere
-    for (let row = HEIGHT / 2; row < HEIGHT; row += 8) {
-      const at = (row * WIDTH + WIDTH - 1) * 3;
-      expect(Math.abs(pixels[at] - pixels[row * WIDTH * 3])).toBeLessThan(0.2);
+test.each(skyPresets)('%s is light that can be drawn, the same each time, and whole all round', (preset) => {
+  const pixels = paintSky(skyLooks[preset], WIDTH, HEIGHT);
+  expect(pixels.every((value) => value >= 0 && value < 100)).toBe(true);
+  const again = paintSky(skyLooks[preset], WIDTH, HEIGHT);
+  expect(again.every((value, i) => value === pixels[i])).toBe(true);
+  // at the seam neighbours differ no more than others do, those at the sun left out
+  let [atSeam, elsewhere] = [0, 0];
+  for (let row = 0; row < HEIGHT; row++) {
+    for (let column = 0; column < WIDTH; column++) {
+      const here = pixels[(row * WIDTH + column) * 3];
+      const step = Math.abs(here - pixels[(row * WIDTH + ((column + 1) % WIDTH)) * 3]);
+      if (column === WIDTH - 1) atSeam = Math.max(atSeam, step);
+      else if (here < 1.5 || preset === 'studio') elsewhere = Math.max(elsewhere, step);
     }
-  },
-);
+  }
+  expect(atSeam).toBeLessThanOrEqual(elsewhere);
+});
 
 test('days are bright, nights dark, and the sky is brighter than the ground', () => {
   const light = (preset: (typeof skyPresets)[number]): number =>
@@ -63,8 +66,7 @@ test('a gradient goes from the ground by the horizon to the top', () => {
   const sky = makeGradientSky({ top, horizon, ground });
   expect(sky.horizon[1]).toBeGreaterThan(0.85);
   const picture = paintSky({ top, horizon, ground, disc: null, clouds: null, stars: 0, boxes: [] }, 8, 64);
-  const of = (row: number): number[] => [...picture.slice(row * 24, row * 24 + 3)];
-  expect(of(0)[0]).toBeCloseTo(1, 1);
-  expect(of(63)[2]).toBeCloseTo(1, 1);
-  sky.texture.dispose();
+  const pixel = (row: number): number[] => [...picture.slice(row * 24, row * 24 + 3)];
+  expect(pixel(0)[0]).toBeCloseTo(1, 1);
+  expect(pixel(63)[2]).toBeCloseTo(1, 1);
 });

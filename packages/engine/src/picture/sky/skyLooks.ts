@@ -115,10 +115,10 @@ export const skyLooks: Readonly<Record<SkyPreset, SkyLook>> = {
     clouds: null,
     stars: 0,
     boxes: [
-      { elevation: 72 * degrees, azimuth: -90 * degrees, halfWidth: 0.6, halfHeight: 0.28, radiance: 9 },
-      { elevation: 22 * degrees, azimuth: -148 * degrees, halfWidth: 0.3, halfHeight: 0.42, radiance: 6 },
-      { elevation: 18 * degrees, azimuth: 20 * degrees, halfWidth: 0.14, halfHeight: 0.45, radiance: 5 },
-      { elevation: 30 * degrees, azimuth: 110 * degrees, halfWidth: 0.5, halfHeight: 0.2, radiance: 2.5 },
+      { elevation: 72 * degrees, azimuth: -90 * degrees, halfWidth: 0.6, halfHeight: 0.28, radiance: 3.2 },
+      { elevation: 22 * degrees, azimuth: -148 * degrees, halfWidth: 0.3, halfHeight: 0.42, radiance: 3.5 },
+      { elevation: 18 * degrees, azimuth: 20 * degrees, halfWidth: 0.14, halfHeight: 0.45, radiance: 4 },
+      { elevation: 30 * degrees, azimuth: 110 * degrees, halfWidth: 0.5, halfHeight: 0.2, radiance: 1.4 },
     ],
   },
 };

@@ -80,8 +80,7 @@ const curves: Partial<Record<ToneMapping, (colour: Vector3) => void>> = {
 const colour = new Vector3();
 
 /**
- * Tone maps a linear colour as three's shaders do: three clears to the colour of a background as it is, which then differs
- * from fog of the same colour.
+ * Tone maps a linear colour as three’s shaders do.
  */
 export function toneMapColour(target: Color, toneMapping: ToneMapping, exposure: number): void {
   const curve = curves[toneMapping];

@@ -1,0 +1,33 @@
+import { t } from '@farol/editing';
+import { save } from './save';
+import type { EditorApi } from '../api/EditorApi';
+
+/**
+ * Asks what becomes of changes that are not saved, before another scene takes the place of this one.
+ * @returns whether it may: the changes are saved, or the user lets go of them
+ */
+export async function askToSave(editor: EditorApi): Promise<boolean> {
+  let isDropped = false;
+  const saves = await editor.dialogs.show({
+    kind: 'confirm',
+    title: t('Unsaved changes'),
+    text: t('“{name}” has changes that are not saved. Save them before it is closed?', {
+      name: editor.document.scene.name,
+    }),
+    action: t('Save'),
+    other: {
+      label: t('Don’t save'),
+      choose: () => {
+        isDropped = true;
+      },
+    },
+  });
+  if (!saves) return isDropped;
+  try {
+    await save.run(editor);
+  } catch (error) {
+    // who turns back from choosing a file keeps the scene
+    if (!(error instanceof Error) || error.name !== 'AbortError') throw error;
+  }
+  return !editor.commands.isDirty;
+}

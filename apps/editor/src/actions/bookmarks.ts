@@ -1,0 +1,77 @@
+import { t } from '@farol/editing';
+import type { SceneView } from '@farol/engine';
+import type { Action } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
+import { SetView } from '../model/commands/SetView';
+
+/** Places of views that are kept with a scene. */
+const places = [1, 2, 3, 4, 5, 6, 7, 8, 9] as const;
+
+/** What a kept view is called. */
+export const nameOfView = (place: number, { name }: SceneView): string =>
+  name === '' ? t('View {place}', { place }) : name;
+
+/** Keeps where the active view looks from, under the name that was there before. */
+export function keepView({ commands, document, viewport }: EditorApi, place: number): void {
+  const { scene } = document;
+  const before = scene.views.get(place);
+  const view = { name: before?.name ?? '', ...viewport.editorCamera.pose };
+  commands.run(new SetView(t('Keep view {place}', { place }), scene, place, view));
+}
+
+/** Looks from where a view was kept, in the active view. */
+export function showView({ document, viewport }: EditorApi, place: number): void {
+  const view = document.scene.views.get(place);
+  if (!view) return;
+  viewport.lookThrough = null;
+  viewport.editorCamera.show(view);
+  viewport.viewChanged();
+}
+
+export function forgetView({ commands, document }: EditorApi, place: number): void {
+  const view = document.scene.views.get(place);
+  if (!view) return;
+  const label = t('Forget {name}', { name: nameOfView(place, view) });
+  commands.run(new SetView(label, document.scene, place, null));
+}
+
+/** Asks for the name of a kept view. */
+export function renameView({ commands, dialogs, document }: EditorApi, place: number): void {
+  const { scene } = document;
+  const view = scene.views.get(place);
+  if (!view) return;
+  void dialogs.show({
+    kind: 'text',
+    title: t('Name of the view'),
+    label: t('Name'),
+    value: nameOfView(place, view),
+    action: t('Rename'),
+    accept: (name) => commands.run(new SetView(t('Rename {name}', { name }), scene, place, { ...view, name })),
+  });
+}
+
+/** Looks from each of the views that are kept with the scene. */
+export const showViews: readonly Action[] = places.map((place) => ({
+  id: `view.bookmark.${place}`,
+  label({ document }) {
+    const view = document.scene.views.get(place);
+    return view ? nameOfView(place, view) : t('View {place}: none is kept', { place });
+  },
+  keys: [String(place)],
+  menu: { menu: 'view', group: 'bookmarks', submenu: 'Kept views' },
+  run: (editor) => showView(editor, place),
+  enabled: ({ document }) => document.scene.views.get(place) !== null,
+}));
+
+/** Keeps where one looks from. */
+export const keepViews: readonly Action[] = places.map((place) => ({
+  id: `view.keep.${place}`,
+  label: () => t('Keep this view as {place}', { place }),
+  keys: [`Ctrl+${place}`],
+  menu: { menu: 'view', group: 'bookmarks', submenu: 'Keep this view' },
+  run: (editor) => keepView(editor, place),
+}));
+
+/** The first place that no view is kept in; 9 where all are taken. */
+export const freePlace = ({ document }: EditorApi): number =>
+  places.find((place) => document.scene.views.get(place) === null) ?? places.length;

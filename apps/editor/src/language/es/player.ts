@@ -1,0 +1,15 @@
+import type { Texts } from '@farol/editing';
+
+/** What the page of an exported or linked scene says, in Spanish. */
+export const player: Texts = {
+  'Files of other hosts': 'Archivos de otros servidores',
+  '… and {count} more': '… y {count} más',
+  'This scene asks for files of other hosts, which would learn that you open it:':
+    'Esta escena pide archivos de otros servidores, que sabrían que se abre:',
+  'Load from these hosts': 'Cargar de estos servidores',
+  'Open without them': 'Abrir sin ellos',
+  'The link is damaged or cut short: copy all of it, to its last letter.':
+    'El enlace está dañado o cortado: hay que copiarlo entero, hasta la última letra.',
+  'The address holds no scene: it must go on with #scene=…':
+    'La dirección no contiene ninguna escena: tiene que seguir con #scene=…',
+};

@@ -1,0 +1,39 @@
+import type { GameObject } from '@farol/engine';
+
+/** What objects are named in: a scene, or a part of it. */
+interface Named {
+  traverse(visit: (object: GameObject) => void): void;
+}
+
+/** Gives names that no object of a scene has: 'Box', then 'Box 2', 'Box 3'. */
+export class UniqueNames {
+  private readonly taken = new Set<string>();
+  /** By the name wanted: the number to try next. */
+  private readonly next = new Map<string, number>();
+
+  /** Knows the names that there are now. */
+  constructor(scene: Named) {
+    scene.traverse(({ name }) => this.taken.add(name));
+  }
+
+  /** A name that is free, and is taken from now on: the one wanted, else with the first number that is free. */
+  take(wanted: string): string {
+    const name = this.taken.has(wanted) ? this.numbered(wanted) : wanted;
+    this.taken.add(name);
+    return name;
+  }
+
+  private numbered(wanted: string): string {
+    const [, stem, digits] = /^(.*?)(?: (\d{1,9}))?$/s.exec(wanted)!;
+    let number = this.next.get(wanted) ?? Number(digits ?? 1) + 1;
+    while (this.taken.has(`${stem} ${number}`)) number++;
+    this.next.set(wanted, number + 1);
+    return `${stem} ${number}`;
+  }
+}
+
+/** Gives objects that come to a scene names that no other one there has; all below them keep theirs. */
+export function nameUniquely(scene: Named, objects: readonly GameObject[]): void {
+  const names = new UniqueNames(scene);
+  for (const object of objects) object.name = names.take(object.name);
+}

@@ -1,0 +1,53 @@
+import type { FieldEdit } from '@farol/editing';
+import { createRandom, type GameObject, Light, ObjectRenderer } from '@farol/engine';
+import type { Vector3Tuple } from '@farol/engine/fields';
+import { Color } from 'three';
+import { type Arrangement, sharesLight } from './Arrangement';
+
+/** Far apart in the generator's states, so that neighbours have nothing in common. */
+const STRIDE = 2654435761;
+
+/** Random numbers of the `index`th copy of an arrangement: those of one do not depend on how many there are. */
+export const randomOf = (seed: number, index: number): (() => number) =>
+  createRandom(Math.imul(seed, STRIDE) + Math.imul(index + 1, 7919));
+
+/** A bright linear colour of a hue (0 to 1) with the brightness of another colour. */
+function colourOf(hue: number, like: Vector3Tuple): Vector3Tuple {
+  const colour = new Color().setHSL(hue, 1, 0.6);
+  const brightest = Math.max(colour.r, colour.g, colour.b);
+  const factor = Math.max(...like) / brightest || 1 / brightest;
+  const digits = (value: number): number => Number((value * factor).toFixed(4));
+  return [digits(colour.r), digits(colour.g), digits(colour.b)];
+}
+
+/**
+ * What makes the lights of one copy differ: colour, intensity and range of each Light, and the colour of bulbs, which are
+ * shapes without shading beside a light.
+ * @param object - the copy, or an original; it is only read
+ * @param index - which one it is @param total - of so many
+ */
+export function lightEdits(object: GameObject, arrangement: Arrangement, index: number, total: number): FieldEdit[] {
+  const { colours, intensityVariation, rangeVariation, seed } = arrangement;
+  const share = sharesLight(arrangement, total) ? total : 1;
+  if (colours === 'same' && intensityVariation === 0 && rangeVariation === 0 && share === 1) return [];
+  const random = randomOf(seed, index);
+  const [anyHue, byIntensity, byRange] = [random(), random(), random()];
+  const hue = colours === 'random' ? anyHue : index / total;
+  const factor = (variation: number, r: number): number => 1 + variation * (2 * r - 1);
+  const vary = (value: number, by: number, r: number): number => Number((value * factor(by, r)).toPrecision(5));
+  const edits: FieldEdit[] = [];
+  object.traverse((each) => {
+    const owner = each.getComponent(Light);
+    if (!owner) return;
+    const bulb = each.getComponent(ObjectRenderer);
+    if (colours !== 'same') {
+      const value = colourOf(hue, owner.diffuse);
+      edits.push({ owner, name: 'diffuse', value });
+      if (bulb?.kind === 'basic') edits.push({ owner: bulb, name: 'colour', value });
+    }
+    if (intensityVariation > 0 || share > 1)
+      edits.push({ owner, name: 'intensity', value: vary(owner.intensity / share, intensityVariation, byIntensity) });
+    if (rangeVariation > 0) edits.push({ owner, name: 'range', value: vary(owner.range, rangeVariation, byRange) });
+  });
+  return edits;
+}

@@ -1,0 +1,31 @@
+import type { Command } from '@farol/editing';
+import type { Scene, SceneView } from '@farol/engine';
+
+/** Keeps a view with a scene, in place of another one, or forgets it. */
+export class SetView implements Command {
+  /** What was there before the first `do`; undefined until then. */
+  private before: SceneView | null | undefined;
+
+  /** @param place - 1 to 9 @param view - null to forget it */
+  constructor(
+    readonly label: string,
+    private readonly scene: Scene,
+    private readonly place: number,
+    private readonly view: SceneView | null,
+  ) {}
+
+  get isEmpty(): boolean {
+    const before = this.before === undefined ? this.scene.views.get(this.place) : this.before;
+    return before === null && this.view === null;
+  }
+
+  /** @throws RangeError for a place or a view that a scene refuses */
+  do(): void {
+    this.before ??= this.scene.views.get(this.place);
+    this.scene.views.set(this.place, this.view);
+  }
+
+  undo(): void {
+    this.scene.views.set(this.place, this.before!);
+  }
+}

@@ -1,0 +1,49 @@
+import { t } from '@farol/editing';
+import type { SceneSettings } from '@farol/engine';
+import { type ReactNode, useMemo } from 'react';
+import { FieldList } from './FieldList';
+import { Section } from './Section';
+import { TechniqueLimit } from './TechniqueLimit';
+
+const sky = [
+  ...['background', 'backgroundColour', 'sky', 'skyTop', 'skyHorizon', 'skyGround', 'environment', 'skyLight'],
+  ...['environmentIntensity', 'backgroundIntensity', 'backgroundRotation', 'backgroundBlur'],
+];
+const fog = ['fog', 'fogFromSky', 'fogColour', 'fogNear', 'fogFar', 'fogDensity'];
+const picture = [
+  ...['technique', 'antialiasing', 'toneMapping', 'exposure', 'ambientOcclusion', 'occlusionRadius'],
+  ...['occlusionStrength', 'unsortedTransparency'],
+];
+const effects = [
+  ...['bloom', 'bloomIntensity', 'bloomThreshold', 'bloomRadius'],
+  ...['depthOfField', 'focusDistance', 'focusRange', 'focusBlur'],
+  ...['grading', 'temperature', 'tint', 'contrast', 'saturation', 'lut', 'lutStrength'],
+  ...['vignette', 'vignetteDarkness', 'vignetteSize'],
+];
+
+/** All that makes the picture of the scene beside its objects. What is off shows one switch. */
+export function PictureSections({ settings }: { settings: SceneSettings }): ReactNode {
+  const owners = useMemo(() => [settings], [settings]);
+  return (
+    <>
+      <Section id="Sky" title={t('Sky')} help={t('What is seen behind the objects, and lights them.')} icon="world">
+        <FieldList owners={owners} names={sky} />
+      </Section>
+      <Section id="Fog" title={t('Fog')} help={t('How objects fade with distance.')} icon="world">
+        <FieldList owners={owners} names={fog} />
+      </Section>
+      <Section id="Picture" title={t('Picture')} help={t('How light becomes a picture.')} icon="contrast">
+        <FieldList owners={owners} names={picture} />
+        <TechniqueLimit settings={settings} />
+      </Section>
+      <Section
+        id="Picture effects"
+        title={t('Picture effects')}
+        help={t('What is done to the finished picture.')}
+        icon="contrast"
+      >
+        <FieldList owners={owners} names={effects} />
+      </Section>
+    </>
+  );
+}

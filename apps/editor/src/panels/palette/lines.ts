@@ -1,0 +1,2 @@
+/** Lines of the command palette that are shown at most. */
+export const LINES = 60;

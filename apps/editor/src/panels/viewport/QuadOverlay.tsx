@@ -1,0 +1,41 @@
+import { t } from '@farol/editing';
+import { type ReactNode, useSyncExternalStore } from 'react';
+import { sideName, sides } from '../../actions/sides';
+import { useEditor } from '../../ui/EditorContext';
+import type { ViewPane } from '../../viewport/panes/ViewPane';
+import type { Viewport } from '../../viewport/Viewport';
+
+/** How near a view must be to that from a side: cosine. */
+const SAME = 0.99999;
+
+/** What a view shows: the side it looks from, or whether it is in perspective, or its camera. */
+function nameOf(viewport: Viewport, { name, editorCamera }: ViewPane): string {
+  if (name === 'main' && viewport.lookThrough) return viewport.lookThrough.gameObject.name;
+  if (!editorCamera.orthographic) return t('Perspective');
+  const { elements } = editorCamera.perspective.matrixWorld;
+  const side = sides.find(([, [x, y, z]]) => x * elements[8] + y * elements[9] + z * elements[10] > SAME);
+  return side ? sideName(side[0]) : t('Orthographic');
+}
+
+const textOf = (viewport: Viewport): string =>
+  viewport.panes.list
+    .map((pane) => {
+      const { x, y, width, height } = pane.rectangle;
+      return [pane === viewport.panes.active ? 1 : 0, x, y, width, height, nameOf(viewport, pane)].join('\t');
+    })
+    .join('\n');
+
+/** Names of the four views, and which of them keys turn and shade. */
+export function QuadOverlay(): ReactNode {
+  const { viewport } = useEditor();
+  const text = useSyncExternalStore(viewport.drawn.subscribe, () => textOf(viewport));
+  return text.split('\n').map((line) => {
+    const [active, left, top, width, height, name] = line.split('\t');
+    const place = { left: Number(left), top: Number(top), width: Number(width), height: Number(height) };
+    return (
+      <div key={`${left} ${top}`} className="view-pane" data-active={active === '1' || undefined} style={place}>
+        <span>{name}</span>
+      </div>
+    );
+  });
+}

@@ -1,0 +1,31 @@
+import { t } from '@farol/editing';
+import { type ReactNode, useSyncExternalStore } from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import type { Viewport } from '../../viewport/Viewport';
+
+/** Where keys go while the scene plays, and whether the camera that is looked through can be moved. */
+function textOf(viewport: Viewport): string {
+  const { input, lookThrough, document } = viewport;
+  if (input.hasKeys) return t('Keys go to the scene. Esc gives them back.');
+  if (input.wantsKeys) return t("Keys are the editor's. Press the picture to give them to the scene.");
+  if (!lookThrough?.isAttached || document.simulation.state !== 'stopped') return '';
+  return (
+    viewport.flightProblem ??
+    t('You fly {name}: drag, wheel, arrow keys, and W A S D while the right button is held.', {
+      name: lookThrough.gameObject.name,
+    })
+  );
+}
+
+/** A line over the picture. */
+export function ViewLine(): ReactNode {
+  const { viewport, document } = useEditor();
+  useSignal(viewport.changed);
+  useSignal(document.simulation.changed);
+  const text = useSyncExternalStore(viewport.drawn.subscribe, () => textOf(viewport));
+  return (
+    <p className="view-line" role="status" hidden={text === ''}>
+      {text}
+    </p>
+  );
+}

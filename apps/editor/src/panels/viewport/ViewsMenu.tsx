@@ -1,0 +1,48 @@
+import { t } from '@farol/editing';
+import type { ReactNode } from 'react';
+import { forgetView, freePlace, keepView, nameOfView, renameView, showViews } from '../../actions/bookmarks';
+import { cameraActions } from '../../actions/cameras';
+import { toggleOrthographic } from '../../actions/projection';
+import { nextView, resetViews } from '../../actions/quadView';
+import { lookFrom } from '../../actions/sides';
+import type { EditorApi } from '../../api/EditorApi';
+import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
+import { useEditor } from '../../ui/EditorContext';
+import { MenuButton } from '../../ui/MenuButton';
+
+function entriesOf(editor: EditorApi): readonly MenuEntry[] {
+  const { document, viewport } = editor;
+  const kept = document.scene.views.entries;
+  const each = (run: (editor: EditorApi, place: number) => void): MenuEntry[] =>
+    kept.map(([place, view]) => ({
+      label: nameOfView(place, view),
+      run: () => editor.attempt(() => run(editor, place)),
+    }));
+  const shown = showViews.filter((action) => action.enabled?.(editor)).map((action) => actionEntry(action, editor));
+  const keep: MenuEntry = {
+    label: t('Keep this view'),
+    icon: 'add',
+    run: () => editor.attempt(() => keepView(editor, freePlace(editor))),
+  };
+  const change: MenuEntry[] = [
+    { label: t('Rename a view'), entries: each(renameView) },
+    { label: t('Forget a view'), entries: each(forgetView) },
+  ];
+  return [
+    ...shown,
+    keep,
+    ...(kept.length > 0 ? change : []),
+    'separator',
+    { label: t('Look from'), entries: lookFrom.map((action) => actionEntry(action, editor)) },
+    actionEntry(toggleOrthographic, editor),
+    ...(viewport.isQuad ? [nextView, resetViews].map((action) => actionEntry(action, editor)) : []),
+    'separator',
+    ...cameraActions.map((action) => actionEntry(action, editor)),
+  ];
+}
+
+/** Where one looks from: views that are kept, sides, and cameras of the scene. */
+export function ViewsMenu(): ReactNode {
+  const editor = useEditor();
+  return <MenuButton label={t('Views and cameras')} icon="camera" iconOnly entries={() => entriesOf(editor)} />;
+}

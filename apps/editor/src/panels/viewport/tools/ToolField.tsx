@@ -1,0 +1,96 @@
+import type { ReactNode } from 'react';
+import { NumberInput } from '../../../ui/NumberInput';
+import { SelectBox, type SelectOption } from '../../../ui/SelectBox';
+import { Toggle } from '../../../ui/Toggle';
+
+interface NumberRowProps {
+  readonly label: string;
+  readonly value: number;
+  readonly step: number;
+  readonly min?: number;
+  readonly max?: number;
+  readonly unit?: string;
+  /** Shown while it is typed or dragged, and kept. */
+  onChange(value: number): void;
+}
+
+/** A number of a tool: what it becomes is shown at once. */
+export function NumberRow({ label, onChange, value, ...rest }: NumberRowProps): ReactNode {
+  return (
+    <div className="tool-row">
+      <span aria-hidden="true">{label}</span>
+      <NumberInput
+        {...rest}
+        value={value}
+        label={label}
+        handle={<span className="grip" />}
+        onPreview={onChange}
+        onCommit={() => {}}
+        onDiscard={() => {}}
+      />
+    </div>
+  );
+}
+
+interface TripleRowProps extends Omit<NumberRowProps, 'value' | 'onChange'> {
+  readonly value: readonly [number, number, number];
+  onChange(value: [number, number, number]): void;
+}
+
+/** Three numbers of a tool, along x, y and z. */
+export function TripleRow({ label, value, onChange, ...rest }: TripleRowProps): ReactNode {
+  return (
+    <div className="tool-row triple" role="group" aria-label={label}>
+      <span aria-hidden="true">{label}</span>
+      {(['x', 'y', 'z'] as const).map((axis, i) => (
+        <NumberInput
+          key={axis}
+          {...rest}
+          unit={undefined}
+          digits="short"
+          value={value[i]}
+          label={`${label} ${axis}`}
+          handle={<span className={`axis axis-${axis}`}>{axis}</span>}
+          onPreview={(next) => {
+            const triple: [number, number, number] = [...value];
+            triple[i] = next;
+            onChange(triple);
+          }}
+          onCommit={() => {}}
+          onDiscard={() => {}}
+        />
+      ))}
+    </div>
+  );
+}
+
+interface SwitchRowProps {
+  readonly label: string;
+  readonly value: boolean;
+  onChange(value: boolean): void;
+}
+
+export function SwitchRow({ label, value, onChange }: SwitchRowProps): ReactNode {
+  return (
+    <div className="tool-row">
+      <span aria-hidden="true">{label}</span>
+      <Toggle value={value} label={label} onChange={onChange} />
+    </div>
+  );
+}
+
+interface ChoiceRowProps<T extends string> {
+  readonly label: string;
+  readonly value: T;
+  readonly options: readonly SelectOption<T>[];
+  onChange(value: T): void;
+}
+
+export function ChoiceRow<T extends string>(props: ChoiceRowProps<T>): ReactNode {
+  return (
+    <div className="tool-row">
+      <span aria-hidden="true">{props.label}</span>
+      <SelectBox {...props} />
+    </div>
+  );
+}

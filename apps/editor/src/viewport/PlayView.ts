@@ -1,0 +1,52 @@
+import type { Camera as CameraComponent } from '@farol/engine';
+import { Matrix4 } from 'three';
+import type { CameraView } from '../model/cameraEdits';
+import type { EditorDocument } from '../model/EditorDocument';
+
+const matrix = new Matrix4();
+const inverse = new Matrix4();
+
+/** The picture that a scene is played in: a camera of it is looked through until it stops. */
+export class PlayView {
+  /** What was looked through before; undefined while it is not to come back. */
+  private before: CameraComponent | null | undefined;
+  private readonly end: () => void;
+
+  constructor(
+    private readonly document: EditorDocument,
+    private readonly view: { lookThrough: CameraComponent | null },
+  ) {
+    this.end = document.simulation.changed.subscribe(() => this.simulationChanged());
+  }
+
+  /**
+   * Plays, seen through a camera.
+   * @param from - where the camera is put first, as simulation does it: stopping puts it back; where it is when null
+   */
+  play(camera: CameraComponent, from: CameraView | null): void {
+    const { simulation } = this.document;
+    if (simulation.state === 'stopped') this.before = this.view.lookThrough;
+    simulation.play();
+    if (from) {
+      const { object3D } = camera.gameObject;
+      const parent = object3D.parent ?? object3D;
+      parent.updateWorldMatrix(true, false);
+      matrix.compose(from.position, from.quaternion, object3D.scale);
+      matrix.premultiply(inverse.copy(parent.matrixWorld).invert());
+      object3D.position.setFromMatrixPosition(matrix);
+      object3D.quaternion.setFromRotationMatrix(matrix.extractRotation(matrix));
+    }
+    this.view.lookThrough = camera;
+  }
+
+  dispose(): void {
+    this.end();
+  }
+
+  private simulationChanged(): void {
+    if (this.document.simulation.state !== 'stopped' || this.before === undefined) return;
+    const { before } = this;
+    this.before = undefined;
+    this.view.lookThrough = before?.isAttached ? before : null;
+  }
+}

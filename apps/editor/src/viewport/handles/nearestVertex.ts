@@ -1,0 +1,58 @@
+import type { Scene } from '@farol/engine';
+import { gameObjectOf, type GameObject } from '@farol/engine';
+import {
+  BufferAttribute,
+  type Camera,
+  InstancedMesh,
+  type Intersection,
+  Matrix4,
+  Mesh,
+  type Ray,
+  Vector3,
+} from 'three';
+import { rayHits } from '../pick';
+
+const world = new Matrix4();
+const vertex = new Vector3();
+
+/** The corner of the triangle that was hit that is nearest to the hit, in the world. */
+function nearestCorner({ object, face, instanceId, point }: Intersection): Vector3 | null {
+  if (!(object instanceof Mesh) || !face) return null;
+  world.copy(object.matrixWorld);
+  if (instanceId !== undefined && object instanceof InstancedMesh) {
+    object.getMatrixAt(instanceId, world);
+    world.premultiply(object.matrixWorld);
+  }
+  const positions = object.geometry.getAttribute('position');
+  if (!(positions instanceof BufferAttribute) && !('isInterleavedBufferAttribute' in positions)) return null;
+  let nearest: Vector3 | null = null;
+  let least = Infinity;
+  for (const index of [face.a, face.b, face.c]) {
+    object.getVertexPosition(index, vertex).applyMatrix4(world);
+    const distance = vertex.distanceToSquared(point);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = vertex.clone();
+  }
+  return nearest;
+}
+
+/**
+ * The vertex of what a ray hits first that is nearest to where it hits; null where it hits nothing.
+ * @param without - objects that do not count, with all below them
+ */
+export function nearestVertex(
+  scene: Scene,
+  ray: Ray,
+  camera: Camera,
+  without: ReadonlySet<GameObject>,
+): Vector3 | null {
+  for (const hit of rayHits(scene, ray, camera)) {
+    let object = gameObjectOf(hit.object, hit.instanceId);
+    while (object && !without.has(object)) object = object.parent;
+    if (object) continue;
+    const corner = nearestCorner(hit);
+    if (corner) return corner;
+  }
+  return null;
+}

@@ -1,0 +1,158 @@
+import { Signal } from '@farol/editing';
+import { Raycaster, Vector2, Vector3 } from 'three';
+import type { Tool } from '../../model/Tools';
+import { DragReadout } from '../handles/DragReadout';
+import { nearestVertex } from '../handles/nearestVertex';
+import { LineSet } from '../LineSet';
+import type { Viewport } from '../Viewport';
+import { groundAlong, surfacesAlong } from './surfaces';
+
+/** A press that moves farther than this (CSS pixels) turns the picture, and sets no point. */
+const CLICK_REACH = 4;
+/** A vertex so near to the pointer (CSS pixels) is taken in place of the point under it. */
+const VERTEX_REACH = 12;
+/** How far ground is looked for (m). */
+const FARTHEST = 1000;
+
+const none: ReadonlySet<never> = new Set();
+const raycaster = new Raycaster();
+const projected = new Vector3();
+
+/** Length in millimetres, centimetres or metres, whichever reads best. @param length - m */
+export function lengthText(length: number): string {
+  const size = Math.abs(length);
+  if (size === 0 || size >= 1) return `${Number(length.toFixed(3)) + 0} m`;
+  return size >= 0.01 ? `${Number((length * 100).toFixed(2))} cm` : `${Number((length * 1000).toFixed(2))} mm`;
+}
+
+/**
+ * Measures from one point that is clicked to another one: on what is drawn, else on the ground at height 0. Vertices close
+ * to the pointer are taken.
+ */
+export class MeasureTool implements Tool {
+  readonly id = 'measure';
+  /** Emits when a point is set, or the second one follows the pointer. */
+  readonly changed = new Signal();
+
+  private readonly lines = new LineSet('#4fc3f7');
+  private readonly readout: DragReadout;
+  private readonly from = new Vector2();
+  private pointer: number | null = null;
+  private first: Vector3 | null = null;
+  private second: Vector3 | null = null;
+  private isDone = false;
+
+  constructor(private readonly viewport: Viewport) {
+    const { canvas, helpers, gizmo } = viewport;
+    this.readout = new DragReadout(canvas);
+    canvas.addEventListener('pointerdown', this.pointerDown, true);
+    canvas.addEventListener('pointermove', this.pointerMove, true);
+    canvas.addEventListener('pointerup', this.pointerUp, true);
+    helpers.scene.add(this.lines.three);
+    gizmo.suspended = true;
+    viewport.boxSelect.cancel();
+    this.lines.end();
+    canvas.classList.add('measuring');
+  }
+
+  /** Both ends (m in the world): the second follows the pointer until it is clicked. Null until there are two. */
+  get ends(): readonly [Vector3, Vector3] | null {
+    return this.first && this.second ? [this.first, this.second] : null;
+  }
+
+  end(): void {
+    const { canvas, helpers, gizmo } = this.viewport;
+    canvas.removeEventListener('pointerdown', this.pointerDown, true);
+    canvas.removeEventListener('pointermove', this.pointerMove, true);
+    canvas.removeEventListener('pointerup', this.pointerUp, true);
+    canvas.classList.remove('measuring');
+    helpers.scene.remove(this.lines.three);
+    this.lines.dispose();
+    this.readout.hide();
+    gizmo.suspended = false;
+  }
+
+  /** The point under the pointer, and whether it is a vertex. */
+  private pointAt({ clientX, clientY }: PointerEvent): { point: Vector3; isVertex: boolean } | null {
+    const { viewport } = this;
+    const { left, top, width, height } = viewport.bounds;
+    const at = new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
+    const camera = viewport.rayCamera;
+    raycaster.setFromCamera(at, camera);
+    const { ray } = raycaster;
+    const { scene } = viewport.document;
+    const vertex = nearestVertex(scene, ray, camera, none);
+    if (vertex) {
+      projected.copy(vertex).project(camera);
+      const away = Math.hypot(((projected.x - at.x) * width) / 2, ((projected.y - at.y) * height) / 2);
+      if (away <= VERTEX_REACH) return { point: vertex, isVertex: true };
+    }
+    const surface = surfacesAlong(scene, ray, camera).at(0) ?? groundAlong(ray, FARTHEST);
+    return surface && { point: surface.point, isVertex: false };
+  }
+
+  private draw(): void {
+    const { lines, first, second } = this;
+    lines.begin();
+    if (first && second) {
+      // the way along each axis, then the whole
+      const corners = [
+        first,
+        new Vector3(second.x, first.y, first.z),
+        new Vector3(second.x, first.y, second.z),
+        second,
+      ];
+      for (let i = 0; i < 3; i++) lines.line(corners[i], corners[i + 1]);
+      lines.line(first, second);
+    }
+    lines.end();
+    this.viewport.invalidate();
+    this.changed.emit();
+  }
+
+  private readonly pointerDown = (event: PointerEvent): void => {
+    this.pointer = event.button === 0 && event.isPrimary ? event.pointerId : null;
+    this.from.set(event.clientX, event.clientY);
+  };
+
+  private readonly pointerMove = (event: PointerEvent): void => {
+    if (event.buttons !== 0) return;
+    const at = this.pointAt(event);
+    const { left, top } = this.viewport.canvas.getBoundingClientRect();
+    const x = event.clientX - left;
+    const y = event.clientY - top;
+    if (!at) this.readout.markAt(null);
+    else {
+      const { bounds, rayCamera } = this.viewport;
+      projected.copy(at.point).project(rayCamera);
+      const mark = {
+        x: bounds.left - left + ((projected.x + 1) / 2) * bounds.width,
+        y: bounds.top - top + ((1 - projected.y) / 2) * bounds.height,
+      };
+      this.readout.markAt(at.isVertex ? mark : null);
+    }
+    if (!this.first || this.isDone) return;
+    this.second = at?.point ?? null;
+    if (this.second) this.readout.show([{ axis: '', text: lengthText(this.first.distanceTo(this.second)) }], x, y);
+    this.draw();
+  };
+
+  private readonly pointerUp = (event: PointerEvent): void => {
+    if (event.pointerId !== this.pointer) return;
+    this.pointer = null;
+    // a click here selects nothing
+    this.viewport.picker.cancel();
+    if (Math.hypot(event.clientX - this.from.x, event.clientY - this.from.y) > CLICK_REACH) return;
+    const at = this.pointAt(event);
+    if (!at) return;
+    if (!this.first || this.isDone) {
+      this.first = at.point;
+      this.second = null;
+      this.isDone = false;
+    } else {
+      this.second = at.point;
+      this.isDone = true;
+    }
+    this.draw();
+  };
+}

@@ -1,0 +1,67 @@
+import type { GameObject, Scene } from '@farol/engine';
+import { Box3, type Intersection, Matrix3, Mesh, MeshBasicMaterial, Raycaster, Vector3 } from 'three';
+import { drawnMeshes } from '../drawnMeshes';
+
+const matrix = new Matrix3();
+const normal = new Vector3();
+const DOWN = new Vector3(0, -1, 0);
+/** How far above a point it is looked for a surface where there is none below (m). */
+const SKY = 10_000;
+
+interface Candidate {
+  readonly box: Box3;
+  readonly mesh: Mesh;
+}
+
+/** Finds what is below points, for many points of one scene: as of the last drawn frame. */
+export class SurfaceBelow {
+  private readonly candidates: Candidate[] = [];
+  private readonly raycaster = new Raycaster();
+  private readonly material = new MeshBasicMaterial({ side: 2 });
+  private readonly hits: Intersection[] = [];
+
+  /** @param without - objects that do not count, with all below them */
+  constructor(scene: Scene, without: ReadonlySet<GameObject>) {
+    const visit = (object: GameObject): void => {
+      if (without.has(object) || !object.active) return;
+      drawnMeshes(object, (drawn, geometry, matrixWorld) => {
+        if (drawn && !drawn.visible) return;
+        const mesh = drawn ?? new Mesh(geometry, this.material);
+        if (!drawn) mesh.matrixWorld.copy(matrixWorld);
+        if (!geometry.boundingBox) geometry.computeBoundingBox();
+        // bones and morphs may reach beyond the geometry's box
+        const box = geometry.boundingBox!.clone().applyMatrix4(matrixWorld).expandByScalar(0.01);
+        this.candidates.push({ box, mesh });
+      });
+      object.children.forEach(visit);
+    };
+    scene.roots.forEach(visit);
+  }
+
+  /**
+   * The height (m) of the surface below a point, or above it where there is none below; the ground at 0 where there is
+   * neither.
+   */
+  heightAt({ x, y, z }: { readonly x: number; readonly y: number; readonly z: number }): number {
+    return this.firstBelow(x, y + 1e-3, z) ?? this.firstBelow(x, y + SKY, z) ?? 0;
+  }
+
+  private firstBelow(x: number, y: number, z: number): number | null {
+    const { raycaster, hits } = this;
+    raycaster.ray.origin.set(x, y, z);
+    raycaster.ray.direction.copy(DOWN);
+    hits.length = 0;
+    for (const { box, mesh } of this.candidates) {
+      const { min, max } = box;
+      if (x < min.x || x > max.x || z < min.z || z > max.z || y < min.y) continue;
+      raycaster.intersectObject(mesh, false, hits);
+    }
+    let highest: number | null = null;
+    for (const { point, face, object } of hits) {
+      // from within something, its underside is no floor
+      if (face && normal.copy(face.normal).applyMatrix3(matrix.getNormalMatrix(object.matrixWorld)).y <= 0) continue;
+      if (highest === null || point.y > highest) highest = point.y;
+    }
+    return highest;
+  }
+}

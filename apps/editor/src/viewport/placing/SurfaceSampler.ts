@@ -1,0 +1,105 @@
+import type { GameObject } from '@farol/engine';
+import { BufferAttribute, type Matrix4, type Mesh, Triangle, Vector3 } from 'three';
+import { drawnMeshes } from '../drawnMeshes';
+
+/** A face counts as facing up when its normal has at least this height (of a unit vector). */
+const UPWARDS = 0.2;
+
+const triangle = new Triangle();
+const normal = new Vector3();
+
+/** Where a vertex is, with bones and morphs where there are any. */
+function vertexAt(
+  mesh: Mesh | null,
+  positions: BufferAttribute,
+  index: number,
+  matrix: Matrix4,
+  target: Vector3,
+): void {
+  if (mesh) mesh.getVertexPosition(index, target);
+  else target.fromBufferAttribute(positions, index);
+  target.applyMatrix4(matrix);
+}
+
+/** Random points on what objects draw, all parts of the surface equally likely; as of the last drawn frame. */
+export class SurfaceSampler {
+  /** Corners of each triangle in the world (m): 9 numbers. */
+  private readonly corners: Float32Array;
+  /** Area (m²) of each triangle and all before it. */
+  private readonly areas: Float64Array;
+
+  /**
+   * @param objects - with all below them
+   * @param upwards - whether only triangles that face up count, where there are any
+   */
+  constructor(objects: readonly GameObject[], upwards: boolean) {
+    const all: number[] = [];
+    const up: number[] = [];
+    for (const root of objects) {
+      root.traverse((object) => {
+        if (!object.activeInHierarchy) return;
+        drawnMeshes(object, (mesh, geometry, matrix) => {
+          const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
+          if (!positions) return;
+          const { index } = geometry;
+          const count = index ? index.count : positions.count;
+          for (let i = 0; i + 2 < count; i += 3) {
+            const corner = (k: number): number => (index ? index.getX(i + k) : i + k);
+            vertexAt(mesh, positions, corner(0), matrix, triangle.a);
+            vertexAt(mesh, positions, corner(1), matrix, triangle.b);
+            vertexAt(mesh, positions, corner(2), matrix, triangle.c);
+            for (const { x, y, z } of [triangle.a, triangle.b, triangle.c]) all.push(x, y, z);
+            if (!upwards || triangle.getNormal(normal).y < UPWARDS) continue;
+            for (const { x, y, z } of [triangle.a, triangle.b, triangle.c]) up.push(x, y, z);
+          }
+        });
+      });
+    }
+    this.corners = Float32Array.from(up.length > 0 ? up : all);
+    this.areas = new Float64Array(this.corners.length / 9);
+    let area = 0;
+    for (let i = 0; i < this.areas.length; i++) {
+      this.read(i);
+      area += triangle.getArea();
+      this.areas[i] = area;
+    }
+  }
+
+  /** Area of the whole surface (m²); 0 where there is none. */
+  get area(): number {
+    return this.areas.at(-1) ?? 0;
+  }
+
+  /**
+   * A point of the surface.
+   * @param random - gives numbers from 0 to below 1; three are taken
+   * @param point - gets the point (m), in the world
+   * @param normalWS - gets the unit normal there
+   */
+  sample(random: () => number, point: Vector3, normalWS: Vector3): void {
+    const wanted = random() * this.area;
+    let [first, last] = [0, this.areas.length - 1];
+    while (first < last) {
+      const middle = (first + last) >> 1;
+      if (this.areas[middle] > wanted) last = middle;
+      else first = middle + 1;
+    }
+    this.read(first);
+    let [u, v] = [random(), random()];
+    if (u + v > 1) [u, v] = [1 - u, 1 - v];
+    point
+      .copy(triangle.a)
+      .multiplyScalar(1 - u - v)
+      .addScaledVector(triangle.b, u)
+      .addScaledVector(triangle.c, v);
+    triangle.getNormal(normalWS);
+  }
+
+  private read(index: number): void {
+    const { corners } = this;
+    const at = 9 * index;
+    triangle.a.fromArray(corners, at);
+    triangle.b.fromArray(corners, at + 3);
+    triangle.c.fromArray(corners, at + 6);
+  }
+}

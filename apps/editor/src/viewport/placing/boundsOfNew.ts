@@ -1,0 +1,45 @@
+import { type AssetLibrary, type GameObject, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { Box3, type BufferGeometry } from 'three';
+
+const part = new Box3();
+
+/** The box round what a component draws, in the space of its object; empty while its asset is not loaded. */
+function shapeOf(assets: AssetLibrary, object: GameObject): Box3 {
+  part.makeEmpty();
+  const mesh = object.getComponent(ObjectRenderer)?.mesh ?? null;
+  if (mesh !== null && assets.isReady('mesh', mesh)) {
+    const geometry = assets.get(mesh) as BufferGeometry;
+    if (!geometry.boundingBox) geometry.computeBoundingBox();
+    part.copy(geometry.boundingBox!);
+  }
+  const model = object.getComponent(ModelRenderer)?.model ?? null;
+  if (model !== null && assets.isReady('model', model)) part.union(new Box3().setFromObject(assets.model(model).scene));
+  return part;
+}
+
+/** The box in the world round what objects will draw that are in no scene yet; empty when they draw nothing. */
+export function boundsOfNew(objects: readonly GameObject[], assets: AssetLibrary, target = new Box3()): Box3 {
+  target.makeEmpty();
+  for (const root of objects) {
+    root.object3D.updateMatrixWorld(true);
+    root.traverse((object) => {
+      const shape = shapeOf(assets, object);
+      if (!shape.isEmpty()) target.union(shape.applyMatrix4(object.object3D.matrixWorld));
+    });
+  }
+  return target;
+}
+
+/** The assets that objects draw and that must be loaded before their size is known. */
+export function shapesToLoad(objects: readonly GameObject[], assets: AssetLibrary): string[] {
+  const names = new Set<string>();
+  for (const root of objects) {
+    root.traverse((object) => {
+      const mesh = object.getComponent(ObjectRenderer)?.mesh ?? null;
+      const model = object.getComponent(ModelRenderer)?.model ?? null;
+      if (mesh !== null && assets.has(mesh, 'mesh') && !assets.isReady('mesh', mesh)) names.add(mesh);
+      if (model !== null && assets.has(model, 'model') && !assets.isReady('model', model)) names.add(model);
+    });
+  }
+  return [...names];
+}

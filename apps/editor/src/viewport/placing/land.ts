@@ -1,0 +1,241 @@
+import {
+  Camera as CameraComponent,
+  Decal,
+  type GameObject,
+  Light,
+  ModelRenderer,
+  ObjectRenderer,
+  type Scene,
+} from '@farol/engine';
+import { Box3, type Camera, Matrix4, Quaternion, Ray, type Vector2, Vector3 } from 'three';
+import { boundsOf } from '../boundsOf';
+import { boundsOfNew } from './boundsOfNew';
+import { freePlace } from './freePlace';
+import { groundAlong, rayThrough, type Surface, surfacesAlong } from './surfaces';
+
+/** What placing needs to know of the picture. */
+export interface LandingView {
+  readonly scene: Scene;
+  readonly camera: Camera;
+  /** The point that the picture turns about, in the world (m). */
+  readonly target: Vector3;
+  /** Places are rounded to this (m). */
+  readonly step: number;
+}
+
+/** Farther ground (m) than this, or than twice the point that the picture turns about, is not looked at. */
+const FARTHEST_GROUND = 60;
+/** Where something goes when nothing is looked at: so far before the eye (m). */
+const [NEAREST, FARTHEST] = [2, 15];
+/** How high lights and cameras are above what they are placed over (m). */
+const heights: Readonly<Record<string, number>> = { point: 2.5, spot: 2.5, directional: 4, ambient: 3, hemisphere: 3 };
+const EYE_HEIGHT = 1.6;
+/** Side of what is taken for the size of something that draws nothing (m). */
+const NOMINAL = 0.5;
+
+/** What is lower than this (m) is a floor; it lies so high above another floor as not to flicker with it. */
+const FLAT = 0.02;
+
+const DOWN = new Vector3(0, -1, 0);
+const UP = new Vector3(0, 1, 0);
+const size = new Vector3();
+const middle = new Vector3();
+
+const isFloor = ({ normal }: Surface): boolean => normal.y > 0.6;
+
+/** How high an object without a shape is placed above a surface (m). */
+function heightOf(object: GameObject): number {
+  const light = object.getComponent(Light);
+  if (light) return heights[light.type] ?? 0;
+  return object.getComponent(CameraComponent) ? EYE_HEIGHT : 0;
+}
+
+/** Whether what was hit is large enough for something to stand on; what is not is an obstacle. */
+function canCarry({ object }: Surface, box: Box3): boolean {
+  if (!object) return true;
+  const below = boundsOf([object], new Box3(), false).getSize(new Vector3());
+  box.getSize(size);
+  return below.x >= 1.5 * size.x && below.z >= 1.5 * size.z;
+}
+
+/** The floor below a point: a surface that can carry the box, else the ground at height 0; null when there is none. */
+function floorBelow(view: LandingView, from: Vector3, box: Box3): Surface | null {
+  const ray = new Ray(from.clone(), DOWN);
+  const floors = surfacesAlong(view.scene, ray, view.camera).filter((each) => isFloor(each) && canCarry(each, box));
+  return floors[0] ?? groundAlong(ray, Infinity);
+}
+
+/** Whether a point is in the picture, not at its very edge. */
+function isSeen(point: Vector3, camera: Camera): boolean {
+  const { x, y, z } = middle.copy(point).project(camera);
+  return Math.abs(x) < 0.9 && Math.abs(y) < 0.9 && z > -1 && z < 1;
+}
+
+/** The surfaces that a ray through a point of the picture meets: of what is drawn, nearest first, then the ground. */
+function surfacesThrough(view: LandingView, point: Vector2): Surface[] {
+  const ray = rayThrough(view.camera, point);
+  const limit = Math.max(FARTHEST_GROUND, 2 * ray.origin.distanceTo(view.target));
+  const ground = groundAlong(ray, limit);
+  const surfaces = surfacesAlong(view.scene, ray, view.camera);
+  if (!ground) return surfaces;
+  return [...surfaces.filter(({ distance }) => distance <= limit), ground];
+}
+
+/** A point at a comfortable distance before the eye. */
+function pointBefore(view: LandingView, point: Vector2): Vector3 {
+  const ray = rayThrough(view.camera, point);
+  const distance = Math.min(FARTHEST, Math.max(NEAREST, ray.origin.distanceTo(view.target)));
+  return ray.at(distance, new Vector3());
+}
+
+/** Whether what was hit is no wall but a thing of about the size of a box, which that box can stand beside. */
+function isThing({ object }: Surface, box: Box3): boolean {
+  if (!object) return false;
+  const there = boundsOf([object], new Box3(), false).getSize(new Vector3());
+  box.getSize(size);
+  return Math.max(there.x, there.z) < 3 * Math.max(size.x, size.z);
+}
+
+/** The floor that is seen behind a thing, close to it: what is placed there is moved beside the thing. */
+function floorBehind(surfaces: readonly Surface[], box: Box3): Surface | null {
+  const behind = surfaces.find((each) => !isThing(each, box));
+  if (!behind || !isFloor(behind) || !canCarry(behind, box)) return null;
+  box.getSize(size);
+  const near = 3 * Math.max(size.x, size.y, size.z);
+  return behind.point.distanceTo(surfaces[0].point) < near ? behind : null;
+}
+
+/** Where something of a size stands that is placed at a point of the picture, and on what; null for nothing. */
+function standAt(view: LandingView, point: Vector2, box: Box3): { at: Vector3; on: Surface | null } {
+  const surfaces = surfacesThrough(view, point);
+  if (surfaces.length === 0) {
+    const at = pointBefore(view, point);
+    const floor = floorBelow(view, at, box);
+    return floor && isSeen(floor.point, view.camera) ? { at: floor.point, on: floor } : { at, on: null };
+  }
+  const [seen] = surfaces;
+  if (isFloor(seen) && canCarry(seen, box)) return { at: seen.point, on: seen };
+  const behind = isThing(seen, box) ? floorBehind(surfaces, box) : null;
+  if (behind) return { at: behind.point, on: behind };
+  // a wall, or the side of something large: on the floor before it
+  box.getSize(size);
+  const out = seen.normal.clone().setY(0);
+  const from = seen.point.clone();
+  if (out.lengthSq() > 0.01) {
+    out.normalize();
+    from.addScaledVector(out, 0.5 * (Math.abs(out.x) * size.x + Math.abs(out.z) * size.z) + 0.01);
+  }
+  from.y += 0.01;
+  const floor = floorBelow(view, from, box);
+  return floor ? { at: floor.point, on: floor } : { at: from, on: null };
+}
+
+/**
+ * The boxes of what is there already and in the way of a new box. What draws nothing counts as a small box round its place
+ * for what draws nothing itself; a floor is in the way of floors alone.
+ */
+function obstaclesFor(box: Box3, scene: Scene, without: GameObject | null, isShape: boolean): Box3[] {
+  const boxes: Box3[] = [];
+  const isFlat = isFlatBox(box);
+  scene.traverse((object) => {
+    if (object === without || !object.activeInHierarchy) return;
+    const draws = object.getComponent(ObjectRenderer) ?? object.getComponent(ModelRenderer);
+    const isPlace = object.getComponent(Light) ?? object.getComponent(CameraComponent);
+    if (!draws && (isShape || !(isPlace || object.components.length === 1))) return;
+    const there = boundsOf([object], new Box3(), false);
+    if (there.isEmpty() || isFlatBox(there) !== isFlat) return;
+    if (!draws) there.expandByScalar(NOMINAL / 2);
+    if (isFlat) there.max.y += FLAT / 2;
+    boxes.push(there);
+  });
+  return boxes;
+}
+
+const isFlatBox = ({ min, max }: Box3): boolean => max.y - min.y < FLAT && max.x - min.x > 1 && max.z - min.z > 1;
+
+/** How much room there is above a point (m). */
+function clearanceAbove(view: LandingView, point: Vector3): number {
+  const ray = new Ray(point.clone().addScaledVector(UP, 0.01), UP);
+  return (surfacesAlong(view.scene, ray, view.camera)[0]?.distance ?? Infinity) + 0.01;
+}
+
+const rounded = (value: number, step: number): number => Math.round(value / step) * step;
+
+/** Moves objects that are in no scene, as authored. */
+function moveBy(objects: readonly GameObject[], { x, y, z }: Vector3): void {
+  for (const { transform } of objects) {
+    const [px, py, pz] = transform.position;
+    // to the tenth of a millimetre: no digits that come of the arithmetic
+    const tidy = (value: number): number => Number(value.toFixed(4)) + 0;
+    transform.position = [tidy(px + x), tidy(py + y), tidy(pz + z)];
+  }
+}
+
+/** The point of objects that is put where one looks: the origin of a single one, unless that is beside its shape. */
+function anchorOf(objects: readonly GameObject[], box: Box3): Vector3 {
+  const anchor = box.getCenter(new Vector3());
+  const [x, y, z] = objects[0].transform.position;
+  const isInside = x >= box.min.x && x <= box.max.x && z >= box.min.z && z <= box.max.z;
+  if (objects.length === 1 && isInside) anchor.set(x, y, z);
+  return anchor;
+}
+
+/** Throws a decal onto a surface: its front (-Z) against the normal. */
+function throwDecal(object: GameObject, { point, normal }: Surface): void {
+  const up = Math.abs(normal.y) > 0.99 ? new Vector3(0, 0, -1) : UP;
+  const turn = new Quaternion().setFromRotationMatrix(new Matrix4().lookAt(normal, new Vector3(), up));
+  object.transform.setQuaternion(turn);
+  object.transform.position = [0, 0, 0];
+  moveBy([object], point);
+}
+
+/** Turns what looks along its front (-Z) to look as the picture does, level. */
+function turnWithView(objects: readonly GameObject[], camera: Camera): void {
+  const back = new Vector3().setFromMatrixColumn(camera.matrixWorld, 2);
+  const yaw = Number(Math.atan2(back.x, back.z).toFixed(4));
+  for (const { transform } of objects) transform.rotation = [0, yaw, 0];
+}
+
+/**
+ * Places objects that are in no scene yet, to go to its top, where one looks through a point of the picture: standing on
+ * what is drawn there, or before it where it is a wall; else on the ground at height 0; else at a comfortable distance
+ * before the eye. They rest with their lowest point, and beside what is there already. Lights and cameras are at a useful
+ * height above it; decals are thrown onto what is hit.
+ * @param objects - at least one; they keep their places among each other
+ * @param point - normalised device coordinates
+ */
+export function land(view: LandingView, objects: readonly GameObject[], point: Vector2): void {
+  const { scene, camera } = view;
+  scene.three.updateMatrixWorld();
+  const [first] = objects;
+  if (objects.length === 1 && first.getComponent(Decal)) {
+    const surface = surfacesThrough(view, point).at(0);
+    if (surface) return throwDecal(first, surface);
+  }
+  const box = boundsOfNew(objects, scene.assets);
+  const isShape = !box.isEmpty();
+  if (!isShape) {
+    for (const { transform } of objects) box.expandByPoint(middle.fromArray(transform.position));
+    box.expandByScalar(NOMINAL / 2);
+  }
+  const { at, on } = standAt(view, point, box);
+  if (on) {
+    at.x = rounded(at.x, view.step);
+    at.z = rounded(at.z, view.step);
+  }
+  const anchor = anchorOf(objects, box);
+  const shift = at.clone().sub(anchor);
+  if (isShape && on) shift.y = at.y - box.min.y + (on.object && isFlatBox(box) ? FLAT / 2 : 0);
+  else if (isShape) shift.y = at.y - box.getCenter(middle).y;
+  else if (on) {
+    const height = heightOf(first);
+    shift.y = at.y + Math.min(height, 0.8 * clearanceAbove(view, at)) - anchor.y;
+  }
+  if (!isShape && first.getComponent(CameraComponent)) turnWithView(objects, camera);
+  box.translate(shift);
+  const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
+  if (isFlatBox(box)) box.max.y += FLAT / 2;
+  const support = on?.object ? boundsOf([on.object], new Box3(), false) : null;
+  shift.add(freePlace(box, obstaclesFor(box, scene, on?.object ?? null, isShape), right, support));
+  moveBy(objects, shift);
+}

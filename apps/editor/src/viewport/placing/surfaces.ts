@@ -1,0 +1,84 @@
+import { type GameObject, gameObjectOf, type Scene } from '@farol/engine';
+import {
+  type Camera,
+  InstancedMesh,
+  type Intersection,
+  Matrix3,
+  Matrix4,
+  Ray,
+  Raycaster,
+  type Vector2,
+  Vector3,
+} from 'three';
+import { rayHits } from '../pick';
+
+/** A place on what is drawn. */
+export interface Surface {
+  /** In the world (m). */
+  readonly point: Vector3;
+  /** Unit vector in the world, to the side that was looked from. */
+  readonly normal: Vector3;
+  /** What it belongs to; null for the ground, which is at height 0. */
+  readonly object: GameObject | null;
+  /** From the eye (m). */
+  readonly distance: number;
+}
+
+const raycaster = new Raycaster();
+const instance = new Matrix4();
+const normalMatrix = new Matrix3();
+const UP = new Vector3(0, 1, 0);
+
+/** Normal of the face that was hit (unit, in the world), towards where the ray came from. */
+export function normalOfHit({ face, object, instanceId }: Intersection, direction: Vector3): Vector3 {
+  if (!face) return UP.clone();
+  instance.copy(object.matrixWorld);
+  if (instanceId !== undefined && object instanceof InstancedMesh) {
+    object.getMatrixAt(instanceId, instance);
+    instance.premultiply(object.matrixWorld);
+  }
+  const normal = face.normal.clone().applyMatrix3(normalMatrix.getNormalMatrix(instance)).normalize();
+  return normal.dot(direction) > 0 ? normal.negate() : normal;
+}
+
+/** The ray through a point of the picture (normalised device coordinates). */
+export function rayThrough(camera: Camera, point: Vector2): Ray {
+  raycaster.setFromCamera(point, camera);
+  return raycaster.ray.clone();
+}
+
+/**
+ * The surfaces along a ray, nearest first, as of the last drawn frame; the ground at height 0 is not among them.
+ * @param without - objects that do not count, with all below them
+ */
+export function surfacesAlong(
+  scene: Scene,
+  ray: Ray,
+  camera: Camera,
+  without: ReadonlySet<GameObject> | null = null,
+): Surface[] {
+  const surfaces: Surface[] = [];
+  for (const hit of rayHits(scene, ray, camera)) {
+    const object = gameObjectOf(hit.object, hit.instanceId);
+    if (!object || (without && isWithin(object, without))) continue;
+    surfaces.push({ point: hit.point, normal: normalOfHit(hit, ray.direction), object, distance: hit.distance });
+  }
+  return surfaces;
+}
+
+/** Where a ray meets the ground at height 0; null where it does not, or farther than `limit` (m). */
+export function groundAlong(ray: Ray, limit: number): Surface | null {
+  const { origin, direction } = ray;
+  if (Math.abs(direction.y) < 1e-9) return null;
+  const distance = -origin.y / direction.y;
+  if (!(distance > 0 && distance <= limit)) return null;
+  const point = ray.at(distance, new Vector3()).setY(0);
+  const normal = new Vector3(0, direction.y < 0 ? 1 : -1, 0);
+  return { point, normal, object: null, distance };
+}
+
+/** Whether an object is one of a set, or below one. */
+function isWithin(object: GameObject, set: ReadonlySet<GameObject>): boolean {
+  for (let each: GameObject | null = object; each; each = each.parent) if (set.has(each)) return true;
+  return false;
+}

@@ -1,0 +1,71 @@
+import {
+  type Camera,
+  Color,
+  DoubleSide,
+  type Material,
+  Matrix3,
+  type Mesh,
+  type MeshStandardMaterial,
+  type Object3D,
+  type Scene,
+  ShaderMaterial,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
+import fragmentShader from './unlit.frag.glsl?raw';
+import vertexShader from './unlit.vert.glsl?raw';
+
+const unmoved = new Matrix3();
+
+/** Drawn in place of every material, it shows the colour and the map of the object's own. */
+export class UnlitMaterial extends ShaderMaterial {
+  constructor() {
+    super({
+      name: 'Editor unlit',
+      vertexShader,
+      fragmentShader,
+      uniforms: {
+        colour: { value: new Color() },
+        emitted: { value: new Color() },
+        opacity: { value: 1 },
+        alphaTest: { value: 0 },
+        hasMap: { value: false },
+        map: { value: null },
+        mapTransform: { value: new Matrix3() },
+      },
+      side: DoubleSide,
+      toneMapped: false,
+    });
+  }
+
+  /** three calls it for each object. */
+  override onBeforeRender(
+    _webgl: WebGLRenderer,
+    _scene: Scene,
+    _camera: Camera,
+    _geometry: unknown,
+    object: Object3D,
+    group: unknown,
+  ): void {
+    const own = (object as Mesh).material;
+    const index = (group as { materialIndex?: number } | null)?.materialIndex ?? 0;
+    this.take((Array.isArray(own) ? own[index] : own) as Material | undefined);
+  }
+
+  private take(material: Material | undefined): void {
+    const { colour, emitted, opacity, alphaTest, hasMap, map, mapTransform } = this.uniforms;
+    const source = material as Partial<MeshStandardMaterial> | undefined;
+    const texture: Texture | null = source?.map ?? null;
+    if (source?.color) colour.value.copy(source.color);
+    else colour.value.setScalar(0.5);
+    if (source?.emissive) emitted.value.copy(source.emissive).multiplyScalar(source.emissiveIntensity ?? 1);
+    else emitted.value.setScalar(0);
+    opacity.value = source?.transparent ? (source.opacity ?? 1) : 1;
+    alphaTest.value = source?.alphaTest ?? 0;
+    hasMap.value = texture !== null;
+    map.value = texture;
+    if (texture?.matrixAutoUpdate) texture.updateMatrix();
+    mapTransform.value.copy(texture?.matrix ?? unmoved);
+    this.uniformsNeedUpdate = true;
+  }
+}

@@ -1,0 +1,39 @@
+import { englishLabelOfField } from '@farol/editing';
+import { techniques } from '@farol/renderer';
+import { sourceFiles } from '@farol/tools/sourceFiles';
+import { textsOf } from '@farol/tools/texts';
+import { expect, test } from 'vitest';
+import { cameraProperties } from '../fields/cameraProperties';
+import { lightProperties } from '../fields/lightProperties';
+import { materialProperties } from '../fields/materialProperties';
+import { objectProperties, transformProperties } from '../fields/objectProperties';
+import { es } from './es';
+
+const properties = [
+  ...[...transformProperties, ...objectProperties, ...lightProperties],
+  ...[...cameraProperties, ...materialProperties],
+];
+
+/** Every text that the attached editor may ask for. */
+function wantedTexts(): Set<string> {
+  const sources = [...sourceFiles()].filter(
+    ([path]) => /^packages\/(attach|editing)\/src\//.test(path) && !path.endsWith('.test.ts'),
+  );
+  const texts = [
+    ...sources.flatMap(([path, source]) => textsOf(path, source).texts),
+    ...properties.flatMap(({ name, field }) => [
+      englishLabelOfField(name, field),
+      field.help,
+      ...(field.kind === 'choice' ? field.options : []),
+    ]),
+    ...Object.values(techniques).map(({ label }) => label),
+  ];
+  return new Set(texts.filter((text) => /\p{L}{2}/u.test(text)));
+}
+
+test('everything that the attached editor shows is there in Spanish, and nothing that it does not show', () => {
+  const wanted = wantedTexts();
+  expect(wanted.size).toBeGreaterThan(150);
+  expect([...wanted].filter((text) => !Object.hasOwn(es, text))).toEqual([]);
+  expect(Object.keys(es).filter((text) => !wanted.has(text))).toEqual([]);
+});

@@ -1,0 +1,13 @@
+import { readFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+
+const tokensOf = (path: string): Map<string, string> => {
+  const text = readFileSync(new URL(path, import.meta.url), 'utf8');
+  return new Map([...text.matchAll(/^ {2}(--[\w-]+):\s*([^;]+);/gm)].map(([, name, value]) => [name, value]));
+};
+
+it("has the colours and measures of Farol's own editor", () => {
+  const [own, editor] = [tokensOf('style.css'), tokensOf('../../../apps/editor/src/style/theme.css')];
+  expect(own.size).toBeGreaterThan(10);
+  for (const [name, value] of own) expect(`${name}: ${value}`).toBe(`${name}: ${editor.get(name)}`);
+});

@@ -1,0 +1,23 @@
+import { t } from '../language/translate';
+import type { FieldDescription, FieldValue, Triple } from './FieldTarget';
+import { formatNumber } from './formatNumber';
+import { numberDisplay } from './NumberDisplay';
+import { splitColour } from './screenColour';
+
+/** A value of a field in words, with its unit: '5 m', '45°', '#ff8800 × 2'; null where words say nothing, as of an id. */
+export function valueText(field: FieldDescription, value: FieldValue): string | null {
+  if (field.kind === 'colour') {
+    const { hex, intensity } = splitColour(value as Triple);
+    return intensity > 1 ? `${hex} × ${formatNumber(intensity, 'short')}` : hex;
+  }
+  if (typeof value === 'number' || Array.isArray(value)) {
+    const { unit, toShown } = numberDisplay(field);
+    // 'cd or lx' says nothing of one value
+    const suffix = unit === '°' ? unit : unit && !unit.includes(' or ') ? ` ${t(unit)}` : '';
+    if (typeof value === 'number') return `${formatNumber(toShown(value), 'long')}${suffix}`;
+    return `${(value as Triple).map((each) => Number(toShown(each).toFixed(3)) + 0).join(', ')}${suffix}`;
+  }
+  if (field.kind === 'asset') return value === null ? t('none') : String(value);
+  if (field.kind === 'choice') return t(String(value));
+  return field.kind === 'string' ? `“${value as string}”` : null;
+}

@@ -1,0 +1,56 @@
+import { RepeatWrapping, type Texture } from 'three';
+import { checkPixels } from './imageSize';
+import type { ReadOptions } from './loadAsset';
+import { makeKTX2Loader } from './makeKTX2Loader';
+
+/**
+ * Reads a KTX2 (Basis Universal, or a format of the device) as a texture. Its blocks stay compressed, so they cannot be
+ * turned: rows from the top down, as most tools write them, are turned by the texture's own place.
+ * @throws Error that says what is wrong with the bytes, or that there is no device to ask for its formats
+ */
+export async function readKtx2(bytes: ArrayBuffer, { renderer, signal }: ReadOptions): Promise<Texture> {
+  const view = new DataView(bytes);
+  if (bytes.byteLength < 80) throw new Error('it is cut short: export it again.');
+  checkPixels(view.getUint32(20, true), Math.max(1, view.getUint32(24, true)));
+  if (view.getUint32(36, true) > 1 || view.getUint32(32, true) > 1 || view.getUint32(28, true) > 1)
+    throw new Error('it holds a cube, an array or a volume: export one picture of it.');
+  if (!renderer) throw new Error('it is a KTX2: give the AssetLibrary the renderer that draws it.');
+  const isBottomUp = orientationOf(bytes, view).startsWith('ru');
+  const loader = await makeKTX2Loader(renderer);
+  try {
+    signal?.throwIfAborted();
+    const texture = await new Promise<Texture>((resolve, reject) => {
+      // the worker takes the bytes away
+      loader.parse(bytes.slice(0), resolve, reject);
+    });
+    texture.wrapS = texture.wrapT = RepeatWrapping;
+    if (!isBottomUp) {
+      texture.userData.isTopDown = true;
+      texture.repeat.y = -1;
+      texture.offset.y = 1;
+    }
+    texture.needsUpdate = true;
+    return texture;
+  } catch (cause) {
+    signal?.throwIfAborted();
+    const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
+    throw new Error(`its KTX2 data are damaged or cut short (${said}): export it again.`, { cause });
+  } finally {
+    loader.dispose();
+  }
+}
+
+/** What `KTXorientation` of the file says, such as 'rd' (right, down) or 'ru'; 'rd' where it says nothing. @see KTX 2.0, 5.3 */
+function orientationOf(bytes: ArrayBuffer, view: DataView): string {
+  const start = view.getUint32(56, true);
+  const end = Math.min(bytes.byteLength, start + view.getUint32(60, true));
+  for (let at = start; at + 4 <= end;) {
+    const length = view.getUint32(at, true);
+    const text = new TextDecoder().decode(new Uint8Array(bytes, at + 4, Math.min(length, end - at - 4)));
+    const [key, value = ''] = text.split('\0');
+    if (key === 'KTXorientation') return value;
+    at += 4 + Math.ceil(length / 4) * 4;
+    if (length === 0) break;
+  }
+  return 'rd';
+}

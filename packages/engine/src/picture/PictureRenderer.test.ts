@@ -1,0 +1,203 @@
+import type { FarolEffect, FarolRenderer } from '@farol/renderer';
+import { Color, NoToneMapping, ReinhardToneMapping, type Vector4 } from 'three';
+import { beforeAll, expect, test, vi } from 'vitest';
+import { Camera } from '../components/Camera';
+import { GameObject } from '../core/GameObject';
+import { Scene } from '../core/Scene';
+import { deserialize } from '../files/deserialize';
+import { serialize } from '../files/serialize';
+import { PictureLook } from './PictureLook';
+import { PictureRenderer } from './PictureRenderer';
+import { toneMappings } from './toneMappings';
+
+/** A renderer that only notes what it is asked for. */
+function makeFarol(...passes: string[]) {
+  const canvas = new EventTarget();
+  const webgl = {
+    domElement: canvas,
+    toneMapping: NoToneMapping as number,
+    toneMappingExposure: 1,
+    getRenderTarget: () => null,
+    getContextAttributes: () => ({ antialias: true }),
+    getCurrentViewport: (viewport: Vector4) => viewport.set(0, 0, 4, 4),
+    extensions: { has: () => true },
+  };
+  const farol = {
+    webgl,
+    view: 'final',
+    technique: 'auto',
+    effects: [] as FarolEffect[],
+    info: { technique: '', passes: passes.map((name) => ({ name })) },
+    /** Of each frame: technique, tone mapping, exposure and the colour behind it. */
+    frames: [] as unknown[],
+    render(scene: { background: unknown }): void {
+      const { r } = scene.background as Color;
+      this.frames.push([this.technique, webgl.toneMapping, webgl.toneMappingExposure, r]);
+    },
+  };
+  return farol as unknown as FarolRenderer & typeof farol;
+}
+
+const names = ({ effects }: { effects: readonly FarolEffect[] }): string[] => effects.map(({ name }) => name);
+const failed = (error: unknown): never => {
+  throw error;
+};
+
+/** As a file has it. */
+const reopened = (scene: Scene): Promise<Scene> => deserialize(JSON.stringify(serialize(scene)));
+
+// it is large, and else late in its first test
+beforeAll(() => import('@farol/renderer/effects') as Promise<unknown>);
+
+test('technique and ambient occlusion are those of the scene, also after it was saved and opened again', async () => {
+  const scene = new Scene();
+  scene.settings.technique = 'deferred';
+  scene.settings.ambientOcclusion = true;
+  scene.settings.occlusionRadius = 2;
+  const again = await reopened(scene);
+  const farol = makeFarol('g-buffer', 'output');
+  const picture = new PictureRenderer(farol, { failed });
+  picture.render(again, {} as never);
+  expect(farol.technique).toBe('deferred');
+  await vi.waitFor(() => expect(names(farol)).toEqual(['ambient occlusion', 'SMAA']));
+  expect(farol.effects[0]).toMatchObject({ radius: 2, strength: 1 });
+  // another scene has its own
+  picture.render(new Scene(), {} as never);
+  expect(farol.technique).toBe('auto');
+  expect(names(farol)).toEqual(['SMAA']);
+});
+
+test('with everything off a frame is what the renderer draws, and nothing is fetched or set', () => {
+  const scene = new Scene();
+  const farol = makeFarol('opaque');
+  const redraw = vi.fn<() => void>();
+  new PictureRenderer(farol, { redraw, failed }).render(scene, {} as never);
+  expect(farol.frames).toEqual([['auto', NoToneMapping, 1, scene.settings.backgroundColour[0]]]);
+  expect(redraw).not.toHaveBeenCalled();
+  expect(farol.effects).toEqual([]);
+});
+
+test("tone mapping reaches the renderer for the frame alone, with the camera's own exposure, and the background too", async () => {
+  const scene = new Scene();
+  Object.assign(scene.settings, { toneMapping: 'reinhard', exposure: 2, backgroundColour: [0.25, 0.25, 0.25] });
+  const camera = new Camera();
+  scene.add(new GameObject('Camera').addComponent(camera).gameObject);
+  camera.exposureCompensation = 1;
+  const farol = makeFarol('opaque');
+  const redraw = vi.fn<() => void>();
+  const picture = new PictureRenderer(farol, { redraw, failed });
+  picture.render(scene, camera.three, camera);
+  expect(farol.frames[0]).toEqual(['auto', ReinhardToneMapping, 4, 0.25]);
+  await vi.waitFor(() => expect(redraw).toHaveBeenCalled());
+  picture.render(scene, camera.three, camera);
+  // 4 * 0.25 = 1, of which Reinhard makes a half
+  expect(farol.frames[1]).toEqual(['auto', ReinhardToneMapping, 4, 0.5]);
+  expect((scene.three.background as Color).r).toBe(0.25);
+  expect([farol.webgl.toneMapping, farol.webgl.toneMappingExposure]).toEqual([NoToneMapping, 1]);
+});
+
+test('a technique that is not there is told once, and the default draws until it comes', () => {
+  const scene = new Scene();
+  scene.settings.technique = 'glow';
+  const farol = makeFarol('opaque');
+  let technique = 'auto';
+  const known = new Set(['auto']);
+  Object.defineProperty(farol, 'technique', {
+    get: () => technique,
+    set(name: string) {
+      if (!known.has(name)) throw new Error(`no ${name}`);
+      technique = name;
+    },
+  });
+  const told = vi.fn<(error: unknown) => void>();
+  const picture = new PictureRenderer(farol, { failed: told });
+  picture.render(scene, {} as never);
+  picture.render(scene, {} as never);
+  expect(told).toHaveBeenCalledTimes(1);
+  expect(technique).toBe('auto');
+  known.add('glow');
+  picture.retakeTechnique();
+  picture.render(scene, {} as never);
+  expect(technique).toBe('glow');
+});
+
+test('edges are smoothed by SMAA where a G-buffer is shaded, unless the scene says otherwise or pictures are compared', async () => {
+  const scene = new Scene();
+  const farol = makeFarol('g-buffer');
+  const { effects } = new PictureRenderer(farol, { failed });
+  effects.update(scene.settings);
+  await vi.waitFor(() => expect(names(farol)).toEqual(['SMAA']));
+  effects.suspended = true;
+  expect(names(farol)).toEqual([]);
+  effects.suspended = false;
+  scene.settings.antialiasing = 'taa';
+  effects.update(scene.settings);
+  expect(names(farol)).toEqual(['TAA']);
+  expect(effects.frames).toBeGreaterThan(1);
+  scene.settings.antialiasing = 'none';
+  effects.update(scene.settings);
+  expect(names(farol)).toEqual([]);
+  expect(effects.frames).toBe(1);
+});
+
+test('a technique that cannot occlude goes without, and effects of plugins come and go by name', async () => {
+  const scene = new Scene();
+  const farol = makeFarol('opaque');
+  const { effects } = new PictureRenderer(farol, { failed });
+  Object.assign(scene.settings, { ambientOcclusion: true, pluginEffects: 'haze, unheard of' });
+  farol.technique = 'forward';
+  effects.update(scene.settings);
+  expect(names(farol)).toEqual([]);
+  const dispose = vi.fn<() => void>();
+  effects.added.set('haze', () => ({ name: 'Haze', dispose }) as unknown as FarolEffect);
+  effects.addedChanged();
+  await vi.waitFor(() => expect(names(farol)).toEqual(['Haze']));
+  effects.added.clear();
+  effects.addedChanged();
+  expect(names(farol)).toEqual([]);
+  expect(dispose).toHaveBeenCalledTimes(1);
+});
+
+test('a camera has the focus of the scene, none, or its own', () => {
+  const { settings } = new Scene();
+  const look = new PictureLook();
+  const camera = new Camera();
+  Object.assign(settings, { depthOfField: true, focusDistance: 7, toneMapping: 'agx' });
+  expect(look.take(settings, null)).toMatchObject({ depthOfField: true, focusDistance: 7 });
+  expect(look.take(settings, camera)).toMatchObject({ depthOfField: true, toneMapping: toneMappings.agx });
+  camera.set('depthOfField', 'off');
+  expect(look.take(settings, camera).depthOfField).toBe(false);
+  settings.depthOfField = false;
+  camera.set('depthOfField', 'own');
+  camera.set('focusDistance', 3);
+  camera.set('toneMapping', 'none');
+  expect(look.take(settings, camera)).toMatchObject({
+    depthOfField: true,
+    focusDistance: 3,
+    toneMapping: NoToneMapping,
+  });
+});
+
+test('skies light and fill the scene until there is another background; fog takes their colour', async () => {
+  const scene = new Scene();
+  const { settings, three } = scene;
+  settings.background = 'sky';
+  settings.sky = 'sunset';
+  await settings.skyReady;
+  const sky = three.background;
+  expect(three.environment).toBe(sky);
+  settings.fog = 'linear';
+  settings.fogFromSky = true;
+  expect(three.fog!.color.r).toBeGreaterThan(three.fog!.color.b);
+  settings.bloom = true;
+  expect(three.background).toBe(sky);
+  settings.skyLight = false;
+  expect([three.background, three.environment]).toEqual([sky, null]);
+  const again = await reopened(scene);
+  expect(again.three.background).toMatchObject({ isTexture: true });
+  const gone = vi.fn<() => void>();
+  (sky as unknown as EventTarget).addEventListener('dispose', gone);
+  settings.background = 'colour';
+  expect(gone).toHaveBeenCalledTimes(1);
+  expect(three.background).toBeInstanceOf(Color);
+});

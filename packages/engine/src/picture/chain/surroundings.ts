@@ -1,0 +1,28 @@
+import { Color, type Scene, type ToneMapping } from 'three';
+import { toneMapColour } from './toneMapColour';
+
+const background = new Color();
+const fog = new Color();
+
+/**
+ * Tone maps what three does not when it draws to the canvas, the colours of background and fog, for one frame: they are as in
+ * a picture that is tone mapped as a whole.
+ */
+export const surroundings = {
+  toneMap(scene: Scene, toneMapping: ToneMapping, exposure: number): void {
+    if (scene.background instanceof Color) {
+      background.copy(scene.background);
+      toneMapColour(scene.background, toneMapping, exposure);
+    }
+    if (scene.fog) {
+      fog.copy(scene.fog.color);
+      toneMapColour(scene.fog.color, toneMapping, exposure);
+    }
+  },
+
+  /** Gives them back as they were before the last `toneMap`. */
+  restore(scene: Scene): void {
+    if (scene.background instanceof Color) scene.background.copy(background);
+    scene.fog?.color.copy(fog);
+  },
+};
