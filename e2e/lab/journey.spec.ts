@@ -69,7 +69,10 @@ test('builds a comparison by mouse and keyboard, measures it, and keeps what a c
   await page.getByLabel('Turns for each').fill('50');
   await page.getByLabel(/^A turn/).fill('2000');
   await page.getByRole('button', { name: 'Measure: your own comparison' }).click();
-  await expect(page.getByText('Farol: forward').first()).toBeVisible();
+  // the turn that goes on is kept, what is only being opened is not
+  const now = page.locator('.running .now strong');
+  await expect(now).toHaveText('Farol: deferred', { timeout: 30_000 });
+  await expect(now).toHaveText('Farol: forward', { timeout: 30_000 });
   await page.getByRole('button', { name: /Cancel/ }).click();
   await expect(page.locator('.run-head')).toContainText('not complete', { timeout: 30_000 });
   await page.getByText(/Table of \d rows/).click();
@@ -104,6 +107,11 @@ for (const [theme, width] of [
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
       await page.getByLabel('Theme').selectOption(theme === 'light' ? 'Dark' : 'Light');
       expect(await axeProblems(page, ['color-contrast'])).toEqual([]);
+      // on paper: the run alone, dark on white
+      await page.emulateMedia({ media: 'print' });
+      await expect(page.locator('html')).toHaveCSS('color-scheme', 'light');
+      await expect(page.getByRole('heading', { name: 'What to measure' })).toBeHidden();
+      await expect(page.getByText('reference, not your machine')).toBeVisible();
     });
   });
 }

@@ -1,7 +1,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { axisWords } from '../plan/sceneWords';
 import { compareRuns, type ComparedRow } from './compareRuns';
-import { formatNumber } from '../words/format';
+import { formatDate, formatNumber } from '../words/format';
 import { competitorLabel } from '../words/names';
 import type { LabRun, Metric } from './LabRun';
 import './results.css';
@@ -141,5 +141,5 @@ const digits = (value: number | null): string => formatNumber(value ?? Number.Na
 
 function runWords({ name, plan, surroundings }: LabRun): string {
   const { device, browser, system, date } = surroundings;
-  return `${name || plan.label}: ${device}; ${browser}, ${system}; ${date.slice(0, 16).replace('T', ' ')} UTC`;
+  return `${name || plan.label}: ${device}; ${browser}, ${system}; ${formatDate(date)}`;
 }

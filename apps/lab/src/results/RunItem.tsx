@@ -1,4 +1,5 @@
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { formatDate } from '../words/format';
 import type { RunInfo } from './RunStore';
 
 interface RunItemProps {
@@ -15,15 +16,12 @@ interface RunItemProps {
   onDelete?(): Promise<void>;
 }
 
-const dateStyle: Intl.DateTimeFormatOptions = { dateStyle: 'medium', timeStyle: 'short' };
-
 /** A run of the library. */
 export function RunItem(props: RunItemProps) {
   const { info, isReference = false, chosen, current, onOpen, onChoose, onRename, onDelete } = props;
   const [isNaming, setNaming] = useState(false);
   const renameButton = useRef<HTMLButtonElement>(null);
   const title = info.name || info.label;
-  const date = new Date(info.date);
   const endNaming = (name: string | null): void => {
     setNaming(false);
     if (name !== null && name.trim() !== info.name) void onRename?.(name);
@@ -49,10 +47,7 @@ export function RunItem(props: RunItemProps) {
         {!info.complete && <span class="badge">not complete</span>}
         <p class="run-where">
           {info.name && `${info.label}; `}
-          <time dateTime={info.date}>
-            {Number.isNaN(date.getTime()) ? info.date : date.toLocaleString('en', dateStyle)}
-          </time>
-          ; {info.device}; {info.browser}; Farol {info.build}
+          <time dateTime={info.date}>{formatDate(info.date)}</time>; {info.device}; {info.browser}; Farol {info.build}
         </p>
       </div>
       {!isReference && !isNaming && (

@@ -123,7 +123,9 @@ function differInSize(a: LabRun, b: LabRun): boolean {
   const [ours, theirs] = [cases(a), cases(b)].map(
     (list) => new Set(list.map((labCase) => caseKey({ ...labCase, width: 1, height: 1 }))),
   );
-  return a.plan.competitors.some((name) => b.plan.competitors.includes(name)) && [...ours].some((each) => theirs.has(each));
+  return (
+    a.plan.competitors.some((name) => b.plan.competitors.includes(name)) && [...ours].some((each) => theirs.has(each))
+  );
 }
 
 const counted = (cases: number): string => (cases === 1 ? 'One case' : `${cases} cases`);

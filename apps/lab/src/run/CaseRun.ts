@@ -171,7 +171,9 @@ export class CaseRun {
     const last = each.frame.length === this.world.plan.effort.rounds;
     if (now() - begin > Math.max(OVERLONG * length, 1000) && !last) {
       each.over = true;
-      row.warnings.push(`${each.frame.length} of ${this.world.plan.effort.rounds} turns: its frames are long.`);
+      row.warnings.push(
+        `Measured in ${each.frame.length} of ${this.world.plan.effort.rounds} turns alone: its frames are long.`,
+      );
     }
     if ((last || each.over) && row.frame) {
       forecast.note(series.name, name, 'frame', series.values[index], row.frame.median);

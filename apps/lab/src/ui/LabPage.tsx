@@ -13,6 +13,7 @@ import { messageOf } from '../run/messageOf';
 import { Hero } from './Hero';
 import { ComparedRuns } from './results/ComparedRuns';
 import { Results } from './results/Results';
+import { isEmptyRun } from './results/whyIncomplete';
 import { RunActions } from './results/RunActions';
 import { RunChoice } from './results/RunChoice';
 import { NormalsFigure } from './NormalsFigure';
@@ -73,8 +74,9 @@ export function LabPage() {
     });
     stage.close();
     if (!run) return;
-    show(run);
-    if (run.rows.length > 0) await keep(run);
+    const isEmpty = isEmptyRun(run);
+    show(isEmpty ? { ...run, rows: [] } : run);
+    if (!isEmpty) await keep(run);
   };
   const rename = (run: LabRun, name: string): void => {
     const renamed = { ...run, name };

@@ -95,7 +95,9 @@ describe('sentences of a series', () => {
 
   test('what stopped everybody is said once, without their names', () => {
     const late = 'Not measured: the run may take 80 s, and they were over.';
-    expect(wordsOf([10, 100], { auto: [late, late], forward: [late, late] })).toEqual([`No figure in any case: ${late}`]);
+    expect(wordsOf([10, 100], { auto: [late, late], forward: [late, late] })).toEqual([
+      `No figure in any case: ${late}`,
+    ]);
   });
 
   test('figures that are no numbers, and cases without a row, are not compared', () => {

@@ -18,6 +18,14 @@ export function formatMsRange(times: readonly number[]): string {
   return low === high ? low : `${low} to ${high}`;
 }
 
+const dates = new Intl.DateTimeFormat('en', { dateStyle: 'medium', timeStyle: 'short' });
+
+/** A date in this machine's time zone, as `Nov 22, 2026, 6:11 PM`; what is no date as it is. */
+export function formatDate(text: string): string {
+  const date = new Date(text);
+  return Number.isNaN(date.getTime()) ? text : dates.format(date);
+}
+
 /** Bytes, as `640 B`, `1.2 kB`, `35 MB`. */
 export function formatBytes(bytes: number): string {
   if (bytes < 1000) return `${formatNumber(bytes)} B`;

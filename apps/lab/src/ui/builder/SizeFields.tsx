@@ -24,11 +24,11 @@ export function SizeFields({ width, height, onChange }: SizeFieldsProps) {
         options={[...sizes.map((size) => [size, size] as const), ['', 'Another size']]}
         onChange={choose}
       />
-      <NumberField label="Width" value={width} min={1} max={8192} onChange={(width) => onChange({ width, height })} />
+      <NumberField label="Width" value={width} min={16} max={8192} onChange={(width) => onChange({ width, height })} />
       <NumberField
         label="Height"
         value={height}
-        min={1}
+        min={16}
         max={8192}
         onChange={(height) => onChange({ width, height })}
       />

@@ -2,6 +2,7 @@ import type { ComponentChildren, RefObject } from 'preact';
 import { useMemo, useState } from 'preact/hooks';
 import { RunCharts } from '../../charts/RunCharts';
 import type { LabRun } from '../../results/LabRun';
+import { formatDate } from '../../words/format';
 import { deviceName } from '../support/deviceName';
 import { formatDuration } from '../support/formatDuration';
 import { Pictures } from './Pictures';
@@ -67,7 +68,6 @@ function AllRows({ run }: { run: LabRun }) {
 
 function RunHead({ run, isReference, isRunning, title }: Omit<ResultsProps, 'actions'>) {
   const { name, plan, surroundings, duration } = run;
-  const date = new Date(surroundings.date);
   const incomplete = whyIncomplete(run);
   return (
     <header class="run-head">
@@ -79,14 +79,10 @@ function RunHead({ run, isReference, isRunning, title }: Omit<ResultsProps, 'act
       <p class="dim">
         {name && `${plan.label}. `}
         {deviceName(surroundings.device)}; {surroundings.browser}, {surroundings.system};{' '}
-        <time dateTime={surroundings.date}>
-          {Number.isNaN(date.getTime()) ? surroundings.date : date.toLocaleString('en', dateStyle)}
-        </time>
+        <time dateTime={surroundings.date}>{formatDate(surroundings.date)}</time>
         {!isRunning && `; took ${formatDuration(duration)}`}
       </p>
       {!isRunning && incomplete && <p class="warning">{incomplete}</p>}
     </header>
   );
 }
-
-const dateStyle = { dateStyle: 'medium', timeStyle: 'short' } as const;

@@ -3,6 +3,7 @@ import { referenceRuns } from '../../results/referenceRuns';
 import type { RunInfo, RunStore } from '../../results/RunStore';
 import { useRuns } from '../../results/useRuns';
 import { deviceName } from '../support/deviceName';
+import { formatDate } from '../../words/format';
 import { messageOf } from '../../run/messageOf';
 
 interface RunChoiceProps {
@@ -47,5 +48,5 @@ export function RunChoice({ store, run, onOpen, onProblem }: RunChoiceProps) {
 
 function infoText({ name, label, date, device }: RunInfo, isReference: boolean): string {
   const what = name || label;
-  return isReference ? `Reference: ${what}, ${deviceName(device)}` : `${what}, ${date.slice(0, 16).replace('T', ' ')}`;
+  return isReference ? `Reference: ${what}, ${deviceName(device)}` : `${what}, ${formatDate(date)}`;
 }

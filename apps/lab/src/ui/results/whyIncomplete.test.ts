@@ -1,11 +1,21 @@
 import { expect, test } from 'vitest';
 import { testRow, testRun } from '../../results/testRun';
-import { whyIncomplete } from './whyIncomplete';
+import { isEmptyRun, whyIncomplete } from './whyIncomplete';
 
 const run = testRun({ complete: false, duration: 9000 });
 const withLimit = (limit: number) => ({ ...run, plan: { ...run.plan, effort: { ...run.plan.effort, limit } } });
 
 test('a complete run lacks nothing', () => expect(whyIncomplete({ ...run, complete: true })).toBeNull());
+
+test('a run that was cancelled before its first figure is told apart', () => {
+  const row = { ...testRow('auto', 'planes-lights', 0, 1), frame: null, problem: 'Cancelled.' };
+  expect(isEmptyRun({ ...run, rows: [row] })).toBe(true);
+  expect(isEmptyRun({ ...run, rows: [...run.rows, row] })).toBe(false);
+  expect(isEmptyRun({ ...run, rows: [{ ...row, problem: 'No WebGL 2.' }] })).toBe(false);
+  expect(whyIncomplete({ ...run, rows: [row] })).toBe(
+    'This run was cancelled before anything was measured, and is not kept.',
+  );
+});
 
 test('a run is cancelled, or its time is over', () => {
   expect(whyIncomplete(run)).toMatch(/cancelled/);

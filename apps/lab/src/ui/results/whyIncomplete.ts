@@ -1,8 +1,15 @@
 import type { LabRun } from '../../results/LabRun';
 
+/** Whether a run was cancelled before its first figure. */
+export function isEmptyRun({ complete, rows }: Pick<LabRun, 'complete' | 'rows'>): boolean {
+  return !complete && rows.every(({ frame, problem }) => frame === null && problem?.startsWith('Cancelled'));
+}
+
 /** Why a run has not every figure of its plan, as a sentence; null for a complete one. */
-export function whyIncomplete({ complete, duration, plan, rows }: LabRun): string | null {
+export function whyIncomplete(run: LabRun): string | null {
+  const { complete, duration, plan, rows } = run;
   if (complete) return null;
+  if (isEmptyRun(run)) return 'This run was cancelled before anything was measured, and is not kept.';
   const { limit } = plan.effort;
   const isOver = rows.some(({ problem }) => problem?.startsWith('Not measured')) || duration >= (limit ?? Infinity);
   return isOver

@@ -6,11 +6,13 @@ export function deviceName(renderer: string): string {
   const inside = /^ANGLE \((?:[^,]*), (.*), [^,]*\)$/.exec(renderer)?.[1] ?? renderer;
   const metal = /^ANGLE Metal Renderer: (.*)$/.exec(inside)?.[1] ?? inside;
   const vulkan = /^Vulkan [\d.]+ \((.*)\)$/.exec(metal)?.[1] ?? metal;
-  return vulkan
-    .replace(/ \(0x[0-9a-f]+\)/gi, '')
-    .replace(/ (Direct3D\d*|OpenGL( ES)?|Vulkan [\d.]+).*$/, '')
-    .replace(/\/PCIe\/SSE2$/, '')
-    // some drivers say the maker twice
-    .replace(/^(\S+) \1 /, '$1 ')
-    .trim();
+  return (
+    vulkan
+      .replace(/ \(0x[0-9a-f]+\)/gi, '')
+      .replace(/ (Direct3D\d*|OpenGL( ES)?|Vulkan [\d.]+).*$/, '')
+      .replace(/\/PCIe\/SSE2$/, '')
+      // some drivers say the maker twice
+      .replace(/^(\S+) \1 /, '$1 ')
+      .trim()
+  );
 }
