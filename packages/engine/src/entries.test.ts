@@ -10,7 +10,7 @@ const source = fileURLToPath(new URL('.', import.meta.url));
 /** What the main entry exports besides types: whoever adds a name decides here that every author needs it. */
 const names = {
   app: ['App', 'createWebGLRenderer', 'noWebGL2'],
-  loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides'],
+  loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides', 'PictureRenderer', 'techniqueLimits'],
   scene: ['Scene', 'GameObject', 'Component', 'createRandom', 'gameObjectOf'],
   components: [
     ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
