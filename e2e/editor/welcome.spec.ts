@@ -80,7 +80,7 @@ test('the welcome opens what was worked on, offers what was not saved, and takes
   await next.getByRole('menuitem', { name: 'File', exact: true }).click();
   await next.getByRole('menuitem', { name: 'Welcome…' }).click();
   await welcome(next).getByRole('button', { name: 'Untitled.farol', exact: true }).click();
-  await next.getByRole('dialog').getByRole('button', { name: 'Discard changes' }).click();
+  await next.getByRole('dialog').getByRole('button', { name: 'Don’t save' }).click();
   await expect(next.getByRole('treeitem', { name: 'Torus' })).toHaveCount(0);
   await expect(next.getByRole('treeitem', { name: 'Cone' })).toBeVisible();
   expect(await serialized(next)).toBe(saved);

@@ -29,6 +29,8 @@ export function watchDrops(editor: EditorApi): void {
   /** An open dialog is answered first: nothing is taken behind it, and the browser does not leave the editor for the file. */
   const isRefused = (event: DragEvent): boolean => {
     if (!editor.dialogs.current || !event.dataTransfer || !isFileDrag(event.dataTransfer)) return false;
+    // the welcome takes files itself
+    if (event.target instanceof Element && event.target.closest('.welcome')) return false;
     event.preventDefault();
     event.stopPropagation();
     event.dataTransfer.dropEffect = 'none';

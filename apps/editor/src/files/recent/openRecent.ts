@@ -22,7 +22,6 @@ async function bytesOf({ name, handle, copy }: RecentFile): Promise<Blob> {
 
 /** Opens a file again. What cannot be read is forgotten. @returns whether it was opened */
 export async function openRecent(editor: EditorApi, file: RecentFile): Promise<boolean> {
-  if (!(await editor.mayLoseChanges())) return false;
   let bytes: Blob;
   try {
     bytes = await bytesOf(file);
