@@ -35,7 +35,7 @@ const recipes: Record<string, (name: string) => Preset> = {
     'Quick',
     'Planes and the atrium, from few lights to a thousand, by every technique.',
     [overLights('benchmarkLights', [4, 100]), overLights('sponza', [10, 100, 1000])],
-    { effort: { rounds: 3, turn: 150, changes: true, longestFrame: 2000, limit: 80_000 } },
+    { effort: { rounds: 3, turn: 110, changes: true, longestFrame: 2000, limit: 80_000 } },
   ),
   thesis: preset('The thesis', 'The three tables of chapter 4, row by row.', [
     overLights('benchmarkLights', [1, 4, 25, 100, 225]),

@@ -38,7 +38,7 @@ const FEW_OBJECTS = 8;
 /** Lights over a pixel from which a G-buffer pays. */
 const MANY_OVER_A_PIXEL = 3;
 /** Lights with a range from which lists made on the GPU cost less than lists made on the CPU. */
-const MANY_LIGHTS = 400;
+const MANY_LIGHTS = 150;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;
 const PATIENCE = 8;
