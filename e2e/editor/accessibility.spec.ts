@@ -145,7 +145,7 @@ async function useFingers(page: Page): Promise<void> {
   expect(await view(page)).toEqual(atRest);
   await page.keyboard.press('Control+z');
   await expect(page.getByRole('menu')).toHaveCount(0);
-  await fingers.press(at(0, -200));
+  await fingers.press(at(-300, -120));
   await page.getByRole('menuitem', { name: 'Light' }).waitFor();
   expect(await selected()).toEqual([]);
   await fingers.lift();

@@ -74,10 +74,12 @@ test('a draft that the browser refuses for its quota is told of with the reason,
     await expect(status(page)).toHaveCount(0);
     await drafts(page);
     expect(await commits()).toBeGreaterThan(before);
-    await page.evaluate(async () => {
+    const opened = page.evaluate(async () => {
       const text = window.editor.serialize();
       await window.editor.openFileBytes(text, { name: null, handle: null });
     });
+    await page.getByRole('dialog').getByRole('button', { name: 'Don’t save' }).click();
+    await opened;
     await page.getByRole('button', { name: 'Close message' }).click();
   }
 });
@@ -100,8 +102,8 @@ test('two tabs of one minute are two different lines in the dialog, and each com
   const lines = next.getByRole('dialog').locator('.session-time');
   await expect(lines).toHaveCount(2);
   const texts = await lines.allTextContents();
-  expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 4 objects · last edit: Add Torus$/.test(text))).toHaveLength(1);
-  expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 5 objects · last edit: Add Cone$/.test(text))).toHaveLength(1);
+  expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 4 objects · last edit: Added Torus$/.test(text))).toHaveLength(1);
+  expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 5 objects · last edit: Added Cone$/.test(text))).toHaveLength(1);
   await next.getByRole('button', { name: 'Recover', description: /5 objects/ }).click();
   await expect(next.getByRole('treeitem', { name: 'Cone' })).toBeVisible();
   await next.close({ runBeforeUnload: false });

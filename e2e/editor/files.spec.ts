@@ -111,7 +111,7 @@ test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ 
   expect(await intensities()).toEqual([50, 50, 3]);
   await expect(mark).toHaveCount(0);
   await page.keyboard.press('Control+z');
-  expect(await intensities()).toEqual([20, 50, 3]);
+  expect(await intensities()).toEqual([12, 50, 3]);
   await page.keyboard.press('Control+Shift+z');
 
   await page.getByRole('treeitem', { name: 'Point light' }).nth(2).click();
@@ -120,15 +120,16 @@ test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ 
   await expect(page.getByRole('menuitem', { name: 'Revert to prefab' })).toContainText('It has 50.');
   await page.getByRole('menuitem', { name: 'Revert to prefab' }).click();
   expect(await intensities()).toEqual([50, 50, 50]);
-  expect((await history(page)).at(-1)).toBe('Reverted intensity of Point light to its prefab');
+  expect((await history(page)).at(-1)).toBe('Reverted intensity of Point light 3 to its prefab');
 
   // renamed
   await page.locator('.asset-card').first().click();
   await page.keyboard.press('F2');
   await page.getByLabel('Name of the prefab').fill('Lamp');
   await page.keyboard.press('Enter');
-  await expect(page.getByRole('group', { name: 'Prefab' })).toContainText('Lamp');
   await expect(page.locator('.asset-card')).toHaveText('Lamp');
+  await page.getByRole('treeitem', { name: 'Point light' }).nth(2).click();
+  await expect(page.getByRole('group', { name: 'Prefab' })).toContainText('Lamp');
   await page.keyboard.press('Control+z');
   await expect(page.locator('.asset-card')).toHaveText('Point light');
 });

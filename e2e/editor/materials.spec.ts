@@ -104,7 +104,7 @@ test('a model is unpacked into objects that look the same, in one step; an FBX c
     .toBe(true);
   const text = await serialized(page);
   await page.getByRole('button', { name: 'Unpack' }).click();
-  await expect.poll(() => history(page)).toContain('Unpack box');
+  await expect.poll(() => history(page)).toContain('Unpacked box');
   expect(await fieldOf(page, 'Box', 'ObjectRenderer', 'material')).toBe('box/Red');
   expect(await history(page)).toHaveLength(3);
   await expect.poll(look).toEqual(before);

@@ -107,7 +107,9 @@ test('the picture is the scene’s: chosen, undone, saved, opened again, and the
   const open = (text: string): Promise<boolean> =>
     page.evaluate((bytes) => window.editor.openFileBytes(bytes, { name: null, handle: null }), text);
   const file = await serialized(page);
-  await open(before);
+  const opened = open(before);
+  await page.getByRole('dialog').getByRole('button', { name: 'Don’t save' }).click();
+  await opened;
   expect(await page.evaluate(() => window.editor.viewport.technique)).toBe('auto');
   await expect.poll(names).not.toContain('ambient occlusion');
   await open(file);

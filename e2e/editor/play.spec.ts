@@ -34,7 +34,7 @@ test('play, edit, stop: the scene is as it was, and values are kept one by one',
   const kept = page.getByRole('region', { name: 'Edited while playing' });
   await expect(kept).toContainText('2 → 5');
   expect(await axeProblems(page)).toEqual([]);
-  await kept.getByRole('button', { name: 'Kept intensity of Sun' }).click();
+  await kept.getByRole('button', { name: 'Keep intensity of Sun' }).click();
   expect(await fieldOf(page, 'Sun', 'Light', 'intensity')).toBe(5);
   expect(await history(page)).toEqual(['Kept intensity of Sun']);
   await expect(kept.getByRole('listitem')).toHaveCount(1);

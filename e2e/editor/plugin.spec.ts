@@ -150,6 +150,6 @@ test('a plugin whose names are taken is refused as a whole', async ({ page }) =>
   });
   expect(message).toContain("the action 'edit.undo'");
   await page.keyboard.press('Control+k');
-  await page.getByRole('combobox', { name: 'Search commands' }).fill('clash');
+  await page.getByRole('combobox', { name: 'Search commands' }).fill('clash.new');
   await expect(page.getByText('Nothing of that name.')).toBeVisible();
 });

@@ -19,6 +19,10 @@ function focusOf(target: EventTarget | null): Focus {
 /** What the space bar belongs to while it has the focus. */
 const PRESSABLE = 'button, a, input, select, summary, [role="tab"], [role="treeitem"], [role="option"]';
 
+/** What is walked through, or set, by the arrow keys, Home, End and the pages while it has the focus. */
+const WALKED = 'input, select, [role="slider"], [role="tab"], [role="treeitem"], [role="option"], [role="separator"]';
+const WALKS = new Set(['End', 'Home', 'PageUp', 'PageDown', 'ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight']);
+
 const counts = (action: Action, focus: Focus): boolean => focus === 'page' || (action.inFields ?? false);
 
 /** Whether what has the focus does this itself: a code editor has a history of its own. See `data-own-actions`. */
@@ -48,6 +52,7 @@ export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: bo
     if (combination === undefined || !counts(action, focus)) continue;
     if (isOwnKey(event.target, action)) continue;
     if (combination === 'Space' && event.target instanceof Element && event.target.closest(PRESSABLE)) continue;
+    if (WALKS.has(combination) && event.target instanceof Element && event.target.closest(WALKED)) continue;
     takeOverField(event.target);
     if (action.enabled?.(editor) ?? true) editor.attempt(() => action.run(editor));
     return true;
