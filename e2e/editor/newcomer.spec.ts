@@ -3,7 +3,7 @@ import type { Locator, Page } from '@playwright/test';
 import type { MeshPhysicalMaterial } from 'three';
 import { expect, test } from '../support/test';
 import { fieldOf, inspectorFollows, serialized, waitUntilReady } from './editor';
-import { redBox, type TestFile } from './models';
+import { pixelAt, redBox, type TestFile } from './models';
 
 // a small picture: the software rasteriser draws every pixel on the CPU
 test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
@@ -100,6 +100,24 @@ class Newcomer {
     await this.type(text);
   }
 
+  /** Types a number for each axis. @param first - the field of the first of them */
+  async fillEach(first: Locator, ...numbers: number[]): Promise<void> {
+    await this.click(first);
+    for (const [i, number] of numbers.entries()) {
+      if (i > 0) await this.press('Tab');
+      await this.type(String(number));
+    }
+  }
+
+  /** Clicks a colour, and in the picker that opens. @param across - how saturated @param down - how dark, both 0 to 1 */
+  async chooseColour(field: Locator, across: number, down: number): Promise<void> {
+    await this.click(field);
+    const area = this.page.locator('.react-colorful__saturation');
+    const { width, height } = (await area.boundingBox())!;
+    this.act();
+    await area.click({ position: { x: across * width, y: down * height } });
+  }
+
   async pick(box: Locator, option: string): Promise<void> {
     await this.click(box);
     // a line of help may follow
@@ -143,6 +161,9 @@ test('a newcomer makes a ring of 200 coloured lights over a floor', async ({ pag
     expect(height).toBeCloseTo(0.8, 3);
     expect(distance).toBeCloseTo(4, 3);
   }
+  const [left, right] = [await pixelAt(page, 0.14, 0.55), await pixelAt(page, 0.78, 0.56)];
+  expect(left[2], 'the floor is blue on the left').toBeGreaterThan(1.5 * left[0]);
+  expect(right[0], 'and red on the right').toBeGreaterThan(1.5 * right[2]);
   await page.screenshot({ path: info.outputPath('ring.png') });
 });
 
@@ -202,5 +223,32 @@ test('a newcomer makes a material with three maps that two objects share', async
   expect(box).toEqual({ uuid: sphere.uuid, maps: 3 });
   expect(sphere.maps).toBe(3);
   await inspectorFollows(page);
+  // nothing has moved the window's contents
+  expect(await page.locator('.dock').evaluate((dock) => dock.scrollTop)).toBe(0);
   await page.screenshot({ path: info.outputPath('maps.png') });
+});
+
+test('a newcomer makes a lit room with a door and a lamp', async ({ page }, info) => {
+  const newcomer = new Newcomer(page);
+  const { inspector } = newcomer;
+  await newcomer.beginWithEmptyScene();
+  await newcomer.add('Mesh', 'Box');
+  await newcomer.fill(inspector.getByLabel('Position y'), '1.5');
+  await newcomer.fillEach(inspector.getByLabel('Scale x'), 6, 3, 6);
+  await newcomer.click(inspector.getByRole('button', { name: 'Make material asset' }));
+  await newcomer.click(inspector.getByRole('button', { name: 'Opacity', exact: true }));
+  await newcomer.pick(inspector.getByRole('combobox', { name: 'Side' }), 'back');
+  await newcomer.add('Mesh', 'Box');
+  await newcomer.fillEach(inspector.getByLabel('Position y'), 1, -4.15);
+  await newcomer.fillEach(inspector.getByLabel('Scale y'), 2, 0.1);
+  await newcomer.chooseColour(inspector.getByLabel('Colour', { exact: true }), 0.7, 0.5);
+  await newcomer.add('Mesh', 'Sphere');
+  const wall = async (): Promise<number> => (await pixelAt(page, 0.33, 0.4))[1];
+  const unlit = await wall();
+  await newcomer.fill(inspector.getByLabel('Position y'), '2.4');
+  await newcomer.pick(inspector.getByRole('combobox', { name: 'Add component' }), 'Light');
+  await newcomer.fill(inspector.getByLabel('Intensity', { exact: true }), '12');
+  await newcomer.chooseColour(inspector.getByLabel('Emissive', { exact: true }), 0.2, 0.1);
+  await expect.poll(wall, 'the wall is lit by the lamp').toBeGreaterThan(1.5 * unlit);
+  await page.screenshot({ path: info.outputPath('lamp.png') });
 });
