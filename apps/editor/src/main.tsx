@@ -59,6 +59,7 @@ function start(problem: Error | null): void {
     editor.autosave = await startAutosave(editor, opened, (recovery) => void recent.then(() => offer(recovery)));
   };
   const loadRecent = async (): Promise<void> => (await import('./files/recent/noteRecent')).loadRecent(editor);
+  // the welcome goes without recent files where their code cannot be fetched
   const recent = loadRecent().catch(() => {});
   editor.attempt(autosave);
   void opened.then(() => {

@@ -30,6 +30,7 @@ export class Animator extends component({
   }
 
   override onEnterScene(scene: Scene): void {
+    // the library tells of a model that cannot be loaded
     if (this.model !== null && !scene.assets.isReady('model', this.model))
       void scene.assets.load(this.model).catch(() => {});
   }
