@@ -11,10 +11,10 @@ const source = fileURLToPath(new URL('.', import.meta.url));
 const names = {
   app: ['App', 'createWebGLRenderer', 'noWebGL2'],
   loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides', 'PictureRenderer', 'techniqueLimits'],
-  scene: ['Scene', 'GameObject', 'Component', 'createRandom', 'gameObjectOf'],
+  scene: ['Scene', 'FieldAsset', 'GameObject', 'ClipAsset', 'Component', 'createRandom', 'gameObjectOf'],
   components: [
     ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
-    ...['RandomMovement', 'Transform', 'ComponentRegistry', 'builtinComponents'],
+    ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],
   assets: [
     'AssetLibrary',

@@ -17,7 +17,15 @@ export { GameObject } from './core/GameObject';
 export { gameObjectOf } from './core/gameObjectOf';
 export type { RequiredEffect } from './core/RequiredEffect';
 export { Scene, type SceneOptions } from './core/Scene';
-export type { AddComponentOptions, CameraComponent, ComponentClass, MoveOptions, SceneChange } from './core/SceneGraph';
+export type {
+  AddComponentOptions,
+  CameraComponent,
+  ComponentClass,
+  MoveOptions,
+  SceneChange,
+  SceneSystem,
+  SceneSystemClass,
+} from './core/SceneGraph';
 /** The same types as the classes of these names have: declarations that a compiler writes need a name for each. */
 export type {
   Component as ComponentType,
@@ -54,6 +62,10 @@ export {
   objectsOfModel,
   whatKeepsTogether,
 } from './components/objectsOfModel';
+export { ClipAsset } from './assets/ClipAsset';
+export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
 export { MaterialAsset } from './assets/MaterialAsset';
+export { ScriptAsset } from './assets/ScriptAsset';
+export { Sound } from './assets/Sound';
 export type { FetchBytes, FetchOptions } from './assets/loadAsset';
 export { Model } from './assets/Model';

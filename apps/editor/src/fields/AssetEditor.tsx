@@ -22,6 +22,9 @@ const noneOf = (type: AssetField['assetType']): string =>
     material: t('No material'),
     shader: t('No shader'),
     model: t('No model'),
+    script: t('No script'),
+    clip: t('No clip'),
+    sound: t('No sound'),
   })[type];
 
 /** What fits first: to a map of normals what holds normals, to others what does not; other sizes of a texture last. */

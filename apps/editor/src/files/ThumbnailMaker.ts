@@ -53,6 +53,7 @@ export class ThumbnailMaker {
   /** An address of a picture of an asset; null when none can be drawn now. It is drawn once for each state of the asset. */
   pictureOf(entry: AssetEntry): Promise<string | null> {
     const { scene, assets } = this.viewport.document;
+    if (entry.kind === 'script' || entry.kind === 'clip' || entry.kind === 'sound') return Promise.resolve(null);
     const prefab = entry.kind === 'prefab' ? scene.prefabs.get(entry.name) : null;
     const material = entry.kind === 'material' ? assets.materialAsset(entry.name) : null;
     const owner: object = prefab ?? material ?? assets;

@@ -33,6 +33,9 @@ export const kindLabel = (kind: AssetKind, isMany = false): string =>
     texture: isMany ? t('Textures') : t('Texture'),
     material: isMany ? t('Materials') : t('Material'),
     shader: isMany ? t('Shaders') : t('Shader'),
+    script: isMany ? t('Scripts') : t('Script'),
+    clip: isMany ? t('Clips') : t('Clip ## of an animation'),
+    sound: isMany ? t('Sounds') : t('Sound'),
   })[kind];
 
 /** A card of the Assets panel; null where nothing is of that name. @param name - of an asset, or id of a prefab */

@@ -124,8 +124,8 @@ export class EditorDocument {
     this.playEdits.note(change);
     if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
     else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
-    else if (change.kind === 'material') {
-      this.ownerSignals.get(change.material)?.emit();
+    else if (change.kind === 'asset') {
+      this.ownerSignals.get(change.asset)?.emit();
       this.materials.emit();
     } else if (change.kind === 'microshader') this.microShaders.emit();
     else if (change.kind === 'view') this.views.emit();

@@ -1,11 +1,11 @@
 import { type Command, type CommandStack, labelOfField, SetFields, Signal, t } from '@farol/editing';
-import type { Component, MaterialAsset, Scene, SceneChange, SceneSettings } from '@farol/engine';
+import type { Component, FieldAsset, Scene, SceneChange, SceneSettings } from '@farol/engine';
 import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { CommandList } from './commands/CommandList';
 
 /** A value that was edited while the scene played. */
 export interface PlayChange {
-  readonly owner: Component | SceneSettings | MaterialAsset;
+  readonly owner: Component | SceneSettings | FieldAsset;
   /** Name of the field. */
   readonly name: string;
   /** What it is, as before playing. */
@@ -82,7 +82,7 @@ export class PlayEdits {
   /** Something of the scene changed, by an edit or by a component. */
   note(change: SceneChange): void {
     if (!this.isRecording) return;
-    if (change.kind !== 'field' && change.kind !== 'settings' && change.kind !== 'material') return;
+    if (change.kind !== 'field' && change.kind !== 'settings' && change.kind !== 'asset') return;
     const owner = ownerOf(change, this.document.scene);
     let fields = this.before.get(owner);
     if (!fields) this.before.set(owner, (fields = new Map()));
@@ -136,11 +136,11 @@ export class PlayEdits {
 }
 
 function ownerOf(
-  change: Extract<SceneChange, { kind: 'field' | 'settings' | 'material' }>,
+  change: Extract<SceneChange, { kind: 'field' | 'settings' | 'asset' }>,
   scene: Scene,
 ): PlayChange['owner'] {
   if (change.kind === 'field') return change.component;
-  return change.kind === 'material' ? change.material : scene.settings;
+  return change.kind === 'asset' ? change.asset : scene.settings;
 }
 
 /** What a change is of, such as 'intensity of Lamp'. */

@@ -27,4 +27,4 @@ export const canRename = (assets: AssetLibrary, name: string): boolean =>
   assets.has(name) &&
   !assets.isBuiltin(name) &&
   assets.modelOf(name) === null &&
-  (assets.fileOf(name) !== null || assets.materialAsset(name) !== null);
+  (assets.fileOf(name) !== null || assets.fieldAsset(name) !== null);

@@ -11,10 +11,10 @@ export interface AssetOwner {
   readonly object?: string;
 }
 
-/** All of a scene whose fields may name assets: its settings, components and materials. */
+/** All of a scene whose fields may name assets: its settings, components and assets made of fields. */
 export function assetOwners(scene: Scene): AssetOwner[] {
   const owners: AssetOwner[] = [{ owner: scene.settings, place: t('Scene') }];
-  for (const material of scene.assets.materialAssets) owners.push({ owner: material, place: material.name });
+  for (const asset of scene.assets.fieldAssets()) owners.push({ owner: asset, place: asset.name });
   scene.traverse((object) => {
     for (const component of object.components) {
       owners.push({ owner: component, place: object.name, object: object.id });

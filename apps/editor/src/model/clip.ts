@@ -1,13 +1,13 @@
 import { type Command, countLabel, t } from '@farol/editing';
-import { GameObject, type Scene, type TakenAsset } from '@farol/engine';
+import { type FieldAssetType, GameObject, type Scene, type TakenAsset } from '@farol/engine';
 import { type FieldValue, sameValue } from '@farol/engine/fields';
 import {
+  assetInFile,
   FILE_VERSION,
   type FileAsset,
   FileError,
   type FileObject,
   makeObjects,
-  materialInFile,
   parseFile,
   serializeObject,
 } from '@farol/engine/files';
@@ -55,8 +55,8 @@ export function copyObjects(scene: Scene, objects: readonly GameObject[]): strin
   const assets = [...names].flatMap((name): FileAsset[] => {
     const url = scene.assets.urlOf(name);
     const type = scene.assets.typeOf(name);
-    const material = scene.assets.materialAsset(name);
-    if (material) return [materialInFile(material)];
+    const asset = scene.assets.fieldAsset(name);
+    if (asset) return [assetInFile(asset)];
     return url && type ? [{ name, type, url }] : [];
   });
   const worlds = tops.map(({ transform }) => transform.modelMatrix.toArray());
@@ -85,19 +85,19 @@ function takeOuterReferences(objects: FileObject[], scene: Scene): [string, numb
 }
 
 /**
- * The materials of a clip that the scene does not have, ready to be added. One whose name the scene has for another
- * material gets a name of its own, which the objects are told.
+ * The assets made of fields of a clip that the scene does not have, ready to be added. One whose name the scene has for another
+ * one gets a name of its own, which the objects are told.
  */
-function takeMaterials(scene: Scene, list: readonly FileAsset[], objects: readonly FileObject[]): TakenAsset[] {
+function takeFieldAssets(scene: Scene, list: readonly FileAsset[], objects: readonly FileObject[]): TakenAsset[] {
   const { assets } = scene;
   const names = new Map<string, string>();
-  const taken = list.flatMap(({ name, values }): TakenAsset[] => {
+  const taken = list.flatMap(({ name, type, values }): TakenAsset[] => {
     if (!values) return [];
-    const known = assets.materialAsset(name);
+    const known = assets.fieldAsset(name);
     if (known && sameValues(known.changedValues(), values)) return [];
     const free = freeAssetName(assets, name);
     names.set(name, free);
-    assets.addMaterial(free, values);
+    assets.addFieldAsset(type as FieldAssetType, free, values);
     return [assets.take(free)];
   });
   for (const { components } of names.size > 0 ? objects : []) {
@@ -166,7 +166,7 @@ export function pasteObjects(
   for (const { name, url, type } of file.assets) {
     if (url !== undefined && !scene.assets.has(name)) scene.assets.registerUrl(name, url, type);
   }
-  const materials = takeMaterials(scene, file.assets, file.objects);
+  const materials = takeFieldAssets(scene, file.assets, file.objects);
   const made = makeObjects(file.objects, scene.registry);
   for (const [id, component, name, value] of outer) {
     for (const root of made) root.find(id)?.components[component]?.set(name, value);

@@ -11,6 +11,9 @@ const icons: Readonly<Record<AssetKind, IconName>> = {
   texture: 'scene',
   material: 'contrast',
   shader: 'contrast',
+  script: 'code',
+  clip: 'motion',
+  sound: 'sound',
 };
 
 /** A small picture of an asset, drawn once it comes into sight; an icon until then. */

@@ -1,10 +1,11 @@
 import type { BufferGeometry, Material, ShaderMaterial, Texture } from 'three';
 import type { AssetType, FieldValue } from '../fields/Field';
-import type { MaterialAsset } from './MaterialAsset';
+import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import type { Model } from './Model';
+import type { Sound } from './Sound';
 
-/** What an asset is in three. A shader is a ShaderMaterial or RawShaderMaterial, used as it is. */
-export type Asset = BufferGeometry | Texture | Material | ShaderMaterial | Model;
+/** What an asset is in three. A shader is a ShaderMaterial or RawShaderMaterial, used as it is; scripts and clips are data. */
+export type Asset = BufferGeometry | Texture | Material | ShaderMaterial | Model | FieldAsset | Sound;
 
 /** How an asset comes to be: at once, or after loading. */
 export type AssetSource =
@@ -15,7 +16,7 @@ export type AssetSource =
       /** Made by code that a page has anyway: needs no file, and is not a user's to delete. */
       readonly isBuiltin?: boolean;
       /** What it is made of, when its fields can be edited. */
-      readonly edited?: MaterialAsset;
+      readonly edited?: FieldAsset;
     }
   | {
       readonly type: AssetType;
@@ -51,12 +52,12 @@ export type AssetChange =
     }
   /** A folder came or went. */
   | { readonly kind: 'folder'; readonly name: string; readonly error?: undefined }
-  /** A field of a material got another value; `before` is the value until then. */
+  /** A field of an asset that is made of fields got another value; `before` is the value until then. */
   | {
       readonly kind: 'changed';
       readonly name: string;
-      readonly type: 'material';
-      readonly material: MaterialAsset;
+      readonly type: FieldAssetType;
+      readonly asset: FieldAsset;
       readonly field: string;
       readonly before: FieldValue;
       readonly error?: undefined;
@@ -71,6 +72,8 @@ export interface MaterialUser {
 /** The type of a three resource. */
 export function assetTypeOf(asset: Asset): AssetType {
   if ('isModel' in asset) return 'model';
+  if ('isFieldAsset' in asset) return asset.type;
+  if ('isSound' in asset) return 'sound';
   if ('isBufferGeometry' in asset) return 'mesh';
   if ('isTexture' in asset) return 'texture';
   return 'isShaderMaterial' in asset ? 'shader' : 'material';

@@ -30,11 +30,14 @@ import {
   typeOfUrl,
 } from './loadAsset';
 import { AddressRefusedError, foreignOrigin } from './foreignOrigin';
+import { ClipAsset } from './ClipAsset';
+import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import { MaterialAsset, type MaterialHost } from './MaterialAsset';
 import { MaterialCache } from './MaterialCache';
 import { MeshNormals } from './MeshNormals';
 import { Model } from './Model';
 import { modelParts } from './modelParts';
+import { ScriptAsset } from './ScriptAsset';
 import { UseCounter } from './UseCounter';
 
 /** Crease angle of meshes where none is given (radians). */
@@ -174,27 +177,54 @@ export class AssetLibrary implements MaterialHost {
    * @throws AssetError when the name is taken; FieldError for a value that is not allowed
    */
   addMaterial(name: string, values: Readonly<Record<string, FieldValue>> = {}): MaterialAsset {
-    this.checkFree(name);
-    const edited = new MaterialAsset(this, name, values);
-    this.sources.set(name, { type: 'material', make: () => edited.three, edited });
-    this.tell({ kind: 'registered', name, type: 'material' });
-    return edited;
+    return this.addFieldAsset('material', name, values) as MaterialAsset;
   }
 
-  /** The material of this name whose fields can be edited; null when it is another asset, or one of a model. */
-  materialAsset(name: string): MaterialAsset | null {
+  /**
+   * Adds an asset that is made of fields.
+   * @param values - in place of the defaults; what they name may come later
+   * @throws AssetError when the name is taken; FieldError for a value that is not allowed
+   */
+  addFieldAsset(type: FieldAssetType, name: string, values: Readonly<Record<string, FieldValue>> = {}): FieldAsset {
+    this.checkFree(name);
+    if (type === 'material') {
+      const edited = new MaterialAsset(this, name, values);
+      this.sources.set(name, { type, make: () => edited.three, edited });
+    } else {
+      const edited = type === 'script' ? new ScriptAsset(this, name, values) : new ClipAsset(this, name, values);
+      this.sources.set(name, { type, make: () => edited, edited });
+    }
+    this.tell({ kind: 'registered', name, type });
+    return this.fieldAsset(name)!;
+  }
+
+  /** The asset of this name that is made of fields; null when it is another one. */
+  fieldAsset(name: string): FieldAsset | null {
     const source = this.sources.get(name);
     return (source && 'edited' in source && source.edited) || null;
   }
 
+  /** Every asset that is made of fields, of one type when given. */
+  fieldAssets(type?: FieldAssetType): FieldAsset[] {
+    return [...this.sources.values()].flatMap((source) =>
+      'edited' in source && source.edited && (!type || source.type === type) ? source.edited : [],
+    );
+  }
+
+  /** The material of this name whose fields can be edited; null when it is another asset, or one of a model. */
+  materialAsset(name: string): MaterialAsset | null {
+    const asset = this.fieldAsset(name);
+    return asset?.type === 'material' ? (asset as MaterialAsset) : null;
+  }
+
   /** Every material whose fields can be edited. */
   get materialAssets(): MaterialAsset[] {
-    return [...this.sources.values()].flatMap((source) => ('edited' in source && source.edited) || []);
+    return this.fieldAssets('material') as MaterialAsset[];
   }
 
   /** Whether anything is in it that a user made or brought: files, materials, folders. */
   get hasOwn(): boolean {
-    return this.ownFolders.size > 0 || this.files.length > 0 || this.materialAssets.length > 0;
+    return this.ownFolders.size > 0 || this.files.length > 0 || this.fieldAssets().length > 0;
   }
 
   /** Folders that are there without an asset in them too, by path: 'Props', 'Props/Lamps'. */
@@ -249,14 +279,13 @@ export class AssetLibrary implements MaterialHost {
   }
 
   /** @internal */
-  materialChanged(material: MaterialAsset, field: string, before: FieldValue, isReplaced: boolean): void {
-    const { name } = material;
+  fieldAssetChanged(asset: FieldAsset, field: string, before: FieldValue, isReplaced: boolean): void {
+    const { name, type } = asset;
     if (isReplaced) {
       this.values.delete(name);
       for (const user of [...(this.materialUsers.get(name) ?? [])]) user.materialReplaced();
     }
-    if (this.materialAsset(name) === material)
-      this.tell({ kind: 'changed', name, type: 'material', material, field, before });
+    if (this.fieldAsset(name) === asset) this.tell({ kind: 'changed', name, type, asset, field, before });
   }
 
   /** The bytes that an asset is read from; null when it was not added as a file. */
@@ -496,7 +525,7 @@ export class AssetLibrary implements MaterialHost {
     this.normals.dispose();
     for (const copies of this.repeated.values()) for (const each of copies.values()) each.dispose();
     for (const value of this.values.values()) value.dispose();
-    for (const material of this.materialAssets) material.dispose();
+    for (const asset of this.fieldAssets()) asset.dispose();
     this.materialUsers.clear();
     this.ownFolders.clear();
     this.repeated.clear();

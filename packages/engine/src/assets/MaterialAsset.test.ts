@@ -103,7 +103,7 @@ describe('a material of the library', () => {
     scene.onChange((change) => told.push(change));
     const { revision } = scene;
     brick.set('metalness', 1);
-    expect(told).toEqual([{ kind: 'material', material: brick, field: 'metalness', before: 0 }]);
+    expect(told).toEqual([{ kind: 'asset', asset: brick, field: 'metalness', before: 0 }]);
     expect(scene.revision).toBe(revision + 1);
   });
 

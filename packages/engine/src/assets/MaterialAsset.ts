@@ -10,7 +10,8 @@ import {
   type Texture,
 } from 'three';
 import type { FieldValue, Vector3Tuple } from '../fields/Field';
-import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
+import type { AssetNames } from '../fields/FieldOwner';
+import { FieldAsset, type FieldAssetHost } from './FieldAsset';
 import { makeMaterial, writeMaterialValues } from './makeMaterial';
 import { materialAssetFields } from './materialAssetFields';
 import { materialFields, type MaterialValues } from './materialFields';
@@ -18,12 +19,10 @@ import { type MaterialMap, type MaterialMapName, materialMapNames, materialMaps 
 import { MaterialTexture } from './MaterialTexture';
 
 /** What a MaterialAsset needs of the library that it is in. */
-export interface MaterialHost extends AssetNames {
+export interface MaterialHost extends FieldAssetHost {
   isReady(type: 'texture', name: string): boolean;
   whenReady(type: 'texture', name: string, callback: () => void): void;
   texture(name: string): Texture;
-  /** @internal Told after a field got another value, or the material for three is another one. */
-  materialChanged(material: MaterialAsset, field: string, before: FieldValue, isReplaced: boolean): void;
 }
 
 const wraps = { repeat: RepeatWrapping, mirror: MirroredRepeatWrapping, clamp: ClampToEdgeWrapping };
@@ -59,11 +58,9 @@ const lobes = [
  * A material of a library, made of fields, which any number of objects share: a change of a field shows on all of them.
  * Made by `AssetLibrary.addMaterial`; kept in files.
  */
-export class MaterialAsset extends BaseFieldOwner {
+export class MaterialAsset extends FieldAsset {
   static readonly fields = materialAssetFields;
-
-  /** Its name in the library. */
-  name: string;
+  override readonly type = 'material';
 
   private material: Material | null = null;
   private readonly textures = new Map<MaterialMapName, MaterialTexture>();
@@ -74,8 +71,7 @@ export class MaterialAsset extends BaseFieldOwner {
    * @throws FieldError for a value that is not allowed
    */
   constructor(host: MaterialHost, name: string, values: Readonly<Record<string, FieldValue>> = {}) {
-    super();
-    this.name = name;
+    super(name);
     for (const field of Object.keys(values)) this.set(field, values[field]);
     this.host = host;
   }
@@ -94,21 +90,8 @@ export class MaterialAsset extends BaseFieldOwner {
     return this.material;
   }
 
-  /** The authored values that are not the default. */
-  changedValues(): Record<string, FieldValue> {
-    const values: Record<string, FieldValue> = {};
-    for (const [name, field] of Object.entries(this.fields)) {
-      const value = this.get(name);
-      const same = Array.isArray(value)
-        ? (field.default as Vector3Tuple).every((each, i) => each === value[i])
-        : value === field.default;
-      if (!same) values[name] = Array.isArray(value) ? [value[0], value[1], value[2]] : value;
-    }
-    return values;
-  }
-
   /** Gives the GPU memory back; what is drawn again is uploaded again. */
-  dispose(): void {
+  override dispose(): void {
     this.material?.dispose();
     for (const texture of this.textures.values()) texture.dispose();
   }
@@ -124,7 +107,7 @@ export class MaterialAsset extends BaseFieldOwner {
       this.material = null;
       replaced.dispose();
     } else if (this.material) this.write();
-    this.host.materialChanged(this, name, before, replaced !== null);
+    this.host.fieldAssetChanged(this, name, before, replaced !== null);
   }
 
   /** Writes every field to three's material; a texture still to be loaded is put in when it is there. */

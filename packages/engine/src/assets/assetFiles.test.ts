@@ -186,7 +186,7 @@ describe('a container', () => {
 
   test('of version 1 is still read', async () => {
     const scene = await deserialize({ format: 'farol-scene', version: 1, name: 'Old', objects: [] });
-    expect(serialize(scene)).toMatchObject({ name: 'Old', version: 2 });
+    expect(serialize(scene)).toMatchObject({ name: 'Old', version: 3 });
   });
 
   test('that is broken says what is wrong with it', async () => {

@@ -51,10 +51,10 @@ export class Animator extends component({
 
   override update(_deltaSeconds: number, time: number): void {
     if (time === 0) this.stop();
-    else this.start()?.setTime(time * this.animationSpeed);
+    else this.startMixer()?.setTime(time * this.animationSpeed);
   }
 
-  private start(): AnimationMixer | null {
+  private startMixer(): AnimationMixer | null {
     if (this.mixer) return this.mixer;
     const { scene, model, animation } = this;
     if (!scene || model === null || animation === '' || !scene.assets.isReady('model', model)) return null;

@@ -1,5 +1,5 @@
 import type { FieldTable, FieldValue } from '../fields/Field';
-import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
+import { type AssetNames, BaseFieldOwner, own, sameValue } from '../fields/FieldOwner';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import type { RequiredEffect } from './RequiredEffect';
 import type { Component as ComponentType, ComponentClass, GameObject, Scene } from './SceneGraph';
@@ -16,7 +16,12 @@ export abstract class BaseComponent extends BaseFieldOwner implements ComponentT
   private attachedObject: GameObject | null = null;
   private isEnabled = true;
   private ownId = '';
+  /** What simulation shows in place of authored values. */
+  private simulated: Map<string, FieldValue> | null = null;
 
+  start?(): void;
+  lateUpdate?(deltaSeconds: number, time: number): void;
+  onDestroy?(): void;
   onPointerDown?(event: EnginePointerEvent): void;
   onPointerMove?(event: EnginePointerEvent): void;
   onPointerUp?(event: EnginePointerEvent): void;
@@ -70,6 +75,36 @@ export abstract class BaseComponent extends BaseFieldOwner implements ComponentT
 
   get isActive(): boolean {
     return this.isEnabled && this.attachedObject !== null && this.attachedObject.activeInHierarchy;
+  }
+
+  override get(name: string): FieldValue {
+    const shown = this.simulated?.get(name);
+    return shown === undefined ? this.getAuthored(name) : shown;
+  }
+
+  override set(name: string, value: FieldValue): void {
+    const shown = this.simulated?.get(name);
+    super.set(name, value);
+    if (shown === undefined) return;
+    this.simulated!.delete(name);
+    if (!sameValue(shown, this.getAuthored(name)) && this.attachedObject) this.onFieldChanged(name);
+  }
+
+  simulate(name: string, value: FieldValue): void {
+    this.checkValue(name, value);
+    if (sameValue(this.get(name), value)) return;
+    this.simulated ??= new Map();
+    if (this.simulated.size === 0) this.scene?.noteSimulated(this);
+    this.simulated.set(name, own(value));
+    if (this.attachedObject) this.onFieldChanged(name);
+  }
+
+  endSimulation(): void {
+    const { simulated } = this;
+    if (!simulated) return;
+    this.simulated = null;
+    if (!this.attachedObject) return;
+    for (const [name, value] of simulated) if (!sameValue(value, this.get(name))) this.onFieldChanged(name);
   }
 
   onAttach(): void {}

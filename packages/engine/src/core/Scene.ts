@@ -15,9 +15,12 @@ import type {
   GameObject,
   Scene as SceneType,
   SceneChange,
+  SceneSystem,
+  SceneSystemClass,
 } from './SceneGraph';
 import { SceneIndex } from './SceneIndex';
 import { SceneMicroShaders } from './SceneMicroShaders';
+import { SceneSystems } from './SceneSystems';
 import { SceneViews } from './SceneViews';
 import { SceneRoot } from './SceneRoot';
 import { SceneSettings } from './SceneSettings';
@@ -44,6 +47,10 @@ class BaseScene implements SceneType {
   readonly childList: GameObject[] = [];
 
   private readonly index = new SceneIndex();
+  private readonly systems = new SceneSystems(this);
+  /** Components that show values which were not authored. */
+  private readonly simulatedOnes = new Set<Component>();
+  private wasSimulated = false;
   private readonly listeners = new Set<(change: SceneChange) => void>();
   private readonly ownsAssets: boolean;
   private currentCamera: CameraComponent | null = null;
@@ -63,8 +70,8 @@ class BaseScene implements SceneType {
     );
     this.endAssets = this.assets.onChange((change) => {
       if (change.kind !== 'changed') return;
-      const { material, field, before } = change;
-      this.notify({ kind: 'material', material, field, before });
+      const { asset, field, before } = change;
+      this.notify({ kind: 'asset', asset, field, before });
     });
   }
 
@@ -117,6 +124,10 @@ class BaseScene implements SceneType {
     return this.seconds;
   }
 
+  get isSimulated(): boolean {
+    return this.wasSimulated;
+  }
+
   get revision(): number {
     return this.edits;
   }
@@ -165,16 +176,42 @@ class BaseScene implements SceneType {
 
   update(deltaSeconds: number): void {
     this.seconds += deltaSeconds;
-    const components = this.index.updated.array;
-    for (let i = 0; i < components.length; i++) {
-      if (!components[i].isActive) continue;
+    if (deltaSeconds > 0) {
+      this.wasSimulated = true;
+      this.startWaiting();
+    }
+    const updated = this.index.updated.array;
+    for (let i = 0; i < updated.length; i++) {
+      if (!updated[i].isActive) continue;
       try {
-        components[i].update(deltaSeconds, this.seconds);
+        updated[i].update(deltaSeconds, this.seconds);
       } catch (error) {
-        if (!this.onComponentError) throw error;
-        this.onComponentError(components[i], error);
+        this.reportError(updated[i], error);
       }
     }
+    this.systems.update(deltaSeconds, this.seconds);
+    const late = this.index.late.array;
+    for (let i = 0; i < late.length; i++) {
+      if (!late[i].isActive) continue;
+      try {
+        late[i].lateUpdate!(deltaSeconds, this.seconds);
+      } catch (error) {
+        this.reportError(late[i], error);
+      }
+    }
+  }
+
+  system<T extends SceneSystem>(type: SceneSystemClass<T>): T {
+    return this.systems.get(type);
+  }
+
+  reportError(component: Component, error: unknown): void {
+    if (!this.onComponentError) throw error;
+    this.onComponentError(component, error);
+  }
+
+  noteSimulated(component: Component): void {
+    this.simulatedOnes.add(component);
   }
 
   setTime(seconds: number): void {
@@ -183,8 +220,43 @@ class BaseScene implements SceneType {
   }
 
   reset(): void {
+    for (const component of [...this.index.started.array]) this.destroyed(component);
+    this.systems.reset();
+    for (const component of this.simulatedOnes) component.endSimulation();
+    this.simulatedOnes.clear();
     this.traverse((gameObject) => gameObject.transform.restoreAuthored());
     this.setTime(0);
+    this.wasSimulated = false;
+  }
+
+  /** Starts every active component that was not started yet; those that their `start` brings are started too. */
+  private startWaiting(): void {
+    const { waiting, started } = this.index;
+    for (let i = 0; i < waiting.array.length;) {
+      const component = waiting.array[i];
+      if (!component.isActive) {
+        i++;
+        continue;
+      }
+      // the last one comes to place i
+      waiting.remove(component);
+      started.add(component);
+      try {
+        component.start?.();
+      } catch (error) {
+        this.reportError(component, error);
+      }
+    }
+  }
+
+  private destroyed(component: Component): void {
+    this.index.started.remove(component);
+    this.index.waiting.add(component);
+    try {
+      component.onDestroy?.();
+    } catch (error) {
+      this.reportError(component, error);
+    }
   }
 
   callMethod(name: string, ...args: unknown[]): number {
@@ -228,6 +300,7 @@ class BaseScene implements SceneType {
     this.listeners.clear();
     this.endAssets();
     for (const root of this.childList.toReversed()) root.dispose();
+    this.systems.dispose();
     this.settings.dispose();
     this.three.clear();
     if (this.ownsAssets) this.assets.dispose();
@@ -278,7 +351,9 @@ class BaseScene implements SceneType {
   }
 
   componentLeaves(component: Component): void {
+    if (this.index.started.has(component)) this.destroyed(component);
     component.onLeaveScene(this);
+    if (this.simulatedOnes.delete(component)) component.endSimulation();
     this.index.removeComponent(component);
     if (component === (this.currentCamera as Component | null))
       this.currentCamera = this.index.cameras.array[0] ?? null;

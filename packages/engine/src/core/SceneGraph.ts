@@ -8,7 +8,7 @@ import type {
   Vector3,
 } from 'three';
 import type { AssetLibrary } from '../assets/AssetLibrary';
-import type { MaterialAsset } from '../assets/MaterialAsset';
+import type { FieldAsset } from '../assets/FieldAsset';
 import type { FieldTable, FieldValue, Vector3Tuple } from '../fields/Field';
 import type { FieldOwner } from '../fields/FieldOwner';
 import type { PrefabLink } from '../prefabs/Prefab';
@@ -65,6 +65,16 @@ export interface Component extends FieldOwner {
   /** Enabled, on a GameObject that is active together with all its ancestors. */
   readonly isActive: boolean;
 
+  /**
+   * The scene began to play, or the component came into one that plays: called once, before its first `update`, in a frame
+   * that takes time.
+   */
+  start?(): void;
+  /** Called every frame that is simulated, after every `update`, animation and physics; what follows others belongs here. */
+  lateUpdate?(deltaSeconds: number, time: number): void;
+  /** A component that was started leaves the scene, or the scene is reset. */
+  onDestroy?(): void;
+
   /** Pointer events over the canvas, while the object is active and the component enabled. */
   onPointerDown?(event: EnginePointerEvent): void;
   onPointerMove?(event: EnginePointerEvent): void;
@@ -93,6 +103,14 @@ export interface Component extends FieldOwner {
   update(deltaSeconds: number, time: number): void;
   /** Gives back what the component holds. It cannot be used afterwards. */
   dispose(): void;
+  /**
+   * Shows a value as long as the scene plays, or until `endSimulation` or `set`: no edit, and not saved. `get` and the
+   * property of the field answer with it. Of a Transform it moves the object.
+   * @throws FieldError as `set` does
+   */
+  simulate(name: string, value: FieldValue): void;
+  /** Shows every authored value again; `Scene.reset` does it for all components. */
+  endSimulation(): void;
   /** The authored value of every field. */
   authoredValues(): Record<string, FieldValue>;
 
@@ -310,9 +328,9 @@ export type SceneChange =
   | { readonly kind: 'enabled'; readonly component: Component }
   | { readonly kind: 'settings'; readonly field: string; readonly before: FieldValue }
   | {
-      /** Of a material of the library, which the scene may use. */
-      readonly kind: 'material';
-      readonly material: MaterialAsset;
+      /** Of an asset of the library that is made of fields. */
+      readonly kind: 'asset';
+      readonly asset: FieldAsset;
       readonly field: string;
       readonly before: FieldValue;
     }
@@ -320,6 +338,25 @@ export type SceneChange =
   | { readonly kind: 'view'; readonly place: number }
   | { readonly kind: 'prefab'; readonly id: string }
   | { readonly kind: 'active-camera' | 'name' };
+
+/** A part of the simulation that works on many components at once, such as physics: see `Scene.system`. */
+export interface SceneSystem {
+  /** Lower ones come first: animation is 100, physics 200. */
+  readonly order: number;
+  /**
+   * Called in each frame that is simulated, after every component's `update` and before every `lateUpdate`.
+   * @param deltaSeconds - 0 when the scene was put at a time
+   * @param time - the scene's time in seconds
+   */
+  update(deltaSeconds: number, time: number): void;
+  /** The scene was reset: time 0, all as it was authored. */
+  reset(): void;
+  /** Gives back what it holds. It is not used afterwards. */
+  dispose(): void;
+}
+
+/** A class of systems, of which a scene has one at most. */
+export type SceneSystemClass<T extends SceneSystem> = new (scene: Scene) => T;
 
 /** A world of GameObjects over one three scene. Any number may exist. */
 export interface Scene extends GameObjectContainer {
@@ -353,6 +390,8 @@ export interface Scene extends GameObjectContainer {
   activeCamera: CameraComponent | null;
   /** Simulated time in seconds. */
   readonly time: number;
+  /** Whether it was updated by more than 0 seconds since it was made or reset. */
+  readonly isSimulated: boolean;
   /** Grows by one with each edit; simulation leaves it as it is. */
   readonly revision: number;
 
@@ -375,7 +414,14 @@ export interface Scene extends GameObjectContainer {
   findComponentById(id: string): Component | null;
   /** Visits every object, parents first, in tree order. */
   traverse(visit: (gameObject: GameObject) => void): void;
-  /** Advances the time and updates every active component that overrides `update`. @param deltaSeconds - 0 or more */
+  /** The system of a class, made when it is first asked for: see `SceneSystem`. */
+  system<T extends SceneSystem>(type: SceneSystemClass<T>): T;
+  /**
+   * Tells of something that a component threw: to `onComponentError`.
+   * @throws what it was given while that is null
+   */
+  reportError(component: Component, error: unknown): void;
+  /** Advances the time; starts, then updates every active component that wants it, then the systems, then `lateUpdate`. @param deltaSeconds - 0 or more */
   update(deltaSeconds: number): void;
   /** Puts everything whose motion depends on time alone at `seconds`: the same in every run. */
   setTime(seconds: number): void;
@@ -394,6 +440,8 @@ export interface Scene extends GameObjectContainer {
   /** Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released. */
   dispose(): void;
 
+  /** @internal A component shows a value that was not authored. */
+  noteSimulated(component: Component): void;
   /** @internal Counts an edit and tells the listeners. */
   notify(change: SceneChange): void;
   /** @internal @throws Error when an object cannot come in */

@@ -17,6 +17,12 @@ export class SceneIndex {
   readonly effects = new IndexedList<RequiredEffect>();
   /** Components that override `update`. */
   readonly updated = new IndexedList<Component>();
+  /** Components with `lateUpdate`. */
+  readonly late = new IndexedList<Component>();
+  /** Components with `start` or `onDestroy` that were not started yet. */
+  readonly waiting = new IndexedList<Component>();
+  /** Components that were started. */
+  readonly started = new IndexedList<Component>();
   /** Components with a pointer method. */
   readonly pointed = new IndexedList<Component>();
   /** Components with a key method. */
@@ -42,6 +48,8 @@ export class SceneIndex {
     for (const [type, list] of this.byType) if (isOf(component, type)) list.add(component);
     if (isCameraComponent(component)) this.cameras.add(component);
     if (component.update !== Component.prototype.update) this.updated.add(component);
+    if (component.lateUpdate) this.late.add(component);
+    if (component.start || component.onDestroy) this.waiting.add(component);
     if (component.onKeyDown || component.onKeyUp) this.keyed.add(component);
     if (component.onPointerDown || component.onPointerMove || component.onPointerUp || component.onPointerWheel) {
       this.pointed.add(component);
@@ -54,6 +62,9 @@ export class SceneIndex {
     for (const list of this.byType.values()) list.remove(component);
     if (isCameraComponent(component)) this.cameras.remove(component);
     this.updated.remove(component);
+    this.late.remove(component);
+    this.waiting.remove(component);
+    this.started.remove(component);
     this.pointed.remove(component);
     this.keyed.remove(component);
     this.countEffect(component.componentClass.effect, -1);

@@ -1,6 +1,8 @@
 import { Euler, Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 import type { FieldValue, Vector3Tuple } from '../fields/Field';
+import { checkFieldValue } from '../fields/checkFieldValue';
 import { component } from '../fields/component';
+import { FieldError } from '../fields/FieldError';
 import { euler, vector3 } from '../fields/fields';
 import type { ComponentClass, Transform as TransformType } from './SceneGraph';
 import { toVector3, type Vector3Input } from './toVector3';
@@ -35,6 +37,17 @@ class BaseTransform extends component({
     if (name === 'rotation') return [object3D.rotation.x, object3D.rotation.y, object3D.rotation.z];
     if (name === 'scale') return object3D.scale.toArray();
     return super.get(name);
+  }
+
+  /** Moves the object, not where it was put. */
+  override simulate(name: string, value: FieldValue): void {
+    const problem = checkFieldValue(this.fields[name], value);
+    if (problem) throw new FieldError(this.ownerName, name, problem);
+    if (this.isAttached) place(this.gameObject.object3D, name, value as Vector3Tuple);
+  }
+
+  override endSimulation(): void {
+    if (this.isAttached) this.restoreAuthored();
   }
 
   override onAttach(): void {
@@ -152,8 +165,10 @@ class BaseTransform extends component({
 
 /** Puts a field of the object back to its authored value. */
 function restore(transform: Transform, name: string): void {
-  const { object3D } = transform.gameObject;
-  const [x, y, z] = transform.getAuthored(name) as Vector3Tuple;
+  place(transform.gameObject.object3D, name, transform.getAuthored(name) as Vector3Tuple);
+}
+
+function place(object3D: Object3D, name: string, [x, y, z]: Vector3Tuple): void {
   if (name === 'position') object3D.position.set(x, y, z);
   else if (name === 'rotation') object3D.rotation.set(x, y, z, 'XYZ');
   else if (name === 'scale') object3D.scale.set(x, y, z);

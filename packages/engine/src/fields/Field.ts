@@ -87,7 +87,7 @@ export interface ColourField extends FieldBase {
   readonly default: Vector3Tuple;
 }
 
-export type AssetType = 'mesh' | 'texture' | 'material' | 'shader' | 'model';
+export type AssetType = 'mesh' | 'texture' | 'material' | 'shader' | 'model' | 'script' | 'clip' | 'sound';
 
 /** The name of an asset of the scene's AssetLibrary, or null. */
 export interface AssetField extends FieldBase {

@@ -9,7 +9,7 @@ export interface AssetNames {
 }
 
 /** A copy that nobody can change in place; -0 becomes 0, which JSON cannot tell apart. */
-function own(value: FieldValue): FieldValue {
+export function own(value: FieldValue): FieldValue {
   if (typeof value === 'number') return value + 0;
   if (Array.isArray(value)) return Object.freeze([value[0] + 0, value[1] + 0, value[2] + 0] as const);
   return value;
@@ -69,10 +69,7 @@ export abstract class BaseFieldOwner implements FieldOwner {
   }
 
   set(name: string, value: FieldValue): void {
-    const field = this.fields[name];
-    if (!(name in this.values)) throw this.unknownField(name);
-    const problem = checkFieldValue(field, value) ?? this.problemWithAsset(field, value);
-    if (problem) throw new FieldError(this.ownerName, name, problem);
+    this.checkValue(name, value);
     const before = this.values[name];
     if (sameValue(before, value) && sameValue(this.get(name), value)) return;
     this.values[name] = own(value);
@@ -81,6 +78,14 @@ export abstract class BaseFieldOwner implements FieldOwner {
 
   /** Where the fields that name assets look their names up; null while any name goes. */
   protected abstract get assetNames(): AssetNames | null;
+
+  /** Throws unless a field can have a value. @throws FieldError */
+  protected checkValue(name: string, value: FieldValue): void {
+    if (!(name in this.values)) throw this.unknownField(name);
+    const field = this.fields[name];
+    const problem = checkFieldValue(field, value) ?? this.problemWithAsset(field, value);
+    if (problem) throw new FieldError(this.ownerName, name, problem);
+  }
 
   /** Called after a field got another value. @param before - the authored value until then */
   protected abstract fieldChanged(name: string, before: FieldValue): void;

@@ -4,9 +4,10 @@ import type { AssetType, FieldValue } from '../fields/Field';
 /**
  * Version of the file format. Raise it, and add to `fileMigrations`, when the shape below changes.
  *
- * 1: settings, assets by address, objects. 2: prefabs, links of objects to them, assets inside the file.
+ * 1: settings, assets by address, objects. 2: prefabs, links of objects to them, assets inside the file. 3: scripts, clips
+ * and sounds.
  */
-export const FILE_VERSION = 2;
+export const FILE_VERSION = 3;
 
 /** A component in a file. Fields that have their default are left out. */
 export interface FileComponent {
@@ -57,8 +58,8 @@ export interface PrefabLink {
 }
 
 /**
- * An asset that is read from an address, or from a file beside the scene in a `.farol` container, or a material that is
- * made of fields: one of the three.
+ * An asset that is read from an address, or from a file beside the scene in a `.farol` container, or is made of
+ * fields (a material, script or clip): one of the three.
  */
 export interface FileAsset {
   /** With its folder: 'Props/robot.glb'. */
@@ -68,7 +69,7 @@ export interface FileAsset {
   url?: string;
   /** Path in the container: 'assets/robot.glb'. */
   file?: string;
-  /** Of a material: the fields that differ from their defaults, see `materialAssetFields`. */
+  /** Of a material, script or clip: the fields that differ from their defaults, see `fieldAssetFields`. */
   values?: Record<string, FieldValue>;
 }
 

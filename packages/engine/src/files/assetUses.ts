@@ -1,4 +1,4 @@
-import { materialAssetFields } from '../assets/materialAssetFields';
+import { fieldAssetFields, isFieldAssetType } from '../assets/fieldAssetTypes';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
 import { assetFields } from '../fields/assetFields';
@@ -28,8 +28,8 @@ function usesIn(
 export function assetUses(file: FarolFile, registry: ComponentRegistry): AssetUse[] {
   const list: AssetUse[] = [];
   usesIn(file.settings, sceneFields, () => 'settings', list);
-  file.assets.forEach(({ values }, i) => {
-    if (values) usesIn(values, materialAssetFields, () => `assets[${i}].values`, list);
+  file.assets.forEach(({ type, values }, i) => {
+    if (values && isFieldAssetType(type)) usesIn(values, fieldAssetFields[type], () => `assets[${i}].values`, list);
   });
   const visit = (objects: readonly FileObject[], path: string): void =>
     objects.forEach((object, i) => {

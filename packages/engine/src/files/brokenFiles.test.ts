@@ -38,7 +38,7 @@ const broken: [string, unknown, RegExp][] = [
   ['no JSON', '{"format": ', /is no JSON/],
   ['no object', '[]', /must hold an object/],
   ['another format', { format: 'glTF', version: 1 }, /format must be "farol-scene", not "glTF"/],
-  ['a newer file', file((_, f) => (f.version = 3)), /version is 3.*up to version 2: update Farol/],
+  ['a newer file', file((_, f) => (f.version = 4)), /version is 4.*up to version 3: update Farol/],
   ['a version that is no number', file((_, f) => (f.version = '1' as never)), /version must be a whole number/],
   [
     'microshaders that are no texts',

@@ -1,6 +1,7 @@
 import { shortText } from '@farol/renderer';
 import type { AssetError } from '../assets/AssetError';
 import type { AssetLibrary } from '../assets/AssetLibrary';
+import type { FieldAssetType } from '../assets/FieldAsset';
 import { AddressRefusedError } from '../assets/foreignOrigin';
 import { typeOfUrl } from '../assets/loadAsset';
 import { builtinComponents } from '../components/index';
@@ -59,7 +60,7 @@ async function registerAssets(
   file.assets.forEach(({ name, type, url, file: path, values }, i) => {
     if (assets.has(name)) return;
     if (values) {
-      assets.addMaterial(name, values);
+      assets.addFieldAsset(type as FieldAssetType, name, values);
       registered.push(name);
       return;
     }
@@ -111,7 +112,7 @@ async function loadAssets(
   const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
   const needed = new Map(uses.map((use) => [loadedFor(use.name), use.path]));
   // a material is made when it is drawn first, of textures that are there by then
-  const names = [...needed.keys()].filter((name) => !assets.materialAsset(name));
+  const names = [...needed.keys()].filter((name) => !assets.fieldAsset(name));
   const loads = Promise.allSettled(names.map((name) => assets.load(name, signal)));
   const results = await cancellable(loads, signal, () => {});
   signal?.throwIfAborted();

@@ -40,7 +40,7 @@ test('a page from a disk, and none at all', () => {
 
 const file = (): FarolFile => ({
   format: 'farol-scene',
-  version: 2,
+  version: 3,
   name: 'From elsewhere',
   settings: { environment: 'sky.hdr' },
   activeCamera: null,

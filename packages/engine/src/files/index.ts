@@ -12,7 +12,7 @@ export { parseFile, type ParseOptions } from './parseFile';
 export { preloadFileCode } from './preloadFileCode';
 export { restoreComponent } from './restoreComponent';
 export { readSceneFile, type SceneFile } from './readSceneFile';
-export { materialInFile, serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
+export { assetInFile, serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
 export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 
 export type { ComponentData } from '../core/SceneGraph';

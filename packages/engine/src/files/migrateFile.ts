@@ -5,6 +5,8 @@ import type { JsonRecord } from './ProblemList';
 export const fileMigrations: Readonly<Record<number, (file: JsonRecord) => JsonRecord>> = {
   // prefabs and assets inside the file are new; what was there stays as it is
   1: (file) => file,
+  // scripts, clips and sounds are new
+  2: (file) => file,
 };
 
 /** A file of an older version, as one of this version. Its parts are checked afterwards. */

@@ -1,6 +1,6 @@
 import { shortText } from '@farol/renderer';
 import type { AssetLibrary } from '../assets/AssetLibrary';
-import { materialAssetFields } from '../assets/materialAssetFields';
+import { fieldAssetFields, isFieldAssetType } from '../assets/fieldAssetTypes';
 import { builtinComponents } from '../components/index';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
@@ -64,12 +64,13 @@ function readAssets(value: unknown, path: string, problems: ProblemList): FileAs
     if (names.has(name)) problems.add(join(at, 'name'), `'${shortText(name)}' is there twice. Remove one.`);
     names.add(name);
     const { type } = record;
-    if (type === 'material') {
-      const values = readValues(record.values ?? {}, materialAssetFields, join(at, 'values'), problems);
+    if (isFieldAssetType(type)) {
+      const values = readValues(record.values ?? {}, fieldAssetFields[type], join(at, 'values'), problems);
       return { name, type, values };
     }
-    if (type !== 'mesh' && type !== 'texture' && type !== 'model') {
-      problems.add(join(at, 'type'), `must be "mesh", "texture", "model" or "material", not ${describeValue(type)}.`);
+    if (type !== 'mesh' && type !== 'texture' && type !== 'model' && type !== 'sound') {
+      const known = '"mesh", "texture", "model", "material", "script", "clip" or "sound"';
+      problems.add(join(at, 'type'), `must be ${known}, not ${describeValue(type)}.`);
     }
     const asset: FileAsset = { name, type: type as FileAsset['type'] };
     if (record.file !== undefined) asset.file = problems.text(record.file, join(at, 'file'));

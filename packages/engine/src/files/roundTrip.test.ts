@@ -10,7 +10,16 @@ import { randomFieldValue } from '../fields/randomFieldValue';
 import { deserialize } from './deserialize';
 import { serialize } from './serialize';
 
-const assetNames = { mesh: ['box', 'sphere', 'torus'], texture: ['checker'], material: [], shader: [], model: [] };
+const assetNames = {
+  mesh: ['box', 'sphere', 'torus'],
+  texture: ['checker'],
+  material: [],
+  shader: [],
+  model: [],
+  script: [],
+  clip: [],
+  sound: [],
+};
 
 describe.each([...builtinComponents.types.keys()])('%s', (typeName) => {
   test.each([1, 2, 3])('keeps random values of every field through a file (seed %i)', async (seed) => {

@@ -1,5 +1,5 @@
 import type { AssetLibrary } from '../assets/AssetLibrary';
-import type { MaterialAsset } from '../assets/MaterialAsset';
+import type { FieldAsset } from '../assets/FieldAsset';
 import type { GameObject } from '../core/SceneGraph';
 import type { Scene } from '../core/SceneGraph';
 import type { SceneView } from '../core/SceneViews';
@@ -60,20 +60,20 @@ export function serializeObject(gameObject: GameObject): FileObject {
   };
 }
 
-/** A material of a library, as a file holds it. */
-export function materialInFile(material: MaterialAsset): FileAsset {
-  return { name: material.name, type: 'material', values: changedValues(material, null) };
+/** An asset that is made of fields, as a file holds it. */
+export function assetInFile(asset: FieldAsset): FileAsset {
+  return { name: asset.name, type: asset.type, values: asset.changedValues() };
 }
 
-/** Assets of a library that last: those added as files, with their path in a container, materials, and those of an address. */
+/** Assets of a library that last: those added as files, with their path in a container, those made of fields, and those of an address. */
 function lastingAssets(assets: AssetLibrary): FileAsset[] {
   // by name: an asset that left and came back is at the same place
   const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
   const listed = files.map(({ name, type }): FileAsset => {
     return { name, type, file: `assets/${encodeURIComponent(name)}` };
   });
-  const materials = assets.materialAssets.toSorted((a, b) => (a.name < b.name ? -1 : 1));
-  for (const material of materials) listed.push(materialInFile(material));
+  const ofFields = assets.fieldAssets().toSorted((a, b) => (a.name < b.name ? -1 : 1));
+  for (const asset of ofFields) listed.push(assetInFile(asset));
   for (const name of assets.list()) {
     const url = assets.urlOf(name);
     const type = assets.typeOf(name);

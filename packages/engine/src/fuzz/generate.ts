@@ -24,6 +24,9 @@ const assetNames = {
   material: [],
   shader: [],
   model: ['model.glb'],
+  script: [],
+  clip: [],
+  sound: [],
 };
 
 /** Values of some fields, by their declarations. */

@@ -47,6 +47,11 @@ export const components: Texts = {
   'Draw it in one call with all others of the same mesh and material: for many small things. Colours may differ.':
     'Dibujarlo en una llamada con todos los de la misma malla y material: para muchas cosas pequeñas. Los colores pueden variar.',
   Shader: 'Shader',
+  'Its tracks and events.': 'Sus pistas y eventos.',
+  'How long it is.': 'Su duración.',
+  'Frames that the timeline snaps to.': 'Fotogramas a los que se ajusta la línea de tiempo.',
+  'Its text: a module whose default export is a class of components.':
+    'Su texto: un módulo cuya exportación por defecto es una clase de componentes.',
   "A shader of the library, in place of three's materials.":
     'Un shader de la biblioteca, en lugar de los materiales de three.',
   Material: 'Material',

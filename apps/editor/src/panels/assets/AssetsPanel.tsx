@@ -21,7 +21,7 @@ import './assets.css';
 
 type Filter = AssetKind | 'all' | 'own';
 
-const kinds: readonly AssetKind[] = ['prefab', 'model', 'mesh', 'texture', 'material'];
+const kinds: readonly AssetKind[] = ['prefab', 'model', 'mesh', 'texture', 'material', 'script', 'clip', 'sound'];
 
 const filters = (): SelectOption<Filter>[] => [
   { value: 'all', label: t('Everything') },

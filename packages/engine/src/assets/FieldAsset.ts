@@ -1,0 +1,65 @@
+import type { AssetType, FieldValue } from '../fields/Field';
+import { type AssetNames, BaseFieldOwner, sameValue } from '../fields/FieldOwner';
+
+/** The types of assets that are made of fields, and edited as components are. */
+export type FieldAssetType = Extract<AssetType, 'material' | 'script' | 'clip'>;
+
+/** What an asset that is made of fields needs of the library that it is in. */
+export interface FieldAssetHost extends AssetNames {
+  /** @internal Told after a field got another value. @param isReplaced - what three draws with is another one */
+  fieldAssetChanged(asset: FieldAsset, field: string, before: FieldValue, isReplaced: boolean): void;
+}
+
+/** An asset of a library that is made of fields: kept in files as their values, edited by the same commands as components. */
+export abstract class FieldAsset extends BaseFieldOwner {
+  readonly isFieldAsset = true;
+  abstract readonly type: FieldAssetType;
+
+  /** Its name in the library. */
+  name: string;
+
+  protected constructor(name: string) {
+    super();
+    this.name = name;
+  }
+
+  override get ownerName(): string {
+    return this.name ?? '';
+  }
+
+  /** The authored values that are not the default. */
+  changedValues(): Record<string, FieldValue> {
+    const values: Record<string, FieldValue> = {};
+    for (const [name, field] of Object.entries(this.fields)) {
+      const value = this.getAuthored(name);
+      if (sameValue(value, field.default)) continue;
+      values[name] = Array.isArray(value) ? [value[0], value[1], value[2]] : value;
+    }
+    return values;
+  }
+
+  /** Gives back what it holds; it may be used again. */
+  abstract dispose(): void;
+}
+
+/** An asset whose fields are data: it is no resource of three's. */
+export abstract class DataAsset extends FieldAsset {
+  private host: FieldAssetHost | null = null;
+
+  /** @throws FieldError for a value that is not allowed */
+  constructor(host: FieldAssetHost, name: string, values: Readonly<Record<string, FieldValue>> = {}) {
+    super(name);
+    for (const field of Object.keys(values)) this.set(field, values[field]);
+    this.host = host;
+  }
+
+  override dispose(): void {}
+
+  protected override get assetNames(): AssetNames | null {
+    return this.host;
+  }
+
+  protected override fieldChanged(name: string, before: FieldValue): void {
+    this.host?.fieldAssetChanged(this, name, before, false);
+  }
+}

@@ -1,0 +1,21 @@
+import { string } from '../fields/fields';
+import { DataAsset } from './FieldAsset';
+
+/** What a script is made of. */
+export const scriptFields = {
+  source: string('', { help: 'Its text: a module whose default export is a class of components.' }),
+};
+
+/**
+ * A script of a library: the text of a module in TypeScript, or in JavaScript where its name ends in `.js`. Its default
+ * export is a class that extends `component({ … })` of `@farol/engine/fields`.
+ */
+export class ScriptAsset extends DataAsset {
+  static readonly fields = scriptFields;
+  override readonly type = 'script';
+
+  /** The text. */
+  get source(): string {
+    return this.get('source') as string;
+  }
+}

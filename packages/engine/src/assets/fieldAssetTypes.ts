@@ -1,0 +1,16 @@
+import type { FieldTable } from '../fields/Field';
+import { clipFields } from './ClipAsset';
+import type { FieldAssetType } from './FieldAsset';
+import { materialAssetFields } from './materialAssetFields';
+import { scriptFields } from './ScriptAsset';
+
+/** The fields of each type of assets that is made of fields. */
+export const fieldAssetFields: { readonly [T in FieldAssetType]: FieldTable } = {
+  material: materialAssetFields,
+  script: scriptFields,
+  clip: clipFields,
+};
+
+/** Whether assets of a type are made of fields. */
+export const isFieldAssetType = (type: unknown): type is FieldAssetType =>
+  typeof type === 'string' && Object.hasOwn(fieldAssetFields, type);
