@@ -4,7 +4,10 @@ import { readableText } from './readableText';
 export type ConsoleKind = 'error' | 'warning' | 'info';
 
 /** What a message is about. */
-export type ConsoleSource = 'editor' | 'shader' | 'file' | 'asset' | 'component' | 'picture' | 'plugin' | 'page';
+export type ConsoleSource = 'editor' | 'shader' | 'script' | 'file' | 'asset' | 'component' | 'picture' | 'plugin' | 'page';
+
+export type ConsolePlace =
+  { readonly chunk: string; readonly line: number } | { readonly script: string; readonly line: number };
 
 export interface ConsoleEntry {
   readonly id: number;
@@ -15,8 +18,8 @@ export interface ConsoleEntry {
   readonly count: number;
   /** When it was said last (ms since 1970). */
   readonly time: number;
-  /** The microshader and the line (from 1) that it is about. */
-  readonly place?: { readonly chunk: string; readonly line: number };
+  /** The microshader or the script, and the line (from 1; 0 where it is not known), that it is about. */
+  readonly place?: ConsolePlace;
 }
 
 /** Messages that are kept; the oldest go first. */

@@ -14,6 +14,7 @@ const sourceLabel = (source: ConsoleSource): string =>
   ({
     editor: t('editor'),
     shader: t('shader'),
+    script: t('script'),
     file: t('file'),
     asset: t('asset'),
     component: t('component'),
@@ -95,7 +96,7 @@ function ConsoleLine({ entry }: { entry: ConsoleEntry }): ReactNode {
     <li className={`console-line ${kind}`}>
       <Icon name={icons[kind]} size={13} />
       <span className="console-text">{text}</span>
-      {place && (
+      {place && 'chunk' in place && (
         <button type="button" className="button small" onClick={() => editor.openMicroShader(place.chunk, place.line)}>
           {place.chunk}:{place.line}
         </button>
