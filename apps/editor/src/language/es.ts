@@ -10,6 +10,7 @@ import { panels } from './es/panels';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
+import { samples } from './es/samples';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
 
@@ -26,6 +27,7 @@ export const es: Texts = {
   ...picture,
   ...player,
   ...rendering,
+  ...samples,
   ...views,
   ...welcome,
 };
