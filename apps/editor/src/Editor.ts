@@ -7,7 +7,7 @@ import {
   type Scene,
 } from '@farol/engine';
 import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
-import { registerSceneAssets, scenes } from '@farol/engine/scenes';
+import { registerSceneAssets, type SceneParameters, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
 import { actions } from './actions';
 import { allActions } from './actions/allActions';
@@ -167,7 +167,7 @@ export class Editor implements EditorApi {
     }
   }
 
-  async openScene(name: string, parameters: Record<string, number> = {}): Promise<void> {
+  async openScene(name: string, parameters: SceneParameters = {}): Promise<void> {
     this.show(await scenes[name].build(parameters, this.libraryForNext()), { name: null, handle: null });
   }
 

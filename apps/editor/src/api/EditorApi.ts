@@ -2,7 +2,7 @@ import type { Command, CommandStack, Signal } from '@farol/editing';
 import type { ComponentRegistry, Scene } from '@farol/engine';
 import type { CustomField } from '@farol/engine/fields';
 import type { UnpackQuestion } from '@farol/engine/files';
-import type { SceneDefinition } from '@farol/engine/scenes';
+import type { SceneDefinition, SceneParameters } from '@farol/engine/scenes';
 import type { ComponentType } from 'react';
 import type { PanelLayout } from '../layout/PanelLayout';
 import type { PanelRegistry } from '../layout/PanelRegistry';
@@ -111,7 +111,7 @@ export interface EditorApi {
   /** The scene as the text of a file. */
   serialize(): string;
   /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
-  openScene(name: string, parameters?: Record<string, number>): Promise<void>;
+  openScene(name: string, parameters?: SceneParameters): Promise<void>;
   /** A library for the scene that comes next: the present one where nothing of the user's is in it, else a new one. */
   libraryForNext(): EditorDocument['assets'];
   /**
