@@ -177,7 +177,7 @@ test('kind, cascades and softness of shadows are those of the scene, also after 
   };
   expect(look(again)).toEqual([true, VSMShadowMap, 3]);
   const [light] = again.componentsOf(Light);
-  const radius = (): number | undefined => light.three.shadow?.radius;
+  const radius = (): number | undefined => (light.three as { shadow?: { radius: number } }).shadow?.radius;
   expect(radius()).toBe(3);
   again.settings.shadowSoftness = 0.5;
   expect(radius()).toBe(0.75);
