@@ -70,7 +70,6 @@ export {
   objectsOfModel,
   whatKeepsTogether,
 } from './components/objectsOfModel';
-export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animation/ClipData';
 export { ClipAsset } from './assets/ClipAsset';
 export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
 export { MaterialAsset } from './assets/MaterialAsset';

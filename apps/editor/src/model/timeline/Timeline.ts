@@ -1,11 +1,18 @@
-import { type Command, type EditRecorder, type FieldTarget, type FieldValue, type Gesture, SetFields, Signal } from '@farol/editing';
-import type { ClipAsset, ClipData, Component, GameObject } from '@farol/engine';
+import {
+  type Command,
+  type EditRecorder,
+  type FieldTarget,
+  type FieldValue,
+  type Gesture,
+  SetFields,
+  Signal,
+} from '@farol/editing';
+import { type ClipAsset, type ClipData, ClipPreview, type Component, type GameObject } from '@farol/engine';
 import type { EditorDocument } from '../EditorDocument';
 import { clipDataOf, noteClipData, writeClip } from './clipDataOf';
 import { durationOf, frameRateOf, setClip } from './clipEdits';
-import { ClipPreview } from './ClipPreview';
 import { playedClip, playedTime, playerAbove, playerOfClip } from './clipPlayer';
-import { EMPTY_CLIP, findTrack } from './clipTracks';
+import { EMPTY_CLIP, findTrack, roundTime } from './clipTracks';
 import { keptSelection, type KeyEdit, type KeySelection } from './editKeys';
 import { componentOf, recordEdit } from './recordEdit';
 import { addressOf } from './trackTargets';
@@ -41,7 +48,7 @@ export class Timeline implements EditRecorder {
   private seconds = 0;
   private chosenKeys: ClipSelection = NOTHING;
   private readonly selections = new Map<string, ClipSelection>();
-  private readonly preview = new ClipPreview();
+  private preview: ClipPreview | null = null;
   private isOpen = false;
   private previews = false;
   private records = false;
@@ -154,11 +161,11 @@ export class Timeline implements EditRecorder {
   }
 
   /** The time of the nearest frame. */
-  readonly snap = (time: number): number => Math.round(time * this.frameRate) / this.frameRate;
+  readonly snap = (time: number): number => roundTime(Math.round(time * this.frameRate) / this.frameRate);
 
   /** Moves the playhead to a frame before or after. */
   stepFrames(count: number): void {
-    this.setTime((Math.round(this.seconds * this.frameRate) + count) / this.frameRate);
+    this.setTime(roundTime((Math.round(this.seconds * this.frameRate) + count) / this.frameRate));
   }
 
   setRecording(records: boolean): void {
@@ -203,7 +210,8 @@ export class Timeline implements EditRecorder {
     this.records = false;
     this.plays = false;
     if (this.document.commands.recorder === this) this.document.commands.recorder = null;
-    this.preview.end();
+    this.preview?.end();
+    this.preview = null;
     if (!wasOn) return;
     this.shownChanged();
     this.changed.emit();
@@ -326,7 +334,8 @@ export class Timeline implements EditRecorder {
 
   private showNow(): void {
     if (!this.previews || !this.currentRoot) return;
-    this.preview.show(this.currentRoot, this.data, this.seconds);
+    this.preview ??= new ClipPreview(this.currentRoot);
+    this.preview.show(this.data, this.seconds);
     this.shownChanged();
   }
 

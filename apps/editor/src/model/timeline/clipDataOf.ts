@@ -1,53 +1,50 @@
-import { type ClipAsset, type ClipData, type ClipEvent, type ClipKey, type ClipTrack } from '@farol/engine';
+import { type ClipAsset, type ClipData, clipText, type ClipTrack } from '@farol/engine';
 import { EMPTY_CLIP } from './clipTracks';
-
-type Unknown = Readonly<Record<string, unknown>>;
 
 /** What was last read of a clip, or written to it: texts of many keys are read once. */
 const known = new WeakMap<ClipAsset, { readonly text: string; readonly data: ClipData }>();
 
-const isTime = (time: unknown): time is number => typeof time === 'number' && time >= 0;
+/** The text of a whole clip. */
+const texts = new WeakMap<ClipData, string>();
 
-const isKey = (key: unknown): key is ClipKey => isTime((key as Unknown | null)?.time) && 'value' in (key as Unknown);
+/** The text of a track within that of its clip: of many tracks an edit changes few. */
+const trackTexts = new WeakMap<ClipTrack, string>();
 
-const isTrack = (track: unknown): track is ClipTrack => {
-  const { path, component, field, keys } = (track ?? {}) as Unknown;
-  return [path, component, field].every((each) => typeof each === 'string') && Array.isArray(keys);
-};
+const [BEFORE, AFTER] = ['{"tracks":[', '],"events":[]}'];
 
-const isEvent = (event: unknown): event is ClipEvent =>
-  isTime((event as Unknown | null)?.time) && typeof (event as Unknown).method === 'string';
-
-const listOf = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : []);
-
-const inOrder = (a: { readonly time: number }, b: { readonly time: number }): number => a.time - b.time;
-
-/** Reads the text of a clip. What is no track, key or event is left out; of broken text nothing is left. */
-export function readClip(text: string): ClipData {
-  if (text === '') return EMPTY_CLIP;
-  let read: Unknown | null;
-  try {
-    read = JSON.parse(text) as Unknown | null;
-  } catch {
-    return EMPTY_CLIP;
+function textOfTrack(track: ClipTrack): string {
+  let text = trackTexts.get(track);
+  if (text === undefined) {
+    text = clipText({ tracks: [track], events: [] }).slice(BEFORE.length, -AFTER.length);
+    trackTexts.set(track, text);
   }
-  const tracks = listOf(read?.tracks).filter(isTrack);
-  return {
-    tracks: tracks.map((track) => ({ ...track, keys: track.keys.filter(isKey).toSorted(inOrder) })),
-    events: listOf(read?.events).filter(isEvent).toSorted(inOrder),
-  };
+  return text;
 }
 
-/** The text of a clip: '' where nothing is in it. */
-export const writeClip = (data: ClipData): string =>
-  data.tracks.length === 0 && data.events.length === 0 ? '' : JSON.stringify(data);
+/** The text of a clip, as of the engine's `clipText`: '' where nothing is in it. */
+export function writeClip(data: ClipData): string {
+  const { tracks, events } = data;
+  if (tracks.length === 0 && events.length === 0) return '';
+  let text = texts.get(data);
+  if (text === undefined) {
+    const rest = clipText({ tracks: [], events }).slice(BEFORE.length);
+    text = BEFORE + tracks.map(textOfTrack).join() + rest;
+    texts.set(data, text);
+  }
+  return text;
+}
 
-/** The tracks and events of a clip; the same object until they are edited. */
+/** The tracks and events of a clip; the same object until they are edited. Of a text that is none of a clip nothing is left. */
 export function clipDataOf(clip: ClipAsset): ClipData {
   const text = clip.getAuthored('data') as string;
   const last = known.get(clip);
   if (last?.text === text) return last.data;
-  const data = readClip(text);
+  let data = EMPTY_CLIP;
+  try {
+    data = clip.clip;
+  } catch {
+    // whoever plays the clip tells of it
+  }
   known.set(clip, { text, data });
   return data;
 }

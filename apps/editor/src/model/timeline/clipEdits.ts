@@ -10,9 +10,9 @@ import { lastTime } from './clipTracks';
 /** What a clip is called in labels and menus: its name without the folder. */
 export const clipName = (clip: { readonly name: string }): string => splitName(clip.name).leaf;
 
-export const durationOf = (clip: ClipAsset): number => clip.getAuthored('duration') as number;
+export const durationOf = (clip: ClipAsset): number => clip.duration;
 
-export const frameRateOf = (clip: ClipAsset): number => clip.getAuthored('frameRate') as number;
+export const frameRateOf = (clip: ClipAsset): number => clip.frameRate;
 
 /**
  * Gives a clip other tracks and events. It becomes as long as they are where they go beyond its end.

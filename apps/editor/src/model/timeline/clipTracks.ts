@@ -1,4 +1,4 @@
-import type { ClipData, ClipKey, ClipTrack } from '@farol/engine';
+import { type ClipData, type ClipKey, type ClipTrack } from '@farol/engine';
 import type { Field, FieldValue } from '@farol/engine/fields';
 import { curveAt } from './easingCurve';
 
@@ -13,8 +13,11 @@ export const isSameTime = (a: number, b: number): boolean => Math.abs(a - b) < S
 /** Names a track within its clip. */
 export const trackId = ({ path, component, field }: TrackAddress): string => `${path}\n${component}\n${field}`;
 
-/** Names a key within its clip, as long as it stays at its time. */
-export const keyId = (track: TrackAddress, time: number): string => `${trackId(track)}\n${time}`;
+/** Names a key within its clip, as long as it stays at its time. @param track - `trackId` of its track */
+export const keyId = (track: string, time: number): string => `${track}\n${Math.round(time / SAME_TIME)}`;
+
+/** A time with the digits that are kept in the text of a clip. */
+export const roundTime = (time: number): number => Number(time.toPrecision(9));
 
 export const EMPTY_CLIP: ClipData = { tracks: [], events: [] };
 

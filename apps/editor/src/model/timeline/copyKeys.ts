@@ -1,6 +1,6 @@
 import type { ClipData, ClipKey } from '@farol/engine';
-import { findTrack, isSameTime, keyId, type TrackAddress } from './clipTracks';
-import { isSelected, type KeyEdit, type KeySelection, rangeOfKeys } from './editKeys';
+import { findTrack, isSameTime, keyId, roundTime, type TrackAddress, trackId } from './clipTracks';
+import { type KeyEdit, type KeySelection, rangeOfKeys, selectedIn } from './editKeys';
 
 /** Keys that were copied: their times are from the first one on. */
 export interface CopiedKeys {
@@ -13,7 +13,7 @@ export function copyKeys(data: ClipData, selected: KeySelection): CopiedKeys | n
   const range = rangeOfKeys(data, selected);
   if (!range) return null;
   const tracks = data.tracks.flatMap((track) => {
-    const keys = track.keys.filter((key) => isSelected(selected, track, key));
+    const keys = track.keys.filter(selectedIn(selected, track));
     if (keys.length === 0) return [];
     return { ...track, keys: keys.map((key) => ({ ...key, time: key.time - range.first })) };
   });
@@ -42,8 +42,8 @@ export function pasteKeys(data: ClipData, copied: CopiedKeys, time: number, onto
   for (const source of copied.tracks) {
     const { path, component, field } = copied.tracks.length === 1 && onto ? onto : source;
     const address = { path, component, field };
-    const pasted = source.keys.map((key) => ({ ...key, time: key.time + time }));
-    for (const key of pasted) selected.add(keyId(address, key.time));
+    const pasted = source.keys.map((key) => ({ ...key, time: roundTime(key.time + time) }));
+    for (const key of pasted) selected.add(keyId(trackId(address), key.time));
     const track = findTrack({ ...data, tracks }, address);
     if (!track) tracks = [...tracks, { ...address, keys: pasted }];
     else {

@@ -1,4 +1,4 @@
-import type { ClipKey } from '@farol/engine';
+import { type ClipKey, cubicBezier } from '@farol/engine';
 
 /** The inner control points of a Bézier curve from (0, 0) to (1, 1), as of CSS's `cubic-bezier`. */
 export type CurveControl = NonNullable<ClipKey['control']>;
@@ -30,12 +30,9 @@ function parameterAt(share: number, [x1, , x2]: CurveControl): number {
   return (low + high) / 2;
 }
 
-/** The share of the way that is gone at a share of the time. @param share - from 0 to 1 */
-export function curveAt(share: number, control: CurveControl = STRAIGHT): number {
-  if (share <= 0) return 0;
-  if (share >= 1) return 1;
-  return coordinate(parameterAt(share, control), control[1], control[3]);
-}
+/** The share of the way that is gone at a share of the time. */
+export const curveAt = (share: number, [x1, y1, x2, y2]: CurveControl = STRAIGHT): number =>
+  cubicBezier(x1, y1, x2, y2, share);
 
 const mix = (a: number, b: number, t: number): number => a + (b - a) * t;
 

@@ -1,6 +1,16 @@
 import type { ClipData, ClipKey, ClipTrack, Easing } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
-import { findTrack, isNumeric, isSameTime, keyBefore, keyId, type TrackAddress, trackId, valueAt } from './clipTracks';
+import {
+  findTrack,
+  isNumeric,
+  isSameTime,
+  keyBefore,
+  keyId,
+  roundTime,
+  type TrackAddress,
+  trackId,
+  valueAt,
+} from './clipTracks';
 import { type CurveControl, splitCurve } from './easingCurve';
 
 /**
@@ -30,9 +40,11 @@ function makeKey(time: number, value: FieldValue, easing: Easing | undefined, co
   return easing === 'bezier' && control ? { ...key, easing, control } : { ...key, easing };
 }
 
-/** Whether a key is selected. */
-export const isSelected = (selected: KeySelection, track: TrackAddress, { time }: ClipKey): boolean =>
-  selected.has(keyId(track, time));
+/** Tells of each key of a track whether it is selected. */
+export function selectedIn(selected: KeySelection, track: TrackAddress): (key: ClipKey) => boolean {
+  const id = trackId(track);
+  return ({ time }) => selected.has(keyId(id, time));
+}
 
 /** Calls `visit` with each selected key. */
 export function eachSelected(
@@ -42,14 +54,18 @@ export function eachSelected(
 ): void {
   if (selected.size === 0) return;
   for (const track of tracks) {
+    const isSelected = selectedIn(selected, track);
     track.keys.forEach((key, i) => {
-      if (isSelected(selected, track, key)) visit(key, track, i);
+      if (isSelected(key)) visit(key, track, i);
     });
   }
 }
 
 /** The selected keys. */
-export function selectedKeys(data: ClipData, selected: KeySelection): { key: ClipKey; track: ClipTrack; index: number }[] {
+export function selectedKeys(
+  data: ClipData,
+  selected: KeySelection,
+): { key: ClipKey; track: ClipTrack; index: number }[] {
   const found: { key: ClipKey; track: ClipTrack; index: number }[] = [];
   eachSelected(data, selected, (key, track, index) => found.push({ key, track, index }));
   return found;
@@ -57,11 +73,16 @@ export function selectedKeys(data: ClipData, selected: KeySelection): { key: Cli
 
 /** Every key. */
 export const allKeys = ({ tracks }: ClipData): Set<string> =>
-  new Set(tracks.flatMap((track) => track.keys.map(({ time }) => keyId(track, time))));
+  new Set(
+    tracks.flatMap((track) => {
+      const id = trackId(track);
+      return track.keys.map(({ time }) => keyId(id, time));
+    }),
+  );
 
 /** What of a selection there still is. */
 export const keptSelection = (data: ClipData, selected: KeySelection): KeySelection =>
-  new Set(selectedKeys(data, selected).map(({ key, track }) => keyId(track, key.time)));
+  new Set(selectedKeys(data, selected).map(({ key, track }) => keyId(trackId(track), key.time)));
 
 /** Puts keys into a track's: those that are at the same time give way. @param added - in any order, the last one of a time counts */
 function insertAll(keys: readonly ClipKey[], added: readonly ClipKey[]): ClipKey[] {
@@ -95,7 +116,8 @@ function insertKey(keys: readonly ClipKey[], time: number, value: FieldValue | u
  * Sets the value of a track at a time: of the key that is there, else of a new one. A track that is not there is made.
  * @param value - the curve's own, which keeps its shape, when absent; needed for a new track
  */
-export function setKey(data: ClipData, address: TrackAddress, time: number, value?: FieldValue): ClipData {
+export function setKey(data: ClipData, address: TrackAddress, at: number, value?: FieldValue): ClipData {
+  const time = roundTime(at);
   const track = findTrack(data, address);
   if (!track || track.keys.length === 0) {
     if (value === undefined) return data;
@@ -129,7 +151,8 @@ export function retargetTrack(data: ClipData, from: TrackAddress, to: TrackAddre
 /** Takes the selected keys away, and tracks that have none then. */
 export function deleteKeys(data: ClipData, selected: KeySelection): ClipData {
   const tracks = data.tracks.flatMap((track) => {
-    const keys = track.keys.filter((key) => !isSelected(selected, track, key));
+    const isSelected = selectedIn(selected, track);
+    const keys = track.keys.filter((key) => !isSelected(key));
     if (keys.length === track.keys.length) return track;
     return keys.length === 0 ? [] : { ...track, keys };
   });
@@ -140,11 +163,12 @@ export function deleteKeys(data: ClipData, selected: KeySelection): ClipData {
 function retimeKeys(data: ClipData, selected: KeySelection, timeOf: (time: number) => number): KeyEdit {
   const next = new Set<string>();
   const tracks = data.tracks.map((track) => {
-    const moving = track.keys.filter((key) => isSelected(selected, track, key));
-    if (moving.length === 0) return track;
-    const staying = track.keys.filter((key) => !isSelected(selected, track, key));
-    const moved = moving.map((key) => ({ ...key, time: timeOf(key.time) }));
-    for (const { time } of moved) next.add(keyId(track, time));
+    const isSelected = selectedIn(selected, track);
+    const moved = track.keys.filter(isSelected).map((key) => ({ ...key, time: roundTime(timeOf(key.time)) }));
+    if (moved.length === 0) return track;
+    const staying = track.keys.filter((key) => !isSelected(key));
+    const id = trackId(track);
+    for (const { time } of moved) next.add(keyId(id, time));
     return { ...track, keys: insertAll(staying, moved) };
   });
   return { data: withTracks(data, tracks), selected: next };
@@ -187,19 +211,16 @@ export function scaleKeys(
 /** Changes each selected key. */
 function changeKeys(data: ClipData, selected: KeySelection, change: (key: ClipKey) => ClipKey): ClipData {
   const tracks = data.tracks.map((track) => {
-    if (!track.keys.some((key) => isSelected(selected, track, key))) return track;
-    return { ...track, keys: track.keys.map((key) => (isSelected(selected, track, key) ? change(key) : key)) };
+    const isSelected = selectedIn(selected, track);
+    if (!track.keys.some(isSelected)) return track;
+    return { ...track, keys: track.keys.map((key) => (isSelected(key) ? change(key) : key)) };
   });
   return withTracks(data, tracks);
 }
 
 /** How the selected keys go to those after them. Flags and choices always step. */
-export const easeKeys = (
-  data: ClipData,
-  selected: KeySelection,
-  easing: Easing,
-  control?: CurveControl,
-): ClipData => changeKeys(data, selected, ({ time, value }) => makeKey(time, value, easing, control));
+export const easeKeys = (data: ClipData, selected: KeySelection, easing: Easing, control?: CurveControl): ClipData =>
+  changeKeys(data, selected, ({ time, value }) => makeKey(time, value, easing, control));
 
 /** Gives each selected key a value made of its own. */
 export const setValuesOfKeys = (

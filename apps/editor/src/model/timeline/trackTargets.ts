@@ -1,32 +1,11 @@
 import { labelOfField } from '@farol/editing';
-import type { Component, GameObject } from '@farol/engine';
+import { type Component, type GameObject, objectAtPath, pathBelow } from '@farol/engine';
 import { componentName } from '../componentName';
 import { isAnimatable, type TrackAddress } from './clipTracks';
 
-/** The names from below an object down to one below it, as tracks have them; null for one that is not below it. */
-export function pathBetween(root: GameObject, object: GameObject): string | null {
-  const names: string[] = [];
-  let at: GameObject | null = object;
-  for (; at && at !== root; at = at.parent) names.unshift(at.name);
-  return at ? names.join('/') : null;
-}
-
-/** The object at a path below another: of children of one name the first. Null when there is none. */
-export function objectAt(root: GameObject, path: string): GameObject | null {
-  if (path === '') return root;
-  for (const child of root.children) {
-    if (child.name === path) return child;
-    // names may hold slashes
-    if (!path.startsWith(`${child.name}/`)) continue;
-    const found = objectAt(child, path.slice(child.name.length + 1));
-    if (found) return found;
-  }
-  return null;
-}
-
 /** The component that a track changes; null when it is gone, or has no such field. */
 export function targetOf(root: GameObject | null, { path, component, field }: TrackAddress): Component | null {
-  const target = root && objectAt(root, path)?.getComponent(component);
+  const target = root && objectAtPath(root, path)?.getComponent(component);
   return target && isAnimatable(target.fields[field]) ? target : null;
 }
 
@@ -34,8 +13,8 @@ export function targetOf(root: GameObject | null, { path, component, field }: Tr
 export function addressOf(root: GameObject, component: Component, field: string): TrackAddress | null {
   if (!component.isAttached || !isAnimatable(component.fields[field])) return null;
   const { gameObject, typeName } = component;
-  const path = pathBetween(root, gameObject);
-  if (path === null || objectAt(root, path)?.getComponent(typeName) !== component) return null;
+  const path = pathBelow(root, gameObject);
+  if (path === null || gameObject.getComponent(typeName) !== component) return null;
   return { path, component: typeName, field };
 }
 
