@@ -47,6 +47,8 @@ export class EditorDocument {
   readonly assetSelection = new AssetSelection<string>();
   /** Emits when a view that is kept with the scene changes. */
   readonly views = new Signal();
+  /** Emits when a preview of a clip, while the scene stands still, shows other values than before. */
+  readonly previewed = new Signal();
   /** Emits when a microshader of the scene changes. */
   readonly microShaders = new Signal();
   /** Takes what a component throws while it is simulated. */

@@ -14,10 +14,10 @@ const sourceLabel = (source: ConsoleSource): string =>
   ({
     editor: t('editor'),
     shader: t('shader'),
-    script: t('script'),
     file: t('file'),
     asset: t('asset'),
     component: t('component'),
+    script: t('script'),
     picture: t('picture'),
     plugin: t('plugin'),
     page: t('page'),
@@ -96,9 +96,16 @@ function ConsoleLine({ entry }: { entry: ConsoleEntry }): ReactNode {
     <li className={`console-line ${kind}`}>
       <Icon name={icons[kind]} size={13} />
       <span className="console-text">{text}</span>
-      {place && 'chunk' in place && (
-        <button type="button" className="button small" onClick={() => editor.openMicroShader(place.chunk, place.line)}>
-          {place.chunk}:{place.line}
+      {place && (
+        <button
+          type="button"
+          className="button small"
+          onClick={() => {
+            if ('script' in place) editor.openScript(place.script, place.line);
+            else editor.openMicroShader(place.chunk, place.line);
+          }}
+        >
+          {'script' in place ? place.script : place.chunk}:{place.line}
         </button>
       )}
       {count > 1 && (
