@@ -13,7 +13,17 @@ const names = {
   loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides', 'PictureRenderer', 'techniqueLimits'],
   scene: ['Scene', 'FieldAsset', 'GameObject', 'ClipAsset', 'Component', 'createRandom', 'gameObjectOf'],
   components: [
-    ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
+    ...[
+      'Animation',
+      'Animator',
+      'Camera',
+      'Decal',
+      'KeyController',
+      'Light',
+      'ModelRenderer',
+      'MouseController',
+      'ObjectRenderer',
+    ],
     ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],
   animation: [
@@ -32,6 +42,7 @@ const names = {
     'AssetError',
     'MaterialAsset',
     'Model',
+    'ModelClip',
     'importModel',
     'objectsOfModel',
     'whatKeepsTogether',
