@@ -47,6 +47,7 @@ export { Camera } from './components/Camera';
 export { Decal } from './components/Decal';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
+export { lightShadows, meshShadows } from './components/newShadows';
 export { ModelRenderer } from './components/ModelRenderer';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
