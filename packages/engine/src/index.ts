@@ -53,6 +53,14 @@ export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
 export { Transform } from './core/Transform';
 
+export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animation/ClipData';
+export { ClipPreview } from './animation/ClipPreview';
+export { clipText } from './animation/clipText';
+export { cubicBezier } from './animation/cubicBezier';
+export { ClipError, parseClip } from './animation/parseClip';
+export { objectAtPath, pathBelow, trackTarget, type TrackTarget } from './animation/trackTarget';
+export { valueAt } from './animation/valueAt';
+
 export type { Asset, AssetChange, AssetFile, MaterialUser, TakenAsset } from './assets/Asset';
 export { AssetError } from './assets/AssetError';
 export { AssetLibrary, type AssetLibraryOptions } from './assets/AssetLibrary';

@@ -10,6 +10,7 @@ import { panels } from './es/panels';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
+import { scripts } from './es/scripts';
 import { samples } from './es/samples';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
@@ -27,6 +28,7 @@ export const es: Texts = {
   ...picture,
   ...player,
   ...rendering,
+  ...scripts,
   ...samples,
   ...views,
   ...welcome,

@@ -1,13 +1,5 @@
 import type { FarolEffect, FarolRenderer } from '@farol/renderer';
-import {
-  Color,
-  NoToneMapping,
-  PCFShadowMap,
-  type PointLight,
-  ReinhardToneMapping,
-  type Vector4,
-  VSMShadowMap,
-} from 'three';
+import { Color, NoToneMapping, PCFShadowMap, ReinhardToneMapping, type Vector4, VSMShadowMap } from 'three';
 import { beforeAll, expect, test, vi } from 'vitest';
 import { Camera } from '../components/Camera';
 import { Light } from '../components/Light';
@@ -185,7 +177,7 @@ test('kind, cascades and softness of shadows are those of the scene, also after 
   };
   expect(look(again)).toEqual([true, VSMShadowMap, 3]);
   const [light] = again.componentsOf(Light);
-  const radius = (): number | undefined => (light.three as PointLight).shadow?.radius;
+  const radius = (): number | undefined => (light.three as { shadow?: { radius: number } }).shadow?.radius;
   expect(radius()).toBe(3);
   again.settings.shadowSoftness = 0.5;
   expect(radius()).toBe(0.75);
