@@ -11,6 +11,7 @@ import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
 import { scripts } from './es/scripts';
+import { samples } from './es/samples';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
 
@@ -28,6 +29,7 @@ export const es: Texts = {
   ...player,
   ...rendering,
   ...scripts,
+  ...samples,
   ...views,
   ...welcome,
 };
