@@ -193,6 +193,7 @@ async function checkPages(
   expect(isFlat(picture), `${name} by Farol shows one colour`).toBe(false);
   await openDialog(page);
   await (await exported(page, 'Web page…')).saveAs(html);
+  await expect(page.getByLabel('Link to the scene')).toHaveValue(/#/);
   const link = await page.getByLabel('Link to the scene').inputValue();
   const frame = /src="([^"]+)"/.exec(await page.locator('textarea').inputValue())![1];
   await closeDialog(page);

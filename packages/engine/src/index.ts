@@ -41,6 +41,7 @@ export type { Vector3Input } from './core/toVector3';
 
 export { ComponentRegistry, type ComponentRegistryOptions } from './core/ComponentRegistry';
 export { builtinComponents } from './components/index';
+export { Animation, type PlayOptions } from './components/Animation';
 export { Animator } from './components/Animator';
 export { Camera } from './components/Camera';
 export { Decal } from './components/Decal';
@@ -73,6 +74,7 @@ export {
 } from './components/objectsOfModel';
 export { ClipAsset } from './assets/ClipAsset';
 export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
+export { ModelClip } from './assets/ModelClip';
 export { MaterialAsset } from './assets/MaterialAsset';
 export { ScriptAsset } from './assets/ScriptAsset';
 export { Sound } from './assets/Sound';
