@@ -24,7 +24,6 @@ const names = {
       'MouseController',
       'ObjectRenderer',
     ],
-    ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
     ...['lightShadows', 'meshShadows'],
     ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],

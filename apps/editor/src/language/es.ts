@@ -12,6 +12,7 @@ import { player } from './es/player';
 import { rendering } from './es/rendering';
 import { scripts } from './es/scripts';
 import { samples } from './es/samples';
+import { scriptRuns } from './es/scriptRuns';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
 
@@ -30,6 +31,7 @@ export const es: Texts = {
   ...rendering,
   ...scripts,
   ...samples,
+  ...scriptRuns,
   ...views,
   ...welcome,
 };

@@ -162,7 +162,10 @@ export class EditorDocument {
   private openScripts(isOn: boolean): void {
     const { current: scene } = this;
     // classes of scripts are those of one scene: they are in no registry that others share
-    if (!this.registry) scene.registry = new ComponentRegistry(scene.registry.types.values(), { keepUnknown: true });
+    if (!this.registry)
+      scene.registry = new ComponentRegistry(scene.registry.types.values(), {
+        keepUnknown: scene.registry.keepsUnknown,
+      });
     this.scripts.open(scene, scene.registry, isOn);
   }
 
