@@ -113,6 +113,11 @@ export class Timeline implements EditRecorder {
     return this.document.simulation.state !== 'stopped';
   }
 
+  /** Whether there is a clip and an object whose edits can become keys. */
+  get canRecord(): boolean {
+    return this.canPreview;
+  }
+
   private get canPreview(): boolean {
     return this.isOpen && !this.isFollowing && this.currentClip !== null && this.currentRoot !== null;
   }
