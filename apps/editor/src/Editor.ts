@@ -7,7 +7,7 @@ import {
   type Scene,
 } from '@farol/engine';
 import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
-import { registerSceneAssets, scenes } from '@farol/engine/scenes';
+import { registerSceneAssets, type SceneParameters, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
 import { actions } from './actions';
 import { allActions } from './actions/allActions';
@@ -22,11 +22,11 @@ import { Clipboard } from './model/Clipboard';
 import { ConsoleLog } from './model/ConsoleLog';
 import { Drafts } from './model/Drafts';
 import { MicroShaderEditing } from './microshaders/MicroShaderEditing';
-import { PlaceToShow } from './microshaders/PlaceToShow';
 import { Dialogs } from './model/Dialogs';
 import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
+import { PlaceToShow } from './model/PlaceToShow';
 import { RecentFiles } from './model/RecentFiles';
 import { Tools } from './model/Tools';
 import { Registry } from './model/Registry';
@@ -89,6 +89,7 @@ export class Editor implements EditorApi {
   readonly viewport: Viewport;
   readonly microShaders: MicroShaderEditing;
   readonly microShaderPlace = new PlaceToShow();
+  readonly scriptPlace = new PlaceToShow();
   readonly dialogs = new Dialogs();
   readonly clipboard = new Clipboard();
   readonly tools = new Tools();
@@ -168,7 +169,7 @@ export class Editor implements EditorApi {
     }
   }
 
-  async openScene(name: string, parameters: Record<string, number> = {}): Promise<void> {
+  async openScene(name: string, parameters: SceneParameters = {}): Promise<void> {
     this.show(await scenes[name].build(parameters, this.libraryForNext()), { name: null, handle: null });
   }
 
@@ -276,8 +277,13 @@ export class Editor implements EditorApi {
   }
 
   openMicroShader(chunk: string, line = 0): void {
-    this.microShaderPlace.show({ chunk, line });
+    this.microShaderPlace.show({ name: chunk, line });
     this.layout.open('microshaders');
+  }
+
+  openScript(name: string, line = 0): void {
+    this.scriptPlace.show({ name, line });
+    this.layout.open('scripts');
   }
 
   show(scene: Scene, file: OpenFile): void {

@@ -13,7 +13,19 @@ const names = {
   loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides', 'PictureRenderer', 'techniqueLimits'],
   scene: ['Scene', 'FieldAsset', 'GameObject', 'ClipAsset', 'Component', 'createRandom', 'gameObjectOf'],
   components: [
+    ...[
+      'Animation',
+      'Animator',
+      'Camera',
+      'Decal',
+      'KeyController',
+      'Light',
+      'ModelRenderer',
+      'MouseController',
+      'ObjectRenderer',
+    ],
     ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
+    ...['lightShadows', 'meshShadows'],
     ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],
   animation: [
@@ -32,6 +44,7 @@ const names = {
     'AssetError',
     'MaterialAsset',
     'Model',
+    'ModelClip',
     'importModel',
     'objectsOfModel',
     'whatKeepsTogether',

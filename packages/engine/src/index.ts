@@ -41,11 +41,13 @@ export type { Vector3Input } from './core/toVector3';
 
 export { ComponentRegistry, type ComponentRegistryOptions } from './core/ComponentRegistry';
 export { builtinComponents } from './components/index';
+export { Animation, type PlayOptions } from './components/Animation';
 export { Animator } from './components/Animator';
 export { Camera } from './components/Camera';
 export { Decal } from './components/Decal';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
+export { lightShadows, meshShadows } from './components/newShadows';
 export { ModelRenderer } from './components/ModelRenderer';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
@@ -72,6 +74,7 @@ export {
 } from './components/objectsOfModel';
 export { ClipAsset } from './assets/ClipAsset';
 export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
+export { ModelClip } from './assets/ModelClip';
 export { MaterialAsset } from './assets/MaterialAsset';
 export { ScriptAsset } from './assets/ScriptAsset';
 export { Sound } from './assets/Sound';

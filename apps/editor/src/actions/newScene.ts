@@ -14,11 +14,11 @@ export const newScene: Action = {
 };
 
 /** One action for each scene of the engine's. */
-export const openExamples: readonly Action[] = Object.values(scenes).map(({ name, label }) => ({
+export const openExamples: readonly Action[] = Object.values(scenes).map(({ name, label, sample }) => ({
   id: `file.new.${name}`,
   label,
   menu: { menu: 'file', group: 'new', submenu: 'Samples' },
   async run(editor) {
-    if (await editor.mayLoseChanges()) await editor.openScene(name);
+    if (await editor.mayLoseChanges()) await editor.openScene(name, sample);
   },
 }));

@@ -10,6 +10,8 @@ import { panels } from './es/panels';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
+import { scripts } from './es/scripts';
+import { samples } from './es/samples';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
 
@@ -26,6 +28,8 @@ export const es: Texts = {
   ...picture,
   ...player,
   ...rendering,
+  ...scripts,
+  ...samples,
   ...views,
   ...welcome,
 };

@@ -1,5 +1,6 @@
 import { builtinComponents } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
+import { Animation } from './Animation';
 import { Animator } from './Animator';
 import { Camera } from './Camera';
 import { Decal } from './Decal';
@@ -15,6 +16,7 @@ const components = [
   Transform,
   ObjectRenderer,
   ModelRenderer,
+  Animation,
   Animator,
   Light,
   Camera,
