@@ -197,7 +197,8 @@ export class Timeline implements EditRecorder {
   /** Called each frame while it plays, or while the scene does. */
   advance(deltaSeconds: number): void {
     if (this.isFollowing) {
-      const time = this.currentRoot && playedTime(this.currentRoot);
+      const { currentRoot: root, currentClip: clip } = this;
+      const time = root && clip && playedTime(root, clip.name);
       if (time === null || time === this.seconds) return;
       this.seconds = time;
       this.moved.emit();

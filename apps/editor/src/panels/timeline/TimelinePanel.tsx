@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { type KeyboardEvent, type ReactNode, useEffect, useMemo, useState } from 'react';
+import { type KeyboardEvent, type ReactNode, useEffect, useState } from 'react';
 import { timelineOf } from '../../model/timeline/timelineOf';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { EmptyTimeline } from './EmptyTimeline';
@@ -20,19 +20,16 @@ export function TimelinePanel(): ReactNode {
     return () => timeline.close();
   }, [timeline]);
   usePlaying(view);
-  const revision = useSignal(timeline.changed) + useSignal(editor.document.structure);
+  useSignal(timeline.changed);
+  useSignal(editor.document.structure);
   useSignal(view.changed);
   const { clip, root, data } = timeline;
   const { folded, unfolded, mode } = view;
-  view.rows = useMemo(
-    () => timelineRows(root, data, { folded, unfolded, hasChannels: mode === 'curves' }),
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- targets come and go
-    [root, data, folded, unfolded, mode, revision],
-  );
+  view.rows = timelineRows(root, data, { folded, unfolded, hasChannels: mode === 'curves' });
   useEffect(() => {
-    view.fit();
+    if (clip) view.fit();
   }, [view, clip]);
-  useEffect(view.draw);
+  useEffect(() => view.draw());
   const keyDown = (event: KeyboardEvent): void => {
     if (!handleTimelineKey(editor, view, event)) return;
     event.preventDefault();

@@ -94,6 +94,7 @@ function useDrawing(
       media.removeEventListener('change', ask);
       for (const end of endings) end();
     };
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- refs, which stay the same
   }, [view, sheet, canvas, probe]);
 }
 
