@@ -52,6 +52,14 @@ export const iconPaths = {
     'M8 6.4a1.6 1.6 0 1 0 0 3.2 1.6 1.6 0 0 0 0-3.2M8 1.8a6.2 6.2 0 0 1 6.2 6.2M14.2 8A6.2 6.2 0 0 1 8 14.2M8 14.2A6.2 6.2 0 0 1 1.8 8M1.8 8A6.2 6.2 0 0 1 8 1.8',
   sound: 'M2.4 6v4h2.4l3.4 3V3L4.8 6zM10.4 5.4a3.6 3.6 0 0 1 0 5.2M12.2 3.4a6.4 6.4 0 0 1 0 9.2',
   lamp: 'M8 1.8L4.4 4.6l.9 5.6h5.4l.9-5.6zM6.6 10.2v4M9.4 10.2v4',
+  timeline: 'M1.8 4h12.4M1.8 8h12.4M1.8 12h12.4M4.4 2.6v2.8M10.6 6.6v2.8M6.8 10.6v2.8',
+  record: 'M8 4a4 4 0 1 0 0 8 4 4 0 0 0 0-8',
+  key: 'M8 3l5 5-5 5-5-5z',
+  first: 'M4 3v10M12.4 3l-6 5 6 5z',
+  last: 'M12 3v10M3.6 3l6 5-6 5z',
+  previousKey: 'M6.4 4L2.8 8l3.6 4M11 5l3 3-3 3-3-3z',
+  nextKey: 'M9.6 4l3.6 4-3.6 4M5 5l3 3-3 3-3-3z',
+  curve: 'M2 13.4C7 13.4 8 2.6 14 2.6',
 } as const;
 
 export type IconName = keyof typeof iconPaths;
