@@ -14,6 +14,7 @@ const names = {
   scene: ['Scene', 'FieldAsset', 'GameObject', 'ClipAsset', 'Component', 'createRandom', 'gameObjectOf'],
   components: [
     ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
+    ...['Collider', 'PhysicsSystem', 'RigidBody'],
     ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],
   assets: [

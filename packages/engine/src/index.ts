@@ -43,6 +43,7 @@ export { ComponentRegistry, type ComponentRegistryOptions } from './core/Compone
 export { builtinComponents } from './components/index';
 export { Animator } from './components/Animator';
 export { Camera } from './components/Camera';
+export { Collider } from './components/Collider';
 export { Decal } from './components/Decal';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
@@ -50,6 +51,9 @@ export { ModelRenderer } from './components/ModelRenderer';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
+export { RigidBody } from './components/RigidBody';
+export type { CollisionEvent } from './physics/CollisionEvent';
+export { PhysicsSystem } from './physics/PhysicsSystem';
 export { Transform } from './core/Transform';
 
 export type { Asset, AssetChange, AssetFile, MaterialUser, TakenAsset } from './assets/Asset';

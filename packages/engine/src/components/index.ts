@@ -2,6 +2,7 @@ import { builtinComponents } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
 import { Animator } from './Animator';
 import { Camera } from './Camera';
+import { Collider } from './Collider';
 import { Decal } from './Decal';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
@@ -9,6 +10,7 @@ import { ModelRenderer } from './ModelRenderer';
 import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
 import { RandomMovement } from './RandomMovement';
+import { RigidBody } from './RigidBody';
 
 /** The built-in components, in the order of the Add menu. */
 const components = [
@@ -22,6 +24,8 @@ const components = [
   KeyController,
   MouseController,
   RandomMovement,
+  RigidBody,
+  Collider,
 ];
 
 for (const each of components) builtinComponents.register(each);
