@@ -36,6 +36,7 @@ import { MaterialAsset, type MaterialHost } from './MaterialAsset';
 import { MaterialCache } from './MaterialCache';
 import { MeshNormals } from './MeshNormals';
 import { Model } from './Model';
+import type { ModelClip } from './ModelClip';
 import { modelParts } from './modelParts';
 import { ScriptAsset } from './ScriptAsset';
 import { UseCounter } from './UseCounter';
@@ -507,6 +508,11 @@ export class AssetLibrary implements MaterialHost {
 
   model(name: string): Model {
     return this.getAs<Model>('model', name);
+  }
+
+  /** A clip of one's own, or one of a model. */
+  clip(name: string): ClipAsset | ModelClip {
+    return this.getAs<ClipAsset | ModelClip>('clip', name);
   }
 
   shader(name: string): Material {

@@ -1,5 +1,6 @@
 import { builtinComponents } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
+import { Animation } from './Animation';
 import { Animator } from './Animator';
 import { Camera } from './Camera';
 import { Collider } from './Collider';
@@ -17,6 +18,7 @@ const components = [
   Transform,
   ObjectRenderer,
   ModelRenderer,
+  Animation,
   Animator,
   Light,
   Camera,

@@ -19,6 +19,7 @@ import type {
   SceneSystemClass,
 } from './SceneGraph';
 import { SceneIndex } from './SceneIndex';
+import { scriptClasses } from './scriptClasses';
 import { SceneMicroShaders } from './SceneMicroShaders';
 import { SceneSystems } from './SceneSystems';
 import { SceneViews } from './SceneViews';
@@ -182,22 +183,27 @@ class BaseScene implements SceneType {
     }
     const updated = this.index.updated.array;
     for (let i = 0; i < updated.length; i++) {
-      if (!updated[i].isActive) continue;
+      const component = updated[i];
+      if (!component.isActive) continue;
       try {
-        updated[i].update(deltaSeconds, this.seconds);
+        component.update(deltaSeconds, this.seconds);
       } catch (error) {
-        this.reportError(updated[i], error);
+        this.reportError(component, error);
       }
+      // the last one comes to the place of one that is switched off or leaves
+      if (updated[i] !== component) i--;
     }
     this.systems.update(deltaSeconds, this.seconds);
     const late = this.index.late.array;
     for (let i = 0; i < late.length; i++) {
-      if (!late[i].isActive) continue;
+      const component = late[i];
+      if (!component.isActive) continue;
       try {
-        late[i].lateUpdate!(deltaSeconds, this.seconds);
+        component.lateUpdate!(deltaSeconds, this.seconds);
       } catch (error) {
-        this.reportError(late[i], error);
+        this.reportError(component, error);
       }
+      if (late[i] !== component) i--;
     }
   }
 
@@ -205,7 +211,12 @@ class BaseScene implements SceneType {
     return this.systems.get(type);
   }
 
+  isSwitchedOff(component: Component): boolean {
+    return this.index.switchedOff.has(component);
+  }
+
   reportError(component: Component, error: unknown): void {
+    if (scriptClasses.has(component.componentClass)) this.index.switchOff(component);
     if (!this.onComponentError) throw error;
     this.onComponentError(component, error);
   }
@@ -221,6 +232,7 @@ class BaseScene implements SceneType {
 
   reset(): void {
     for (const component of [...this.index.started.array]) this.destroyed(component);
+    this.index.switchOn();
     this.systems.reset();
     for (const component of this.simulatedOnes) component.endSimulation();
     this.simulatedOnes.clear();
@@ -270,10 +282,15 @@ class BaseScene implements SceneType {
     for (let i = 0; i < components.length; i++) {
       const component = components[i];
       if (!component.isActive) continue;
-      if (event.type === 'move') component.onPointerMove?.(event);
-      else if (event.type === 'down') component.onPointerDown?.(event);
-      else if (event.type === 'up') component.onPointerUp?.(event);
-      else component.onPointerWheel?.(event);
+      try {
+        if (event.type === 'move') component.onPointerMove?.(event);
+        else if (event.type === 'down') component.onPointerDown?.(event);
+        else if (event.type === 'up') component.onPointerUp?.(event);
+        else component.onPointerWheel?.(event);
+      } catch (error) {
+        this.reportError(component, error);
+      }
+      if (components[i] !== component) i--;
     }
   }
 
@@ -282,8 +299,13 @@ class BaseScene implements SceneType {
     for (let i = 0; i < components.length; i++) {
       const component = components[i];
       if (!component.isActive) continue;
-      if (event.type === 'down') component.onKeyDown?.(event);
-      else component.onKeyUp?.(event);
+      try {
+        if (event.type === 'down') component.onKeyDown?.(event);
+        else component.onKeyUp?.(event);
+      } catch (error) {
+        this.reportError(component, error);
+      }
+      if (components[i] !== component) i--;
     }
   }
 
