@@ -24,6 +24,8 @@ const names = {
       'MouseController',
       'ObjectRenderer',
     ],
+    ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
+    ...['Collider', 'PhysicsSystem', 'RigidBody'],
     ...['lightShadows', 'meshShadows'],
     ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],
