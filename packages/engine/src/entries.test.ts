@@ -25,6 +25,8 @@ const names = {
       'ObjectRenderer',
     ],
     ...['lightShadows', 'meshShadows'],
+    ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
+    ...['Collider', 'PhysicsSystem', 'RigidBody'],
     ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],
   animation: [

@@ -44,6 +44,7 @@ export { builtinComponents } from './components/index';
 export { Animation, type PlayOptions } from './components/Animation';
 export { Animator } from './components/Animator';
 export { Camera } from './components/Camera';
+export { Collider } from './components/Collider';
 export { Decal } from './components/Decal';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
@@ -52,6 +53,9 @@ export { ModelRenderer } from './components/ModelRenderer';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
+export { RigidBody } from './components/RigidBody';
+export type { CollisionEvent } from './physics/CollisionEvent';
+export { PhysicsSystem } from './physics/PhysicsSystem';
 export { Transform } from './core/Transform';
 
 export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animation/ClipData';

@@ -3,6 +3,7 @@ import { Transform } from '../core/Transform';
 import { Animation } from './Animation';
 import { Animator } from './Animator';
 import { Camera } from './Camera';
+import { Collider } from './Collider';
 import { Decal } from './Decal';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
@@ -10,6 +11,7 @@ import { ModelRenderer } from './ModelRenderer';
 import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
 import { RandomMovement } from './RandomMovement';
+import { RigidBody } from './RigidBody';
 
 /** The built-in components, in the order of the Add menu. */
 const components = [
@@ -24,6 +26,8 @@ const components = [
   KeyController,
   MouseController,
   RandomMovement,
+  RigidBody,
+  Collider,
 ];
 
 for (const each of components) builtinComponents.register(each);

@@ -11,6 +11,10 @@ const icons: Readonly<Record<string, IconName>> = {
   KeyController: 'keyboard',
   MouseController: 'mouse',
   RandomMovement: 'motion',
+  RigidBody: 'body',
+  Collider: 'collider',
+  CharacterController: 'character',
+  Joint: 'joint',
 };
 
 /** The icon of a type of component. */
