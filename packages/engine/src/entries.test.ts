@@ -27,6 +27,7 @@ const names = {
     ...['lightShadows', 'meshShadows'],
     ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
     ...['Collider', 'PhysicsSystem', 'RigidBody'],
+    ...['lightShadows', 'meshShadows'],
     ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
   ],
   animation: [
