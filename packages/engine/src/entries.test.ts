@@ -24,6 +24,7 @@ const names = {
       'MouseController',
       'ObjectRenderer',
     ],
+    ...['lightShadows', 'meshShadows'],
     ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
     ...['Collider', 'PhysicsSystem', 'RigidBody'],
     ...['lightShadows', 'meshShadows'],
