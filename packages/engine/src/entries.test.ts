@@ -11,10 +11,21 @@ const source = fileURLToPath(new URL('.', import.meta.url));
 const names = {
   app: ['App', 'createWebGLRenderer', 'noWebGL2'],
   loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides', 'PictureRenderer', 'techniqueLimits'],
-  scene: ['Scene', 'FieldAsset', 'GameObject', 'ClipAsset', 'Component', 'createRandom', 'gameObjectOf'],
+  scene: [
+    'Scene',
+    'FieldAsset',
+    'GameObject',
+    'ClipAsset',
+    'Component',
+    'createRandom',
+    'gameObjectOf',
+    'hitPoint',
+    'rayHits',
+  ],
   components: [
     ...['Animator', 'Camera', 'Decal', 'KeyController', 'Light', 'ModelRenderer', 'MouseController', 'ObjectRenderer'],
     ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
+    ...['AudioListener', 'AudioSource', 'EventTrigger', 'audioOutput'],
   ],
   assets: [
     'AssetLibrary',

@@ -10,6 +10,7 @@ import { panels } from './es/panels';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
+import { triggers } from './es/triggers';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
 
@@ -26,6 +27,7 @@ export const es: Texts = {
   ...picture,
   ...player,
   ...rendering,
+  ...triggers,
   ...views,
   ...welcome,
 };

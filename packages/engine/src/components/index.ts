@@ -1,8 +1,11 @@
 import { builtinComponents } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
 import { Animator } from './Animator';
+import { AudioListener } from './AudioListener';
+import { AudioSource } from './AudioSource';
 import { Camera } from './Camera';
 import { Decal } from './Decal';
+import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
@@ -22,6 +25,9 @@ const components = [
   KeyController,
   MouseController,
   RandomMovement,
+  AudioSource,
+  AudioListener,
+  EventTrigger,
 ];
 
 for (const each of components) builtinComponents.register(each);

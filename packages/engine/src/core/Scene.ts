@@ -1,5 +1,5 @@
 import { shortText } from '@farol/renderer';
-import type { Scene as ThreeScene } from 'three';
+import type { Camera as ThreeCamera, Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { assetFields } from '../fields/assetFields';
 import { PrefabTable } from '../prefabs/PrefabTable';
@@ -19,6 +19,7 @@ import type {
   SceneSystemClass,
 } from './SceneGraph';
 import { SceneIndex } from './SceneIndex';
+import { ScenePointer } from './ScenePointer';
 import { SceneMicroShaders } from './SceneMicroShaders';
 import { SceneSystems } from './SceneSystems';
 import { SceneViews } from './SceneViews';
@@ -45,9 +46,11 @@ class BaseScene implements SceneType {
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
   readonly childList: GameObject[] = [];
+  pointerCamera: ThreeCamera | null = null;
 
   private readonly index = new SceneIndex();
   private readonly systems = new SceneSystems(this);
+  private readonly pointer = new ScenePointer(this, this.index);
   /** Components that show values which were not authored. */
   private readonly simulatedOnes = new Set<Component>();
   private wasSimulated = false;
@@ -101,7 +104,7 @@ class BaseScene implements SceneType {
   }
 
   get takesKeys(): boolean {
-    return this.index.keyed.array.some((component) => component.isActive);
+    return this.index.keyed.array.some((component) => component.isActive && component.listensTo?.('key') !== false);
   }
 
   get requiredEffects(): readonly RequiredEffect[] {
@@ -179,6 +182,7 @@ class BaseScene implements SceneType {
     if (deltaSeconds > 0) {
       this.wasSimulated = true;
       this.startWaiting();
+      this.pointer.update();
     }
     const updated = this.index.updated.array;
     for (let i = 0; i < updated.length; i++) {
@@ -219,7 +223,12 @@ class BaseScene implements SceneType {
     this.update(0);
   }
 
+  pause(): void {
+    this.systems.pause();
+  }
+
   reset(): void {
+    this.pointer.reset();
     for (const component of [...this.index.started.array]) this.destroyed(component);
     this.systems.reset();
     for (const component of this.simulatedOnes) component.endSimulation();
@@ -270,11 +279,20 @@ class BaseScene implements SceneType {
     for (let i = 0; i < components.length; i++) {
       const component = components[i];
       if (!component.isActive) continue;
-      if (event.type === 'move') component.onPointerMove?.(event);
-      else if (event.type === 'down') component.onPointerDown?.(event);
-      else if (event.type === 'up') component.onPointerUp?.(event);
-      else component.onPointerWheel?.(event);
+      try {
+        if (event.type === 'move') component.onPointerMove?.(event);
+        else if (event.type === 'down') component.onPointerDown?.(event);
+        else if (event.type === 'up') component.onPointerUp?.(event);
+        else if (event.type === 'wheel') component.onPointerWheel?.(event);
+      } catch (error) {
+        this.reportError(component, error);
+      }
     }
+    this.pointer.take(event);
+  }
+
+  dispatchObjectPointer(event: EnginePointerEvent): void {
+    this.pointer.take(event);
   }
 
   dispatchKey(event: EngineKeyEvent): void {
@@ -282,8 +300,12 @@ class BaseScene implements SceneType {
     for (let i = 0; i < components.length; i++) {
       const component = components[i];
       if (!component.isActive) continue;
-      if (event.type === 'down') component.onKeyDown?.(event);
-      else component.onKeyUp?.(event);
+      try {
+        if (event.type === 'down') component.onKeyDown?.(event);
+        else component.onKeyUp?.(event);
+      } catch (error) {
+        this.reportError(component, error);
+      }
     }
   }
 
@@ -340,6 +362,7 @@ class BaseScene implements SceneType {
   subtreeLeaves(gameObject: GameObject): void {
     for (const child of gameObject.children) this.subtreeLeaves(child);
     for (const component of gameObject.components) this.componentLeaves(component);
+    this.pointer.forget(gameObject);
     this.index.objectsById.delete(gameObject.id);
     gameObject.sceneOf = null;
   }

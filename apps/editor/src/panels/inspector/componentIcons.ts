@@ -11,6 +11,9 @@ const icons: Readonly<Record<string, IconName>> = {
   KeyController: 'keyboard',
   MouseController: 'mouse',
   RandomMovement: 'motion',
+  AudioSource: 'sound',
+  AudioListener: 'listener',
+  EventTrigger: 'trigger',
 };
 
 /** The icon of a type of component. */
