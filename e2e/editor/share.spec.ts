@@ -87,6 +87,7 @@ test('a link opens the same scene; what is too large for one says so', async ({ 
   await addObject(page, 'Mesh', 'Torus');
   const scene = await serialized(page);
   await page.keyboard.press('Control+Shift+E');
+  await expect(page.getByLabel('Link to the scene')).toHaveValue(/#/);
   const link = await page.getByLabel('Link to the scene').inputValue();
   expect(link.length).toBeLessThan(64_000);
   expect(await axeProblems(page)).toEqual([]);

@@ -16,6 +16,7 @@ const editorFolders = [
     'language',
     'model',
     'microshaders',
+    'scripts',
     'viewport',
     'layout',
     'api',
@@ -41,7 +42,7 @@ const editorRules = editorFolders.map((folder, i) => ({
  *
  * microshaders <- the rest of renderer; renderer, engine and editing speak plain three; engine -> renderer; attach -> all
  * three; apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder
- * knows those before it: style, language, model <- microshaders <- viewport; model <- layout; all of these <- api <- files <- actions
+ * knows those before it: style, language, model <- microshaders <- scripts <- viewport; model <- layout; all of these <- api <- files <- actions
  * <- ui <- fields <- panels <- plugins <- Editor.ts. The renderer's other entries plug it into one library each, are
  * optional effects, or serve authors: its core knows none of them. Of lazy/ the core knows types, and frame/lazyCode.ts
  * alone fetches it. The engine's core and assets know no component, file or demo scene; their tests may.
@@ -86,6 +87,7 @@ export const importRules = [
     from: 'packages/engine/src/picture/chain',
     may: ['packages/engine', 'three', '@farol/renderer', 'postprocessing'],
   },
+  { from: 'packages/engine/src/scripts', may: ['packages/engine', 'three', '@farol/renderer', 'sucrase'] },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine', '@farol/editing'] },

@@ -7,7 +7,7 @@ import {
   type Scene,
 } from '@farol/engine';
 import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
-import { registerSceneAssets, scenes } from '@farol/engine/scenes';
+import { registerSceneAssets, type SceneParameters, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
 import { actions } from './actions';
 import { allActions } from './actions/allActions';
@@ -15,6 +15,7 @@ import type { EditorPlugin } from './api/EditorPlugin';
 import type { CustomFieldEditor, DraftKeeper, EditorApi, OpenFile } from './api/EditorApi';
 import type { Action } from './api/Action';
 import { KeyBindings } from './api/KeyBindings';
+import { samples } from './api/Sample';
 import { createPreferences, type Preferences, type PreferenceStore } from './api/preferences';
 import { PanelLayout } from './layout/PanelLayout';
 import { PanelRegistry } from './layout/PanelRegistry';
@@ -22,11 +23,11 @@ import { Clipboard } from './model/Clipboard';
 import { ConsoleLog } from './model/ConsoleLog';
 import { Drafts } from './model/Drafts';
 import { MicroShaderEditing } from './microshaders/MicroShaderEditing';
-import { PlaceToShow } from './microshaders/PlaceToShow';
 import { Dialogs } from './model/Dialogs';
 import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
+import { PlaceToShow } from './model/PlaceToShow';
 import { RecentFiles } from './model/RecentFiles';
 import { Tools } from './model/Tools';
 import { Registry } from './model/Registry';
@@ -88,6 +89,7 @@ export class Editor implements EditorApi {
   readonly viewport: Viewport;
   readonly microShaders: MicroShaderEditing;
   readonly microShaderPlace = new PlaceToShow();
+  readonly scriptPlace = new PlaceToShow();
   readonly dialogs = new Dialogs();
   readonly clipboard = new Clipboard();
   readonly tools = new Tools();
@@ -99,7 +101,7 @@ export class Editor implements EditorApi {
   readonly renameRequested = new Signal();
   readonly fileChanged = new Signal();
   readonly plugins: Plugins = new Plugins(this);
-  readonly samples = scenes;
+  readonly samples = samples;
   readonly ready: Promise<void>;
   autosave: DraftKeeper | null = null;
   worksOffline = false;
@@ -155,19 +157,27 @@ export class Editor implements EditorApi {
   private async openFirst(name: string | null): Promise<void> {
     if (name === 'empty') this.show(makeEmptyScene(this.document.assets), { name: null, handle: null });
     else if (name !== null && Object.hasOwn(scenes, name)) await this.openScene(name);
+    else if (name !== null && Object.hasOwn(samples, name)) await this.openSample(name);
     else {
       await this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
       if (name === null) return;
       const text = name.length > 60 ? `${name.slice(0, 60)}…` : name;
       this.notices.show(
         'info',
-        t('There is no scene “{text}”: known are empty, {names}.', { text, names: Object.keys(scenes).join(', ') }),
+        t('There is no scene “{text}”: known are empty, {names}.', { text, names: Object.keys(samples).join(', ') }),
       );
     }
   }
 
-  async openScene(name: string, parameters: Record<string, number> = {}): Promise<void> {
+  async openScene(name: string, parameters: SceneParameters = {}): Promise<void> {
     this.show(await scenes[name].build(parameters, this.libraryForNext()), { name: null, handle: null });
+  }
+
+  async openSample(name: string): Promise<void> {
+    const { file, parameters } = this.samples[name];
+    if (file === null) return this.openScene(name, parameters);
+    const { readSample } = await import('./files/readSample');
+    this.show(await readSample(this, file), { name: null, handle: null });
   }
 
   libraryForNext(): AssetLibrary {
@@ -274,8 +284,13 @@ export class Editor implements EditorApi {
   }
 
   openMicroShader(chunk: string, line = 0): void {
-    this.microShaderPlace.show({ chunk, line });
+    this.microShaderPlace.show({ name: chunk, line });
     this.layout.open('microshaders');
+  }
+
+  openScript(name: string, line = 0): void {
+    this.scriptPlace.show({ name, line });
+    this.layout.open('scripts');
   }
 
   show(scene: Scene, file: OpenFile): void {

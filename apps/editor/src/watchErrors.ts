@@ -9,6 +9,17 @@ export function watchErrors(editor: EditorApi): void {
   const { document, viewport, log } = editor;
   document.onComponentError = (component, error) => {
     const owner = component.isAttached ? component.gameObject.name : t('no object');
+    const failure = document.scripts.note(component, error);
+    if (failure) {
+      const { component: type, script, line, message } = failure;
+      const text = t(
+        '{component} of {owner} is off until the scene stops, since it threw: {message} ({script}, line {line})',
+        {
+          ...{ component: type, owner, message, script, line },
+        },
+      );
+      return log.add('error', 'script', text, { script, line });
+    }
     log.add(
       'error',
       'component',

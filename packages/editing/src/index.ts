@@ -5,6 +5,7 @@ export { countLabel, namesOf } from './labels';
 
 export type { Command, CommandSelection } from './history/Command';
 export { CommandStack } from './history/CommandStack';
+export type { EditRecorder } from './history/EditRecorder';
 export { Gesture } from './history/Gesture';
 
 export { type FieldDescription, type FieldTarget, type FieldValue, sameValue, type Triple } from './fields/FieldTarget';

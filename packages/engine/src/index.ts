@@ -44,6 +44,7 @@ export type { Vector3Input } from './core/toVector3';
 
 export { ComponentRegistry, type ComponentRegistryOptions } from './core/ComponentRegistry';
 export { builtinComponents } from './components/index';
+export { Animation, type PlayOptions } from './components/Animation';
 export { Animator } from './components/Animator';
 export { AudioListener } from './components/AudioListener';
 export { AudioSource } from './components/AudioSource';
@@ -53,11 +54,20 @@ export { Decal } from './components/Decal';
 export { EventTrigger } from './components/EventTrigger';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
+export { lightShadows, meshShadows } from './components/newShadows';
 export { ModelRenderer } from './components/ModelRenderer';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
 export { Transform } from './core/Transform';
+
+export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animation/ClipData';
+export { ClipPreview } from './animation/ClipPreview';
+export { clipText } from './animation/clipText';
+export { cubicBezier } from './animation/cubicBezier';
+export { ClipError, parseClip } from './animation/parseClip';
+export { objectAtPath, pathBelow, trackTarget, type TrackTarget } from './animation/trackTarget';
+export { valueAt } from './animation/valueAt';
 
 export type { Asset, AssetChange, AssetFile, MaterialUser, TakenAsset } from './assets/Asset';
 export { AssetError } from './assets/AssetError';
@@ -71,6 +81,7 @@ export {
 } from './components/objectsOfModel';
 export { ClipAsset } from './assets/ClipAsset';
 export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
+export { ModelClip } from './assets/ModelClip';
 export { MaterialAsset } from './assets/MaterialAsset';
 export { ScriptAsset } from './assets/ScriptAsset';
 export { Sound } from './assets/Sound';

@@ -62,7 +62,9 @@ export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: bo
 
 /** A text field gives its value when it loses the focus: what was typed shall count before the action does. */
 function takeOverField(target: EventTarget | null): void {
-  if (!(target instanceof HTMLInputElement) || ['checkbox', 'radio'].includes(target.type)) return;
+  if (!(target instanceof HTMLElement)) return;
+  const isInput = target instanceof HTMLInputElement && !['checkbox', 'radio'].includes(target.type);
+  if (!isInput && !target.isContentEditable) return;
   target.blur();
   target.focus();
 }

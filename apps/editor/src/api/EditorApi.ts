@@ -2,17 +2,18 @@ import type { Command, CommandStack, Signal } from '@farol/editing';
 import type { ComponentRegistry, Scene } from '@farol/engine';
 import type { CustomField } from '@farol/engine/fields';
 import type { UnpackQuestion } from '@farol/engine/files';
-import type { SceneDefinition } from '@farol/engine/scenes';
+import type { SceneParameters } from '@farol/engine/scenes';
+import type { Sample } from './Sample';
 import type { ComponentType } from 'react';
 import type { PanelLayout } from '../layout/PanelLayout';
 import type { PanelRegistry } from '../layout/PanelRegistry';
 import type { MicroShaderEditing } from '../microshaders/MicroShaderEditing';
-import type { PlaceToShow } from '../microshaders/PlaceToShow';
 import type { Clipboard } from '../model/Clipboard';
 import type { ConsoleLog } from '../model/ConsoleLog';
 import type { Dialogs } from '../model/Dialogs';
 import type { Drafts } from '../model/Drafts';
 import type { EditorDocument } from '../model/EditorDocument';
+import type { PlaceToShow } from '../model/PlaceToShow';
 import type { Notices } from '../model/Notices';
 import type { RecentFiles } from '../model/RecentFiles';
 import type { Registry } from '../model/Registry';
@@ -60,6 +61,8 @@ export interface EditorApi {
   readonly microShaders: MicroShaderEditing;
   /** What the Microshaders panel shows. */
   readonly microShaderPlace: PlaceToShow;
+  /** What the Scripts panel shows. */
+  readonly scriptPlace: PlaceToShow;
   readonly dialogs: Dialogs;
   readonly clipboard: Clipboard;
   /** What is open over the picture, such as copies that are being arranged. */
@@ -92,8 +95,8 @@ export interface EditorApi {
   readonly renameRequested: Signal;
   /** Emits when another file, or another scene, is edited. */
   readonly fileChanged: Signal;
-  /** The engine's scenes, by name. */
-  readonly samples: Readonly<Record<string, SceneDefinition>>;
+  /** Scenes to begin with, by name. */
+  readonly samples: Readonly<Record<string, Sample>>;
   /** Fulfilled when the first scene is loaded and drawn. */
   readonly ready: Promise<void>;
   /** Stores changes; null until it has begun, soon after `ready`, and where the browser cannot. */
@@ -109,7 +112,9 @@ export interface EditorApi {
   /** The scene as the text of a file. */
   serialize(): string;
   /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
-  openScene(name: string, parameters?: Record<string, number>): Promise<void>;
+  openScene(name: string, parameters?: SceneParameters): Promise<void>;
+  /** Opens one of `samples`. @throws Error (as a rejection) when it cannot be made or read; the present scene stays */
+  openSample(name: string): Promise<void>;
   /** A library for the scene that comes next: the present one where nothing of the user's is in it, else a new one. */
   libraryForNext(): EditorDocument['assets'];
   /**
@@ -140,6 +145,8 @@ export interface EditorApi {
   removePlugin(name: string): void;
   /** Shows a microshader in its panel, at a line (from 1) if one is given. */
   openMicroShader(chunk: string, line?: number): void;
+  /** Shows a script of the scene in its panel, at a line (from 1) if one is given. */
+  openScript(name: string, line?: number): void;
   /** Edits another scene, with an empty history. */
   show(scene: Scene, file: OpenFile): void;
 }

@@ -1,10 +1,9 @@
 import { type Command, SetFields, t } from '@farol/editing';
-import { GameObject, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { GameObject, meshShadows, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import { instanceRootOf, instantiatePrefab } from '@farol/engine/prefabs';
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
 import { Sequence } from '../model/commands/Sequence';
-import { meshShadows } from '../model/creations';
 import { addObject } from '../model/edits';
 import { canPlacePrefab } from '../model/prefabEdits';
 import { holdsNormals, isEnvironment } from './assetKinds';

@@ -11,6 +11,9 @@ import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
 import { triggers } from './es/triggers';
+import { scripts } from './es/scripts';
+import { samples } from './es/samples';
+import { scriptRuns } from './es/scriptRuns';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
 
@@ -28,6 +31,9 @@ export const es: Texts = {
   ...player,
   ...rendering,
   ...triggers,
+  ...scripts,
+  ...samples,
+  ...scriptRuns,
   ...views,
   ...welcome,
 };

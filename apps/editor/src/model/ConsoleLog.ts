@@ -4,7 +4,12 @@ import { readableText } from './readableText';
 export type ConsoleKind = 'error' | 'warning' | 'info';
 
 /** What a message is about. */
-export type ConsoleSource = 'editor' | 'shader' | 'file' | 'asset' | 'component' | 'picture' | 'plugin' | 'page';
+export type ConsoleSource =
+  'editor' | 'shader' | 'file' | 'asset' | 'component' | 'script' | 'picture' | 'plugin' | 'page';
+
+/** A line (from 1) of a microshader or of a script, by its name. */
+export type ConsolePlace =
+  { readonly chunk: string; readonly line: number } | { readonly script: string; readonly line: number };
 
 export interface ConsoleEntry {
   readonly id: number;
@@ -15,8 +20,8 @@ export interface ConsoleEntry {
   readonly count: number;
   /** When it was said last (ms since 1970). */
   readonly time: number;
-  /** The microshader and the line (from 1) that it is about. */
-  readonly place?: { readonly chunk: string; readonly line: number };
+  /** The microshader or the script that it is about, and the line (from 1). */
+  readonly place?: ConsolePlace;
 }
 
 /** Messages that are kept; the oldest go first. */
@@ -40,7 +45,7 @@ export class ConsoleLog {
   }
 
   /** Says something. What was said before is said again at the end, and counted. */
-  add(kind: ConsoleKind, source: ConsoleSource, message: string, place?: ConsoleEntry['place']): void {
+  add(kind: ConsoleKind, source: ConsoleSource, message: string, place?: ConsolePlace): void {
     const text = readableText(message);
     const isSame = (entry: ConsoleEntry): boolean =>
       entry.kind === kind && entry.source === source && entry.text === text;

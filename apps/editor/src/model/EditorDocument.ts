@@ -2,13 +2,14 @@ import { type Command, CommandStack, Selection as AssetSelection, Signal, t } fr
 import {
   AssetLibrary,
   type Component,
-  type ComponentRegistry,
+  ComponentRegistry,
   type GameObject,
   Scene,
   type SceneChange,
 } from '@farol/engine';
 import type { FieldOwner } from '@farol/engine/fields';
 import { serialize } from '@farol/engine/files';
+import { DocumentScripts } from './DocumentScripts';
 import { PlayEdits } from './PlayEdits';
 import { Selection } from './Selection';
 import { Simulation } from './Simulation';
@@ -23,6 +24,8 @@ export class EditorDocument {
   /** What was edited while the scene played. */
   readonly playEdits = new PlayEdits(this);
   readonly simulation = new Simulation(() => this.scene, this.playEdits);
+  /** The scripts of the scene: whether they run, and what is wrong with them. */
+  readonly scripts: DocumentScripts;
   /** Emits after every edit, whatever it was, previews included. */
   readonly edited = new Signal();
   /** Emits when objects or components come, go, move, or change their names or whether they are active. */
@@ -44,6 +47,8 @@ export class EditorDocument {
   readonly assetSelection = new AssetSelection<string>();
   /** Emits when a view that is kept with the scene changes. */
   readonly views = new Signal();
+  /** Emits when a preview of a clip, while the scene stands still, shows other values than before. */
+  readonly previewed = new Signal();
   /** Emits when a microshader of the scene changes. */
   readonly microShaders = new Signal();
   /** Takes what a component throws while it is simulated. */
@@ -54,15 +59,22 @@ export class EditorDocument {
   private endAssets: () => void = () => {};
   private readonly ownerSignals = new WeakMap<FieldOwner, Signal>();
 
-  /** @param registry - types of components that every scene of the document shall know; each scene's own when absent */
+  /**
+   * @param registry - types of components that every scene of the document shall know; each scene's own when absent
+   * @param scripts - how scripts run; in the page when absent
+   */
   constructor(
     assets: AssetLibrary = new AssetLibrary(),
     private readonly registry?: ComponentRegistry,
+    scripts = new DocumentScripts(),
   ) {
+    this.scripts = scripts;
     this.current = new Scene({ name: t('Untitled'), assets, registry });
     this.watchAssets();
     this.unsubscribe = this.watch(this.current);
     this.selection.onSet = () => this.assetSelection.clear();
+    this.openScripts(true);
+    this.simulation.changed.subscribe(() => this.simulation.state === 'stopped' || this.scripts.forgetFailures());
   }
 
   get scene(): Scene {
@@ -79,14 +91,19 @@ export class EditorDocument {
     return this.selection.ids.flatMap((id) => this.scene.findById(id) ?? []);
   }
 
-  /** Shows another scene, with an empty history. The one before is disposed. */
-  open(scene: Scene): void {
+  /**
+   * Shows another scene, with an empty history. The one before is disposed.
+   * @param runsScripts - whether its scripts run; a scene of somebody else's has them off until the user says so
+   */
+  open(scene: Scene, runsScripts = true): void {
     const before = this.current;
+    this.scripts.close();
     this.commands.clear();
     this.unsubscribe();
     this.current = scene;
     if (this.registry) scene.registry = this.registry;
     this.unsubscribe = this.watch(scene);
+    this.openScripts(runsScripts);
     this.simulation.restart();
     this.selection.clear();
     this.assetSelection.clear();
@@ -140,6 +157,16 @@ export class EditorDocument {
   private watch(scene: Scene): () => void {
     scene.onComponentError = (component, error) => this.onComponentError(component, error);
     return scene.onChange((change) => this.sceneChanged(change));
+  }
+
+  private openScripts(isOn: boolean): void {
+    const { current: scene } = this;
+    // classes of scripts are those of one scene: they are in no registry that others share
+    if (!this.registry)
+      scene.registry = new ComponentRegistry(scene.registry.types.values(), {
+        keepUnknown: scene.registry.keepsUnknown,
+      });
+    this.scripts.open(scene, scene.registry, isOn);
   }
 
   private watchAssets(): void {

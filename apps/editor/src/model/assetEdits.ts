@@ -1,5 +1,12 @@
 import { type Command, type FieldEdit, SetFields, t, tCount } from '@farol/editing';
-import { type AssetLibrary, AssetError, type ObjectRenderer, type Scene, type TakenAsset } from '@farol/engine';
+import {
+  type AssetLibrary,
+  AssetError,
+  type FieldAssetType,
+  type ObjectRenderer,
+  type Scene,
+  type TakenAsset,
+} from '@farol/engine';
 import { type FieldValue, materialAssetFields, sameValue } from '@farol/engine/fields';
 import { canRename, endingOf, freeAssetName, joinName, splitName } from './assetNames';
 import { AddAssets } from './commands/AddAssets';
@@ -11,10 +18,10 @@ import { SetFolder } from './commands/SetFolder';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** A new material that is not in the library yet. */
-function newMaterial(assets: AssetLibrary, name: string, values: Values): TakenAsset {
+/** A new asset that is made of fields, not in the library yet. */
+export function newFieldAsset(assets: AssetLibrary, type: FieldAssetType, name: string, values: Values): TakenAsset {
   const free = freeAssetName(assets, name);
-  assets.addMaterial(free, values);
+  assets.addFieldAsset(type, free, values);
   return assets.take(free);
 }
 
@@ -26,7 +33,7 @@ export function addMaterial(
   users: readonly ObjectRenderer[] = [],
 ): { command: Command; name: string } {
   const { assets } = scene;
-  const made = newMaterial(assets, name, values);
+  const made = newFieldAsset(assets, 'material', name, values);
   const label = t('Made material {name}', { name: made.name });
   const edits = users.flatMap((owner): FieldEdit[] => [
     { owner, name: 'shader', value: null },

@@ -1,5 +1,15 @@
 import { t } from '@farol/editing';
-import { Camera, type ComponentClass, Decal, GameObject, Light, ObjectRenderer, type Scene } from '@farol/engine';
+import {
+  Camera,
+  type ComponentClass,
+  Decal,
+  GameObject,
+  Light,
+  lightShadows,
+  meshShadows,
+  ObjectRenderer,
+  type Scene,
+} from '@farol/engine';
 import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
 
 type Values = Readonly<Record<string, FieldValue>>;
@@ -18,21 +28,13 @@ export interface Creation {
 /** Sizes of meshes that would be too small at 1 m. */
 const scales: Readonly<Record<string, Vector3Tuple>> = { plane: [10, 1, 10] };
 
-/** What new meshes are like: as in other editors they throw shadows, and shadows fall on them. */
-export const meshShadows = { castShadow: true, receiveShadow: true } as const;
-
-/** Shadows with soft edges. @param size - of the shadow map (texels) */
-function softShadow(size: number): Values {
-  return { shadowMapSize: size, shadowRadius: 2 };
-}
-
 /** What new lights are like, so that they are seen at once among others. */
 const lightValues: Readonly<Record<string, Values>> = {
   ambient: { intensity: 0.3 },
   hemisphere: { intensity: 0.6 },
-  directional: { intensity: 1.5, castShadow: true, ...softShadow(2048) },
-  point: { intensity: 12, range: 10, ...softShadow(512) },
-  spot: { intensity: 30, range: 15, castShadow: true, ...softShadow(1024) },
+  directional: { intensity: 1.5, ...lightShadows.directional },
+  point: { intensity: 12, range: 10, ...lightShadows.point },
+  spot: { intensity: 30, range: 15, ...lightShadows.spot },
 };
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);

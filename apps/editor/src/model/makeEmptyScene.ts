@@ -1,8 +1,5 @@
 import { t } from '@farol/editing';
-import { type AssetLibrary, Camera, GameObject, Light, Scene } from '@farol/engine';
-
-/** Soft and steady: a shadow map of 2 cm a texel. */
-const sunShadow = { castShadow: true, shadowMapSize: 2048, shadowRadius: 2 } as const;
+import { type AssetLibrary, Camera, GameObject, Light, lightShadows, Scene } from '@farol/engine';
 
 /** A scene to begin with: a camera, a sun and a sky. */
 export function makeEmptyScene(assets: AssetLibrary): Scene {
@@ -11,7 +8,7 @@ export function makeEmptyScene(assets: AssetLibrary): Scene {
   camera.addComponent(Camera);
   camera.transform.lookAt([4, 3, 6], [0, 0.5, 0]);
   const sun = new GameObject(t('Sun'));
-  sun.addComponent(Light, { type: 'directional', intensity: 2, ...sunShadow });
+  sun.addComponent(Light, { type: 'directional', intensity: 2, ...lightShadows.directional });
   sun.transform.lookAt([6, 8, 4], [0, 0, 0]);
   const sky = new GameObject(t('Sky'));
   sky.addComponent(Light, { type: 'hemisphere', intensity: 0.4 });

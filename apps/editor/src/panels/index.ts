@@ -52,6 +52,13 @@ export const panels: readonly Panel[] = [
     load: () => import('./console/ConsolePanel').then(({ ConsolePanel }) => ConsolePanel),
   },
   {
+    id: 'scripts',
+    title: 'Scripts',
+    icon: 'code',
+    place: 'bottom',
+    load: () => import('./scripts/ScriptsPanel').then(({ ScriptsPanel }) => ScriptsPanel),
+  },
+  {
     id: 'microshaders',
     title: 'Microshaders',
     icon: 'code',

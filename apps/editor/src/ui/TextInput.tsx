@@ -47,6 +47,7 @@ export function TextInput({ value, label, description, disabled, onCommit }: Tex
       autoComplete="off"
       spellCheck={false}
       onChange={(event) => setDraft(event.target.value)}
+      onFocus={(event) => event.currentTarget.select()}
       onBlur={commit}
       onKeyDown={keyDown}
     />

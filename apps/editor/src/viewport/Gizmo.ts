@@ -9,6 +9,7 @@ import {
   roundPose,
   SetFields,
   TransformDrag,
+  type Triple,
 } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
 import { type Camera, Euler, MathUtils, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
@@ -37,15 +38,15 @@ export interface SnapSteps {
 const euler = new Euler();
 const middle = new Vector3();
 
-/** Where an object is by what was authored, whatever simulation has done to it since. */
-function startOf({ transform, object3D }: GameObject): DragStart {
+/** Where an edit of an object begins: by what was authored, whatever simulation has done to it since, unless it is recorded. */
+function startOf({ object3D }: GameObject, values: PoseValues): DragStart {
   const parent = object3D.parent ?? object3D;
   parent.updateWorldMatrix(true, false);
-  const [x, y, z] = transform.getAuthored('rotation') as [number, number, number];
+  const [x, y, z] = values.rotation;
   return {
-    position: new Vector3(...(transform.getAuthored('position') as [number, number, number])),
+    position: new Vector3(...values.position),
     quaternion: new Quaternion().setFromEuler(euler.set(x, y, z, 'XYZ')),
-    scale: new Vector3(...(transform.getAuthored('scale') as [number, number, number])),
+    scale: new Vector3(...values.scale),
     parentWorld: parent.matrixWorld,
   };
 }
@@ -279,9 +280,17 @@ export class Gizmo {
     if (objects.length === 0) return; // locked since the last picture
     this.placeProxy(objects);
     this.dragged = objects;
-    this.before = objects.map(({ transform }) => transform.authoredValues() as unknown as PoseValues);
-    this.transform = new TransformDrag(this.proxy, objects.map(startOf));
-    this.gesture = this.document.commands.begin();
+    const { commands } = this.document;
+    this.gesture = commands.begin();
+    this.before = objects.map(({ transform }) => ({
+      position: commands.valueOf(transform, 'position') as Triple,
+      rotation: commands.valueOf(transform, 'rotation') as Triple,
+      scale: commands.valueOf(transform, 'scale') as Triple,
+    }));
+    this.transform = new TransformDrag(
+      this.proxy,
+      objects.map((object, i) => startOf(object, this.before[i])),
+    );
     const { controls, currentMode: mode, proxy: pivot } = this;
     if (!controls || mode === 'select') return;
     const { camera, axis, space } = controls;

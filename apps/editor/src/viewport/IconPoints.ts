@@ -15,8 +15,12 @@ import fragmentShader from './icons.frag.glsl?raw';
 import vertexShader from './icons.vert.glsl?raw';
 import type { PickHit } from './pick';
 
-/** Size of an icon in CSS pixels. */
+/** Size of an icon (CSS pixels) where there are few. */
 const SIZE = 20;
+/** Icons from which on they become smaller: the picture stays in sight between them. */
+const MANY = 60;
+/** Least size of an icon (CSS pixels). */
+const LEAST = 8;
 
 const kindOf: Readonly<Record<string, number>> = Object.fromEntries(iconKinds.map((kind, i) => [kind, i]));
 const place = new Vector3();
@@ -24,6 +28,8 @@ const place = new Vector3();
 /** Icons for the lights, cameras and decals of a scene, which can be picked though there is nothing to see of them: one draw. */
 export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   private readonly shown: GameObject[] = [];
+  /** Size of an icon (CSS pixels). */
+  private size = SIZE;
 
   constructor() {
     super(
@@ -45,11 +51,13 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   /** Takes over where lights, cameras and decals are now. @param without - a camera that is looked through */
   refresh(scene: Scene, isSelected: (object: GameObject) => boolean, pixelRatio: number, without: Camera | null): void {
     this.shown.length = 0;
-    this.material.uniforms.size.value = SIZE * pixelRatio;
     const lights = scene.componentsOf(Light);
     const cameras = scene.componentsOf(Camera);
     const decals = scene.componentsOf(Decal);
-    this.grow(lights.length + cameras.length + decals.length);
+    const count = lights.length + cameras.length + decals.length;
+    this.size = Math.max(LEAST, SIZE * Math.min(1, Math.sqrt(MANY / Math.max(count, 1))));
+    this.material.uniforms.size.value = this.size * pixelRatio;
+    this.grow(count);
     for (const light of lights) if (light.isActive) this.addIcon(light, isSelected);
     for (const camera of cameras) if (camera.isActive && camera !== without) this.addIcon(camera, isSelected);
     for (const decal of decals) if (decal.isActive) this.addIcon(decal, isSelected);
@@ -65,7 +73,7 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
    */
   pick(camera: ThreeCamera, point: Vector2, width: number, height: number): PickHit | null {
     let nearest: PickHit | null = null;
-    let least = SIZE / 2 + 1;
+    let least = Math.max(this.size, SIZE / 2) / 2 + 1;
     for (const object of this.shown) {
       if (object.lockedInHierarchy) continue;
       place.setFromMatrixPosition(object.object3D.matrixWorld);

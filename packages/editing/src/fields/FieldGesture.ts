@@ -36,7 +36,7 @@ export class FieldGesture<Item = string> {
   /** Shows what the field would be. @throws Error when the value is not allowed; the preview before stays */
   preview<Value extends FieldValue>(update: FieldUpdate<Value>): void {
     if (!this.gesture) {
-      this.before = this.owners.map((owner) => owner.getAuthored(this.name));
+      this.before = this.owners.map((owner) => this.commands.valueOf(owner, this.name));
       this.gesture = this.commands.begin();
     }
     // a gesture that an undo has ended takes nothing more

@@ -1,4 +1,6 @@
+import type { FieldTarget, FieldValue } from '../fields/FieldTarget';
 import type { Command } from './Command';
+import type { EditRecorder } from './EditRecorder';
 import { Gesture } from './Gesture';
 import { Signal } from '../Signal';
 
@@ -6,6 +8,8 @@ import { Signal } from '../Signal';
 export class CommandStack<Item = string> {
   /** Emits when the history changes. */
   readonly changed = new Signal();
+  /** Makes other commands of those that are run and previewed; null for none. */
+  recorder: EditRecorder<Item> | null = null;
 
   private readonly done: Command<Item>[] = [];
   private readonly undone: Command<Item>[] = [];
@@ -60,9 +64,15 @@ export class CommandStack<Item = string> {
     return this.gesture !== null;
   }
 
+  /** The value that an edit of a field begins from: the authored one, unless a recorder has another. */
+  valueOf(owner: FieldTarget, name: string): FieldValue {
+    return this.recorder?.valueOf(owner, name) ?? owner.getAuthored(name);
+  }
+
   /** Does a command as a step of its own. An open gesture is committed first. @throws what the command throws */
-  run(command: Command<Item>): void {
+  run(asked: Command<Item>): void {
     this.gesture?.commit();
+    const command = this.recorder?.begin()(asked) ?? asked;
     if (command.isEmpty) return;
     command.do();
     this.keep(command);
@@ -80,7 +90,7 @@ export class CommandStack<Item = string> {
         this.onApplied(command, true);
       }
       this.changed.emit();
-    });
+    }, this.recorder?.begin());
     this.gesture = gesture;
     return gesture;
   }
@@ -92,7 +102,7 @@ export class CommandStack<Item = string> {
    */
   amend(step: Command<Item>, next: Command<Item>): boolean {
     if (this.gesture || step !== this.last || this.done.length <= this.held) return false;
-    const joined = step.replaceWith?.(next);
+    const joined = step.replaceWith?.(this.recorder?.begin()(next) ?? next);
     if (!joined) return false;
     this.done.pop();
     if (!joined.isEmpty) this.keep(joined);

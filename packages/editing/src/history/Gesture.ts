@@ -8,17 +8,24 @@ export class Gesture<Item = string> {
   private current: Command<Item> | null = null;
   private open = true;
 
-  /** @param finish takes the command of a committed gesture; null when nothing is to be kept */
-  constructor(private readonly finish: (command: Command<Item> | null) => void) {}
+  /**
+   * @param finish takes the command of a committed gesture; null when nothing is to be kept
+   * @param instead gives for each command the one to do in its place; see `EditRecorder`
+   */
+  constructor(
+    private readonly finish: (command: Command<Item> | null) => void,
+    private readonly instead: (command: Command<Item>) => Command<Item> = (command) => command,
+  ) {}
 
   /** False once the gesture was committed or discarded; calls do nothing then. */
   get isOpen(): boolean {
     return this.open;
   }
 
-  /** Does `command` in place of the last preview. @throws what the command throws; the document is then as at the start */
-  preview(command: Command<Item>): void {
+  /** Does a command in place of the last preview. @throws what the command throws; the document is then as at the start */
+  preview(asked: Command<Item>): void {
     if (!this.open) return;
+    const command = this.instead(asked);
     const before = this.current;
     const joined = before?.replaceWith?.(command) ?? null;
     if (joined) {

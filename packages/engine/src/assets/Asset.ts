@@ -2,10 +2,11 @@ import type { BufferGeometry, Material, ShaderMaterial, Texture } from 'three';
 import type { AssetType, FieldValue } from '../fields/Field';
 import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import type { Model } from './Model';
+import type { ModelClip } from './ModelClip';
 import type { Sound } from './Sound';
 
 /** What an asset is in three. A shader is a ShaderMaterial or RawShaderMaterial, used as it is; scripts and clips are data. */
-export type Asset = BufferGeometry | Texture | Material | ShaderMaterial | Model | FieldAsset | Sound;
+export type Asset = BufferGeometry | Texture | Material | ShaderMaterial | Model | ModelClip | FieldAsset | Sound;
 
 /** How an asset comes to be: at once, or after loading. */
 export type AssetSource =
@@ -74,6 +75,7 @@ export function assetTypeOf(asset: Asset): AssetType {
   if ('isModel' in asset) return 'model';
   if ('isFieldAsset' in asset) return asset.type;
   if ('isSound' in asset) return 'sound';
+  if ('isModelClip' in asset) return 'clip';
   if ('isBufferGeometry' in asset) return 'mesh';
   if ('isTexture' in asset) return 'texture';
   return 'isShaderMaterial' in asset ? 'shader' : 'material';

@@ -37,6 +37,7 @@ import { MaterialAsset, type MaterialHost } from './MaterialAsset';
 import { MaterialCache } from './MaterialCache';
 import { MeshNormals } from './MeshNormals';
 import { Model } from './Model';
+import type { ModelClip } from './ModelClip';
 import { modelParts } from './modelParts';
 import { ScriptAsset } from './ScriptAsset';
 import type { Sound } from './Sound';
@@ -513,6 +514,11 @@ export class AssetLibrary implements MaterialHost {
 
   sound(name: string): Sound {
     return this.getAs<Sound>('sound', name);
+  }
+
+  /** A clip of one's own, or one of a model. */
+  clip(name: string): ClipAsset | ModelClip {
+    return this.getAs<ClipAsset | ModelClip>('clip', name);
   }
 
   shader(name: string): Material {

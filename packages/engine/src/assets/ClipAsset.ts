@@ -1,3 +1,6 @@
+import type { ClipData } from '../animation/ClipData';
+import { clipText } from '../animation/clipText';
+import { parseClip } from '../animation/parseClip';
 import { number, string } from '../fields/fields';
 import { DataAsset } from './FieldAsset';
 
@@ -13,4 +16,32 @@ export const clipFields = {
 export class ClipAsset extends DataAsset {
   static readonly fields = clipFields;
   override readonly type = 'clip';
+
+  private parsedText: string | null = null;
+  private parsed: ClipData | null = null;
+
+  /** Seconds. */
+  get duration(): number {
+    return this.get('duration') as number;
+  }
+
+  /** Frames per second that keys snap to. */
+  get frameRate(): number {
+    return this.get('frameRate') as number;
+  }
+
+  /** Its tracks and events: the same object as long as its text is the same. @throws ClipError when the text is none of a clip */
+  get clip(): ClipData {
+    const text = this.get('data') as string;
+    if (!this.parsed || text !== this.parsedText) {
+      this.parsed = parseClip(text, this.name);
+      this.parsedText = text;
+    }
+    return this.parsed;
+  }
+
+  /** Sets tracks and events; an edit. Numbers are rounded as `clipText` does. */
+  setData(clip: ClipData): void {
+    this.set('data', clipText(clip));
+  }
 }

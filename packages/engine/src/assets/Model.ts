@@ -1,14 +1,19 @@
 import type { AnimationClip, BufferGeometry, Material, Object3D, Skeleton, Texture } from 'three';
+import { ModelClip } from './ModelClip';
 
 /** A tree of three objects that was read from a file, with its animations: what a glTF holds. It is never in a scene itself. */
 export class Model {
   readonly isModel = true;
   name = '';
+  /** Its animations as assets. */
+  readonly clips: readonly ModelClip[];
 
   constructor(
     readonly scene: Object3D,
     readonly animations: readonly AnimationClip[] = [],
-  ) {}
+  ) {
+    this.clips = animations.map((clip) => new ModelClip(clip, this));
+  }
 
   /** Gives the GPU memory of everything in it back; what is drawn again is uploaded again. */
   dispose(): void {

@@ -7,6 +7,7 @@ import {
   SpotLight,
   Vector3,
 } from 'three';
+import type { Scene } from '../core/SceneGraph';
 import { component } from '../fields/component';
 import { applyLightFields } from './applyLightFields';
 import { lightFields } from './lightFields';
@@ -21,6 +22,18 @@ const makers: Record<string, () => AnyLight> = {
   point: () => new PointLight(),
   spot: () => new SpotLight(),
 };
+
+const softened = new WeakSet<Scene>();
+
+/** Has the lights of a scene follow its softness of shadows. */
+function followSoftness(scene: Scene): void {
+  if (softened.has(scene)) return;
+  softened.add(scene);
+  scene.onChange((change) => {
+    if (change.kind !== 'settings' || change.field !== 'shadowSoftness') return;
+    for (const light of scene.componentsOf(Light)) light.applyFields();
+  });
+}
 
 /**
  * Lets a GameObject light the scene. It owns a three light below the object's object3D. Directional and spot lights
@@ -70,13 +83,23 @@ export class Light extends component(lightFields) {
     this.dropLight();
   }
 
+  override onEnterScene(scene: Scene): void {
+    followSoftness(scene);
+    if (scene.settings.shadowSoftness !== 1) this.applyFields();
+  }
+
   override onActiveChanged(): void {
     if (this.light) this.light.visible = this.enabled;
   }
 
   override onFieldChanged(name: string): void {
     if (name === 'type') this.makeLight();
-    else applyLightFields(this, this.three);
+    else this.applyFields();
+  }
+
+  /** @internal Writes all fields to the three light. */
+  applyFields(): void {
+    applyLightFields(this, this.three, this.scene?.settings.shadowSoftness);
   }
 
   private makeLight(): void {
@@ -89,7 +112,7 @@ export class Light extends component(lightFields) {
       light.add(light.target);
     }
     this.light = light;
-    applyLightFields(this, light);
+    this.applyFields();
     this.gameObject.object3D.add(light);
   }
 

@@ -7,8 +7,8 @@ import { asset, boolean, number, string } from '../fields/fields';
 
 type Light = ThreeLight & { target?: Object3D };
 
-/** A copy of a model's tree. Lights aim at the copies of what they aim at, which three's own copies do not. */
-function copyOf(source: Object3D): Object3D {
+/** A copy of a model's tree, by what it is a copy of. Lights aim at the copies of what they aim at, which three's own copies do not. */
+function copiesOf(source: Object3D): Map<Object3D, Object3D> {
   const copy = clone(source);
   const copies = new Map<Object3D, Object3D>();
   const lights: [Light, Light][] = [];
@@ -22,7 +22,7 @@ function copyOf(source: Object3D): Object3D {
     const target = from.target && copies.get(from.target);
     if (target) to.target = target;
   }
-  return copy;
+  return copies;
 }
 
 /**
@@ -45,12 +45,23 @@ export class ModelRenderer extends component({
   static override readonly help: string = 'A whole model, such as a glTF, with its animations.';
 
   private inUse: Model | null = null;
+  private copies: ReadonlyMap<Object3D, Object3D> = new Map();
   private copy: Object3D | null = null;
   private mixer: AnimationMixer | null = null;
 
   /** The tree that is drawn, below the GameObject's object3D; null outside a scene and before its asset is loaded. */
   get three(): Object3D | null {
     return this.copy;
+  }
+
+  /** The model that is drawn; null before it is loaded. */
+  get drawnModel(): Model | null {
+    return this.inUse;
+  }
+
+  /** The node of `three` that stands for one of the model's own. */
+  copyOf(node: Object3D): Object3D | null {
+    return this.copies.get(node) ?? null;
   }
 
   /** Names of the animations that the model has. */
@@ -94,7 +105,8 @@ export class ModelRenderer extends component({
     }
     this.inUse = scene.assets.model(name);
     scene.assets.uses.acquire(this.inUse);
-    this.copy = copyOf(this.inUse.scene);
+    this.copies = copiesOf(this.inUse.scene);
+    this.copy = this.copies.get(this.inUse.scene)!;
     this.gameObject.object3D.add(this.copy);
     this.applyFlags();
     this.startAnimation();
@@ -126,6 +138,7 @@ export class ModelRenderer extends component({
     this.mixer = null;
     this.copy?.removeFromParent();
     this.copy = null;
+    this.copies = new Map();
     if (this.inUse) scene.assets.uses.release(this.inUse);
     this.inUse = null;
   }

@@ -38,7 +38,7 @@ function fallOff(values: LightValues): { distance: number; decay: number } {
   return { distance: values.range, decay: values.quadratic > 0 ? 2 : values.linear > 0 ? 1 : 0 };
 }
 
-function applyShadow(values: LightValues, light: DirectionalLight | PointLight | SpotLight): void {
+function applyShadow(values: LightValues, light: DirectionalLight | PointLight | SpotLight, softness: number): void {
   light.castShadow = values.castShadow;
   const { shadow } = light;
   if (shadow.mapSize.x !== values.shadowMapSize) {
@@ -46,7 +46,7 @@ function applyShadow(values: LightValues, light: DirectionalLight | PointLight |
     shadow.map?.dispose();
     shadow.map = null;
   }
-  shadow.radius = values.shadowRadius;
+  shadow.radius = values.shadowRadius * softness;
   shadow.bias = values.shadowBias;
   shadow.normalBias = values.shadowNormalBias;
   if (!(light instanceof DirectionalLight)) return;
@@ -58,8 +58,11 @@ function applyShadow(values: LightValues, light: DirectionalLight | PointLight |
   camera.updateProjectionMatrix();
 }
 
-/** Writes the fields of a Light to the three light of its type. */
-export function applyLightFields(values: LightValues, light: ThreeLight): void {
+/**
+ * Writes the fields of a Light to the three light of its type.
+ * @param softness - factor of `shadowRadius`
+ */
+export function applyLightFields(values: LightValues, light: ThreeLight, softness = 1): void {
   light.color.setRGB(...values.diffuse);
   light.intensity = values.intensity;
   delete light.userData.farol;
@@ -72,5 +75,5 @@ export function applyLightFields(values: LightValues, light: ThreeLight): void {
     light.angle = values.cutoff;
     light.penumbra = values.penumbra;
   }
-  applyShadow(values, light);
+  applyShadow(values, light, softness);
 }

@@ -1,5 +1,6 @@
 import { builtinComponents } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
+import { Animation } from './Animation';
 import { Animator } from './Animator';
 import { AudioListener } from './AudioListener';
 import { AudioSource } from './AudioSource';
@@ -18,6 +19,7 @@ const components = [
   Transform,
   ObjectRenderer,
   ModelRenderer,
+  Animation,
   Animator,
   Light,
   Camera,

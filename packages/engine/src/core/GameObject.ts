@@ -212,9 +212,15 @@ class BaseGameObject implements GameObjectType {
     let receivers = 0;
     for (const component of [...this.componentList]) {
       const method = (component as unknown as Record<string, unknown>)[name];
-      if (typeof method !== 'function') continue;
-      method.apply(component, args);
+      if (typeof method !== 'function' || this.scene?.isSwitchedOff(component)) continue;
       receivers++;
+      const { scene } = this;
+      try {
+        method.apply(component, args);
+      } catch (error) {
+        if (!scene) throw error;
+        scene.reportError(component, error);
+      }
     }
     for (const child of [...this.childList]) receivers += child.callMethod(name, ...args);
     return receivers;

@@ -20,6 +20,7 @@ import type {
 } from './SceneGraph';
 import { SceneIndex } from './SceneIndex';
 import { ScenePointer } from './ScenePointer';
+import { scriptClasses } from './scriptClasses';
 import { SceneMicroShaders } from './SceneMicroShaders';
 import { SceneSystems } from './SceneSystems';
 import { SceneViews } from './SceneViews';
@@ -186,22 +187,27 @@ class BaseScene implements SceneType {
     }
     const updated = this.index.updated.array;
     for (let i = 0; i < updated.length; i++) {
-      if (!updated[i].isActive) continue;
+      const component = updated[i];
+      if (!component.isActive) continue;
       try {
-        updated[i].update(deltaSeconds, this.seconds);
+        component.update(deltaSeconds, this.seconds);
       } catch (error) {
-        this.reportError(updated[i], error);
+        this.reportError(component, error);
       }
+      // the last one comes to the place of one that is switched off or leaves
+      if (updated[i] !== component) i--;
     }
     this.systems.update(deltaSeconds, this.seconds);
     const late = this.index.late.array;
     for (let i = 0; i < late.length; i++) {
-      if (!late[i].isActive) continue;
+      const component = late[i];
+      if (!component.isActive) continue;
       try {
-        late[i].lateUpdate!(deltaSeconds, this.seconds);
+        component.lateUpdate!(deltaSeconds, this.seconds);
       } catch (error) {
-        this.reportError(late[i], error);
+        this.reportError(component, error);
       }
+      if (late[i] !== component) i--;
     }
   }
 
@@ -209,7 +215,12 @@ class BaseScene implements SceneType {
     return this.systems.get(type);
   }
 
+  isSwitchedOff(component: Component): boolean {
+    return this.index.switchedOff.has(component);
+  }
+
   reportError(component: Component, error: unknown): void {
+    if (scriptClasses.has(component.componentClass)) this.index.switchOff(component);
     if (!this.onComponentError) throw error;
     this.onComponentError(component, error);
   }
@@ -230,6 +241,7 @@ class BaseScene implements SceneType {
   reset(): void {
     this.pointer.reset();
     for (const component of [...this.index.started.array]) this.destroyed(component);
+    this.index.switchOn();
     this.systems.reset();
     for (const component of this.simulatedOnes) component.endSimulation();
     this.simulatedOnes.clear();
@@ -287,6 +299,7 @@ class BaseScene implements SceneType {
       } catch (error) {
         this.reportError(component, error);
       }
+      if (components[i] !== component) i--;
     }
     this.pointer.take(event);
   }
@@ -306,6 +319,7 @@ class BaseScene implements SceneType {
       } catch (error) {
         this.reportError(component, error);
       }
+      if (components[i] !== component) i--;
     }
   }
 

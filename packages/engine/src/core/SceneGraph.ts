@@ -349,7 +349,8 @@ export type SceneChange =
       readonly property: 'name' | 'active' | 'locked' | 'tags' | 'prefab';
     }
   | {
-      readonly kind: 'component-add' | 'component-remove' | 'component-move';
+      /** `component-class`: the component has become one of another class, by a script that was edited. */
+      readonly kind: 'component-add' | 'component-remove' | 'component-move' | 'component-class';
       readonly gameObject: GameObject;
       readonly component: Component;
     }
@@ -456,7 +457,12 @@ export interface Scene extends GameObjectContainer {
   /** The system of a class, made when it is first asked for: see `SceneSystem`. */
   system<T extends SceneSystem>(type: SceneSystemClass<T>): T;
   /**
-   * Tells of something that a component threw: to `onComponentError`.
+   * Whether a component of a script is left alone since it threw: it is not called until it is changed, or the scene is reset.
+   * Its `enabled` stays as it is.
+   */
+  isSwitchedOff(component: Component): boolean;
+  /**
+   * Tells of something that a component threw: to `onComponentError`. A component of a script is switched off.
    * @throws what it was given while that is null
    */
   reportError(component: Component, error: unknown): void;

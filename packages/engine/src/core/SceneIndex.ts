@@ -39,6 +39,9 @@ export class SceneIndex {
   /** Components with a key method. */
   readonly keyed = new IndexedList<Component>();
 
+  /** Components that are left alone since they threw. */
+  readonly switchedOff = new Set<Component>();
+
   /** Lists of the classes and type names that were asked for. */
   private readonly byType = new Map<ComponentClass | string, IndexedList<Component>>();
   private readonly effectUsers = new Map<RequiredEffect, number>();
@@ -58,29 +61,51 @@ export class SceneIndex {
     this.componentsById.set(component.id, component);
     for (const [type, list] of this.byType) if (isOf(component, type)) list.add(component);
     if (isCameraComponent(component)) this.cameras.add(component);
-    if (component.update !== Component.prototype.update) this.updated.add(component);
-    if (component.lateUpdate) this.late.add(component);
+    this.addToCalls(component);
     if (component.start || component.onDestroy) this.waiting.add(component);
-    if (component.onKeyDown || component.onKeyUp) this.keyed.add(component);
-    if (component.onPointerDown || component.onPointerMove || component.onPointerUp || component.onPointerWheel) {
-      this.pointed.add(component);
-    }
-    if (takesObjectPointer(component)) this.pointable.add(component);
     this.countEffect(component.componentClass.effect, 1);
+  }
+
+  /** Leaves a component alone until `switchOn`. */
+  switchOff(component: Component): void {
+    if (this.componentsById.get(component.id) !== component) return;
+    this.switchedOff.add(component);
+    this.removeFromCalls(component);
+  }
+
+  /** Has every component called again. */
+  switchOn(): void {
+    for (const component of this.switchedOff) this.addToCalls(component);
+    this.switchedOff.clear();
   }
 
   removeComponent(component: Component): void {
     this.componentsById.delete(component.id);
     for (const list of this.byType.values()) list.remove(component);
     if (isCameraComponent(component)) this.cameras.remove(component);
-    this.updated.remove(component);
-    this.late.remove(component);
+    this.switchedOff.delete(component);
+    this.removeFromCalls(component);
     this.waiting.remove(component);
     this.started.remove(component);
+    this.countEffect(component.componentClass.effect, -1);
+  }
+
+  private addToCalls(component: Component): void {
+    if (component.update !== Component.prototype.update) this.updated.add(component);
+    if (component.lateUpdate) this.late.add(component);
+    if (component.onKeyDown || component.onKeyUp) this.keyed.add(component);
+    if (component.onPointerDown || component.onPointerMove || component.onPointerUp || component.onPointerWheel) {
+      this.pointed.add(component);
+    }
+    if (takesObjectPointer(component)) this.pointable.add(component);
+  }
+
+  private removeFromCalls(component: Component): void {
+    this.updated.remove(component);
+    this.late.remove(component);
     this.pointed.remove(component);
     this.pointable.remove(component);
     this.keyed.remove(component);
-    this.countEffect(component.componentClass.effect, -1);
   }
 
   private countEffect(effect: RequiredEffect | null, change: 1 | -1): void {

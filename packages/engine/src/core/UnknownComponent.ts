@@ -1,5 +1,5 @@
 import { Component } from './Component';
-import type { ComponentData } from './SceneGraph';
+import type { ComponentClass, ComponentData } from './SceneGraph';
 import type { CustomField, FieldTable, FieldType, FieldValue } from '../fields/Field';
 
 /** A value of a field whose declaration is not known. */
@@ -13,8 +13,8 @@ export abstract class UnknownComponent extends Component {
   static override readonly help: string = 'What brings this component is not here: its data are kept as they are.';
 }
 
-/** A component on no object, which holds the data of a class that is not known. */
-export function makeUnknownComponent({ type, version, values }: ComponentData): UnknownComponent {
+/** The class of a component that holds the data of a class that is not known. */
+export function unknownClass({ type, version, values }: ComponentData): ComponentClass<UnknownComponent> {
   // no default: whatever the value is, it is saved
   const fieldOf = (): CustomField => ({
     kind: 'custom',
@@ -29,7 +29,12 @@ export function makeUnknownComponent({ type, version, values }: ComponentData): 
     static override readonly version = version;
     static override readonly fields = table;
   }
-  const component = new Unknown();
-  for (const name of Object.keys(values)) component.set(name, values[name]);
+  return Unknown;
+}
+
+/** A component on no object, which holds the data of a class that is not known. */
+export function makeUnknownComponent(data: ComponentData): UnknownComponent {
+  const component = new (unknownClass(data))();
+  for (const name of Object.keys(data.values)) component.set(name, data.values[name]);
   return component;
 }

@@ -45,12 +45,40 @@ export interface FieldOwner {
   set(name: string, value: FieldValue): void;
 }
 
+/** What the next owner that is constructed is made of: see `remake`. */
+let remade: object | null = null;
+
+/**
+ * Makes an owner anew as one of a class, in its place: the same object, all that it was is gone. The constructor of the class
+ * runs for it, as for a new one.
+ * @throws what the constructor throws
+ */
+export function remake(owner: FieldOwner, type: new () => FieldOwner): void {
+  remade = owner;
+  try {
+    new type();
+  } finally {
+    remade = null;
+  }
+}
+
 /** Keeps the values of fields, and checks them. */
 export abstract class BaseFieldOwner implements FieldOwner {
-  private readonly values: Record<string, FieldValue> = Object.create(null);
+  private values!: Record<string, FieldValue>;
 
   constructor() {
-    for (const name in this.fields) this.values[name] = own(this.fields[name].default);
+    const owner = (remade as this | null) ?? this;
+    if (owner !== this) {
+      // others that its constructor makes are new
+      remade = null;
+      for (const key of Reflect.ownKeys(owner)) Reflect.deleteProperty(owner, key);
+      Object.setPrototypeOf(owner, new.target.prototype as object);
+    }
+    const values: Record<string, FieldValue> = Object.create(null);
+    for (const name in owner.fields) values[name] = own(owner.fields[name].default);
+    owner.values = values;
+    // what a constructor returns is what those of derived classes work on
+    return owner;
   }
 
   get fields(): FieldTable {

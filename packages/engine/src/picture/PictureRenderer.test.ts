@@ -1,7 +1,8 @@
 import type { FarolEffect, FarolRenderer } from '@farol/renderer';
-import { Color, NoToneMapping, ReinhardToneMapping, type Vector4 } from 'three';
+import { Color, NoToneMapping, PCFShadowMap, ReinhardToneMapping, type Vector4, VSMShadowMap } from 'three';
 import { beforeAll, expect, test, vi } from 'vitest';
 import { Camera } from '../components/Camera';
+import { Light } from '../components/Light';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { deserialize } from '../files/deserialize';
@@ -21,10 +22,12 @@ function makeFarol(...passes: string[]) {
     getContextAttributes: () => ({ antialias: true }),
     getCurrentViewport: (viewport: Vector4) => viewport.set(0, 0, 4, 4),
     extensions: { has: () => true },
+    shadowMap: { enabled: true, type: PCFShadowMap as number },
   };
   const farol = {
     webgl,
     view: 'final',
+    shadowCascades: 1,
     technique: 'auto',
     effects: [] as FarolEffect[],
     info: { technique: '', passes: passes.map((name) => ({ name })) },
@@ -156,6 +159,33 @@ test('a technique that cannot occlude goes without, and effects of plugins come 
   effects.addedChanged();
   expect(names(farol)).toEqual([]);
   expect(dispose).toHaveBeenCalledTimes(1);
+});
+
+test('kind, cascades and softness of shadows are those of the scene, also after it was saved and opened again', async () => {
+  const scene = new Scene();
+  Object.assign(scene.settings, { shadowKind: 'variance', shadowCascades: 3, shadowSoftness: 2 });
+  const lamp = new GameObject('Lamp');
+  lamp.addComponent(Light, { castShadow: true, shadowRadius: 1.5 });
+  scene.add(lamp);
+  const again = await reopened(scene);
+  const farol = makeFarol('opaque');
+  const { shadowMap } = farol.webgl;
+  const picture = new PictureRenderer(farol, { failed });
+  const look = (of: Scene): unknown[] => {
+    picture.render(of, {} as never);
+    return [shadowMap.enabled, shadowMap.type, farol.shadowCascades];
+  };
+  expect(look(again)).toEqual([true, VSMShadowMap, 3]);
+  const [light] = again.componentsOf(Light);
+  const radius = (): number | undefined => (light.three as { shadow?: { radius: number } }).shadow?.radius;
+  expect(radius()).toBe(3);
+  again.settings.shadowSoftness = 0.5;
+  expect(radius()).toBe(0.75);
+  light.shadowRadius = 4;
+  expect(radius()).toBe(2);
+  again.settings.shadowKind = 'none';
+  expect(look(again)[0]).toBe(false);
+  expect(look(new Scene())).toEqual([true, PCFShadowMap, 1]);
 });
 
 test('a camera has the focus of the scene, none, or its own', () => {

@@ -5,6 +5,7 @@ import type { CameraComponent, Scene } from '../core/SceneGraph';
 import type { PictureChain } from './chain/PictureChain';
 import { PictureEffects } from './PictureEffects';
 import { PictureLook } from './PictureLook';
+import { PictureShadows } from './PictureShadows';
 
 type PictureCode = typeof import('./chain');
 
@@ -42,6 +43,7 @@ export class PictureRenderer {
   private readonly failed: (error: unknown) => void;
   private readonly followsRendering: boolean;
   private readonly look = new PictureLook();
+  private readonly shadows: PictureShadows;
   private readonly viewport = new Vector4();
   private tones = 0;
   private technique = 'auto';
@@ -59,6 +61,7 @@ export class PictureRenderer {
     this.failed = options.failed ?? ((error) => console.error((error as Error).message));
     this.followsRendering = options.followsRendering ?? true;
     this.effects = new PictureEffects(farol, this.redraw, this.failed);
+    this.shadows = new PictureShadows(farol);
   }
 
   /**
@@ -102,7 +105,7 @@ export class PictureRenderer {
     this.effects.dispose();
   }
 
-  /** Brings the renderer up to what the scene asks for: technique, effects, sky. */
+  /** Brings the renderer up to what the scene asks for: technique, effects, shadows, sky. */
   follow(scene: Scene): void {
     const { farol } = this;
     const { settings } = scene;
@@ -114,6 +117,7 @@ export class PictureRenderer {
     }
     if (!this.followsRendering) return;
     if (settings.technique !== this.technique) this.take(settings.technique);
+    this.shadows.follow(settings);
     this.effects.update(settings);
   }
 

@@ -242,6 +242,30 @@ export const vignetteFields = {
   }),
 };
 
+export const shadowFields = {
+  shadowKind: choice('soft', ['none', 'hard', 'soft', 'variance'], {
+    help: 'How shadows are drawn. Variance blurs them widely, but not those of point lights, and light may leak through.',
+    label: 'Shadows',
+    optionLabels: { none: 'Off', hard: 'Hard', soft: 'Soft (PCF)', variance: 'Variance (VSM)' },
+  }),
+  shadowSoftness: number(1, {
+    min: 0,
+    max: 10,
+    step: 0.1,
+    help: 'Factor of the softness of every light’s shadows.',
+    label: 'Softness',
+    ...when('shadowKind', 'soft', 'variance'),
+  }),
+  shadowCascades: number(1, {
+    min: 1,
+    max: 4,
+    integer: true,
+    help: 'Shadow maps of each directional light: each one more is finer near the camera.',
+    label: 'Cascades',
+    ...when('shadowKind', 'hard', 'soft'),
+  }),
+};
+
 export const renderingFields = {
   technique: custom(techniqueType, 'auto', { help: 'By what the scene is drawn; "Automatic" picks what is fastest.' }),
   antialiasing: choice('auto', ['auto', 'none', 'smaa', 'edges', 'taa'], {
@@ -295,5 +319,6 @@ export const pictureFields = {
   ...depthOfFieldFields,
   ...gradingFields,
   ...vignetteFields,
+  ...shadowFields,
   ...renderingFields,
 };

@@ -6,6 +6,7 @@ import { Camera } from '../components/Camera';
 import { KeyController } from '../components/KeyController';
 import { Light } from '../components/Light';
 import { MouseController } from '../components/MouseController';
+import { lightShadows, meshShadows } from '../components/newShadows';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { RandomMovement } from '../components/RandomMovement';
 import type { FieldValue, Vector3Tuple } from '../fields/Field';
@@ -42,9 +43,12 @@ export class SceneBuilder {
 
   private readonly counts = new Map<string, number>();
   private readonly seed: number;
+  /** Whether meshes and lights throw shadows. */
+  private readonly shadows: boolean;
 
   constructor(name: string, options: SceneBuildOptions = {}) {
     this.seed = options.seed ?? 1;
+    this.shadows = options.shadows ?? false;
     this.scene = new Scene({ name, assets: options.assets });
     this.random = createRandom(this.seed);
   }
@@ -66,7 +70,7 @@ export class SceneBuilder {
   }
 
   mesh(name: string, mesh: string, values: Values, place: Placement = {}): GameObject {
-    return this.object(name, place, [ObjectRenderer, { mesh, ...values }]);
+    return this.object(name, place, [ObjectRenderer, { mesh, ...(this.shadows && meshShadows), ...values }]);
   }
 
   /** The camera, with thesis controllers: W, A, S, D, E, Q and dragging. */
@@ -78,7 +82,9 @@ export class SceneBuilder {
 
   /** A light that shines from `position` to `target`. */
   light(name: string, values: Values, position: Vector3Tuple, target?: Vector3Tuple, parent?: GameObject): GameObject {
-    const light = this.object(name, { position, parent }, [Light, values]);
+    const { type } = values;
+    const casts = this.shadows && (type === 'directional' || type === 'spot');
+    const light = this.object(name, { position, parent }, [Light, { ...(casts && lightShadows[type]), ...values }]);
     if (target) light.transform.lookAt(position, target);
     return light;
   }

@@ -10,6 +10,8 @@ export interface SceneBuildOptions {
   assets?: AssetLibrary;
   /** Another seed, other places and colours; 1 when absent. */
   seed?: number;
+  /** Meshes throw and receive shadows; directional lights, spot lights and a few point lights throw them. None when absent. */
+  shadows?: boolean;
 }
 
 export type SceneParameters = Readonly<Record<string, FieldValue>>;
@@ -21,6 +23,8 @@ export interface SceneDefinition {
   readonly label: string;
   readonly help: string;
   readonly parameters: FieldTable;
+  /** Values of parameters with which an editor shows it as a sample. */
+  readonly sample: SceneParameters;
   /**
    * Makes the scene; the same one for the same parameters.
    * @param params - values of the parameters; the default for those that are absent
@@ -35,9 +39,10 @@ export function defineScene<const F extends FieldTable>(definition: {
   label: string;
   help: string;
   parameters: F;
+  sample: SceneParameters;
   make(get: <K extends keyof F & string>(name: K) => FieldValue, assets?: AssetLibrary): Promise<Scene>;
 }): SceneDefinition {
-  const { name, label, help, parameters, make } = definition;
+  const { name, label, help, parameters, sample, make } = definition;
   const build = async (params: SceneParameters = {}, assets?: AssetLibrary): Promise<Scene> => {
     for (const key of Object.keys(params)) {
       const problem = Object.hasOwn(parameters, key)
@@ -47,5 +52,5 @@ export function defineScene<const F extends FieldTable>(definition: {
     }
     return make((key) => params[key] ?? parameters[key].default, assets);
   };
-  return { name, label, help, parameters, build };
+  return { name, label, help, parameters, sample, build };
 }

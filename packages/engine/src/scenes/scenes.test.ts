@@ -86,6 +86,21 @@ describe.each(Object.keys(few))('%s', (name) => {
     scene.dispose();
   });
 
+  test('has shadows when it is a sample, at most a few by point lights, and none otherwise', async () => {
+    const { build, sample } = scenes[name];
+    const [plain, shown] = await Promise.all([build(few[name], shared), build({ ...few[name], ...sample }, shared)]);
+    const casters = (scene: Scene): Light[] => scene.componentsOf(Light).filter(({ castShadow }) => castShadow);
+    expect(casters(plain)).toEqual([]);
+    const lights = shown.componentsOf(Light).filter(({ type }) => type === 'directional' || type === 'spot');
+    expect(casters(shown)).toEqual(expect.arrayContaining(lights));
+    expect(casters(shown).length).toBeGreaterThan(0);
+    expect(casters(shown).length - lights.length).toBeLessThan(5);
+    const solid = meshes(shown).filter(({ mesh }) => mesh !== 'bulb');
+    expect(solid.filter(({ castShadow, receiveShadow }) => !castShadow && !receiveShadow)).toEqual([]);
+    plain.dispose();
+    shown.dispose();
+  });
+
   test('gives back all that it held', async () => {
     const assets = library();
     const scene = await scenes[name].build(few[name], assets);

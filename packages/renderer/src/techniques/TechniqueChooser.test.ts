@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { TechniqueChooser, type SceneFigures } from './TechniqueChooser';
 
 const scene = (figures: Partial<SceneFigures>): SceneFigures => ({
-  bounded: 100,
+  bounded: 60,
   everywhere: 1,
   coverage: 1,
   objects: 100,
@@ -24,6 +24,21 @@ describe('TechniqueChooser', () => {
     expect(new TechniqueChooser().choose(scene({ bounded: 2 })).technique).toBe('clustered-forward');
     expect(new TechniqueChooser().choose(scene({ coverage: 20 })).technique).toBe('clustered-deferred');
     expect(new TechniqueChooser().choose(scene({ bounded: 1000, coverage: 20 })).technique).toBe('tiled-deferred');
+  });
+
+  it('takes lists made on the GPU for many small lights, and for very many of any size', () => {
+    const over = (bounded: number, coverage: number) =>
+      new TechniqueChooser().choose(scene({ bounded, coverage })).technique;
+    expect([over(56, 10), over(106, 13), over(206, 16)]).toEqual([
+      'clustered-deferred',
+      'tiled-deferred',
+      'tiled-deferred',
+    ]);
+    expect([over(195, 46), over(954, 123), over(1600, 400)]).toEqual([
+      'clustered-deferred',
+      'clustered-deferred',
+      'tiled-deferred',
+    ]);
   });
 
   it('takes lists from five lights on over few objects, which hardly hide one another', () => {

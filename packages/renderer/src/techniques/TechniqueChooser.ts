@@ -37,8 +37,12 @@ const FEW_LIGHTS_OVER_FEW_OBJECTS = 4;
 const FEW_OBJECTS = 8;
 /** Lights over a pixel from which a G-buffer pays. */
 const MANY_OVER_A_PIXEL = 3;
-/** Lights with a range from which lists made on the GPU cost less than lists made on the CPU. */
-const MANY_LIGHTS = 150;
+/** Lights with a range from which lists of tiles, made on the GPU, cost less than those of clusters, if the lights are small. */
+const MANY_LIGHTS = 90;
+/** Share of the picture that a small light lies over. Larger ones fill whole tiles, and only a cluster tells their depths apart. */
+const SMALL_LIGHT = 0.125;
+/** Lights with a range, whatever their size, that are put into clusters on the CPU for longer than the GPU draws. */
+const VERY_MANY_LIGHTS = 1500;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;
 const PATIENCE = 8;
@@ -122,6 +126,9 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
       if (bounded + everywhere <= few * scale) return 'forward-single-pass';
       if (!floatTargets || (coverage + everywhere) * scale <= MANY_OVER_A_PIXEL) return 'clustered-forward';
     }
-    return !transparents && bounded * scale > MANY_LIGHTS ? 'tiled-deferred' : 'clustered-deferred';
+    const many = bounded * scale;
+    const small = coverage <= SMALL_LIGHT * many;
+    const tiled = !transparents && many > (small ? MANY_LIGHTS : VERY_MANY_LIGHTS);
+    return tiled ? 'tiled-deferred' : 'clustered-deferred';
   }
 }

@@ -91,6 +91,7 @@ export class SceneDelta {
       case 'component-add':
       case 'component-remove':
       case 'component-move':
+      case 'component-class':
         this.objects.add(change.gameObject.id);
         break;
       case 'field':

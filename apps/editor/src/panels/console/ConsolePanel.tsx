@@ -17,6 +17,7 @@ const sourceLabel = (source: ConsoleSource): string =>
     file: t('file'),
     asset: t('asset'),
     component: t('component'),
+    script: t('script'),
     picture: t('picture'),
     plugin: t('plugin'),
     page: t('page'),
@@ -96,8 +97,15 @@ function ConsoleLine({ entry }: { entry: ConsoleEntry }): ReactNode {
       <Icon name={icons[kind]} size={13} />
       <span className="console-text">{text}</span>
       {place && (
-        <button type="button" className="button small" onClick={() => editor.openMicroShader(place.chunk, place.line)}>
-          {place.chunk}:{place.line}
+        <button
+          type="button"
+          className="button small"
+          onClick={() => {
+            if ('script' in place) editor.openScript(place.script, place.line);
+            else editor.openMicroShader(place.chunk, place.line);
+          }}
+        >
+          {'script' in place ? place.script : place.chunk}:{place.line}
         </button>
       )}
       {count > 1 && (

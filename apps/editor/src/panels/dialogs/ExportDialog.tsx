@@ -46,16 +46,17 @@ function useLink(editor: EditorApi): { hash: string | null; problem: string | nu
 interface CopyProps {
   readonly text: string;
   readonly label: string;
+  readonly disabled?: boolean;
 }
 
-function Copy({ text, label }: CopyProps): ReactNode {
+function Copy({ text, label, disabled }: CopyProps): ReactNode {
   const editor = useEditor();
   const copy = async (): Promise<void> => {
     await navigator.clipboard.writeText(text);
     editor.notices.show('info', t('{label} copied', { label }));
   };
   return (
-    <button type="button" className="button framed" onClick={() => editor.attempt(copy)}>
+    <button type="button" className="button framed" disabled={disabled} onClick={() => editor.attempt(copy)}>
       {t('Copy')}
     </button>
   );
@@ -73,6 +74,21 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
   return (
     <>
       <Dialog.Title>{t('Export {name}', { name })}</Dialog.Title>
+      <section className="export-part" aria-label={t('Link')}>
+        <h3>{t('Link')}</h3>
+        {!problem && (
+          <div className="export-row">
+            <input className="input" type="text" readOnly value={link ?? ''} aria-label={t('Link to the scene')} />
+            <Copy text={link ?? ''} label={t('Link')} disabled={!link} />
+          </div>
+        )}
+        {problem && (
+          <p className="export-row" role="alert">
+            <Icon name="warning" />
+            <span>{problem}</span>
+          </p>
+        )}
+      </section>
       <section className="export-part" aria-label={t('Web page')}>
         <ExportButton
           label={t('Web page…')}
@@ -86,21 +102,6 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
           note={t('Objects, meshes, materials, cameras and lights for other programs.')}
           run={() => saveGltf(editor)}
         />
-      </section>
-      <section className="export-part" aria-label={t('Link')}>
-        <h3>{t('Link')}</h3>
-        {link && (
-          <div className="export-row">
-            <input className="input" type="text" readOnly value={link} aria-label={t('Link to the scene')} />
-            <Copy text={link} label={t('Link')} />
-          </div>
-        )}
-        {problem && (
-          <p className="export-row" role="alert">
-            <Icon name="warning" />
-            <span>{problem}</span>
-          </p>
-        )}
       </section>
       <section className="export-part" aria-label={t('Embed code')}>
         <h3>{t('Embed code')}</h3>

@@ -14,6 +14,7 @@ const picture = [
   ...['technique', 'antialiasing', 'toneMapping', 'exposure', 'ambientOcclusion', 'occlusionRadius'],
   ...['occlusionStrength', 'unsortedTransparency'],
 ];
+const shadows = ['shadowKind', 'shadowSoftness', 'shadowCascades'];
 const effects = [
   ...['bloom', 'bloomIntensity', 'bloomThreshold', 'bloomRadius'],
   ...['depthOfField', 'focusDistance', 'focusRange', 'focusBlur'],
@@ -35,6 +36,9 @@ export function PictureSections({ settings }: { settings: SceneSettings }): Reac
       <Section id="Picture" title={t('Picture')} help={t('How light becomes a picture.')} icon="contrast">
         <FieldList owners={owners} names={picture} />
         <TechniqueLimit settings={settings} />
+      </Section>
+      <Section id="Shadows" title={t('Shadows')} help={t('How the shadows of all lights are drawn.')} icon="contrast">
+        <FieldList owners={owners} names={shadows} />
       </Section>
       <Section
         id="Picture effects"

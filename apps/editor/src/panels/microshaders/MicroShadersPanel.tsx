@@ -1,11 +1,13 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useEffect, useState, useSyncExternalStore } from 'react';
+import '../../ui/code/code.css';
+import { CodeEditor } from '../../ui/code/CodeEditor';
+import { glslLanguage } from '../../ui/code/glslLanguage';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { ChunkBar } from './ChunkBar';
 import { ChunkErrors } from './ChunkErrors';
 import { ChunkList } from './ChunkList';
 import { ChunkUses } from './ChunkUses';
-import { CodeEditor } from './CodeEditor';
 import './microshaders.css';
 import { useMicroShaderUses } from './useMicroShaderUses';
 
@@ -17,11 +19,11 @@ export function MicroShadersPanel(): ReactNode {
   useSignal(editor.document.structure);
   const uses = useMicroShaderUses();
   const place = useSyncExternalStore(editor.microShaderPlace.subscribe, () => editor.microShaderPlace.current);
-  const [shown, setShown] = useState(place?.chunk ?? 'lightAttenuation');
+  const [shown, setShown] = useState(place?.name ?? 'lightAttenuation');
   const [lastPlace, setLastPlace] = useState(place);
   if (place !== lastPlace) {
     setLastPlace(place);
-    if (place) setShown(place.chunk);
+    if (place) setShown(place.name);
   }
   const { names } = microShaders;
   const name = names.includes(shown) ? shown : names[0];
@@ -38,8 +40,10 @@ export function MicroShadersPanel(): ReactNode {
         <CodeEditor
           name={name}
           text={microShaders.textOf(name)}
-          errors={errors}
-          goTo={place?.chunk === name && place.line > 0 ? place : null}
+          label={t('Text of the microshader')}
+          problems={errors}
+          language={glslLanguage}
+          goTo={place?.name === name && place.line > 0 ? place : null}
           onInput={(text) => microShaders.edit(name, text)}
           onLeave={() => microShaders.finish()}
         />

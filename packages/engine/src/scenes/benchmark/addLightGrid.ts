@@ -7,10 +7,12 @@ interface LightGrid {
   side: number;
   /** Height of what they light, in metres. */
   floor: number;
+  /** Whether the first four throw shadows; they do not when absent. */
+  shadows?: boolean;
 }
 
 /** `count` × `count` moving point lights in a grid over a square, each about as bright where it is, however many there are. */
-export function addLightGrid(build: SceneBuilder, { count, side, floor }: LightGrid): void {
+export function addLightGrid(build: SceneBuilder, { count, side, floor, shadows = false }: LightGrid): void {
   const spacing = side / Math.max(count, 1);
   const height = Math.min(2, Math.max(0.45, spacing * 0.3));
   const range = Math.max(1.6, Math.min(spacing * 1.15, 12));
@@ -24,5 +26,6 @@ export function addLightGrid(build: SceneBuilder, { count, side, floor }: LightG
     speed: Math.min(2, spacing) * (0.5 + random()),
     range,
     intensity: 2.6 * height * height,
+    castShadow: shadows && i < 4,
   }));
 }

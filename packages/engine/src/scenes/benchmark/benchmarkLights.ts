@@ -26,6 +26,6 @@ export async function benchmarkLights(n: number, m: number, options: SceneBuildO
       build.mesh('Plane', 'plane', { colour: [0.8, 0.8, 0.8], roughness: 0.6 }, { position, scale, parent: planes });
     }
   }
-  addLightGrid(build, { count: m, side: SIDE, floor: 0 });
+  addLightGrid(build, { count: m, side: SIDE, floor: 0, shadows: options.shadows });
   return build.scene;
 }

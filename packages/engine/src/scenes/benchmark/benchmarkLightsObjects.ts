@@ -54,6 +54,6 @@ export async function benchmarkLightsObjects(
       );
     }
   }
-  addLightGrid(build, { count: m, side, floor: 0.75 });
+  addLightGrid(build, { count: m, side, floor: 0.75, shadows: options.shadows });
   return build.scene;
 }

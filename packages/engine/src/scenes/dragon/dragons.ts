@@ -43,12 +43,13 @@ export async function dragons(options: DragonsOptions = {}): Promise<Scene> {
     build.mesh('Dragon', 'dragon', { ...look, creaseAngle: Math.PI }, { position, rotation, scale, parent: flock });
   });
   const { range, intensity } = lightBudget(lights, { volume: 420, range: 4.5, light: 7 });
-  build.movingLights(lights, build.group('Lights'), (_, random) => ({
+  build.movingLights(lights, build.group('Lights'), (i, random) => ({
     position: [9 * (random() - 0.5), 0.4 + 2.6 * random(), 8 * (random() - 0.5)],
     extent: [0.6 + 1.4 * random(), 0.3, 0.6 + 1.4 * random()],
     speed: 0.4 + 0.8 * random(),
     range,
     intensity,
+    castShadow: options.shadows === true && i < 3,
   }));
   return build.scene;
 }

@@ -1,6 +1,7 @@
 import { number } from '../../fields/fields';
 import { defineScene } from '../SceneDefinition';
 import { seedField } from '../seedField';
+import { shadowsField } from '../shadowsField';
 
 export const dragonsScene = defineScene({
   name: 'dragons',
@@ -8,10 +9,17 @@ export const dragonsScene = defineScene({
   help: 'Four Stanford dragons among coloured lights.',
   parameters: {
     lights: number(24, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
+    shadows: shadowsField,
     seed: seedField,
   },
+  sample: { shadows: true },
   make: async (get, assets) => {
     const { dragons } = await import('./dragons');
-    return dragons({ lights: get('lights') as number, seed: get('seed') as number, assets });
+    return dragons({
+      lights: get('lights') as number,
+      shadows: get('shadows') as boolean,
+      seed: get('seed') as number,
+      assets,
+    });
   },
 });

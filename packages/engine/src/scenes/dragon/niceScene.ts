@@ -1,3 +1,4 @@
+import { lightShadows } from '../../components/newShadows';
 import type { Scene } from '../../core/SceneGraph';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
@@ -14,7 +15,7 @@ export interface NiceSceneOptions extends SceneBuildOptions {
  * @throws AssetError (as a rejection) when the library has an address of the dragon that cannot be read
  */
 export async function niceScene(options: NiceSceneOptions = {}): Promise<Scene> {
-  const { lights = 0 } = options;
+  const { lights = 0, shadows = false } = options;
   const build = new SceneBuilder('Nice scene', options);
   await build.scene.assets.prepareMesh('dragon', Math.PI);
   build.camera([0.7, 2.9, 7.6], [-0.1, 1.55, 0], { fov: 0.8, near: 0.1, far: 60 }, 3);
@@ -66,14 +67,15 @@ export async function niceScene(options: NiceSceneOptions = {}): Promise<Scene> 
   build.light('Ambient light', { type: 'ambient', intensity: 0.16 }, [0, 5, 0]);
   build.light(
     'Directional light',
-    { type: 'directional', intensity: 1.3, diffuse: [1, 0.96, 0.88] },
+    { type: 'directional', intensity: 1.3, diffuse: [1, 0.96, 0.88], ...(shadows && { shadowExtent: 8 }) },
     [-6, 6.5, -0.7],
     [0, 0, 0],
   );
+  const pointShadow = shadows ? { ...lightShadows.point, castShadow: true } : {};
   const red = { diffuse: [1, 0.09, 0.05], ownSpecular: true, specular: [1, 0.5, 0.45] } as const;
   build.light(
     'Point light',
-    { ...red, type: 'point', intensity: 2.4, attenuation: 'near-far', near: 0.5, far: 6.2 },
+    { ...red, type: 'point', intensity: 2.4, attenuation: 'near-far', near: 0.5, far: 6.2, ...pointShadow },
     [-2.3, 1.9, 0],
   );
   const spot = { type: 'spot', diffuse: [1, 1, 1], intensity: 110, cutoff: 0.36, exponent: 24, range: 12 } as const;

@@ -13,7 +13,7 @@ export interface SponzaOptions extends SceneBuildOptions {
   /** Width of the generated textures in texels: 128, 256 or 512; 256 when absent. */
   textureSize?: 128 | 256 | 512;
   /** How many of the moving lights throw shadows; none when absent. */
-  shadows?: number;
+  shadowLights?: number;
   /** The lights stand still; they move when absent. */
   still?: boolean;
 }
@@ -47,7 +47,12 @@ export async function sponza(lights: number, options: SponzaOptions = {}): Promi
   const { length, outer } = atriumPlan;
   build.scene.settings.backgroundColour = [0.05, 0.075, 0.14];
   build.camera([-17.6, 2.5, 1.6], [4, 4.7, -1.6], { fov: 1.05, near: 0.1, far: 120 });
-  build.light('Sun', { type: 'directional', diffuse: [1, 0.78, 0.55], intensity: 0.8 }, [14, 26, 9], [0, 0, 0]);
+  build.light(
+    'Sun',
+    { type: 'directional', diffuse: [1, 0.78, 0.55], intensity: 0.8, ...(options.shadows && { shadowExtent: 24 }) },
+    [14, 26, 9],
+    [0, 0, 0],
+  );
   build.light(
     'Sky',
     { type: 'hemisphere', diffuse: [0.42, 0.5, 0.72], groundColour: [0.24, 0.2, 0.16], intensity: 0.4 },
@@ -62,7 +67,7 @@ export async function sponza(lights: number, options: SponzaOptions = {}): Promi
     speed: (options.still ? 0 : 1) * (0.6 + 1.2 * random()),
     range,
     intensity,
-    castShadow: i < (options.shadows ?? 0),
+    castShadow: i < (options.shadowLights ?? 0),
   }));
   return build.scene;
 }

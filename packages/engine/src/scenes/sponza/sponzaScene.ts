@@ -18,17 +18,20 @@ export const sponzaScene = defineScene({
       max: 20000,
       help: 'How many of the lights throw shadows (six faces of 512 texels each).',
     }),
+    sunShadow: boolean(false, { help: 'Whether the sun throws shadows.', label: 'Sun throws shadows' }),
     still: boolean(false, {
       help: 'The lights stand still, so that their shadow maps are kept.',
       label: 'Lights at rest',
     }),
     seed: seedField,
   },
+  sample: { shadows: 2, sunShadow: true },
   make: async (get, assets) => {
     const { sponza } = await import('./sponza');
     return sponza(get('lights') as number, {
       textureSize: Number(get('textureSize')) as 128 | 256 | 512,
-      shadows: get('shadows') as number,
+      shadowLights: get('shadows') as number,
+      shadows: get('sunShadow') as boolean,
       still: get('still') as boolean,
       seed: get('seed') as number,
       assets,

@@ -7,6 +7,7 @@ import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
 import { lightBudget } from '../lightBudget';
 import { registerMeshes } from '../registerMeshes';
 import { seedField } from '../seedField';
+import { shadowsField } from '../shadowsField';
 import { templeMeshes } from './templeMeshes';
 import { templePlan, templeSize } from './templePlan';
 
@@ -114,12 +115,13 @@ export async function temple(lights: number, options: SceneBuildOptions = {}): P
   );
   addSpots(build);
   const { range, intensity } = lightBudget(lights, { volume: 5600, range: 6, light: 20 });
-  build.movingLights(lights, build.group('Lights'), (_, random) => ({
+  build.movingLights(lights, build.group('Lights'), (i, random) => ({
     position: colonnadePlace(random),
     extent: [1 + 2.5 * random(), 0.2 + 0.4 * random(), 1 + 3 * random()],
     speed: 0.6 + 1.2 * random(),
     range,
     intensity,
+    castShadow: options.shadows === true && i < 2,
   }));
   return build.scene;
 }
@@ -130,7 +132,10 @@ export const templeScene = defineScene({
   help: 'A temple of columns on a green plane, with moving lights.',
   parameters: {
     lights: number(50, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
+    shadows: shadowsField,
     seed: seedField,
   },
-  make: (get, assets) => temple(get('lights') as number, { seed: get('seed') as number, assets }),
+  sample: { shadows: true },
+  make: (get, assets) =>
+    temple(get('lights') as number, { shadows: get('shadows') as boolean, seed: get('seed') as number, assets }),
 });

@@ -1,7 +1,6 @@
 import { t } from '@farol/editing';
 import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
-import { bracketMatching, HighlightStyle, indentUnit, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
-import { shader } from '@codemirror/legacy-modes/mode/clike';
+import { bracketMatching, HighlightStyle, indentUnit, syntaxHighlighting } from '@codemirror/language';
 import { lintGutter, lintKeymap } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import { Annotation, EditorState, type Extension } from '@codemirror/state';
@@ -18,9 +17,12 @@ import { tags } from '@lezer/highlight';
 const style = HighlightStyle.define([
   { tag: tags.comment, color: 'var(--code-comment)' },
   { tag: [tags.keyword, tags.operatorKeyword, tags.controlKeyword], color: 'var(--code-keyword)' },
-  { tag: [tags.typeName, tags.standard(tags.variableName), tags.standard(tags.name)], color: 'var(--code-type)' },
+  {
+    tag: [tags.typeName, tags.className, tags.standard(tags.variableName), tags.standard(tags.name)],
+    color: 'var(--code-type)',
+  },
   { tag: [tags.number, tags.bool, tags.atom], color: 'var(--code-number)' },
-  { tag: [tags.string, tags.meta], color: 'var(--code-meta)' },
+  { tag: [tags.string, tags.regexp, tags.meta], color: 'var(--code-meta)' },
 ]);
 
 const theme = EditorView.theme({
@@ -44,6 +46,11 @@ const theme = EditorView.theme({
     backgroundColor: 'var(--raised)',
     color: 'var(--text)',
   },
+  '.cm-tooltip-autocomplete ul li[aria-selected]': { backgroundColor: 'var(--selected)', color: 'var(--text)' },
+  '.cm-completionMatchedText': { textDecoration: 'none', color: 'var(--accent-text)', fontWeight: '600' },
+  '.cm-completionDetail': { color: 'var(--dim)', fontStyle: 'normal' },
+  '.cm-foldGutter': { color: 'var(--dim)' },
+  '.cm-foldPlaceholder': { border: '0', backgroundColor: 'var(--selected-quiet)', color: 'var(--dim)' },
   '.cm-diagnostic-error': { borderLeftColor: 'var(--error)' },
   '.cm-panels': { backgroundColor: 'var(--panel)', color: 'var(--text)' },
   '.cm-panels input, .cm-panels button': {
@@ -80,8 +87,12 @@ const phrases = (): Record<string, string> => ({
 /** Marks a change that came from elsewhere, such as an undo of the document's. */
 export const fromOutside = Annotation.define<boolean>();
 
-/** A code editor for GLSL, in the colours of the theme. @param onInput - gets the text after each edit by hand */
-export function glslExtensions(onInput: (text: string) => void): Extension {
+/**
+ * What every code editor has, in the colours of the theme.
+ * @param label - accessible name of the text
+ * @param onInput - gets the text after each edit by hand
+ */
+export function codeExtensions(label: string, onInput: (text: string) => void): Extension {
   return [
     lineNumbers(),
     highlightActiveLine(),
@@ -94,12 +105,11 @@ export function glslExtensions(onInput: (text: string) => void): Extension {
     lintGutter(),
     indentUnit.of('  '),
     EditorState.tabSize.of(2),
-    StreamLanguage.define(shader),
     syntaxHighlighting(style),
     theme,
     EditorState.phrases.of(phrases()),
     keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]),
-    EditorView.contentAttributes.of({ 'aria-label': t('Text of the microshader'), spellcheck: 'false', tabindex: '0' }),
+    EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false', tabindex: '0' }),
     EditorView.updateListener.of((update) => {
       const byHand = update.transactions.some(
         (transaction) => transaction.docChanged && transaction.annotation(fromOutside) !== true,

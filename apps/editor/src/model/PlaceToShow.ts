@@ -1,23 +1,24 @@
 import { Signal } from '@farol/editing';
 
-/** A microshader, and a line of its text (from 1; 0 for none) to go to. */
-export interface MicroShaderPlace {
-  readonly chunk: string;
+/** A text, and a line of it (from 1; 0 for none) to go to. */
+export interface TextPlace {
+  /** Of a microshader or of a script. */
+  readonly name: string;
   readonly line: number;
 }
 
-/** What the Microshaders panel shall show. */
+/** What a panel of texts shall show. */
 export class PlaceToShow {
   private readonly changed = new Signal();
-  private place: MicroShaderPlace | null = null;
+  private place: TextPlace | null = null;
 
-  get current(): MicroShaderPlace | null {
+  get current(): TextPlace | null {
     return this.place;
   }
 
   readonly subscribe = (listener: () => void): (() => void) => this.changed.subscribe(listener);
 
-  show(place: MicroShaderPlace): void {
+  show(place: TextPlace): void {
     this.place = place;
     this.changed.emit();
   }

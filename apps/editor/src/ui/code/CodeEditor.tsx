@@ -1,35 +1,50 @@
-import type { MicroShaderCompileEntry } from '@farol/renderer';
 import { type Diagnostic, setDiagnostics } from '@codemirror/lint';
-import { EditorState, type Text } from '@codemirror/state';
+import { EditorState, type Extension, type Text } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 import { type ReactNode, useEffect, useLayoutEffect, useRef } from 'react';
-import { fromOutside, glslExtensions } from './glslEditor';
+import { changeTo } from './changeTo';
+import { codeExtensions, fromOutside } from './codeExtensions';
+
+/** What is wrong with a text, shown at its place. */
+export interface CodeProblem {
+  readonly message: string;
+  /** From 1; all of it is marked where no part is given. */
+  readonly line: number;
+  /** The part that is meant, in characters from the start of the text. */
+  readonly from?: number;
+  readonly to?: number;
+  /** Of an error when absent. */
+  readonly severity?: 'error' | 'warning' | 'hint';
+}
 
 interface CodeEditorProps {
   /** Another name begins another text, with a history of its own. */
   readonly name: string;
   readonly text: string;
-  /** Of this chunk; shown at their lines. */
-  readonly errors: readonly MicroShaderCompileEntry[];
+  /** Accessible name of the text. */
+  readonly label: string;
+  readonly problems: readonly CodeProblem[];
   /** The line (from 1) to go to; another object goes there again. */
   readonly goTo: { readonly line: number } | null;
+  /** The language of the text, and what else is special to it; asked for once for each name. */
+  language(this: void): Extension;
   onInput(text: string): void;
   /** The focus left. */
   onLeave(): void;
 }
 
-/** The part of the smallest change that leads from one text to another. */
-function changeTo(before: Text, after: string): { from: number; to: number; insert: string } {
-  const old = before.toString();
-  let from = 0;
-  while (from < old.length && from < after.length && old[from] === after[from]) from++;
-  let end = 0;
-  while (end < old.length - from && end < after.length - from && old.at(-1 - end) === after.at(-1 - end)) end++;
-  return { from, to: old.length - end, insert: after.slice(from, after.length - end) };
+function diagnosticOf(doc: Text, problem: CodeProblem): Diagnostic {
+  const { message, line, from, to = from, severity = 'error' } = problem;
+  if (from !== undefined && from <= doc.length) {
+    return { from, to: Math.max(from, Math.min(to!, doc.length)), severity, message };
+  }
+  const whole = doc.line(Math.min(Math.max(line, 1), doc.lines));
+  return { from: whole.from, to: whole.to, severity, message };
 }
 
-/** Text of a microshader with line numbers, highlighting, and the compiler's errors at their lines. */
-export function CodeEditor({ name, text, errors, goTo, onInput, onLeave }: CodeEditorProps): ReactNode {
+/** A text with line numbers, highlighting, search, and what is wrong with it at its place. */
+export function CodeEditor(props: CodeEditorProps): ReactNode {
+  const { name, text, label, problems, goTo, language, onInput, onLeave } = props;
   const place = useRef<HTMLDivElement>(null);
   const view = useRef<EditorView | null>(null);
   const handlers = useRef({ onInput, onLeave });
@@ -38,10 +53,8 @@ export function CodeEditor({ name, text, errors, goTo, onInput, onLeave }: CodeE
   });
 
   useLayoutEffect(() => {
-    const made = new EditorView({
-      parent: place.current!,
-      state: EditorState.create({ doc: text, extensions: glslExtensions((next) => handlers.current.onInput(next)) }),
-    });
+    const extensions = [language(), codeExtensions(label, (next) => handlers.current.onInput(next))];
+    const made = new EditorView({ parent: place.current!, state: EditorState.create({ doc: text, extensions }) });
     view.current = made;
     // the list of errors comes below the text and takes room of it: the line that is typed stays in sight
     const sizes = new ResizeObserver(() => {
@@ -66,13 +79,9 @@ export function CodeEditor({ name, text, errors, goTo, onInput, onLeave }: CodeE
   useEffect(() => {
     const { current } = view;
     if (!current) return;
-    const { doc } = current.state;
-    const diagnostics = errors.map(({ line, message }): Diagnostic => {
-      const { from, to } = doc.line(Math.min(Math.max(line, 1), doc.lines));
-      return { from, to, severity: 'error', message };
-    });
+    const diagnostics = problems.map((problem) => diagnosticOf(current.state.doc, problem));
     current.dispatch(setDiagnostics(current.state, diagnostics));
-  }, [name, errors]);
+  }, [name, problems]);
 
   useEffect(() => {
     const { current } = view;

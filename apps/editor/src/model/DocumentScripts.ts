@@ -1,0 +1,150 @@
+import { Signal } from '@farol/editing';
+import type { Component, ComponentClass, ComponentRegistry, Scene } from '@farol/engine';
+import {
+  runInPage,
+  SceneScripts,
+  type SceneScriptsOptions,
+  type ScriptError,
+  type ScriptPlace,
+} from '@farol/engine/scripts';
+
+/** Something that a component of a script threw while the scene played. */
+export interface ScriptFailure extends ScriptPlace {
+  /** What was thrown, without the place. */
+  readonly message: string;
+  /** Type of the component, and the name of its object. */
+  readonly component: string;
+  readonly object: string;
+}
+
+const NONE: ReadonlyMap<string, never> = new Map<string, never>();
+
+/** Modules that scripts can import, fetched when the first script comes. */
+const loadModules = async (): Promise<SceneScriptsOptions> => ({
+  modules: (await import('./scriptModules')).scriptModules,
+  run: runInPage,
+});
+
+/**
+ * The scripts of the document's scene: whether they run, and what is wrong with them. Nothing is compiled, nor fetched for it,
+ * before the scene has a script.
+ */
+export class DocumentScripts {
+  /** Emits when a script is compiled, fails or goes, when one throws, and when scripts are switched on or off. */
+  readonly changed = new Signal();
+
+  private scene: Scene | null = null;
+  private registry: ComponentRegistry | null = null;
+  private current: SceneScripts | null = null;
+  private isWanted = true;
+  private failed: ReadonlyMap<string, ScriptFailure> = NONE;
+  private endWatch: () => void = () => {};
+  /** While what scripts need is being fetched. */
+  private starting: Promise<void> | null = null;
+
+  /** @param load - what scripts get and how they are run; the page's own when absent */
+  constructor(private readonly load: () => Promise<SceneScriptsOptions> | SceneScriptsOptions = loadModules) {}
+
+  /** Whether scripts of the scene run. A scene of somebody else's has them off until the user says so. */
+  get isOn(): boolean {
+    return this.isWanted;
+  }
+
+  set isOn(value: boolean) {
+    if (value === this.isWanted) return;
+    this.isWanted = value;
+    if (this.current) this.current.isOn = value;
+    else this.begin();
+    this.changed.emit();
+  }
+
+  /** What cannot be compiled or run as a module, by the name of the script: syntax errors and others, with line and column. */
+  get errors(): ReadonlyMap<string, ScriptError> {
+    return this.current?.errors ?? NONE;
+  }
+
+  /** What scripts threw last since the scene began to play, by the name of the script. */
+  get failures(): ReadonlyMap<string, ScriptFailure> {
+    return this.failed;
+  }
+
+  /** The class of components that a script has made; null while there is none. */
+  classOf(script: string): ComponentClass | null {
+    return this.current?.classOf(script) ?? null;
+  }
+
+  /** The script that a component is of; null for others. */
+  scriptOf({ componentClass }: Component): string | null {
+    return this.current?.scriptOf(componentClass) ?? null;
+  }
+
+  /** Fulfilled when what there is of scripts is compiled and runs. */
+  async settled(): Promise<void> {
+    await this.starting;
+    await this.current?.settled();
+  }
+
+  /** @internal Another scene came. @param isOn - whether its scripts run */
+  open(scene: Scene, registry: ComponentRegistry, isOn: boolean): void {
+    this.close();
+    this.scene = scene;
+    this.registry = registry;
+    this.isWanted = isOn;
+    this.endWatch = scene.assets.onChange((change) => {
+      if (change.kind === 'registered' && change.type === 'script') this.begin();
+    });
+    this.begin();
+    this.changed.emit();
+  }
+
+  /** @internal Before the scene is disposed of. */
+  close(): void {
+    this.endWatch();
+    this.current?.dispose();
+    this.current = null;
+    this.starting = null;
+    this.failed = NONE;
+  }
+
+  /** @internal A component threw. @returns what is known of it when it is of a script */
+  note(component: Component, error: unknown): ScriptFailure | null {
+    const script = this.scriptOf(component);
+    if (script === null) return null;
+    const place = this.current!.placeOf(error) ?? { script, line: 0, column: 0 };
+    const failure: ScriptFailure = {
+      ...place,
+      message: error instanceof Error ? error.message : String(error),
+      component: component.typeName,
+      object: component.isAttached ? component.gameObject.name : '',
+    };
+    this.failed = new Map([...this.failed, [place.script, failure]]);
+    this.changed.emit();
+    return failure;
+  }
+
+  /** @internal The scene begins to play, or stops. */
+  forgetFailures(): void {
+    if (this.failed.size === 0) return;
+    this.failed = NONE;
+    this.changed.emit();
+  }
+
+  /** Runs the scripts of the scene, once it has some. */
+  private begin(): void {
+    const { scene } = this;
+    if (!scene || this.current || this.starting || !this.isWanted) return;
+    if (scene.assets.fieldAssets('script').length === 0) return;
+    const given = this.load();
+    if (!(given instanceof Promise)) return this.start(given);
+    this.starting = given.then((options) => {
+      this.starting = null;
+      if (this.scene === scene && !this.current) this.start(options);
+    });
+  }
+
+  private start(options: SceneScriptsOptions): void {
+    this.current = new SceneScripts(this.scene!, this.registry!, { ...options, isOn: this.isWanted });
+    this.current.onChange(() => this.changed.emit());
+    this.changed.emit();
+  }
+}

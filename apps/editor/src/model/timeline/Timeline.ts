@@ -1,0 +1,402 @@
+import {
+  type Command,
+  type EditRecorder,
+  type FieldTarget,
+  type FieldValue,
+  type Gesture,
+  SetFields,
+  Signal,
+} from '@farol/editing';
+import { type ClipAsset, type ClipData, ClipPreview, type Component, type GameObject } from '@farol/engine';
+import type { EditorDocument } from '../EditorDocument';
+import { clipDataOf, noteClipData, writeClip } from './clipDataOf';
+import { durationOf, frameRateOf, setClip } from './clipEdits';
+import { playedClip, playedTime, playerAbove, playerOfClip } from './clipPlayer';
+import { EMPTY_CLIP, findTrack, roundTime } from './clipTracks';
+import { keptSelection, type KeyEdit, type KeySelection } from './editKeys';
+import { componentOf, recordEdit } from './recordEdit';
+import { addressOf } from './trackTargets';
+
+/** Selections of keys that are remembered, each with the text of the clip that it was of. */
+const REMEMBERED = 200;
+
+const NONE: KeySelection = new Set();
+
+/** What of the clip is selected: keys, or events by their places. */
+export interface ClipSelection {
+  readonly keys: KeySelection;
+  readonly events: readonly number[];
+}
+
+const NOTHING: ClipSelection = { keys: NONE, events: [] };
+
+/**
+ * The clip that is edited, of which object, and where the playhead is. While it previews, the object is seen as the clip has
+ * it at the playhead; while it records, edits of fields become keys there.
+ */
+export class Timeline implements EditRecorder {
+  /** Emits when another clip is edited, or the same one otherwise: its keys, what is selected, whether it records or plays. */
+  readonly changed = new Signal();
+  /** Emits when the playhead moves. */
+  readonly moved = new Signal();
+
+  private currentClip: ClipAsset | null = null;
+  private currentRoot: GameObject | null = null;
+  /** The clip that was chosen by name for the object. */
+  private chosen: string | null = null;
+  private text = '';
+  private seconds = 0;
+  private chosenKeys: ClipSelection = NOTHING;
+  private readonly selections = new Map<string, ClipSelection>();
+  private preview: ClipPreview | null = null;
+  private isOpen = false;
+  private previews = false;
+  private records = false;
+  private plays = false;
+  private isWaiting = false;
+  private endings: (() => void)[] = [];
+
+  /** @param redraw - called when the picture must be drawn anew */
+  constructor(
+    readonly document: EditorDocument,
+    private readonly redraw: () => void,
+  ) {}
+
+  /** The clip that is edited; null for none. */
+  get clip(): ClipAsset | null {
+    return this.currentClip;
+  }
+
+  /** The object that the clip moves; null where there is none. */
+  get root(): GameObject | null {
+    return this.currentRoot;
+  }
+
+  get data(): ClipData {
+    return this.currentClip ? clipDataOf(this.currentClip) : EMPTY_CLIP;
+  }
+
+  get duration(): number {
+    return this.currentClip ? durationOf(this.currentClip) : 1;
+  }
+
+  /** Frames a second. */
+  get frameRate(): number {
+    return this.currentClip ? frameRateOf(this.currentClip) : 30;
+  }
+
+  /** Where the playhead is: seconds from the beginning. */
+  get time(): number {
+    return this.seconds;
+  }
+
+  get selection(): ClipSelection {
+    return this.chosenKeys;
+  }
+
+  get isRecording(): boolean {
+    return this.records;
+  }
+
+  /** Whether the clip plays by itself, while the scene does not. */
+  get isPlaying(): boolean {
+    return this.plays;
+  }
+
+  /** Whether the object is seen as the clip has it. */
+  get isPreviewing(): boolean {
+    return this.previews;
+  }
+
+  /** Whether the scene is played, so that the playhead follows it. */
+  get isFollowing(): boolean {
+    return this.document.simulation.state !== 'stopped';
+  }
+
+  private get canPreview(): boolean {
+    return this.isOpen && !this.isFollowing && this.currentClip !== null && this.currentRoot !== null;
+  }
+
+  /** The panel is shown. */
+  open(): void {
+    if (this.isOpen) return;
+    this.isOpen = true;
+    const { document } = this;
+    const refresh = (): void => this.refresh();
+    this.endings = [
+      document.selection.changed.subscribe(refresh),
+      document.assetSelection.changed.subscribe(refresh),
+      document.assetsChanged.subscribe(refresh),
+      document.structure.subscribe(refresh),
+      document.opened.subscribe(() => this.forget()),
+      document.edited.subscribe(() => this.edited()),
+      document.simulation.changed.subscribe(() => this.simulationChanged()),
+    ];
+    this.refresh();
+  }
+
+  /** The panel is left: the scene is seen as it was authored. */
+  close(): void {
+    if (!this.isOpen) return;
+    this.endPreview();
+    this.isOpen = false;
+    for (const end of this.endings) end();
+    this.endings = [];
+  }
+
+  /** Edits another clip of the library. @param name - null for the one that the object plays */
+  choose(name: string | null): void {
+    this.chosen = name;
+    this.refresh();
+  }
+
+  /** Puts the playhead at a time (s), and shows the object there. */
+  setTime(seconds: number): void {
+    const time = Math.max(seconds, 0);
+    if (this.isFollowing) return;
+    const isMoved = time !== this.seconds;
+    this.seconds = time;
+    if (this.canPreview) this.startPreview();
+    if (isMoved) this.moved.emit();
+  }
+
+  /** The time of the nearest frame. */
+  readonly snap = (time: number): number => roundTime(Math.round(time * this.frameRate) / this.frameRate);
+
+  /** Moves the playhead to a frame before or after. */
+  stepFrames(count: number): void {
+    this.setTime(roundTime((Math.round(this.seconds * this.frameRate) + count) / this.frameRate));
+  }
+
+  setRecording(records: boolean): void {
+    if (records === this.records || (records && !this.canPreview)) return;
+    this.records = records;
+    if (records) this.startPreview();
+    this.shownChanged();
+    this.changed.emit();
+  }
+
+  play(): void {
+    if (!this.canPreview || this.plays) return;
+    this.plays = true;
+    this.startPreview();
+    this.changed.emit();
+  }
+
+  pause(): void {
+    if (!this.plays) return;
+    this.plays = false;
+    this.changed.emit();
+  }
+
+  /** Called each frame while it plays, or while the scene does. */
+  advance(deltaSeconds: number): void {
+    if (this.isFollowing) {
+      const time = this.currentRoot && playedTime(this.currentRoot);
+      if (time === null || time === this.seconds) return;
+      this.seconds = time;
+      this.moved.emit();
+    } else if (this.plays) {
+      const { duration } = this;
+      const next = this.seconds + deltaSeconds;
+      this.setTime(duration > 0 ? next % duration : 0);
+    }
+  }
+
+  /** Shows the scene as it was authored; the playhead stays. */
+  endPreview(): void {
+    const wasOn = this.previews || this.records || this.plays;
+    this.previews = false;
+    this.records = false;
+    this.plays = false;
+    if (this.document.commands.recorder === this) this.document.commands.recorder = null;
+    this.preview?.end();
+    this.preview = null;
+    if (!wasOn) return;
+    this.shownChanged();
+    this.changed.emit();
+  }
+
+  select(keys: KeySelection, events: readonly number[] = []): void {
+    this.chosenKeys = { keys, events };
+    this.remember();
+    this.changed.emit();
+  }
+
+  /** Runs an edit of the clip as one step. */
+  edit(label: string, edit: KeyEdit | ClipData, events: readonly number[] = []): void {
+    const { clip } = this;
+    if (!clip) return;
+    const { data, selected } = 'selected' in edit ? edit : { data: edit, selected: this.chosenKeys.keys };
+    this.expect(data, { keys: selected, events });
+    this.document.commands.run(setClip(label, clip, data));
+  }
+
+  /** Begins a drag: many previews, each made of the clip as it is now, and one step. */
+  beginEdit(): ClipGesture | null {
+    const { clip } = this;
+    if (!clip) return null;
+    const [data, duration, before] = [this.data, this.duration, this.chosenKeys];
+    const gesture: Gesture = this.document.commands.begin();
+    return {
+      data,
+      preview: (label, edit, events = []) => {
+        if (!gesture.isOpen) return;
+        const { data: next, selected } = 'selected' in edit ? edit : { data: edit, selected: before.keys };
+        this.expect(next, { keys: selected, events });
+        gesture.preview(setClip(label, clip, next, duration));
+      },
+      previewDuration: (label, seconds) => {
+        if (gesture.isOpen) gesture.preview(new SetFields(label, [{ owner: clip, name: 'duration', value: seconds }]));
+      },
+      commit: () => gesture.commit(),
+      discard: () => {
+        gesture.discard();
+        this.select(before.keys, before.events);
+      },
+    };
+  }
+
+  /** The value that edits of a field begin from: while it records, the one that is seen. */
+  valueOf(owner: FieldTarget, name: string): FieldValue | undefined {
+    const component = this.records && componentOf(owner);
+    if (!component || !this.currentRoot || !addressOf(this.currentRoot, component, name)) return undefined;
+    return component.get(name);
+  }
+
+  begin(): (command: Command) => Command {
+    const { clip, root, data, duration, seconds: time } = this;
+    if (!clip || !root) return (command) => command;
+    if (this.records) return (command) => recordEdit(command, { clip, root, data, duration, time });
+    return (command) => {
+      if (this.previews && this.isOfTrack(command, root)) this.endPreview();
+      return command;
+    };
+  }
+
+  private isOfTrack(command: Command, root: GameObject): boolean {
+    if (!(command instanceof SetFields)) return false;
+    return command.edits.some(({ owner, name }) => {
+      const component: Component | null = componentOf(owner);
+      const address = component && addressOf(root, component, name);
+      return address !== null && findTrack(this.data, address) !== undefined;
+    });
+  }
+
+  /** Another scene came. */
+  private forget(): void {
+    this.chosen = null;
+    this.selections.clear();
+    this.currentRoot = null;
+    this.currentClip = null;
+    this.seconds = 0;
+    this.endPreview();
+    this.refresh();
+  }
+
+  /** Finds the clip and its object anew. */
+  private refresh(): void {
+    const { document } = this;
+    const asset = document.assetSelection.primary;
+    const selected = asset === null ? null : document.assets.fieldAsset(asset);
+    const object = document.selectedObjects.at(-1) ?? null;
+    let root = this.currentRoot?.scene === document.scene ? this.currentRoot : null;
+    let clip: ClipAsset | null = null;
+    if (selected?.type === 'clip') {
+      clip = selected as ClipAsset;
+      root = (object && playerAbove(object)) ?? playerOfClip(document.scene, clip.name);
+      this.chosen = root && playedClip(root) === clip.name ? null : clip.name;
+    } else {
+      if (object) root = playerAbove(object);
+      else if (root && !playerAbove(root)) root = null;
+      if (root !== this.currentRoot) this.chosen = null;
+      const name = this.chosen ?? (root && playedClip(root));
+      const found = name === null ? null : document.assets.fieldAsset(name);
+      if (found?.type === 'clip') clip = found as ClipAsset;
+    }
+    if (root === this.currentRoot && clip === this.currentClip) {
+      this.changed.emit();
+      return;
+    }
+    this.endPreview();
+    this.currentRoot = root;
+    this.currentClip = clip;
+    this.text = clip ? (clip.getAuthored('data') as string) : '';
+    this.chosenKeys = this.selections.get(this.text) ?? NOTHING;
+    this.changed.emit();
+  }
+
+  private startPreview(): void {
+    this.previews = true;
+    this.document.commands.recorder = this;
+    this.showNow();
+  }
+
+  private showNow(): void {
+    if (!this.previews || !this.currentRoot) return;
+    this.preview ??= new ClipPreview(this.currentRoot);
+    this.preview.show(this.data, this.seconds);
+    this.shownChanged();
+  }
+
+  /** Other values are seen in the picture, and in the inspector while it records. */
+  private shownChanged(): void {
+    this.redraw();
+    this.document.previewed.emit();
+  }
+
+  private edited(): void {
+    // an edit of many fields tells of each
+    if (this.isWaiting) return;
+    this.isWaiting = true;
+    queueMicrotask(() => {
+      this.isWaiting = false;
+      if (!this.isOpen) return;
+      this.noticeText();
+      if (this.previews) this.showNow();
+    });
+  }
+
+  /** The clip may have been edited, by an undo too: what was selected with this text is selected again. */
+  private noticeText(): void {
+    const { currentClip: clip } = this;
+    const text = clip ? (clip.getAuthored('data') as string) : '';
+    if (text !== this.text) {
+      this.text = text;
+      const known = this.selections.get(text);
+      this.chosenKeys = known ?? { keys: keptSelection(this.data, this.chosenKeys.keys), events: [] };
+    }
+    this.changed.emit();
+  }
+
+  private simulationChanged(): void {
+    if (this.isFollowing) this.endPreview();
+    this.changed.emit();
+  }
+
+  /** What shall be selected once the clip has these data. */
+  private expect(data: ClipData, selection: ClipSelection): void {
+    this.remember();
+    const text = writeClip(data);
+    if (this.currentClip && text !== this.text) noteClipData(this.currentClip, text, data);
+    this.selections.set(text, selection);
+    if (text === this.text) this.chosenKeys = selection;
+  }
+
+  private remember(): void {
+    this.selections.delete(this.text);
+    this.selections.set(this.text, this.chosenKeys);
+    if (this.selections.size > REMEMBERED) this.selections.delete(this.selections.keys().next().value!);
+  }
+}
+
+/** A drag that edits a clip. */
+export interface ClipGesture {
+  /** The clip as it was when the drag began. */
+  readonly data: ClipData;
+  /** Shows an edit of `data`. */
+  preview(label: string, edit: KeyEdit | ClipData, events?: readonly number[]): void;
+  previewDuration(label: string, seconds: number): void;
+  commit(): void;
+  discard(): void;
+}

@@ -1,0 +1,61 @@
+import { type Command, SetFields, t } from '@farol/editing';
+import type { ClipAsset, ClipData, ComponentClass, GameObject, Scene } from '@farol/engine';
+import { freeAssetName, splitName } from '../assetNames';
+import { AddAssets } from '../commands/AddAssets';
+import { addComponent } from '../edits';
+import { Sequence } from '../commands/Sequence';
+import { noteClipData, writeClip } from './clipDataOf';
+import { lastTime } from './clipTracks';
+
+/** What a clip is called in labels and menus: its name without the folder. */
+export const clipName = (clip: { readonly name: string }): string => splitName(clip.name).leaf;
+
+export const durationOf = (clip: ClipAsset): number => clip.duration;
+
+export const frameRateOf = (clip: ClipAsset): number => clip.frameRate;
+
+/**
+ * Gives a clip other tracks and events. It becomes as long as they are where they go beyond its end.
+ * @param duration - how long it is at least (s); as long as it was when absent
+ */
+export function setClip(label: string, clip: ClipAsset, data: ClipData, duration = durationOf(clip)): SetFields {
+  const text = writeClip(data);
+  noteClipData(clip, text, data);
+  return new SetFields(label, [
+    { owner: clip, name: 'data', value: text },
+    { owner: clip, name: 'duration', value: Math.max(duration, lastTime(data)) },
+  ]);
+}
+
+/** Makes a clip shorter or longer: its keys stay where they are. */
+export const setDuration = (clip: ClipAsset, duration: number): SetFields =>
+  new SetFields(t('Set the duration of {name}', { name: clipName(clip) }), [
+    { owner: clip, name: 'duration', value: duration },
+  ]);
+
+/**
+ * Adds a clip without tracks, and a component that plays it to an object that has none.
+ * @param player - the component's class, and its field that names a clip
+ * @returns the command, and the clip's name
+ */
+export function addClip(
+  scene: Scene,
+  name: string,
+  object: GameObject | null,
+  player: { readonly type: ComponentClass; readonly field: string } | null,
+): { command: Command; name: string } {
+  const { assets } = scene;
+  const free = freeAssetName(assets, name);
+  assets.addFieldAsset('clip', free);
+  const made = assets.take(free);
+  const label = t('Made clip {name}', { name: free });
+  const steps: (() => Command)[] = [() => new AddAssets(assets, [made])];
+  if (object && player) {
+    const { type, field } = player;
+    const there = object.getComponent(type.typeName);
+    if (!there) steps.push(() => addComponent(scene, [object], type, { [field]: free }));
+    else if (there.getAuthored(field) === null)
+      steps.push(() => new SetFields(label, [{ owner: there, name: field, value: free }]));
+  }
+  return { command: new Sequence(label, steps), name: free };
+}

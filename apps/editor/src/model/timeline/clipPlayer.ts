@@ -1,0 +1,32 @@
+import type { Component, ComponentClass, GameObject, Scene } from '@farol/engine';
+
+/** Type of the component that plays clips, and its field that names one. */
+const PLAYER = { type: 'Animation', field: 'clip' } as const;
+
+/** What plays clips: its class, and the field that names the clip; null where the class is not known. */
+export function clipPlayer({ registry }: Scene): { readonly type: ComponentClass; readonly field: string } | null {
+  const type = registry.types.get(PLAYER.type);
+  return type ? { type, field: PLAYER.field } : null;
+}
+
+const componentOn = (object: GameObject): Component | null => object.getComponent(PLAYER.type);
+
+/** The object itself, or the nearest above it, that plays clips. */
+export function playerAbove(object: GameObject): GameObject | null {
+  for (let at: GameObject | null = object; at; at = at.parent) if (componentOn(at)) return at;
+  return null;
+}
+
+/** The first object of a scene that plays a clip; null when none does. */
+export const playerOfClip = (scene: Scene, clip: string): GameObject | null =>
+  scene.componentsOf(PLAYER.type).find((component) => component.getAuthored(PLAYER.field) === clip)?.gameObject ?? null;
+
+/** The name of the clip that an object plays; null for none. */
+export const playedClip = (object: GameObject): string | null =>
+  (componentOn(object)?.getAuthored(PLAYER.field) as string | null | undefined) ?? null;
+
+/** How far the clip of an object that plays has come (s); null when it does not play. */
+export function playedTime(object: GameObject): number | null {
+  const time = (componentOn(object) as { readonly time?: unknown } | null)?.time;
+  return typeof time === 'number' ? time : null;
+}

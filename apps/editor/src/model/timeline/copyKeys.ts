@@ -1,0 +1,56 @@
+import type { ClipData, ClipKey } from '@farol/engine';
+import { findTrack, isSameTime, keyId, roundTime, type TrackAddress, trackId } from './clipTracks';
+import { type KeyEdit, type KeySelection, rangeOfKeys, selectedIn } from './editKeys';
+
+/** Keys that were copied: their times are from the first one on. */
+export interface CopiedKeys {
+  readonly kind: 'farol-keys';
+  readonly tracks: readonly (TrackAddress & { readonly keys: readonly ClipKey[] })[];
+}
+
+/** Copies the selected keys; null when none is. */
+export function copyKeys(data: ClipData, selected: KeySelection): CopiedKeys | null {
+  const range = rangeOfKeys(data, selected);
+  if (!range) return null;
+  const tracks = data.tracks.flatMap((track) => {
+    const keys = track.keys.filter(selectedIn(selected, track));
+    if (keys.length === 0) return [];
+    return { ...track, keys: keys.map((key) => ({ ...key, time: key.time - range.first })) };
+  });
+  return { kind: 'farol-keys', tracks };
+}
+
+/** Reads what `copyKeys` made from text; null when it is something else. */
+export function readCopiedKeys(text: string): CopiedKeys | null {
+  if (!text.includes('"farol-keys"')) return null;
+  try {
+    const read = JSON.parse(text) as Partial<CopiedKeys> | null;
+    return read?.kind === 'farol-keys' && Array.isArray(read.tracks) ? (read as CopiedKeys) : null;
+  } catch {
+    return null;
+  }
+}
+
+/**
+ * Puts copied keys at a time; those that are there give way, and tracks that are not there are made.
+ * @param onto - where keys of one track go; each to the track that it came from when absent
+ * @returns the clip, with the pasted keys selected
+ */
+export function pasteKeys(data: ClipData, copied: CopiedKeys, time: number, onto?: TrackAddress): KeyEdit {
+  const selected = new Set<string>();
+  let { tracks } = data;
+  for (const source of copied.tracks) {
+    const { path, component, field } = copied.tracks.length === 1 && onto ? onto : source;
+    const address = { path, component, field };
+    const pasted = source.keys.map((key) => ({ ...key, time: roundTime(key.time + time) }));
+    for (const key of pasted) selected.add(keyId(trackId(address), key.time));
+    const track = findTrack({ ...data, tracks }, address);
+    if (!track) tracks = [...tracks, { ...address, keys: pasted }];
+    else {
+      const staying = track.keys.filter((key) => !pasted.some((other) => isSameTime(other.time, key.time)));
+      const changed = { ...track, keys: [...staying, ...pasted].toSorted((a, b) => a.time - b.time) };
+      tracks = tracks.map((each) => (each === track ? changed : each));
+    }
+  }
+  return { data: { ...data, tracks }, selected };
+}

@@ -1,0 +1,52 @@
+import type { ClipData, ClipEvent } from '@farol/engine';
+
+/** Edits of the events of a clip. They are kept in order of time; several may be at one time. An event is known by its place. */
+
+const inOrder = (a: ClipEvent, b: ClipEvent): number => a.time - b.time;
+
+/** A clip after an edit of events, and the places of those that it was of. */
+export interface EventEdit {
+  readonly data: ClipData;
+  readonly places: readonly number[];
+}
+
+function sorted(data: ClipData, events: readonly ClipEvent[], edited: readonly ClipEvent[]): EventEdit {
+  const list = events.toSorted(inOrder);
+  return { data: { ...data, events: list }, places: edited.map((event) => list.indexOf(event)) };
+}
+
+export const addEvent = (data: ClipData, event: ClipEvent): EventEdit => sorted(data, [...data.events, event], [event]);
+
+/** Gives an event another method, time or value; `value: undefined` takes the value away. */
+export function changeEvent(data: ClipData, place: number, change: Partial<ClipEvent>): EventEdit {
+  const { value, ...rest } = { ...data.events[place], ...change };
+  const event: ClipEvent = value === undefined ? rest : { ...rest, value };
+  return sorted(data, data.events.with(place, event), [event]);
+}
+
+/** Moves events; none goes before 0. */
+export function moveEvents(
+  data: ClipData,
+  places: readonly number[],
+  by: number,
+  snap: (time: number) => number = (time) => time,
+): EventEdit {
+  const first = Math.min(...places.map((place) => data.events[place].time));
+  const limited = Math.max(by, -first);
+  const moved = new Map(
+    places.map((place) => {
+      const event = data.events[place];
+      return [place, { ...event, time: Math.max(snap(event.time + limited), 0) }];
+    }),
+  );
+  return sorted(
+    data,
+    data.events.map((event, i) => moved.get(i) ?? event),
+    [...moved.values()],
+  );
+}
+
+export const removeEvents = (data: ClipData, places: readonly number[]): ClipData => ({
+  ...data,
+  events: data.events.filter((_, i) => !places.includes(i)),
+});

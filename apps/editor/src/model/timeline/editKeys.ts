@@ -1,0 +1,230 @@
+import type { ClipData, ClipKey, ClipTrack, Easing } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
+import {
+  findTrack,
+  isNumeric,
+  isSameTime,
+  keyBefore,
+  keyId,
+  roundTime,
+  type TrackAddress,
+  trackId,
+  valueAt,
+} from './clipTracks';
+import { type CurveControl, splitCurve } from './easingCurve';
+
+/**
+ * Edits of the keys of a clip: each gives another clip, and leaves the one it was given as it was. Keys that are not
+ * touched, and tracks without such keys, are the same objects afterwards.
+ */
+
+/** Keys by their ids: see `keyId`. */
+export type KeySelection = ReadonlySet<string>;
+
+/** A clip after an edit, and what its selected keys are called now. */
+export interface KeyEdit {
+  readonly data: ClipData;
+  readonly selected: KeySelection;
+}
+
+const inOrder = (a: { readonly time: number }, b: { readonly time: number }): number => a.time - b.time;
+
+const withTracks = (data: ClipData, tracks: readonly ClipTrack[]): ClipData => ({ ...data, tracks });
+
+const addressOf = ({ path, component, field }: TrackAddress): TrackAddress => ({ path, component, field });
+
+/** A key without what is the default. */
+function makeKey(time: number, value: FieldValue, easing: Easing | undefined, control?: CurveControl): ClipKey {
+  const key: ClipKey = { time, value };
+  if (easing === undefined || easing === 'linear' || !isNumeric(value)) return key;
+  return easing === 'bezier' && control ? { ...key, easing, control } : { ...key, easing };
+}
+
+/** Tells of each key of a track whether it is selected. */
+export function selectedIn(selected: KeySelection, track: TrackAddress): (key: ClipKey) => boolean {
+  const id = trackId(track);
+  return ({ time }) => selected.has(keyId(id, time));
+}
+
+/** Calls `visit` with each selected key. */
+export function eachSelected(
+  { tracks }: ClipData,
+  selected: KeySelection,
+  visit: (key: ClipKey, track: ClipTrack, index: number) => void,
+): void {
+  if (selected.size === 0) return;
+  for (const track of tracks) {
+    const isSelected = selectedIn(selected, track);
+    track.keys.forEach((key, i) => {
+      if (isSelected(key)) visit(key, track, i);
+    });
+  }
+}
+
+/** The selected keys. */
+export function selectedKeys(
+  data: ClipData,
+  selected: KeySelection,
+): { key: ClipKey; track: ClipTrack; index: number }[] {
+  const found: { key: ClipKey; track: ClipTrack; index: number }[] = [];
+  eachSelected(data, selected, (key, track, index) => found.push({ key, track, index }));
+  return found;
+}
+
+/** Every key. */
+export const allKeys = ({ tracks }: ClipData): Set<string> =>
+  new Set(
+    tracks.flatMap((track) => {
+      const id = trackId(track);
+      return track.keys.map(({ time }) => keyId(id, time));
+    }),
+  );
+
+/** What of a selection there still is. */
+export const keptSelection = (data: ClipData, selected: KeySelection): KeySelection =>
+  new Set(selectedKeys(data, selected).map(({ key, track }) => keyId(trackId(track), key.time)));
+
+/** Puts keys into a track's: those that are at the same time give way. @param added - in any order, the last one of a time counts */
+function insertAll(keys: readonly ClipKey[], added: readonly ClipKey[]): ClipKey[] {
+  const others = keys.filter(({ time }) => !added.some((key) => isSameTime(key.time, time)));
+  const last = added.filter((key, i) => !added.some((other, j) => j > i && isSameTime(key.time, other.time)));
+  return [...others, ...last].toSorted(inOrder);
+}
+
+/** Keys with one more, the curve before and after it as it was where the value is that of the curve. */
+function insertKey(keys: readonly ClipKey[], time: number, value: FieldValue | undefined): ClipKey[] {
+  const i = keyBefore(keys, time);
+  const before = keys[i];
+  if (before && isSameTime(before.time, time)) {
+    return value === undefined ? [...keys] : keys.with(i, { ...before, value });
+  }
+  const own = value ?? valueAt(keys, time);
+  const after = keys[i + 1];
+  if (!before || !after || before.easing !== 'bezier') {
+    return keys.toSpliced(i + 1, 0, makeKey(time, own, before?.easing));
+  }
+  const split = splitCurve((time - before.time) / (after.time - before.time), before.control);
+  return keys.toSpliced(
+    i,
+    1,
+    makeKey(before.time, before.value, 'bezier', split.before),
+    makeKey(time, own, 'bezier', split.after),
+  );
+}
+
+/**
+ * Sets the value of a track at a time: of the key that is there, else of a new one. A track that is not there is made.
+ * @param value - the curve's own, which keeps its shape, when absent; needed for a new track
+ */
+export function setKey(data: ClipData, address: TrackAddress, at: number, value?: FieldValue): ClipData {
+  const time = roundTime(at);
+  const track = findTrack(data, address);
+  if (!track || track.keys.length === 0) {
+    if (value === undefined) return data;
+    const made = { ...addressOf(address), keys: [{ time, value }] };
+    return withTracks(data, track ? data.tracks.map((each) => (each === track ? made : each)) : [...data.tracks, made]);
+  }
+  const changed = { ...track, keys: insertKey(track.keys, time, value) };
+  return withTracks(
+    data,
+    data.tracks.map((each) => (each === track ? changed : each)),
+  );
+}
+
+/** Takes a track away, with its keys. */
+export const removeTracks = (data: ClipData, ids: ReadonlySet<string>): ClipData =>
+  withTracks(
+    data,
+    data.tracks.filter((track) => !ids.has(trackId(track))),
+  );
+
+/** Lets a track be of something else. @returns the same clip when there is a track of that already */
+export function retargetTrack(data: ClipData, from: TrackAddress, to: TrackAddress): ClipData {
+  const track = findTrack(data, from);
+  if (!track || findTrack(data, to)) return data;
+  return withTracks(
+    data,
+    data.tracks.map((each) => (each === track ? { ...addressOf(to), keys: track.keys } : each)),
+  );
+}
+
+/** Takes the selected keys away, and tracks that have none then. */
+export function deleteKeys(data: ClipData, selected: KeySelection): ClipData {
+  const tracks = data.tracks.flatMap((track) => {
+    const isSelected = selectedIn(selected, track);
+    const keys = track.keys.filter((key) => !isSelected(key));
+    if (keys.length === track.keys.length) return track;
+    return keys.length === 0 ? [] : { ...track, keys };
+  });
+  return withTracks(data, tracks);
+}
+
+/** Gives the selected keys other times; keys that are met give way. @param timeOf - 0 or more */
+function retimeKeys(data: ClipData, selected: KeySelection, timeOf: (time: number) => number): KeyEdit {
+  const next = new Set<string>();
+  const tracks = data.tracks.map((track) => {
+    const isSelected = selectedIn(selected, track);
+    const moved = track.keys.filter(isSelected).map((key) => ({ ...key, time: roundTime(timeOf(key.time)) }));
+    if (moved.length === 0) return track;
+    const staying = track.keys.filter((key) => !isSelected(key));
+    const id = trackId(track);
+    for (const { time } of moved) next.add(keyId(id, time));
+    return { ...track, keys: insertAll(staying, moved) };
+  });
+  return { data: withTracks(data, tracks), selected: next };
+}
+
+/** The times of the first and the last selected key; null when none is selected. */
+export function rangeOfKeys(data: ClipData, selected: KeySelection): { first: number; last: number } | null {
+  let [first, last] = [Infinity, -Infinity];
+  eachSelected(data, selected, ({ time }) => {
+    first = Math.min(first, time);
+    last = Math.max(last, time);
+  });
+  return first > last ? null : { first, last };
+}
+
+/** Moves the selected keys; none goes before 0. @param by - seconds @param snap - brings each new time to a frame, say */
+export function moveKeys(
+  data: ClipData,
+  selected: KeySelection,
+  by: number,
+  snap: (time: number) => number = (time) => time,
+): KeyEdit {
+  const range = rangeOfKeys(data, selected);
+  if (!range) return { data, selected };
+  const limited = Math.max(by, -range.first);
+  return retimeKeys(data, selected, (time) => Math.max(snap(time + limited), 0));
+}
+
+/** Stretches the time between the selected keys about one that stays. @param factor - 0 or more */
+export function scaleKeys(
+  data: ClipData,
+  selected: KeySelection,
+  pivot: number,
+  factor: number,
+  snap: (time: number) => number = (time) => time,
+): KeyEdit {
+  return retimeKeys(data, selected, (time) => Math.max(snap(pivot + (time - pivot) * factor), 0));
+}
+
+/** Changes each selected key. */
+function changeKeys(data: ClipData, selected: KeySelection, change: (key: ClipKey) => ClipKey): ClipData {
+  const tracks = data.tracks.map((track) => {
+    const isSelected = selectedIn(selected, track);
+    if (!track.keys.some(isSelected)) return track;
+    return { ...track, keys: track.keys.map((key) => (isSelected(key) ? change(key) : key)) };
+  });
+  return withTracks(data, tracks);
+}
+
+/** How the selected keys go to those after them. Flags and choices always step. */
+export const easeKeys = (data: ClipData, selected: KeySelection, easing: Easing, control?: CurveControl): ClipData =>
+  changeKeys(data, selected, ({ time, value }) => makeKey(time, value, easing, control));
+
+/** Gives each selected key a value made of its own. */
+export const setValuesOfKeys = (
+  data: ClipData,
+  selected: KeySelection,
+  valueOf: (before: FieldValue) => FieldValue,
+): ClipData => changeKeys(data, selected, (key) => ({ ...key, value: valueOf(key.value) }));

@@ -1,0 +1,76 @@
+import { t } from '@farol/editing';
+import { type ReactNode, useEffect, useMemo, useState, useSyncExternalStore } from 'react';
+import { isJavaScript } from '../../model/scriptNames';
+import { typescriptSupport } from '../../scripts/language/typescriptSupport';
+import { CodeEditor } from '../../ui/code/CodeEditor';
+import '../../ui/code/code.css';
+import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { newScript } from './scriptActions';
+import { ScriptBar } from './ScriptBar';
+import { ScriptList } from './ScriptList';
+import { ScriptProblems } from './ScriptProblems';
+import './scripts.css';
+import { useScriptEditing } from './useScriptEditing';
+import { useDiagnostics, useScriptLanguage } from './useScriptLanguage';
+
+/** The scripts of the scene: which there are, and their texts, which run while they are typed. */
+export function ScriptsPanel(): ReactNode {
+  const editor = useEditor();
+  const editing = useScriptEditing();
+  const place = useSyncExternalStore(editor.scriptPlace.subscribe, () => editor.scriptPlace.current);
+  const [shown, setShown] = useState(place?.name ?? '');
+  const [lastPlace, setLastPlace] = useState(place);
+  if (place !== lastPlace) {
+    setLastPlace(place);
+    if (place) setShown(place.name);
+  }
+  const { names } = editing;
+  const name = names.includes(shown) ? shown : (names.at(0) ?? null);
+  // oxlint-disable-next-line react/exhaustive-effect-dependencies -- another script: what was typed is a step
+  useEffect(() => () => editing.finish(), [editing, name]);
+
+  const language = useScriptLanguage(editing);
+  const { texts } = editing;
+  const found = useDiagnostics(language, name, [...texts].join('\0'));
+  const problems = useMemo(() => found.filter(({ severity }) => severity !== 'hint'), [found]);
+  const errors = problems.filter(({ severity }) => severity === 'error').length;
+
+  return (
+    <section className="panel scripts" aria-label={t('Scripts')}>
+      <ScriptList names={names} current={name} isBroken={(each) => editing.isBroken(each)} />
+      {name === null ? (
+        <div className="script-none">
+          <p>{t('A script is a component of your own: a class with fields and what it does each frame.')}</p>
+          <button type="button" className="button primary" onClick={() => editor.attempt(() => newScript(editor))}>
+            <Icon name="add" size={13} />
+            {t('New script')}
+          </button>
+        </div>
+      ) : (
+        <div className="chunk">
+          <ScriptBar
+            name={name}
+            isBroken={editing.isBroken(name)}
+            problems={errors}
+            isReady={language.isReady}
+            failure={language.failure}
+          />
+          <CodeEditor
+            name={name}
+            text={editing.textOf(name)}
+            label={t('Text of the script')}
+            problems={found}
+            goTo={place?.name === name && place.line > 0 ? place : null}
+            language={() =>
+              typescriptSupport(language, name, !isJavaScript(name), (script, line) => editor.openScript(script, line))
+            }
+            onInput={(text) => editing.edit(name, text)}
+            onLeave={() => editing.finish()}
+          />
+          {problems.length > 0 && <ScriptProblems name={name} list={problems} />}
+        </div>
+      )}
+    </section>
+  );
+}

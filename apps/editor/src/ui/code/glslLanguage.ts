@@ -1,0 +1,6 @@
+import { StreamLanguage } from '@codemirror/language';
+import { shader } from '@codemirror/legacy-modes/mode/clike';
+import type { Extension } from '@codemirror/state';
+
+/** Highlighting of GLSL. */
+export const glslLanguage = (): Extension => StreamLanguage.define(shader);

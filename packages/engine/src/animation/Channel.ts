@@ -1,0 +1,230 @@
+import { Euler, type Object3D, Quaternion } from 'three';
+import type { Component } from '../core/SceneGraph';
+import type { FieldValue, Vector3Tuple } from '../fields/Field';
+import { sizeOfField } from './TrackCurve';
+
+/**
+ * Something that clips animate: a field of a component, or a property of a node of a model. What several clips show at once
+ * is their mean by weight; where the weights are less than 1 in all, the value that was there counts for the rest.
+ */
+export interface Channel {
+  /** The frame in which it was last given a value. */
+  frame: number;
+  /** Bindings that may give it values. */
+  users: number;
+  /** What it belongs to is no longer in the scene, or does not take what it is given. */
+  readonly isGone: boolean;
+  /** Before the first value of a frame. */
+  begin(): void;
+  add(values: ArrayLike<number>, weight: number): void;
+  addQuaternion(values: ArrayLike<number>, weight: number): void;
+  addStep(value: FieldValue, weight: number): void;
+  /** Shows what was added. @throws FieldError when it is not allowed; the channel is gone then */
+  apply(): void;
+  /** Shows what was there before. */
+  release(): void;
+}
+
+const euler = new Euler();
+const quaternion = new Quaternion();
+const turned = new Float64Array(4);
+const straight = new Float64Array(4);
+
+/** Moves numbers towards others by a share; all the way exactly. */
+function mix(target: Float64Array, values: ArrayLike<number>, share: number): void {
+  if (share === 1) for (let i = 0; i < target.length; i++) target[i] = values[i];
+  else for (let i = 0; i < target.length; i++) target[i] += (values[i] - target[i]) * share;
+}
+
+function mixQuaternion(target: Float64Array, values: ArrayLike<number>, share: number): void {
+  if (share === 1) mix(target, values, 1);
+  else Quaternion.slerpFlat(target as never, 0, target as never, 0, values as never, 0, share);
+}
+
+function toQuaternion(angles: ArrayLike<number>, target: Float64Array): Float64Array {
+  quaternion.setFromEuler(euler.set(angles[0], angles[1], angles[2], 'XYZ'));
+  target[0] = quaternion.x;
+  target[1] = quaternion.y;
+  target[2] = quaternion.z;
+  target[3] = quaternion.w;
+  return target;
+}
+
+/** A field of a component: simulated; of a Transform the object itself is moved. */
+export class FieldChannel implements Channel {
+  frame = -1;
+  users = 0;
+  isGone = false;
+  private readonly size: 0 | 1 | 3;
+  private readonly sum: Float64Array;
+  private readonly turn: Float64Array | null;
+  private readonly isTransform: boolean;
+  private readonly isInteger: boolean;
+  private readonly scene: unknown;
+  private weight = 0;
+  private turnWeight = 0;
+  private step: FieldValue = null;
+  private stepWeight = 0;
+
+  constructor(
+    readonly component: Component,
+    readonly field: string,
+  ) {
+    const declared = component.fields[field];
+    this.size = sizeOfField(declared);
+    this.sum = new Float64Array(this.size);
+    this.isTransform = component === component.gameObject.transform;
+    this.turn = this.isTransform && field === 'rotation' ? new Float64Array(4) : null;
+    this.isInteger = declared.kind === 'number' && declared.integer === true;
+    this.scene = component.scene;
+  }
+
+  begin(): void {
+    this.weight = this.turnWeight = this.stepWeight = 0;
+  }
+
+  add(values: ArrayLike<number>, weight: number): void {
+    this.weight += weight;
+    mix(this.sum, values, weight / this.weight);
+  }
+
+  addQuaternion(values: ArrayLike<number>, weight: number): void {
+    this.turnWeight += weight;
+    mixQuaternion(this.turn!, values, weight / this.turnWeight);
+  }
+
+  addStep(value: FieldValue, weight: number): void {
+    this.weight += weight;
+    // of two that weigh the same the later one is shown
+    if (weight < this.stepWeight) return;
+    this.step = value;
+    this.stepWeight = weight;
+  }
+
+  apply(): void {
+    const { component, field, size, sum } = this;
+    if (!component.isAttached || component.scene !== this.scene) {
+      this.isGone = true;
+      return;
+    }
+    if (this.turnWeight > 0) return this.applyQuaternion();
+    if (size === 0) {
+      const value = this.stepWeight < 1 - this.weight ? component.getAuthored(field) : this.step;
+      return this.simulate(value);
+    }
+    if (size === 1) {
+      let value = sum[0];
+      if (this.weight < 1) {
+        const rest = component.getAuthored(field) as number;
+        value = rest + (value - rest) * this.weight;
+      }
+      return this.simulate(this.isInteger ? Math.round(value) : value);
+    }
+    if (this.weight < 1) this.addRest(component.getAuthored(field) as Vector3Tuple);
+    if (this.isTransform) return this.place(sum[0], sum[1], sum[2]);
+    const shown = component.get(field) as Vector3Tuple;
+    if (shown[0] === sum[0] && shown[1] === sum[1] && shown[2] === sum[2]) return;
+    this.simulate([sum[0], sum[1], sum[2]]);
+  }
+
+  release(): void {
+    const { component, field } = this;
+    if (component.isAttached) component.simulate(field, component.getAuthored(field));
+  }
+
+  private addRest(rest: Vector3Tuple): void {
+    const { sum, weight } = this;
+    for (let i = 0; i < 3; i++) sum[i] = rest[i] + (sum[i] - rest[i]) * weight;
+  }
+
+  private place(x: number, y: number, z: number): void {
+    const { object3D } = this.component.gameObject;
+    if (this.field === 'position') object3D.position.set(x, y, z);
+    else if (this.field === 'scale') object3D.scale.set(x, y, z);
+    else object3D.rotation.set(x, y, z, 'XYZ');
+  }
+
+  private applyQuaternion(): void {
+    const { component, weight, sum } = this;
+    const turn = this.turn!;
+    let total = this.turnWeight;
+    if (weight > 0) {
+      total += weight;
+      mixQuaternion(turn, toQuaternion(sum, turned), weight / total);
+    }
+    if (total < 1) {
+      const rest = toQuaternion(component.getAuthored('rotation') as Vector3Tuple, straight);
+      mixQuaternion(turn, rest, 1 - total);
+    }
+    component.gameObject.object3D.quaternion.set(turn[0], turn[1], turn[2], turn[3]);
+  }
+
+  private simulate(value: FieldValue): void {
+    try {
+      this.component.simulate(this.field, value);
+    } catch (error) {
+      this.isGone = true;
+      throw error;
+    }
+  }
+}
+
+/** What of a node clips of models animate. */
+export type NodeProperty = 'position' | 'quaternion' | 'scale' | 'morphTargetInfluences';
+
+type Node = Object3D & { morphTargetInfluences?: number[] };
+
+/** A property of a node of a model, such as a bone. */
+export class NodeChannel implements Channel {
+  frame = -1;
+  users = 0;
+  readonly isGone = false;
+  private readonly sum: Float64Array;
+  private readonly rest: Float64Array;
+  private weight = 0;
+
+  constructor(
+    readonly node: Node,
+    readonly property: NodeProperty,
+  ) {
+    this.rest = Float64Array.from(
+      property === 'morphTargetInfluences' ? (node.morphTargetInfluences ?? []) : node[property].toArray(),
+    );
+    this.sum = new Float64Array(this.rest.length);
+  }
+
+  begin(): void {
+    this.weight = 0;
+  }
+
+  add(values: ArrayLike<number>, weight: number): void {
+    this.weight += weight;
+    mix(this.sum, values, weight / this.weight);
+  }
+
+  addQuaternion(values: ArrayLike<number>, weight: number): void {
+    this.weight += weight;
+    mixQuaternion(this.sum, values, weight / this.weight);
+  }
+
+  addStep(_value: FieldValue, _weight: number): void {}
+
+  apply(): void {
+    const { sum, rest, weight } = this;
+    if (weight < 1 && this.property === 'quaternion') mixQuaternion(sum, rest, 1 - weight);
+    else if (weight < 1) mix(sum, rest, 1 - weight);
+    this.write(sum);
+  }
+
+  release(): void {
+    this.write(this.rest);
+  }
+
+  private write(values: Float64Array): void {
+    const { node, property } = this;
+    if (property === 'quaternion') node.quaternion.set(values[0], values[1], values[2], values[3]);
+    else if (property === 'position') node.position.set(values[0], values[1], values[2]);
+    else if (property === 'scale') node.scale.set(values[0], values[1], values[2]);
+    else for (let i = 0; i < values.length; i++) node.morphTargetInfluences![i] = values[i];
+  }
+}

@@ -1,0 +1,239 @@
+import type { ClipAsset } from '../assets/ClipAsset';
+import type { ModelClip } from '../assets/ModelClip';
+import type { Object3D } from 'three';
+import type { GameObject } from '../core/SceneGraph';
+import type { AnimationSystem } from './AnimationSystem';
+import { bindModelClip, bindOwnClip, type BoundClip } from './bindClip';
+import type { ClipEvent } from './ClipData';
+import { type ClipWrap, passEvents, wrapTime } from './clipEvents';
+import { modelBelow, type ModelInScene } from './modelsBelow';
+
+const numbers = new Float64Array(3);
+
+const nothing: BoundClip = { duration: 0, events: [], bindings: [], problems: [] };
+
+/** How a clip is played. */
+export interface PlayerOptions {
+  readonly wrap: ClipWrap;
+  /** Clip seconds per second. */
+  readonly rate: number;
+  /** Clip seconds that it begins at; counted from its end where it runs backwards. */
+  readonly startTime: number;
+}
+
+/** Whose clip it is. */
+export interface PlayerHost {
+  readonly gameObject: GameObject;
+  /** Tells of what cannot be played. */
+  tellProblem(clip: string, problem: string): void;
+}
+
+/** One clip that is played on an object: where it is and how much it weighs follow from the scene's time alone. */
+export class ClipPlayer {
+  wrap: ClipWrap;
+  isPaused = false;
+  /** What it moves is to be looked up again. */
+  isStale = true;
+  private bound = nothing;
+  private clip: ClipAsset | ModelClip | null = null;
+  private text: unknown = null;
+  private revision = -1;
+  private drawn: ModelInScene | null = null;
+  private root: Object3D | null = null;
+  /** Scene time at which it was at `offset`, and its rate since. */
+  private origin: number;
+  private offset = 0;
+  private rate: number;
+  private readonly startTime: number;
+  private hasBegun = false;
+  private fadeOrigin = 0;
+  private fadeSeconds = 0;
+  private fadeFrom = 1;
+  private fadeTo = 1;
+  /** Where it was when events were called last. */
+  private eventsUntil = 0;
+  private withFirst = true;
+
+  constructor(
+    /** The name of the clip in the library. */
+    readonly name: string,
+    private readonly host: PlayerHost,
+    private readonly system: AnimationSystem,
+    time: number,
+    { wrap, rate, startTime }: PlayerOptions,
+  ) {
+    this.wrap = wrap;
+    this.rate = rate;
+    this.startTime = startTime;
+    this.origin = time;
+  }
+
+  /** Seconds; 0 before the clip is there. */
+  get duration(): number {
+    return this.bound.duration;
+  }
+
+  /** Whether it stands at an end that it stays at. */
+  isFinished(time: number): boolean {
+    if (this.wrap !== 'once' || !this.hasBegun) return false;
+    const at = this.position(time);
+    return this.rate < 0 ? at <= 0 : at >= this.bound.duration;
+  }
+
+  isFadedOut(time: number): boolean {
+    return this.fadeTo === 0 && time >= this.fadeOrigin + this.fadeSeconds;
+  }
+
+  get isFadingOut(): boolean {
+    return this.fadeTo === 0;
+  }
+
+  /** From 0 to 1. */
+  weight(time: number): number {
+    const { fadeSeconds, fadeFrom, fadeTo } = this;
+    const share = fadeSeconds > 0 ? Math.min(Math.max((time - this.fadeOrigin) / fadeSeconds, 0), 1) : 1;
+    return fadeFrom + (fadeTo - fadeFrom) * share;
+  }
+
+  /** Goes to another weight from now on. */
+  fade(to: 0 | 1, seconds: number, time: number, from = this.weight(time)): void {
+    this.fadeFrom = from;
+    this.fadeTo = to;
+    this.fadeOrigin = time;
+    this.fadeSeconds = seconds;
+  }
+
+  setRate(rate: number, time: number): void {
+    this.begin();
+    this.offset = this.position(time);
+    this.origin = time;
+    this.rate = rate;
+  }
+
+  setPaused(isPaused: boolean, time: number): void {
+    if (isPaused === this.isPaused) return;
+    this.offset = this.position(time);
+    this.origin = time;
+    this.isPaused = isPaused;
+  }
+
+  /** Seconds within the clip. */
+  timeAt(time: number): number {
+    return wrapTime(this.position(time), this.bound.duration, this.wrap, this.rate < 0);
+  }
+
+  seek(seconds: number, time: number): void {
+    this.begin();
+    this.hasBegun = true;
+    this.offset = this.eventsUntil = seconds;
+    this.withFirst = true;
+    this.origin = time;
+  }
+
+  /** Gives its values to the channels. */
+  evaluate(time: number): void {
+    const weight = this.weight(time);
+    if (this.isStale || this.hasChanged) this.bind();
+    this.begin();
+    if (weight <= 0) return;
+    const at = this.timeAt(time);
+    const { bindings } = this.bound;
+    for (let i = 0; i < bindings.length; i++) {
+      const binding = bindings[i];
+      const { channel, curve } = binding;
+      if (channel.isGone) {
+        this.isStale = true;
+        continue;
+      }
+      this.system.touch(channel);
+      if (!curve) {
+        const values = binding.interpolant!.evaluate(at) as ArrayLike<number>;
+        if (binding.isQuaternion) channel.addQuaternion(values, weight);
+        else channel.add(values, weight);
+        continue;
+      }
+      binding.index = curve.indexAt(at, binding.index);
+      if (curve.size === 0) channel.addStep(curve.stepAt(binding.index), weight);
+      else {
+        curve.evaluate(at, binding.index, numbers);
+        channel.add(numbers, weight);
+      }
+    }
+  }
+
+  /** Tells which events were passed since the last call. @param isCalling - whether they are called, or passed over */
+  passEvents(time: number, isCalling: boolean, call: (event: ClipEvent) => void): void {
+    if (!this.hasBegun) return;
+    const { duration, events } = this.bound;
+    let to = this.position(time);
+    if (this.wrap === 'once') to = Math.min(Math.max(to, 0), duration);
+    if (isCalling) passEvents(events, duration, this.wrap, this.eventsUntil, to, this.withFirst, call);
+    this.eventsUntil = to;
+    this.withFirst = false;
+  }
+
+  /** Lets go of what it moved. */
+  dispose(): void {
+    for (const { channel } of this.bound.bindings) channel.users--;
+    this.bound = nothing;
+    this.isStale = true;
+  }
+
+  /** Seconds since the beginning of the clip, as if it had no end. */
+  private position(time: number): number {
+    return this.isPaused ? this.offset : this.offset + Math.max(time - this.origin, 0) * this.rate;
+  }
+
+  /** The first place is known once the length of the clip is. */
+  private begin(): void {
+    if (this.hasBegun || !this.clip) return;
+    this.hasBegun = true;
+    this.offset = this.eventsUntil = this.rate < 0 ? this.bound.duration - this.startTime : this.startTime;
+  }
+
+  /** Whether the model is drawn anew, or the clip has become another one. */
+  private get hasChanged(): boolean {
+    if (this.drawn && this.drawn.three !== this.root) return true;
+    if (this.revision === this.system.clipsRevision) return false;
+    this.revision = this.system.clipsRevision;
+    const { assets } = this.system.scene;
+    if (!this.clip || !assets.isReady('clip', this.name) || assets.clip(this.name) !== this.clip) return true;
+    return 'isModelClip' in this.clip
+      ? false
+      : this.clip.get('data') !== this.text || this.clip.duration !== this.duration;
+  }
+
+  private bind(): void {
+    const { system, host, name } = this;
+    const { assets } = system.scene;
+    const old = this.bound;
+    this.clip = null;
+    this.drawn = null;
+    this.revision = system.clipsRevision;
+    this.bound = nothing;
+    this.isStale = false;
+    try {
+      if (assets.isReady('clip', name)) {
+        const clip = (this.clip = assets.clip(name));
+        if ('isModelClip' in clip) this.bound = this.bindModel(clip);
+        else {
+          this.text = clip.get('data');
+          this.bound = { ...nothing, duration: clip.duration };
+          this.bound = bindOwnClip(clip, host.gameObject, system);
+        }
+      } else if (!assets.has(name, 'clip')) host.tellProblem(name, 'it is gone: choose another clip.');
+    } catch (error) {
+      host.tellProblem(name, (error as Error).message);
+    }
+    for (const { channel } of this.bound.bindings) channel.users++;
+    for (const { channel } of old.bindings) channel.users--;
+    for (const problem of this.bound.problems) host.tellProblem(name, problem);
+  }
+
+  private bindModel(clip: ModelClip): BoundClip {
+    const { gameObject } = this.host;
+    this.drawn = modelBelow(gameObject, clip.model) ?? modelBelow(gameObject, null);
+    this.root = this.drawn?.three ?? null;
+    return bindModelClip(clip, gameObject, this.drawn, this.system);
+  }
+}

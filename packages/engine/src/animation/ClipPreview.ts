@@ -1,0 +1,56 @@
+import type { Component, GameObject } from '../core/SceneGraph';
+import type { ClipData } from './ClipData';
+import { trackTarget } from './trackTarget';
+import { valueAt } from './valueAt';
+
+/**
+ * Shows a clip at a time on an object tree, as while it is scrubbed through: no edit, and not saved. For a scene that does
+ * not play.
+ */
+export class ClipPreview {
+  private readonly shown = new Map<Component, Set<string>>();
+
+  /** @param gameObject - what the paths of tracks begin at */
+  constructor(readonly gameObject: GameObject) {}
+
+  /**
+   * Shows the values at a time, and what the clip does not animate as authored.
+   * @param time - seconds from the beginning of the clip
+   * @returns what cannot be shown, and the mend: a line for each track whose target is gone
+   */
+  show(clip: ClipData, time: number): string[] {
+    const problems: string[] = [];
+    const left = new Map<Component, Set<string>>();
+    for (const [component, fields] of this.shown) left.set(component, new Set(fields));
+    for (const track of clip.tracks) {
+      const { component, problem } = trackTarget(this.gameObject, track);
+      if (!component) {
+        problems.push(problem);
+        continue;
+      }
+      const { field } = track;
+      const value = valueAt(track, component.fields[field], time);
+      if (value === undefined) continue;
+      try {
+        component.simulate(field, value);
+      } catch (error) {
+        problems.push((error as Error).message);
+        continue;
+      }
+      left.get(component)?.delete(field);
+      const fields = this.shown.get(component);
+      if (fields) fields.add(field);
+      else this.shown.set(component, new Set([field]));
+    }
+    for (const [component, fields] of left) {
+      for (const field of fields) component.simulate(field, component.getAuthored(field));
+    }
+    return problems;
+  }
+
+  /** Shows all as authored again. */
+  end(): void {
+    for (const component of this.shown.keys()) component.endSimulation();
+    this.shown.clear();
+  }
+}

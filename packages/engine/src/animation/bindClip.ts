@@ -1,0 +1,164 @@
+import { shortText } from '@farol/renderer';
+import { type Interpolant, type KeyframeTrack, type Object3D, PropertyBinding } from 'three';
+import type { ClipAsset } from '../assets/ClipAsset';
+import type { ModelClip } from '../assets/ModelClip';
+import type { GameObject } from '../core/SceneGraph';
+import type { Channel, NodeProperty } from './Channel';
+import type { ClipEvent } from './ClipData';
+import type { ModelInScene } from './modelsBelow';
+import { type TrackCurve, curveOf } from './TrackCurve';
+import { trackTarget } from './trackTarget';
+
+/** One track of a clip, and what it moves. */
+export interface Binding {
+  readonly channel: Channel;
+  /** Of a clip of one's own. */
+  readonly curve: TrackCurve | null;
+  /** Of a clip of a model. */
+  readonly interpolant: Interpolant | null;
+  readonly isQuaternion: boolean;
+  /** Place of the key that was found last. */
+  index: number;
+}
+
+/** A clip whose tracks know what they move. */
+export interface BoundClip {
+  readonly duration: number;
+  readonly events: readonly ClipEvent[];
+  readonly bindings: readonly Binding[];
+  /** What cannot be played, and the mend. */
+  readonly problems: readonly string[];
+}
+
+/** Gives the channel of something that can be animated. */
+export interface ChannelSource {
+  fieldChannel(component: GameObject['transform'], field: string): Channel;
+  nodeChannel(node: Object3D, property: NodeProperty): Channel;
+}
+
+/** Finds what the tracks of a clip of one's own move. @param root - what their paths begin at @throws ClipError */
+export function bindOwnClip(asset: ClipAsset, root: GameObject, channels: ChannelSource): BoundClip {
+  const { tracks, events } = asset.clip;
+  const bindings: Binding[] = [];
+  const problems: string[] = [];
+  for (const track of tracks) {
+    if (track.keys.length === 0) continue;
+    const { component, problem } = trackTarget(root, track);
+    if (!component) {
+      problems.push(problem);
+      continue;
+    }
+    bindings.push({
+      channel: channels.fieldChannel(component as GameObject['transform'], track.field),
+      curve: curveOf(track, component.fields[track.field]),
+      interpolant: null,
+      isQuaternion: false,
+      index: 0,
+    });
+  }
+  return { duration: asset.duration, events, bindings, problems };
+}
+
+const nodeProperties: Readonly<Record<string, NodeProperty>> = {
+  position: 'position',
+  quaternion: 'quaternion',
+  scale: 'scale',
+  morphTargetInfluences: 'morphTargetInfluences',
+};
+
+/** Clips of models name nodes, or by their uuid those without a name. */
+interface TrackName {
+  readonly nodeName?: string;
+  readonly propertyName: string;
+  readonly propertyIndex?: string;
+  readonly objectName?: string;
+}
+
+/** The node that a track of a model's clip moves, in the model as it was read. */
+const nodeOfTrack = (clip: ModelClip, { nodeName = '' }: TrackName): Object3D | null =>
+  PropertyBinding.findNode(clip.model.scene, nodeName) as Object3D | null;
+
+/** The track's node and property in the model; null where the engine does not animate them. */
+export function targetOfTrack(
+  clip: ModelClip,
+  track: KeyframeTrack,
+): { readonly node: Object3D; readonly property: NodeProperty } | null {
+  let name: TrackName;
+  try {
+    name = PropertyBinding.parseTrackName(track.name) as unknown as TrackName;
+  } catch {
+    return null;
+  }
+  const property = Object.hasOwn(nodeProperties, name.propertyName) ? nodeProperties[name.propertyName] : null;
+  const node = nodeOfTrack(clip, name);
+  return node && property && !name.objectName && name.propertyIndex === undefined ? { node, property } : null;
+}
+
+/** What a property of a node of a model is where the model is in a scene; else what is wrong, and the mend. */
+function channelOfNode(
+  { node, property }: { readonly node: Object3D; readonly property: NodeProperty },
+  clip: ModelClip,
+  root: GameObject,
+  objects: ReadonlyMap<string, GameObject>,
+  drawn: ModelInScene | null,
+  channels: ChannelSource,
+): Channel | string {
+  const name = node.name || node.type;
+  const isMorph = property === 'morphTargetInfluences';
+  const isOwn = drawn?.drawnModel === clip.model;
+  const object = isOwn ? undefined : objects.get(name);
+  if (object && !isMorph)
+    return channels.fieldChannel(object.transform, property === 'quaternion' ? 'rotation' : property);
+  const three = drawn?.three ?? null;
+  const copy = isOwn ? drawn!.copyOf(node) : three && (PropertyBinding.findNode(three, name) as Object3D | null);
+  if (copy && (!isMorph || 'morphTargetInfluences' in copy)) return channels.nodeChannel(copy, property);
+  const where = `'${shortText(root.name)}/${shortText(name)}'`;
+  return object || copy
+    ? `${where} has no morph targets: show its model by a ModelRenderer.`
+    : `the object ${where} is gone: give an object below this name, or choose another clip.`;
+}
+
+/**
+ * Finds what the tracks of a model's clip move: the nodes of the model where it is drawn whole, else the objects of the same
+ * names, or nodes of another model that have the same names.
+ * @param drawn - what draws the clip's model below the object, or any model
+ */
+export function bindModelClip(
+  clip: ModelClip,
+  root: GameObject,
+  drawn: ModelInScene | null,
+  channels: ChannelSource,
+): BoundClip {
+  const bindings: Binding[] = [];
+  const problems = new Set<string>();
+  const objects = objectsByName(root);
+  for (const track of clip.three.tracks) {
+    const target = targetOfTrack(clip, track);
+    const channel = target
+      ? channelOfNode(target, clip, root, objects, drawn, channels)
+      : `its track '${shortText(track.name, 80)}' animates what Farol does not: it is passed over.`;
+    if (typeof channel === 'string') problems.add(channel);
+    else {
+      const isQuaternion = target?.property === 'quaternion';
+      bindings.push({ channel, curve: null, interpolant: interpolantOf(track), isQuaternion, index: 0 });
+    }
+  }
+  return { duration: clip.duration, events: [], bindings, problems: [...problems] };
+}
+
+/** three's own: linear, steps, or a glTF's cubic splines; in double precision, as three's mixer has them. */
+function interpolantOf(track: KeyframeTrack): Interpolant {
+  const { createInterpolant } = track as unknown as { createInterpolant(): Interpolant };
+  const interpolant = createInterpolant.call(track);
+  (interpolant as { resultBuffer: unknown }).resultBuffer = new Float64Array(interpolant.resultBuffer.length);
+  return interpolant;
+}
+
+/** The objects below one, and itself, by name; of those of one name the first. */
+function objectsByName(root: GameObject): Map<string, GameObject> {
+  const objects = new Map<string, GameObject>();
+  root.traverse((each) => {
+    if (!objects.has(each.name)) objects.set(each.name, each);
+  });
+  return objects;
+}

@@ -1,0 +1,42 @@
+import type { FieldValue } from '../fields/Field';
+import type { ClipData, ClipKey, ClipTrack } from './ClipData';
+
+/** Nine digits tell all single-precision numbers apart, and more than anybody types. */
+const short = (value: number): number => Number(value.toPrecision(9)) + 0;
+
+const shortValue = (value: FieldValue): FieldValue => {
+  if (typeof value === 'number') return short(value);
+  return Array.isArray(value) ? [short(value[0]), short(value[1]), short(value[2])] : value;
+};
+
+/**
+ * The text that a ClipAsset holds for a clip: numbers are rounded to nine digits, so that what is read again is written as
+ * the same text; keys come in order of time, and of those at one time the last stays.
+ */
+export function clipText({ tracks, events }: ClipData): string {
+  return JSON.stringify({
+    tracks: tracks.map(({ path, component, field, keys }) => ({ path, component, field, keys: sortedKeys(keys) })),
+    events: events
+      .map(({ time, method, value }) => ({
+        time: short(time),
+        method,
+        ...(value === undefined ? {} : { value: shortValue(value) }),
+      }))
+      .toSorted((a, b) => a.time - b.time),
+  });
+}
+
+function sortedKeys(keys: ClipTrack['keys']): ClipKey[] {
+  const byTime = new Map<number, ClipKey>();
+  for (const { time, value, easing, control } of keys) {
+    byTime.set(short(time), {
+      time: short(time),
+      value: shortValue(value),
+      ...(easing === undefined || easing === 'linear' ? {} : { easing }),
+      ...(easing === 'bezier' && control
+        ? { control: [short(control[0]), short(control[1]), short(control[2]), short(control[3])] as const }
+        : {}),
+    });
+  }
+  return [...byTime.values()].toSorted((a, b) => a.time - b.time);
+}

@@ -1,0 +1,47 @@
+import { shortText } from '@farol/renderer';
+import type { Component, GameObject } from '../core/SceneGraph';
+import type { ClipTrack } from './ClipData';
+import { problemWithTrack } from './TrackCurve';
+
+/** The object at a path of names below another, '' for that one itself; the first one in the order of the tree. */
+export function objectAtPath(root: GameObject, path: string): GameObject | null {
+  if (path === '') return root;
+  for (const child of root.children) {
+    if (child.name === '') continue;
+    if (child.name === path) return child;
+    // a name may hold a slash itself
+    const found = path.startsWith(`${child.name}/`) ? objectAtPath(child, path.slice(child.name.length + 1)) : null;
+    if (found) return found;
+  }
+  return null;
+}
+
+/**
+ * The path that finds an object from one above it; null when it is not below it, or another object before it has the same
+ * names.
+ */
+export function pathBelow(root: GameObject, gameObject: GameObject): string | null {
+  const names: string[] = [];
+  let each: GameObject | null = gameObject;
+  for (; each && each !== root; each = each.parent) names.unshift(each.name);
+  const path = names.join('/');
+  return each && objectAtPath(root, path) === gameObject ? path : null;
+}
+
+/** What a track animates below an object; else what is gone, and the mend. */
+export type TrackTarget =
+  { readonly component: Component; readonly problem: null } | { readonly component: null; readonly problem: string };
+
+export function trackTarget(root: GameObject, track: ClipTrack): TrackTarget {
+  const none = (problem: string): TrackTarget => ({ component: null, problem });
+  const object = objectAtPath(root, track.path);
+  const whole = [shortText(root.name), ...(track.path === '' ? [] : [shortText(track.path, 80)])].join('/');
+  if (!object) return none(`the object '${whole}' is gone: give an object this name, or take its tracks out.`);
+  const component = object.getComponent(track.component);
+  const type = shortText(track.component);
+  if (!component) return none(`'${whole}' has no ${type}: add one, or take its tracks out.`);
+  const field = Object.hasOwn(component.fields, track.field) ? component.fields[track.field] : null;
+  if (!field) return none(`${type} of '${whole}' has no field '${shortText(track.field)}': take its track out.`);
+  const problem = problemWithTrack(track, field);
+  return problem ? none(`${type}.${track.field} of '${whole}', ${problem}.`) : { component, problem: null };
+}

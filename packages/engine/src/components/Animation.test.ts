@@ -1,0 +1,479 @@
+import {
+  AnimationClip,
+  Bone,
+  Mesh,
+  BufferGeometry,
+  NumberKeyframeTrack,
+  Object3D,
+  QuaternionKeyframeTrack,
+  VectorKeyframeTrack,
+  AnimationMixer,
+} from 'three';
+import { describe, expect, test } from 'vitest';
+import './index';
+import type { ClipData, ClipEvent, ClipKey, ClipTrack } from '../animation/ClipData';
+import { clipText } from '../animation/clipText';
+import { Model } from '../assets/Model';
+import { Component } from '../core/Component';
+import { createRandom } from '../core/createRandom';
+import { GameObject } from '../core/GameObject';
+import { Scene } from '../core/Scene';
+import type { FieldValue } from '../fields/Field';
+import { serialize } from '../files/serialize';
+import { Animation } from './Animation';
+import { Light } from './Light';
+import { ModelRenderer } from './ModelRenderer';
+
+const keys = (...pairs: [number, FieldValue, Partial<ClipKey>?][]): ClipKey[] =>
+  pairs.map(([time, value, rest]) => ({ time, value, ...rest }));
+
+const track = (field: string, list: ClipKey[], path = '', component = 'Transform'): ClipTrack => ({
+  path,
+  component,
+  field,
+  keys: list,
+});
+
+const rise = track('position', keys([0, [0, 0, 0]], [1, [0, 1, 0]], [2, [0, 4, 0]]));
+
+function addClip(scene: Scene, name: string, clip: Partial<ClipData>, duration = 2): void {
+  const data = clipText({ tracks: clip.tracks ?? [], events: clip.events ?? [] });
+  scene.assets.addFieldAsset('clip', name, { data, duration });
+}
+
+interface Stage {
+  scene: Scene;
+  object: GameObject;
+  animation: Animation;
+  errors: string[];
+}
+
+function stage(clip: Partial<ClipData>, values: Record<string, FieldValue> = {}, duration = 2): Stage {
+  const scene = new Scene();
+  const errors: string[] = [];
+  scene.onComponentError = (_component, error) => errors.push((error as Error).message);
+  addClip(scene, 'Rise', clip, duration);
+  const object = new GameObject('Robot');
+  scene.add(object);
+  const animation = object.addComponent(Animation, { clip: 'Rise', ...values });
+  return { scene, object, animation, errors };
+}
+
+const heightOf = ({ object3D }: GameObject): number => object3D.position.y;
+
+describe('plays a clip', () => {
+  test('on start, in a loop, and puts all back when the scene is reset', () => {
+    const { scene, object } = stage({ tracks: [rise] });
+    const before = JSON.stringify(serialize(scene));
+    scene.setTime(0);
+    expect(heightOf(object)).toBe(0);
+    scene.update(0.5);
+    expect(heightOf(object)).toBe(0.5);
+    scene.update(1);
+    expect(heightOf(object)).toBe(2.5);
+    scene.update(1);
+    expect(heightOf(object)).toBe(0.5);
+    expect(JSON.stringify(serialize(scene))).toBe(before);
+    scene.reset();
+    expect(heightOf(object)).toBe(0);
+  });
+
+  test.each([
+    ['once', 3, 4],
+    ['loop', 3, 1],
+    ['ping-pong', 3, 1],
+    ['ping-pong', 3.5, 0.5],
+    ['ping-pong', 2.5, 2.5],
+    ['loop', 4, 0],
+  ])('%s: at %f s it is at %f m', (wrap, time, height) => {
+    const { scene, object } = stage({ tracks: [rise] }, { wrap });
+    scene.setTime(time);
+    expect(heightOf(object)).toBe(height);
+  });
+
+  test('backwards it begins at its end, from the start time', () => {
+    const { scene, object, animation } = stage({ tracks: [rise] }, { wrap: 'once', speed: -0.5, startTime: 1 });
+    scene.update(1);
+    expect(heightOf(object)).toBe(0.5);
+    expect(animation.isPlaying).toBe(true);
+    scene.update(9);
+    expect([heightOf(object), animation.isPlaying, animation.time]).toEqual([0, false, 0]);
+  });
+
+  test('setTime shows to the bit what playing shows, whatever the frames were', () => {
+    const random = createRandom(5);
+    const tracks = [
+      track('position', keys([0.1, [1, 2, 3], { easing: 'bezier', control: [0.2, -1, 0.4, 2] }], [1.7, [4, 5, 6]])),
+      track('rotation', keys([0, [0, 0, 0]], [1.9, [7, 1, -2]])),
+    ];
+    for (const wrap of ['once', 'loop', 'ping-pong']) {
+      const played = stage({ tracks }, { wrap, speed: 1.3 });
+      const put = stage({ tracks }, { wrap, speed: 1.3 });
+      for (let i = 0; i < 300; i++) {
+        played.scene.update(random() * 0.2 + 0.001);
+        put.scene.setTime(played.scene.time);
+        expect(put.object.object3D.position.toArray()).toEqual(played.object.object3D.position.toArray());
+        expect(put.object.object3D.quaternion.toArray()).toEqual(played.object.object3D.quaternion.toArray());
+      }
+    }
+  });
+
+  test('waits for play where it does not play on start; pauses, goes on, is put at a time and stops', () => {
+    const { scene, object, animation } = stage({ tracks: [rise] }, { playOnStart: false });
+    scene.update(1);
+    expect([heightOf(object), animation.isPlaying, animation.playing]).toEqual([0, false, null]);
+    animation.play();
+    scene.update(0.5);
+    expect([heightOf(object), animation.isPlaying, animation.time]).toEqual([0.5, true, 0.5]);
+    animation.pause();
+    scene.update(1);
+    expect([heightOf(object), animation.isPlaying]).toEqual([0.5, false]);
+    animation.play();
+    animation.time = 1;
+    scene.update(0.5);
+    expect(heightOf(object)).toBe(2.5);
+    animation.speed = 2;
+    scene.update(0.125);
+    expect(heightOf(object)).toBe(3.25);
+    animation.stop();
+    scene.update(0.1);
+    expect([heightOf(object), animation.playing]).toEqual([0, null]);
+    expect(() => animation.play('Walk')).toThrow(/'Walk' is no clip; there are Rise/);
+  });
+
+  test('an edited clip is played as it is now; one that comes later too', () => {
+    const { scene, object, errors } = stage({ tracks: [rise] });
+    scene.update(1);
+    scene.assets
+      .fieldAsset('Rise')!
+      .set('data', clipText({ tracks: [{ ...rise, keys: keys([0, [0, 7, 0]]) }], events: [] }));
+    scene.update(0.1);
+    expect(heightOf(object)).toBe(7);
+    const taken = scene.assets.take('Rise');
+    scene.update(0.1);
+    scene.update(0.1);
+    expect(errors).toEqual(["The clip 'Rise': it is gone: choose another clip."]);
+    expect(heightOf(object)).toBe(0);
+    scene.assets.restore(taken);
+    scene.update(0.1);
+    expect(heightOf(object)).toBe(7);
+  });
+});
+
+describe('animates', () => {
+  test('numbers, vectors, colours, angles, flags and choices of any component below', () => {
+    const { scene, object } = stage({
+      tracks: [
+        track('intensity', keys([0, 0], [2, 4]), 'Lamp', 'Light'),
+        track('diffuse', keys([0, [0, 0, 0]], [2, [1, 0.5, 0]]), 'Lamp', 'Light'),
+        track('type', keys([0, 'point'], [1, 'spot']), 'Lamp', 'Light'),
+        track('cutoff', keys([0, 0.5], [2, 1]), 'Lamp', 'Light'),
+        track('castShadow', keys([0, false], [0.9, true]), 'Lamp', 'Light'),
+      ],
+    });
+    const lamp = new GameObject('Lamp');
+    const light = lamp.addComponent(Light, { intensity: 9 });
+    object.add(lamp);
+    const { revision } = scene;
+    const authored = JSON.stringify(serialize(scene));
+    scene.update(1);
+    expect([light.intensity, light.diffuse, light.type, light.cutoff]).toEqual([2, [0.5, 0.25, 0], 'spot', 0.75]);
+    expect([light.three.intensity, light.castShadow]).toEqual([2, true]);
+    expect([scene.revision, JSON.stringify(serialize(scene))]).toEqual([revision, authored]);
+    scene.reset();
+    expect([light.intensity, light.three.intensity, light.type]).toEqual([9, 9, 'point']);
+  });
+
+  test('what is there; what is gone is told once, with clip, object and mend, until it is there again', () => {
+    const { scene, object, errors } = stage({
+      tracks: [
+        rise,
+        track('position', keys([0, [3, 0, 0]]), 'Arm/Hand'),
+        track('intensity', keys([0, 3]), '', 'Light'),
+        track('colour', keys([0, 3])),
+        track('scale', keys([0, 3])),
+      ],
+    });
+    for (let i = 0; i < 10; i++) scene.update(0.1);
+    expect(heightOf(object)).toBeCloseTo(1, 9);
+    expect(errors).toEqual([
+      "The clip 'Rise': the object 'Robot/Arm/Hand' is gone: give an object this name, or take its tracks out.",
+      "The clip 'Rise': 'Robot' has no Light: add one, or take its tracks out.",
+      "The clip 'Rise': Transform of 'Robot' has no field 'colour': take its track out.",
+      expect.stringMatching(/^The clip 'Rise': Transform\.scale of 'Robot', key 1 must be \[x, y, z\]/),
+    ]);
+    const arm = new GameObject('Arm');
+    const hand = new GameObject('Fist');
+    object.add(arm);
+    arm.add(hand);
+    hand.name = 'Hand';
+    scene.update(0.1);
+    expect(hand.object3D.position.x).toBe(3);
+    arm.remove(hand);
+    scene.update(0.1);
+    expect(errors).toHaveLength(4);
+    expect(hand.object3D.position.x).toBe(3);
+    hand.dispose();
+  });
+
+  test('not when its data are broken: told once, and the scene goes on', () => {
+    const { scene, errors } = stage({});
+    scene.assets.fieldAsset('Rise')!.set('data', '{"tracks":[{"path":1}]}');
+    scene.update(0.1);
+    scene.update(0.1);
+    expect(errors).toEqual(["The clip 'Rise': track 1: path must be text, not 1."]);
+  });
+});
+
+describe('blends', () => {
+  const still = (y: number): Partial<ClipData> => ({ tracks: [track('position', keys([0, [0, y, 0]]))] });
+
+  test('one clip into the other, linearly, and out to where the object was', () => {
+    const { scene, object, animation } = stage(still(4));
+    addClip(scene, 'Fall', still(-4));
+    object.transform.position = [0, 1, 0];
+    scene.update(0.5);
+    animation.play('Fall', { fade: 1 });
+    scene.update(0.25);
+    expect(heightOf(object)).toBe(2);
+    scene.update(0.5);
+    expect(heightOf(object)).toBe(-2);
+    scene.update(0.25);
+    expect(heightOf(object)).toBe(-4);
+    animation.stop({ fade: 0.5 });
+    scene.update(0.25);
+    expect(heightOf(object)).toBe(-1.5);
+    scene.update(0.25);
+    expect(heightOf(object)).toBe(1);
+  });
+
+  test('what only one of them animates goes from or to what was authored', () => {
+    const { scene, object, animation } = stage(still(4));
+    addClip(scene, 'Grow', { tracks: [track('scale', keys([0, [3, 3, 3]]))] });
+    scene.update(0.5);
+    animation.play('Grow', { fade: 1 });
+    scene.update(0.5);
+    expect([heightOf(object), object.object3D.scale.x]).toEqual([2, 2]);
+    scene.update(0.6);
+    expect([heightOf(object), object.object3D.scale.x]).toEqual([0, 3]);
+  });
+
+  test('flags and choices switch at half', () => {
+    const clip = (render: boolean): Partial<ClipData> => ({
+      tracks: [track('type', keys([0, render ? 'spot' : 'directional']), '', 'Light')],
+    });
+    const { scene, object, animation } = stage(clip(true));
+    const light = object.addComponent(Light);
+    addClip(scene, 'Other', clip(false));
+    scene.update(0.5);
+    animation.play('Other', { fade: 1 });
+    scene.update(0.375);
+    expect(light.type).toBe('spot');
+    scene.update(0.125);
+    expect(light.type).toBe('directional');
+  });
+
+  test('several Animations give their mean', () => {
+    const { scene, object } = stage(still(4));
+    addClip(scene, 'Fall', still(-1));
+    object.addComponent(Animation, { clip: 'Fall' });
+    scene.update(0.5);
+    expect(heightOf(object)).toBe(1.5);
+  });
+});
+
+describe('calls the methods of events', () => {
+  const calls: [string, unknown][] = [];
+  class Listener extends Component {
+    static override readonly typeName = 'Listener';
+    onStep(...values: unknown[]): void {
+      calls.push(['step', values.length === 0 ? 'nothing' : values[0]]);
+    }
+    onEnd(): void {
+      calls.push(['end', null]);
+    }
+    onBreak(): void {
+      throw new Error('broken');
+    }
+  }
+  const events: ClipEvent[] = [
+    { time: 0, method: 'onStep', value: 0 },
+    { time: 0.5, method: 'onStep', value: 0.5 },
+    { time: 1.25, method: 'onStep', value: 1.25 },
+    { time: 2, method: 'onStep', value: 2 },
+  ];
+  const told = (): unknown[] => calls.splice(0).map(([, value]) => value);
+
+  function listening(values: Record<string, FieldValue>, list = events): Stage {
+    const made = stage({ events: list }, values);
+    const below = new GameObject('Below');
+    made.object.add(below);
+    below.addComponent(Listener);
+    calls.length = 0;
+    return made;
+  }
+
+  /** What must be called between two times, pass by pass. */
+  function expected(wrap: string, speed: number, until: number): number[] {
+    const found: [number, number][] = [];
+    for (let pass = 0; pass < 400; pass++) {
+      for (const { time } of events) {
+        const ahead = wrap === 'ping-pong' ? pass % 2 === (speed < 0 ? 1 : 0) : speed > 0;
+        const at = pass * 2 + (ahead ? time : 2 - time);
+        const isTurn = wrap === 'ping-pong' && pass > 0 && at === pass * 2;
+        if (at <= until * Math.abs(speed) && !isTurn && (wrap !== 'once' || pass === 0)) found.push([at, time]);
+      }
+    }
+    const order = wrap === 'ping-pong' || speed > 0 ? 1 : -1;
+    return found
+      .map(([at, time], i) => ({ at, time, i: wrap === 'ping-pong' ? i : i * order }))
+      .toSorted((a, b) => a.at - b.at || Math.floor(Math.abs(a.i) / 4) - Math.floor(Math.abs(b.i) / 4))
+      .map(({ time }) => time);
+  }
+
+  test.each(
+    ['once', 'loop', 'ping-pong'].flatMap((wrap) => [1, -1, 2.5, -0.75].map((speed) => [wrap, speed] as const)),
+  )('%s at speed %f: each once in each pass, by small frames and big ones', (wrap, speed) => {
+    const random = createRandom(11);
+    for (const longest of [0.01, 0.3, 3, 40]) {
+      const { scene } = listening({ wrap, speed });
+      for (let i = 0; i < 60 && scene.time < 80; i++) scene.update(random() * longest);
+      expect(told()).toEqual(expected(wrap, speed, scene.time));
+    }
+  });
+
+  test('at exact turns and ends too', () => {
+    const { scene } = listening({ wrap: 'ping-pong' });
+    for (let i = 0; i < 16; i++) scene.update(0.5);
+    expect(told()).toEqual([0, 0.5, 1.25, 2, 1.25, 0.5, 0, 0.5, 1.25, 2, 1.25, 0.5, 0]);
+    const looped = listening({ wrap: 'loop' });
+    for (let i = 0; i < 5; i++) looped.scene.update(1);
+    expect(told()).toEqual([0, 0.5, 1.25, 2, 0, 0.5, 1.25, 2, 0, 0.5]);
+  });
+
+  test('not while the scene is put at times, and once it plays on only what comes then', () => {
+    const { scene } = listening({ wrap: 'loop' });
+    scene.setTime(1);
+    scene.setTime(0.2);
+    expect(told()).toEqual([]);
+    scene.update(0.4);
+    expect(told()).toEqual([0.5]);
+  });
+
+  test('without a value where there is none; what throws is told, and the others are called; nothing of every component is', () => {
+    const { scene, errors, object } = listening({ wrap: 'once' }, [
+      { time: 0, method: 'onStep' },
+      { time: 0.1, method: 'onBreak' },
+      { time: 0.2, method: 'dispose' },
+      { time: 0.2, method: 'constructor' },
+      { time: 0.3, method: 'onEnd' },
+    ]);
+    scene.update(1);
+    expect(calls.splice(0)).toEqual([
+      ['step', 'nothing'],
+      ['end', null],
+    ]);
+    expect(errors).toEqual(['broken']);
+    expect(object.children).toHaveLength(1);
+  });
+});
+
+describe('clips of models', () => {
+  function makeModel(): Model {
+    const root = new Object3D();
+    const hip = new Bone();
+    hip.name = 'Hip';
+    const nameless = new Object3D();
+    const face = new Mesh(new BufferGeometry());
+    face.name = 'Face';
+    face.morphTargetInfluences = [0.25, 0];
+    face.morphTargetDictionary = { smile: 0, frown: 1 };
+    root.add(hip, face);
+    hip.add(nameless);
+    hip.position.set(1, 2, 3);
+    hip.quaternion.set(0.1, 0.2, 0.3, 0.9).normalize();
+    const s = Math.SQRT1_2;
+    return new Model(root, [
+      new AnimationClip('Walk', 2, [
+        new VectorKeyframeTrack('Hip.position', [0, 1, 2], [0, 0, 0, 1, 1, 1, 0, 4, 0]),
+        new QuaternionKeyframeTrack('Hip.quaternion', [0, 2], [0, 0, 0, 1, 0, s, 0, s]),
+        new VectorKeyframeTrack(`${nameless.uuid}.scale`, [0, 2], [1, 1, 1, 3, 3, 3]),
+        new NumberKeyframeTrack('Face.morphTargetInfluences', [0, 1], [0, 0, 1, 0.5]),
+      ]),
+      new AnimationClip('Idle', 1, [new VectorKeyframeTrack('Hip.position', [0], [0, 0, 0])]),
+    ]);
+  }
+
+  function modelStage(): Stage & { renderer: ModelRenderer; hip: Object3D; face: Mesh } {
+    const made = stage({});
+    made.scene.assets.register('robot.glb', makeModel());
+    for (const clip of made.scene.assets.model('robot.glb').clips)
+      made.scene.assets.register(`robot.glb/clip-${clip.name}`, clip);
+    const renderer = made.object.addComponent(ModelRenderer, { model: 'robot.glb' });
+    const hip = renderer.three!.getObjectByName('Hip')!;
+    const face = renderer.three!.getObjectByName('Face') as Mesh;
+    made.animation.clip = 'robot.glb/clip-Walk';
+    return { ...made, renderer, hip, face };
+  }
+
+  test("show to the bit what three's mixer shows: bones, morph weights, nodes without a name", () => {
+    const { scene, hip, face, errors } = modelStage();
+    const model = scene.assets.model('robot.glb');
+    const source = model.scene.clone();
+    const mixer = new AnimationMixer(source);
+    // three's mixer does not find the copy of a node without a name
+    const [position, quaternion, , weights] = model.animations[0].tracks;
+    mixer.clipAction(new AnimationClip('Walk', 2, [position, quaternion, weights])).play();
+    for (const time of [0.25, 1, 1.75, 2.5]) {
+      scene.setTime(time);
+      mixer.setTime(time);
+      expect(hip.position.toArray()).toEqual(source.getObjectByName('Hip')!.position.toArray());
+      expect(hip.quaternion.toArray()).toEqual(source.getObjectByName('Hip')!.quaternion.toArray());
+      expect(face.morphTargetInfluences).toEqual((source.getObjectByName('Face') as Mesh).morphTargetInfluences);
+    }
+    expect(hip.children[0].scale.x).toBeCloseTo(1.5, 6);
+    expect(errors).toEqual([]);
+  });
+
+  test('are put back exactly when the scene is reset, and fade from and to it', () => {
+    const { scene, hip, face, animation } = modelStage();
+    const rest = () =>
+      JSON.stringify([hip.position, hip.quaternion.toArray(), hip.rotation.toArray(), face.morphTargetInfluences]);
+    const before = rest();
+    scene.update(1.5);
+    expect(rest()).not.toBe(before);
+    scene.reset();
+    expect(rest()).toBe(before);
+    scene.update(0.5);
+    animation.play('Idle', { fade: 1 });
+    scene.update(0.5);
+    expect(hip.position.x).toBeCloseTo(0.5, 6);
+    expect(animation.playing).toBe('robot.glb/clip-Idle');
+    scene.reset();
+    expect(rest()).toBe(before);
+  });
+
+  test('move objects of the same names where the model was unpacked, and say which are gone', () => {
+    const { scene, object, renderer, errors } = modelStage();
+    object.removeComponent(renderer);
+    const hip = new GameObject('Hip');
+    object.add(hip);
+    hip.transform.rotation = [0.1, 0.2, 0.3];
+    scene.update(1);
+    expect(hip.object3D.position.toArray()).toEqual([1, 1, 1]);
+    expect(hip.object3D.quaternion.y).toBeCloseTo(Math.sin(Math.PI / 8), 6);
+    expect(errors).toHaveLength(2);
+    expect(errors[1]).toMatch(/'Robot\/Face' is gone/);
+    scene.reset();
+    expect(hip.object3D.rotation.toArray().slice(0, 3)).toEqual([0.1, 0.2, 0.3]);
+  });
+
+  test('are drawn anew with their model', () => {
+    const { scene, renderer } = modelStage();
+    scene.update(1);
+    scene.assets.register('other.glb', scene.assets.model('robot.glb'));
+    renderer.model = 'other.glb';
+    scene.update(0.5);
+    expect(renderer.three!.getObjectByName('Hip')!.position.y).toBeCloseTo(2.5, 6);
+  });
+});

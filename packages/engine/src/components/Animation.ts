@@ -1,0 +1,253 @@
+import { AnimationSystem, type Animated } from '../animation/AnimationSystem';
+import type { ClipEvent } from '../animation/ClipData';
+import type { ClipWrap } from '../animation/clipEvents';
+import { ClipPlayer } from '../animation/ClipPlayer';
+import { modelBelow } from '../animation/modelsBelow';
+import type { Scene } from '../core/SceneGraph';
+import { component } from '../fields/component';
+import { asset, boolean, choice, number } from '../fields/fields';
+
+/** How `Animation.play` plays; what is absent is as the fields say. */
+export interface PlayOptions {
+  /** Seconds in which what plays until then goes over to the new clip. */
+  readonly fade?: number;
+  readonly wrap?: ClipWrap;
+  /** Factor of the speed; below 0 it runs backwards. */
+  readonly speed?: number;
+  /** Seconds of the clip to begin at. */
+  readonly time?: number;
+}
+
+/**
+ * Plays clips on its object and all below: those of a model, and those of one's own. What several clips animate, of one
+ * Animation or of several, is their mean by weight.
+ */
+export class Animation
+  extends component({
+    clip: asset('clip', null, { help: 'What it plays: a clip of a model, or one of your own.' }),
+    playOnStart: boolean(true, { help: 'Whether it plays as soon as the scene does.', label: 'Play on start' }),
+    wrap: choice('loop', ['once', 'loop', 'ping-pong'], {
+      label: 'At its end',
+      help: 'It stays there, begins again, or goes back the way it came.',
+      optionLabels: { once: 'Stay', loop: 'Loop', 'ping-pong': 'Ping-pong' },
+    }),
+    speed: number(1, { step: 0.1, help: 'Factor of the speed; below 0 it runs backwards.' }),
+    startTime: number(0, {
+      unit: 's',
+      min: 0,
+      step: 0.1,
+      help: 'Where in the clip it begins; counted from the end when it runs backwards.',
+      label: 'Start time',
+    }),
+    fade: number(0.3, {
+      unit: 's',
+      min: 0,
+      step: 0.05,
+      help: 'How long it takes to go over from one clip to another.',
+      label: 'Cross-fade',
+    }),
+  })
+  implements Animated
+{
+  static override readonly typeName: string = 'Animation';
+  static override readonly help: string = 'Plays clips on the object and all below it.';
+
+  /** The last one is what plays; those before it fade out. */
+  private players: ClipPlayer[] = [];
+  private system: AnimationSystem | null = null;
+  private hasStarted = false;
+  /** Scene time since which it may play. */
+  private since = 0;
+  private readonly told = new Set<string>();
+
+  /** Names that `play` knows: clips of the model, by their own names, then those of the library. */
+  get clipNames(): string[] {
+    const { scene } = this;
+    if (!scene) return [];
+    const own = modelBelow(this.gameObject, null)?.drawnModel?.clips.map(({ name }) => name) ?? [];
+    return [...own, ...scene.assets.list('clip')];
+  }
+
+  /** Whether a clip plays: neither paused, nor at an end where it stays. */
+  get isPlaying(): boolean {
+    const { current } = this;
+    return current !== null && !current.isPaused && !current.isFinished(this.scene?.time ?? 0);
+  }
+
+  /** The name of the clip that plays or pauses; null for none. */
+  get playing(): string | null {
+    return this.current?.name ?? null;
+  }
+
+  /** Seconds within the clip that plays; 0 for none. */
+  get time(): number {
+    return this.current?.timeAt(this.scene?.time ?? 0) ?? 0;
+  }
+
+  set time(seconds: number) {
+    this.current?.seek(seconds, this.scene?.time ?? 0);
+  }
+
+  /**
+   * Plays a clip; what plays until then fades out. A clip that plays already goes on.
+   * @param name - of a clip of the library, or the own name of a clip of the model; the chosen clip when absent
+   * @throws Error naming the clips that there are when it is none of them
+   */
+  play(name?: string, options: PlayOptions = {}): void {
+    const { scene, system } = this;
+    if (!scene || !system) throw new Error('An Animation that is in no scene cannot play: add its object first.');
+    const { time } = scene;
+    const clip = typeof name === 'string' && name !== '' ? this.find(name) : this.clip;
+    this.hasStarted = true;
+    if (clip === null) return;
+    const before = this.current;
+    if (before?.name === clip && !before.isFinished(time)) {
+      before.setPaused(false, time);
+      if (options.speed !== undefined) before.setRate(options.speed, time);
+      if (options.time !== undefined) before.seek(options.time, time);
+      return;
+    }
+    const fade = before ? (options.fade ?? this.fade) : (options.fade ?? 0);
+    for (const each of this.players) each.fade(0, fade, time);
+    const player = new ClipPlayer(clip, this, system, time, {
+      wrap: options.wrap ?? (this.wrap as ClipWrap),
+      rate: options.speed ?? this.speed,
+      startTime: options.time ?? this.startTime,
+    });
+    player.fade(1, fade, time, fade > 0 ? 0 : 1);
+    this.players.push(player);
+  }
+
+  /** Ends what plays: the object goes back to how it was authored. @param options - `fade`: in so many seconds */
+  stop(options?: { readonly fade?: number }): void {
+    this.hasStarted = true;
+    const fade = options?.fade ?? 0;
+    for (const each of this.players) each.fade(0, fade, this.scene?.time ?? 0);
+  }
+
+  /** Holds the clip where it is; `play` goes on. */
+  pause(): void {
+    this.current?.setPaused(true, this.scene?.time ?? 0);
+  }
+
+  override onEnterScene(scene: Scene): void {
+    this.system = scene.system(AnimationSystem);
+    this.system.add(this);
+    this.since = scene.time;
+    this.loadClip();
+  }
+
+  override onLeaveScene(): void {
+    this.clear();
+    this.system?.remove(this);
+    this.system = null;
+  }
+
+  override onFieldChanged(name: string): void {
+    const { scene } = this;
+    if (!scene) return;
+    const { time } = scene;
+    if (name === 'clip') {
+      this.loadClip();
+      if (this.current) this.replaceClip();
+    } else if (name === 'speed') this.current?.setRate(this.speed, time);
+    else if (name === 'wrap' && this.current) this.current.wrap = this.wrap as ClipWrap;
+  }
+
+  override onActiveChanged(): void {
+    this.clear();
+    this.since = this.scene?.time ?? 0;
+  }
+
+  evaluate(time: number): void {
+    if (!this.hasStarted) {
+      this.hasStarted = true;
+      if (this.playOnStart && this.clip !== null) this.begin();
+    }
+    const { players } = this;
+    for (let i = 0; i < players.length; i++) {
+      if (players[i].isFadedOut(time)) {
+        players[i].dispose();
+        players.splice(i--, 1);
+      } else players[i].evaluate(time);
+    }
+  }
+
+  passEvents(time: number, isCalling: boolean): void {
+    const { players } = this;
+    for (let i = 0; i < players.length; i++) players[i].passEvents(time, isCalling, this.queueEvent);
+  }
+
+  targetsChanged(): void {
+    for (const each of this.players) each.isStale = true;
+  }
+
+  resetPlayers(): void {
+    this.clear();
+    this.since = 0;
+    this.told.clear();
+  }
+
+  tellProblem(clip: string, problem: string): void {
+    const text = problem.startsWith('The clip') ? problem : `The clip '${clip}': ${problem}`;
+    if (this.told.has(text)) return;
+    this.told.add(text);
+    this.system?.tellOf(this, new Error(text));
+  }
+
+  private get current(): ClipPlayer | null {
+    const last = this.players.at(-1);
+    return last && !last.isFadingOut ? last : null;
+  }
+
+  private readonly queueEvent = (event: ClipEvent): void => this.system?.queueEvent(this, event);
+
+  private begin(): void {
+    const { wrap, speed: rate, startTime } = this;
+    const options = { wrap: wrap as ClipWrap, rate, startTime };
+    this.players.push(new ClipPlayer(this.clip!, this, this.system!, this.since, options));
+  }
+
+  /** Another clip was chosen while one plays. */
+  private replaceClip(): void {
+    this.clear();
+    this.hasStarted = true;
+    this.since = this.scene!.time;
+    if (this.clip !== null) this.begin();
+  }
+
+  private clear(): void {
+    for (const each of this.players) each.dispose();
+    this.players.length = 0;
+    this.hasStarted = false;
+  }
+
+  /** The name in the library of what a script calls a clip. */
+  private find(name: string): string {
+    const { assets } = this.scene!;
+    if (assets.has(name, 'clip')) return name;
+    const chosen = this.clip === null ? null : assets.modelOf(this.clip);
+    const models = [
+      modelBelow(this.gameObject, null)?.drawnModel ?? null,
+      chosen && assets.isReady('model', chosen) ? assets.model(chosen) : null,
+    ];
+    for (const model of models) {
+      const clip = model?.clips.find((each) => each.name === name);
+      const found =
+        clip && assets.list('clip').find((each) => assets.isReady('clip', each) && assets.clip(each) === clip);
+      if (found) return found;
+    }
+    const leaf = assets.list('clip').find((each) => each.endsWith(`/${name}`));
+    if (leaf !== undefined) return leaf;
+    throw new Error(
+      `Animation.play: '${name}' is no clip; there are ${this.clipNames.slice(0, 8).join(', ') || 'none'}.`,
+    );
+  }
+
+  /** The clip of a model that is not loaded yet. */
+  private loadClip(): void {
+    const { scene, clip } = this;
+    // the library tells of a model that cannot be loaded
+    if (scene && clip !== null && !scene.assets.isReady('clip', clip)) void scene.assets.load(clip).catch(() => {});
+  }
+}

@@ -1,0 +1,26 @@
+/** A script as JavaScript: a function that makes a CommonJS module. */
+export interface CompiledScript {
+  /** Name of the script asset. */
+  readonly name: string;
+  /** The text that it was made from. */
+  readonly source: string;
+  /**
+   * A classic script that puts the function into `globalThis.farolScripts`, under the name. Each of its lines is that of the
+   * source, and stack traces name it as `scriptUrl` says.
+   */
+  readonly code: string;
+}
+
+/**
+ * Runs the text of a script, its exports being added to `exports`.
+ * @param check - throws when a loop has gone on for too long
+ */
+export type ScriptFunction = (
+  require: (specifier: string) => unknown,
+  exports: Record<string, unknown>,
+  module: { exports: Record<string, unknown> },
+  check: () => void,
+) => void;
+
+/** Gets the function of a compiled script. @throws ScriptError where the text is no JavaScript */
+export type ScriptRunner = (script: CompiledScript) => ScriptFunction | Promise<ScriptFunction>;

@@ -1,0 +1,119 @@
+import { expect, test } from 'vitest';
+import { builtinComponents } from '../components/index';
+import type { Component } from '../core/SceneGraph';
+import { ComponentRegistry } from '../core/ComponentRegistry';
+import { GameObject } from '../core/GameObject';
+import { Scene } from '../core/Scene';
+import { UnknownComponent } from '../core/UnknownComponent';
+import { serialize } from '../files/serialize';
+import { SceneScripts } from './SceneScripts';
+import { inNode } from './inNode';
+
+const spin = (
+  fields: string,
+  body: string,
+): string => `import { component, number, string } from '@farol/engine/fields';
+const help = 'For a test.';
+export default class Spin extends component({ ${fields} }) {
+  private turned = 0;
+  #calls = 0;
+  override update(deltaSeconds: number): void {
+    ${body}
+  }
+}
+`;
+
+const plain = spin('rate: number(1, { help })', 'this.turned += this.rate * deltaSeconds; this.#calls++;');
+
+async function make(sources: Record<string, string>): Promise<{ scene: Scene; scripts: SceneScripts }> {
+  const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
+  const scene = new Scene({ registry });
+  for (const [name, source] of Object.entries(sources)) scene.assets.addFieldAsset('script', name, { source });
+  const scripts = new SceneScripts(scene, registry, inNode);
+  await scripts.settled();
+  return { scene, scripts };
+}
+
+const edit = async (scene: Scene, scripts: SceneScripts, name: string, source: string): Promise<void> => {
+  scene.assets.fieldAsset(name)!.set('source', source);
+  await scripts.settled();
+};
+
+const addSpin = (scene: Scene, values = {}): Component => {
+  const object = new GameObject('Top');
+  scene.add(object);
+  return object.addComponent('Spin', values);
+};
+
+const problems = ({ errors }: SceneScripts): string[] => [...errors.values()].map(({ message }) => message);
+
+test('the class of a script is a component of the scene, and of no other', async () => {
+  const { scene, scripts } = await make({ 'Scripts/Spin': plain });
+  expect(problems(scripts)).toEqual([]);
+  const component = addSpin(scene, { rate: 3 });
+  scene.update(0.5);
+  expect(component).toMatchObject({ typeName: 'Spin', turned: 1.5 });
+  expect(scripts.scriptOf(component.componentClass)).toBe('Scripts/Spin');
+  expect(builtinComponents.types.has('Spin')).toBe(false);
+});
+
+test('an edit keeps 200 components, their ids and the values of their fields, and they start anew within 300 ms', async () => {
+  const { scene, scripts } = await make({ Spin: plain });
+  const components = Array.from({ length: 200 }, (_, i) => addSpin(scene, { rate: i }));
+  const ids = components.map(({ id }) => id);
+  scene.update(1);
+  const begun = performance.now();
+  await edit(
+    scene,
+    scripts,
+    'Spin',
+    spin('rate: number(2, { help }), name: string("a", { help })', 'this.turned = 7;'),
+  );
+  scene.update(1);
+  const spent = performance.now() - begun;
+  expect(components.map((each) => each.get('rate'))).toEqual(ids.map((_, i) => (i === 1 ? 2 : i)));
+  expect(components.every((each) => (each as Component & { turned: number }).turned === 7)).toBe(true);
+  expect(components.map(({ id }) => id)).toEqual(ids);
+  expect(scene.componentsOf('Spin')).toHaveLength(200);
+  expect(spent).toBeLessThan(300);
+});
+
+test('a broken text leaves the last good class running, and is told with its line', async () => {
+  const { scene, scripts } = await make({ Spin: plain });
+  const component = addSpin(scene, { rate: 3 }) as Component & { turned: number };
+  for (const broken of [plain.replace('this.#calls++', 'this.#calls+'), plain.replace('const help', 'cnst help'), '']) {
+    await edit(scene, scripts, 'Spin', broken);
+
+    component.turned = 0;
+    scene.update(1);
+    expect(component).toMatchObject({ turned: 3, rate: 3 });
+  }
+  await edit(scene, scripts, 'Spin', plain);
+  expect(problems(scripts)).toEqual([]);
+});
+
+test('without its script a component is data, and is itself again when the script is back', async () => {
+  const { scene, scripts } = await make({ Spin: plain });
+  const component = addSpin(scene, { rate: 3 });
+  const before = JSON.stringify(serialize(scene).objects);
+  const taken = scene.assets.take('Spin');
+  expect(component).toBeInstanceOf(UnknownComponent);
+  expect(JSON.stringify(serialize(scene).objects)).toBe(before);
+  scene.assets.restore(taken);
+  expect(component.componentClass).toBe(scripts.classOf('Spin'));
+  expect(component.get('rate')).toBe(3);
+  scripts.isOn = false;
+  expect(component).toBeInstanceOf(UnknownComponent);
+  scripts.isOn = true;
+  expect(component.componentClass).toBe(scripts.classOf('Spin'));
+});
+
+test('a script without a class any more leaves the one that there was', async () => {
+  const { scene, scripts } = await make({ Spin: plain });
+  const component = addSpin(scene);
+  await edit(scene, scripts, 'Spin', plain.replace('export default ', ''));
+  expect(problems(scripts)).toEqual([
+    'Spin, line 3: it exports no class: write `export default class … extends component({ … })`.',
+  ]);
+  expect(component.componentClass).toBe(scripts.classOf('Spin'));
+});

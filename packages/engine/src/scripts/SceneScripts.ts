@@ -1,0 +1,322 @@
+import type { ScriptAsset } from '../assets/ScriptAsset';
+import type { Component, ComponentClass, ComponentRegistry, Scene } from '../core/SceneGraph';
+import { UnknownComponent } from '../core/UnknownComponent';
+import type { CompiledScript, ScriptFunction, ScriptRunner } from './CompiledScript';
+import { compileScript } from './compileScript';
+import { KeptValues } from './KeptValues';
+import { asScriptError, type ScriptModule, ScriptModules } from './ScriptModules';
+import { ScriptError, type ScriptPlace } from './ScriptError';
+import { ScriptReset } from './ScriptReset';
+import { scriptClass } from './scriptClass';
+import { placeOfError } from './scriptUrl';
+
+export interface SceneScriptsOptions {
+  /** What scripts can import besides each other, by name: 'three', '@farol/engine', '@farol/engine/fields'. */
+  readonly modules: Readonly<Record<string, object>>;
+  /** Gets the function of a compiled script: `runInPage`, or what a test has. */
+  readonly run: ScriptRunner;
+  /** `compileScript` when absent; a page with compiled scripts gives those. */
+  readonly compile?: (name: string, source: string) => Promise<CompiledScript | ScriptError>;
+  /** Whether scripts run; true when absent. */
+  readonly isOn?: boolean;
+}
+
+/** Texts of a script whose functions are kept: as many as a history has steps. */
+const KEPT_TEXTS = 1000;
+
+/** One script asset, also after it was taken out of the library: undo brings the same one back. */
+class Entry {
+  /** What became of each text. */
+  readonly results = new Map<string, ScriptFunction | ScriptError>();
+  /** The text that is being compiled. */
+  pending: string | null = null;
+  /** The function that the running module is of, and the name that the module has. */
+  run: ScriptFunction | null = null;
+  name = '';
+  componentClass: ComponentClass | null = null;
+  error: ScriptError | null = null;
+
+  constructor(readonly asset: ScriptAsset) {}
+
+  /** The function of the present text, else the last one that could be compiled. */
+  get newest(): ScriptFunction | null {
+    const result = this.results.get(this.asset.source);
+    return typeof result === 'function' ? result : this.run;
+  }
+
+  /** What is wrong with the present text, as far as it does not run yet. */
+  get resultError(): ScriptError | null {
+    const result = this.results.get(this.asset.source);
+    return result instanceof ScriptError ? result : null;
+  }
+
+  get isWaiting(): boolean {
+    return !this.results.has(this.asset.source) && !this.run;
+  }
+
+  keep(source: string, result: ScriptFunction | ScriptError): void {
+    this.results.set(source, result);
+    if (this.results.size > KEPT_TEXTS) this.results.delete(this.results.keys().next().value!);
+  }
+}
+
+/**
+ * The scripts of a scene: compiled, run as modules, and their classes known to the scene's registry. When a script changes,
+ * its components become those of the new class, in place and with the values of their fields; one that is broken leaves the
+ * last good class. Without their script, or while scripts are off, its components are kept as data.
+ */
+export class SceneScripts {
+  private readonly entries = new Map<ScriptAsset, Entry>();
+  private readonly modules: ScriptModules;
+  private readonly values = new KeptValues();
+  private readonly entryOf = new WeakMap<ComponentClass, Entry>();
+  private readonly listeners = new Set<() => void>();
+  private readonly endings: (() => void)[];
+  private readonly waiting: (() => void)[] = [];
+  private running: boolean;
+  private isDisposed = false;
+  private errorsByName: ReadonlyMap<string, ScriptError> = new Map();
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly registry: ComponentRegistry,
+    private readonly options: SceneScriptsOptions,
+  ) {
+    this.running = options.isOn ?? true;
+    // `import * as` takes modules with this mark as they are
+    const given = Object.entries(options.modules).map(
+      ([name, module]) => [name, { ...module, __esModule: true }] as const,
+    );
+    this.modules = new ScriptModules(
+      (name) => this.functionOf(name),
+      (name) => this.listed.some((asset) => asset.name === name),
+      new Map(given),
+    );
+    const system = scene.system(ScriptReset);
+    system.onReset = () => this.restart();
+    this.endings = [
+      scene.assets.onChange((change) => {
+        const { kind } = change;
+        if (kind !== 'registered' && kind !== 'removed' && kind !== 'changed') return;
+        if (change.type === 'script') this.refresh();
+      }),
+      scene.onChange((change) => {
+        if (change.kind === 'add') change.gameObject.traverse((object) => this.update(object.components));
+        else if (change.kind === 'component-add') this.update([change.component]);
+      }),
+      () => (system.onReset = null),
+    ];
+    this.refresh();
+  }
+
+  /** Whether scripts run. */
+  get isOn(): boolean {
+    return this.running;
+  }
+
+  /** Runs the scripts, or has their components kept as data. */
+  set isOn(value: boolean) {
+    if (value === this.running) return;
+    this.running = value;
+    this.refresh();
+  }
+
+  /** What is wrong with each script, by its name; another map after each change. */
+  get errors(): ReadonlyMap<string, ScriptError> {
+    return this.errorsByName;
+  }
+
+  /** Whether a script is being compiled. */
+  get isCompiling(): boolean {
+    return [...this.entries.values()].some(({ pending }) => pending !== null);
+  }
+
+  /** The class that runs for a script, by the name of the asset; null for one without a default export, and while it is broken from the first. */
+  classOf(name: string): ComponentClass | null {
+    const asset = this.scene.assets.fieldAsset(name);
+    return asset?.type === 'script' ? (this.entries.get(asset as ScriptAsset)?.componentClass ?? null) : null;
+  }
+
+  /** The name of the script that a class of components comes from; null for others. */
+  scriptOf(type: ComponentClass): string | null {
+    return this.entryOf.get(type)?.asset.name ?? null;
+  }
+
+  /** Where in the scripts something was thrown; null when it was elsewhere. */
+  placeOf(error: unknown): ScriptPlace | null {
+    return placeOfError(
+      error,
+      this.listed.map(({ name }) => name),
+    );
+  }
+
+  /** Calls `listener` when a script is compiled, fails or goes, and when scripts are switched on or off. @returns a function that ends it */
+  onChange(listener: () => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  /** Fulfilled when no script is being compiled. */
+  settled(): Promise<void> {
+    return this.isCompiling ? new Promise((resolve) => this.waiting.push(resolve)) : Promise.resolve();
+  }
+
+  /** Runs all scripts anew: their modules and components are as they were before they ran. */
+  restart(): void {
+    if (this.running && this.scene.isSimulated) this.apply(true);
+  }
+
+  /** Ends it: the classes leave the registry. Components stay what they are. */
+  dispose(): void {
+    this.isDisposed = true;
+    for (const end of this.endings) end();
+    for (const { componentClass } of this.entries.values()) {
+      if (componentClass) this.registry.unregister(componentClass);
+    }
+    this.listeners.clear();
+    for (const resolve of this.waiting.splice(0)) resolve();
+  }
+
+  private get listed(): ScriptAsset[] {
+    return this.scene.assets.fieldAssets('script') as ScriptAsset[];
+  }
+
+  private entry(asset: ScriptAsset): Entry {
+    let entry = this.entries.get(asset);
+    if (!entry) this.entries.set(asset, (entry = new Entry(asset)));
+    return entry;
+  }
+
+  private functionOf(name: string): ScriptFunction | null {
+    const asset = this.listed.find((each) => each.name === name);
+    if (!asset) return null;
+    const entry = this.entry(asset);
+    const { newest } = entry;
+    if (newest) return newest;
+    throw entry.resultError ?? new ScriptError(name, 'it is still being read.');
+  }
+
+  /** Compiles what is new, and brings the scene up to date once nothing is missing. */
+  private refresh(): void {
+    if (this.isDisposed) return;
+    const entries = this.listed.map((asset) => this.entry(asset));
+    if (this.running) {
+      for (const entry of entries) {
+        if (entry.pending === null && !entry.results.has(entry.asset.source)) void this.compile(entry);
+      }
+      // one that comes may be imported by others
+      if (entries.some(({ isWaiting }) => isWaiting)) return this.tell();
+    }
+    this.apply();
+  }
+
+  private async compile(entry: Entry): Promise<void> {
+    const { name, source } = entry.asset;
+    entry.pending = source;
+    let result: ScriptFunction | ScriptError;
+    try {
+      const compiled = await (this.options.compile ?? compileScript)(name, source);
+      result = compiled instanceof ScriptError ? compiled : await this.options.run(compiled);
+    } catch (error) {
+      result = asScriptError(error, name);
+    }
+    entry.pending = null;
+    entry.keep(source, result);
+    this.refresh();
+    if (!this.isCompiling) for (const resolve of this.waiting.splice(0)) resolve();
+  }
+
+  /**
+   * Runs what has changed, with what imports it, and changes the classes of components.
+   * @param isAll - runs all anew
+   */
+  private apply(isAll = false): void {
+    const { modules } = this;
+    const listed = new Set(this.running ? this.listed.map((asset) => this.entry(asset)) : []);
+    const stale = new Set<Entry>();
+    const names = new Set<string>();
+    for (const entry of this.entries.values()) {
+      const { asset, run } = entry;
+      const isSame = listed.has(entry) && run !== null && run === entry.newest && entry.name === asset.name;
+      entry.error = entry.resultError;
+      if (listed.has(entry) ? isSame && !isAll : run === null) continue;
+      stale.add(entry);
+      if (entry.name) names.add(entry.name);
+      names.add(entry.asset.name);
+    }
+    const affected = modules.dependentsOf(names);
+    for (const entry of listed) if (affected.has(entry.asset.name)) stale.add(entry);
+    const before = new Map<Entry, ScriptModule | undefined>();
+    for (const entry of stale) before.set(entry, modules.get(entry.name));
+    for (const name of affected) modules.forget(name);
+    for (const entry of stale) {
+      if (listed.has(entry)) continue;
+      this.setClass(entry, null);
+      Object.assign(entry, { run: null, name: '', error: null });
+    }
+    for (const entry of stale) if (listed.has(entry)) this.runOne(entry, before.get(entry));
+    if (stale.size > 0) {
+      const components: Component[] = [];
+      this.scene.traverse((object) => components.push(...object.components));
+      this.update(components);
+    }
+    this.errorsByName = new Map([...listed].flatMap(({ asset, error }) => (error ? [[asset.name, error]] : [])));
+    this.tell();
+  }
+
+  private runOne(entry: Entry, before: ScriptModule | undefined): void {
+    const { name, source } = entry.asset;
+    const { newest } = entry;
+    if (!newest) return;
+    try {
+      const module = this.modules.load(name);
+      const type = scriptClass(module, source, entry.componentClass !== null);
+      if (type) this.checkFree(type, entry);
+      this.setClass(entry, type);
+      entry.run = newest;
+      entry.name = name;
+    } catch (error) {
+      entry.error ??= asScriptError(error, name);
+      if (before && before.name === name) this.modules.restore(before);
+      else this.modules.forget(name);
+    }
+  }
+
+  private checkFree({ typeName }: ComponentClass, entry: Entry): void {
+    const known = this.registry.types.get(typeName);
+    if (!known || known === entry.componentClass) return;
+    const other = this.entryOf.get(known);
+    const owner = other ? `the script ${other.asset.name}` : 'Farol or a plugin';
+    throw new ScriptError(
+      entry.asset.name,
+      `there is a component '${typeName}' of ${owner} already: give the script another name, or its class another typeName.`,
+    );
+  }
+
+  private setClass(entry: Entry, type: ComponentClass | null): void {
+    if (entry.componentClass === type) return;
+    if (entry.componentClass) this.registry.unregister(entry.componentClass);
+    entry.componentClass = type;
+    if (!type) return;
+    this.registry.register(type);
+    this.entryOf.set(type, entry);
+  }
+
+  /** Gives components the class that there is now for them. */
+  private update(components: readonly Component[]): void {
+    for (const component of components) {
+      const { componentClass, typeName } = component;
+      const entry = this.entryOf.get(componentClass);
+      if (entry) {
+        if (entry.componentClass !== componentClass) this.values.change(component, entry.componentClass);
+      } else if (component instanceof UnknownComponent) {
+        const known = this.registry.types.get(typeName);
+        if (known && this.entryOf.has(known)) this.values.change(component, known);
+      }
+    }
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+}

@@ -1,0 +1,8 @@
+/** Scripts of scenes: compiling, running, and what is wrong with them. */
+export type { CompiledScript, ScriptFunction, ScriptRunner } from './CompiledScript';
+export { compileScript } from './compileScript';
+export { givenScripts, runInPage, takeGiven } from './runInPage';
+export { SceneScripts, type SceneScriptsOptions } from './SceneScripts';
+export { ScriptError, type ScriptPlace } from './ScriptError';
+export { typeNameOf } from './scriptClass';
+export { placeOfError, scriptUrl } from './scriptUrl';

@@ -1,0 +1,22 @@
+/** A name with `.` and `..` taken out; null where it leads above the top. */
+function normalised(path: string): string | null {
+  const parts: string[] = [];
+  for (const part of path.split('/')) {
+    if (part === '..') {
+      if (parts.pop() === undefined) return null;
+    } else if (part !== '.' && part !== '') parts.push(part);
+  }
+  return parts.join('/');
+}
+
+/**
+ * The name of the script that an import such as './helpers' or '../tools/helpers' leads to, seen from another script's
+ * folder; null when there is none.
+ */
+export function resolveScript(specifier: string, from: string, has: (name: string) => boolean): string | null {
+  const folder = from.slice(0, from.lastIndexOf('/') + 1);
+  const path = normalised(folder + specifier);
+  if (path === null) return null;
+  const bare = path.replace(/\.(ts|js)$/, '');
+  return [path, `${path}.ts`, `${path}.js`, bare, `${bare}.ts`].find(has) ?? null;
+}

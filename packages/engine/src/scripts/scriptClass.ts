@@ -1,0 +1,51 @@
+import { Component } from '../core/Component';
+import type { ComponentClass } from '../core/SceneGraph';
+import { scriptClasses } from '../core/scriptClasses';
+import type { ScriptModule } from './ScriptModules';
+import { asScriptError } from './ScriptModules';
+import { ScriptError } from './ScriptError';
+
+/** The name of components of a script whose class names none: that of the asset without folder and ending. */
+export const typeNameOf = (script: string): string =>
+  script.slice(script.lastIndexOf('/') + 1).replace(/\.(m?js|ts)$/, '');
+
+/**
+ * The class of components that a script exports; null for one without a default export, which others import.
+ * @param hadClass - a text of it before had a class
+ * @throws ScriptError when the default export is no class of components, or none can be made of it
+ */
+export function scriptClass({ name, exports }: ScriptModule, source: string, hadClass: boolean): ComponentClass | null {
+  const type = exports.default as ComponentClass | undefined;
+  const lineOf = (pattern: RegExp): number => source.split('\n').findIndex((text) => pattern.test(text)) + 1;
+  const line = lineOf(/^\s*export default\b/);
+  const fail = (problem: string): never => {
+    throw new ScriptError(name, problem, line);
+  };
+  if (type === undefined) {
+    const at = lineOf(/\bextends\s+component\s*\(/);
+    if (!hadClass && at === 0) return null;
+    throw new ScriptError(name, 'it exports no class: write `export default class … extends component({ … })`.', at);
+  }
+  if (typeof type !== 'function' || !((type.prototype as unknown) instanceof Component)) {
+    return fail(
+      'its default export is no class of components: write `export default class … extends component({ … })`.',
+    );
+  }
+  for (const [field, declared] of Object.entries(type.fields)) {
+    if (typeof declared?.kind !== 'string')
+      fail(
+        `its field '${field}' is not declared: write number(1), flag(true) or another field of '@farol/engine/fields'.`,
+      );
+  }
+  if (!Object.hasOwn(type, 'typeName') || !type.typeName) {
+    Object.defineProperty(type, 'typeName', { value: typeNameOf(name), configurable: true });
+  }
+  scriptClasses.add(type);
+  try {
+    // what cannot be made must not take the place of what can
+    new type();
+  } catch (error) {
+    throw asScriptError(error, name);
+  }
+  return type;
+}
