@@ -35,7 +35,6 @@ export interface EditorHandle {
   readonly dialogs: { show(request: { kind: 'keys' | 'export' | 'welcome'; recovery: null }): Promise<boolean> };
   readonly notices: { show(kind: 'error', text: string): void };
   readonly preferences: { setState(values: { theme: 'dark' | 'light' }): void };
-  readonly preferences: { setState(values: { theme: 'dark' | 'light' }): void };
   openMicroShader(name: string, line?: number): void;
   readonly commands: {
     readonly history: readonly string[];
