@@ -147,7 +147,8 @@ export class AuthoredState {
       if (asset.type !== 'script' && !this.assets.has(asset.name)) scene.assets.unregister(asset.name);
     }
     scene.name = this.name;
-    for (const [place] of scene.views.entries) if (!this.views.some(([at]) => at === place)) scene.views.set(place, null);
+    for (const [place] of scene.views.entries)
+      if (!this.views.some(([at]) => at === place)) scene.views.set(place, null);
     for (const [place, view] of this.views) scene.views.set(place, view);
     for (const name of [...scene.microShaders.texts.keys()]) {
       if (!this.microShaders.has(name)) scene.microShaders.set(name, null);

@@ -1,5 +1,5 @@
 import { shortText } from '@farol/renderer';
-import type { Scene as ThreeScene } from 'three';
+import type { Camera as ThreeCamera, Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { assetFields } from '../fields/assetFields';
 import { PrefabTable } from '../prefabs/PrefabTable';
@@ -20,6 +20,7 @@ import type {
   SceneSystemClass,
 } from './SceneGraph';
 import { SceneIndex } from './SceneIndex';
+import { ScenePointer } from './ScenePointer';
 import { scriptClasses } from './scriptClasses';
 import { SceneMicroShaders } from './SceneMicroShaders';
 import { SceneSystems } from './SceneSystems';
@@ -47,9 +48,11 @@ class BaseScene implements SceneType {
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
   readonly childList: GameObject[] = [];
+  pointerCamera: ThreeCamera | null = null;
 
   private readonly index = new SceneIndex();
   private readonly systems = new SceneSystems(this);
+  private readonly pointer = new ScenePointer(this, this.index);
   /** Components that show values which were not authored. */
   private readonly simulatedOnes = new Set<Component>();
   private wasSimulated = false;
@@ -104,7 +107,7 @@ class BaseScene implements SceneType {
   }
 
   get takesKeys(): boolean {
-    return this.index.keyed.array.some((component) => component.isActive);
+    return this.index.keyed.array.some((component) => component.isActive && component.listensTo?.('key') !== false);
   }
 
   get requiredEffects(): readonly RequiredEffect[] {
@@ -182,6 +185,7 @@ class BaseScene implements SceneType {
     if (deltaSeconds > 0) {
       this.wasSimulated = true;
       this.startWaiting();
+      this.pointer.update();
     }
     const updated = this.index.updated.array;
     for (let i = 0; i < updated.length; i++) {
@@ -240,7 +244,12 @@ class BaseScene implements SceneType {
     return this.authored?.hold(gameObject) ?? false;
   }
 
+  pause(): void {
+    this.systems.pause();
+  }
+
   reset(): void {
+    this.pointer.reset();
     for (const component of [...this.index.started.array]) this.destroyed(component);
     this.index.switchOn();
     this.authored?.restore();
@@ -307,12 +316,17 @@ class BaseScene implements SceneType {
         if (event.type === 'move') component.onPointerMove?.(event);
         else if (event.type === 'down') component.onPointerDown?.(event);
         else if (event.type === 'up') component.onPointerUp?.(event);
-        else component.onPointerWheel?.(event);
+        else if (event.type === 'wheel') component.onPointerWheel?.(event);
       } catch (error) {
         this.reportError(component, error);
       }
       if (components[i] !== component) i--;
     }
+    this.pointer.take(event);
+  }
+
+  dispatchObjectPointer(event: EnginePointerEvent): void {
+    this.pointer.take(event);
   }
 
   dispatchKey(event: EngineKeyEvent): void {
@@ -387,6 +401,7 @@ class BaseScene implements SceneType {
   subtreeLeaves(gameObject: GameObject): void {
     for (const child of gameObject.children) this.subtreeLeaves(child);
     for (const component of gameObject.components) this.componentLeaves(component);
+    this.pointer.forget(gameObject);
     this.index.objectsById.delete(gameObject.id);
     gameObject.sceneOf = null;
   }
