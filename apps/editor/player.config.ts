@@ -26,42 +26,65 @@ function withoutDecoders(): Plugin {
   };
 }
 
+interface PlayerParts {
+  /** Whether it can read compressed models. */
+  readonly decoders?: boolean;
+  /** Whether it runs scripts, which may use all of three and of the engine. */
+  readonly scripts?: boolean;
+}
+
 /** The player as one classic script, with everything that it would load late inside: it runs without a server. */
-async function buildPlayer(fromSource: boolean, decoders: boolean): Promise<string> {
+const buildPlayer = (fromSource: boolean, { decoders = false, scripts = false }: PlayerParts = {}): Promise<string> =>
+  buildScript(
+    `src/player/${scripts ? 'mainWithScripts' : 'main'}.ts`,
+    'FarolPlayer',
+    fromSource,
+    decoders ? [] : [withoutDecoders()],
+  );
+
+/** A module of the editor and all that it imports as one classic script. */
+async function buildScript(entry: string, name: string, fromSource: boolean, plugins: Plugin[] = []): Promise<string> {
   const result = await build({
     root,
     configFile: false,
     publicDir: false,
     logLevel: 'warn',
     mode: 'production',
-    plugins: decoders ? [] : [withoutDecoders()],
+    plugins,
     define: { 'process.env.NODE_ENV': '"production"' },
     resolve: { dedupe: ['three'], ...(fromSource ? { conditions: sourceConditions } : {}) },
     build: {
       write: false,
       target: 'es2022',
-      lib: { entry: 'src/player/main.ts', formats: ['iife'], name: 'FarolPlayer' },
+      lib: { entry, formats: ['iife'], name },
       rolldownOptions: { output: { codeSplitting: false } },
     },
   });
   const outputs = (Array.isArray(result) ? result : [result]).flatMap((each) => ('output' in each ? each.output : []));
   const script = outputs.find((output) => output.type === 'chunk');
-  if (!script) throw new Error('The player gave no script.');
+  if (!script) throw new Error(`${entry} gave no script.`);
   return script.code;
 }
 
 const DRAGON = 'dragon.ply.gz';
 
-/** The page of embedded frames; it knows where the Stanford dragon is, when it is part of the build. */
-async function playerPage(hasDragon: boolean): Promise<string> {
+/**
+ * The page of embedded frames; it knows where the Stanford dragon is, when it is part of the build.
+ * @param runsScripts - of a scene in a link: it is shown in a sandboxed frame
+ */
+async function playerPage(hasDragon: boolean, runsScripts: boolean): Promise<string> {
   const text = await readFile(new URL('player.html', import.meta.url), 'utf8');
-  const page = text.replace('<head>', `$&\n    ${policyElement(contentSecurityPolicy())}`);
-  return hasDragon ? page.replace('src="./farol-player.js"', `$& data-dragon="./${DRAGON}"`) : page;
+  const script = runsScripts ? 'farol-player-scripts.js' : 'farol-player.js';
+  const page = text
+    .replace('<head>', `$&\n    ${policyElement(contentSecurityPolicy({ runsScripts }))}`)
+    .replace('./farol-player.js', `./${script}`);
+  return hasDragon ? page.replace(`src="./${script}"`, `$& data-dragon="./${DRAGON}"`) : page;
 }
 
 /**
- * Serves and builds `farol-player.js`, which exported pages hold and embedded frames run, `farol-player-decoders.js`, the
- * same with decoders of compressed models, and `player.html`, which embedded frames show.
+ * Serves and builds `farol-player.js`, which exported pages hold and embedded frames run, the same with decoders of
+ * compressed models, with scripts, and with both, `farol-script-compiler.js`, which frames of scenes with scripts fetch, and
+ * `player.html` and `player-scripts.html`, which embedded frames show.
  */
 export function playerPlugin(): Plugin {
   const scripts = new Map<string, Promise<string | Uint8Array>>();
@@ -69,9 +92,13 @@ export function playerPlugin(): Plugin {
     const dragon = stanfordDragonFile('medium', command);
     const fromSource = command === 'serve';
     return {
-      'farol-player.js': () => buildPlayer(fromSource, false),
-      'farol-player-decoders.js': () => buildPlayer(fromSource, true),
-      'player.html': () => playerPage(dragon !== null),
+      'farol-player.js': () => buildPlayer(fromSource),
+      'farol-player-decoders.js': () => buildPlayer(fromSource, { decoders: true }),
+      'farol-player-scripts.js': () => buildPlayer(fromSource, { scripts: true }),
+      'farol-player-scripts-decoders.js': () => buildPlayer(fromSource, { scripts: true, decoders: true }),
+      'farol-script-compiler.js': () => buildScript('src/player/compiler.ts', 'FarolCompiler', fromSource),
+      'player.html': () => playerPage(dragon !== null, false),
+      'player-scripts.html': () => playerPage(dragon !== null, true),
       ...(dragon ? { [DRAGON]: () => readFile(dragon) } : {}),
     };
   };

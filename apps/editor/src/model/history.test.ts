@@ -1,10 +1,11 @@
-import { createRandom } from '@farol/engine';
+import { builtinComponents, ComponentRegistry, createRandom } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
 import { expect, it } from 'vitest';
 import { EditorDocument } from './EditorDocument';
 import { randomCommand } from './testing/randomCommand';
 import { randomGesture } from './testing/randomGesture';
 import { randomScene } from './testing/randomScene';
+import { scriptsInNode } from './testing/scriptsInNode';
 import { randomKeep, randomSimulation } from './testing/randomSimulation';
 
 /** What a document is: its scene as in a file, and the assets that it could use. */
@@ -16,9 +17,10 @@ const STEPS = 2500;
 
 it.each([1, 2, 3, 4])(
   'undoes and redoes random edits exactly, seed %i',
-  (seed) => {
+  async (seed) => {
     const random = createRandom(seed);
-    const document = new EditorDocument();
+    const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
+    const document = new EditorDocument(undefined, registry, scriptsInNode());
     document.open(randomScene(random, document));
     const { commands } = document;
     /** What the document was after each number of steps that the history still has. */
@@ -40,6 +42,7 @@ it.each([1, 2, 3, 4])(
         else if (act < 0.53) randomKeep(random, document);
         else commands.run(randomCommand(random, document));
         isEdit = commands.last !== last;
+        if (document.scripts.isCompiling) await document.scripts.settled();
       }
       const state = stateOf(document);
       if (isEdit) {
