@@ -23,8 +23,7 @@ export default class Spin extends component({ ${table} }) {
   turned = ${count};
   update() {
     this.turned++;
-    this.gameObject.name = 'Turned';
-    if (this.turned % 5 === 0) this.scene.add(new this.gameObject.constructor('Spawned'));
+    this.gameObject.object3D.rotateY(1);
   }
 }`;
 
