@@ -1,12 +1,15 @@
 import { builtinComponents, ComponentRegistry, createRandom } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
-import { expect, it } from 'vitest';
+import { beforeAll, expect, it } from 'vitest';
 import { EditorDocument } from './EditorDocument';
 import { randomCommand } from './testing/randomCommand';
 import { randomGesture } from './testing/randomGesture';
 import { randomScene } from './testing/randomScene';
 import { scriptsInNode } from './testing/scriptsInNode';
 import { randomKeep, randomSimulation } from './testing/randomSimulation';
+
+// what decals fetch is there, also after the last step
+beforeAll(() => import('@farol/renderer/decals'));
 
 /** What a document is: its scene as in a file, and the assets that it could use. */
 const stateOf = ({ scene, assets }: EditorDocument): string =>
