@@ -41,6 +41,7 @@ import { snap } from './snap';
 import { alignToSurface, gizmoPivots, snapTargets } from './snapping';
 import { showStatistics } from './statistics';
 import { themes } from './themes';
+import { addKeys, record } from './timeline';
 import { undo } from './undo';
 import { startTour, welcome } from './welcome';
 import { continuous, showGrid, showIcons, showPictureEffects, showRanges } from './viewportToggles';
@@ -112,6 +113,8 @@ export const actions: readonly Action[] = [
   pause,
   step,
   stop,
+  record,
+  addKeys,
   maximiseViewport,
   resetPanels,
   goToMenuBar,
