@@ -54,10 +54,14 @@ export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
 export { Transform } from './core/Transform';
 
+export { objectsByName, targetOfTrack } from './animation/bindClip';
 export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animation/ClipData';
 export { ClipPreview } from './animation/ClipPreview';
 export { clipText } from './animation/clipText';
 export { cubicBezier } from './animation/cubicBezier';
+export { modelBelow, type ModelInScene } from './animation/modelsBelow';
+export type { NodeProperty } from './animation/Channel';
+export type { ClipWrap } from './animation/clipEvents';
 export { ClipError, parseClip } from './animation/parseClip';
 export { objectAtPath, pathBelow, trackTarget, type TrackTarget } from './animation/trackTarget';
 export { valueAt } from './animation/valueAt';

@@ -155,7 +155,7 @@ function interpolantOf(track: KeyframeTrack): Interpolant {
 }
 
 /** The objects below one, and itself, by name; of those of one name the first. */
-function objectsByName(root: GameObject): Map<string, GameObject> {
+export function objectsByName(root: GameObject): Map<string, GameObject> {
   const objects = new Map<string, GameObject>();
   root.traverse((each) => {
     if (!objects.has(each.name)) objects.set(each.name, each);
