@@ -443,6 +443,12 @@ export class AssetLibrary implements MaterialHost {
     return promise;
   }
 
+  /** The name of an asset that was made or loaded; null when it is not in the library. */
+  nameOf(asset: Asset): string | null {
+    for (const [name, value] of this.values) if (value === asset) return name;
+    return null;
+  }
+
   /** Begins to load an asset and calls back once it is there. A failure is told to `onChange` only. */
   whenReady(type: AssetType, name: string, callback: () => void): void {
     if (this.isReady(type, name)) callback();
