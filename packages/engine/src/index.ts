@@ -15,13 +15,16 @@ export { createRandom } from './core/createRandom';
 export type { EngineKeyEvent, EnginePointerEvent } from './core/events';
 export { GameObject } from './core/GameObject';
 export { gameObjectOf } from './core/gameObjectOf';
+export { hitPoint, rayHits } from './picking/rayHits';
 export type { RequiredEffect } from './core/RequiredEffect';
 export { Scene, type SceneOptions } from './core/Scene';
 export type {
   AddComponentOptions,
   CameraComponent,
   ComponentClass,
+  CostlyEvents,
   MoveOptions,
+  ObjectPointerEvent,
   SceneChange,
   SceneSystem,
   SceneSystemClass,
@@ -43,8 +46,13 @@ export { ComponentRegistry, type ComponentRegistryOptions } from './core/Compone
 export { builtinComponents } from './components/index';
 export { Animation, type PlayOptions } from './components/Animation';
 export { Animator } from './components/Animator';
+export { AudioListener } from './components/AudioListener';
+export { AudioSource } from './components/AudioSource';
+export { audioOutput, type AudioOutput } from './audio/audioOutput';
 export { Camera } from './components/Camera';
+export { Collider } from './components/Collider';
 export { Decal } from './components/Decal';
+export { EventTrigger } from './components/EventTrigger';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
 export { lightShadows, meshShadows } from './components/newShadows';
@@ -52,6 +60,9 @@ export { ModelRenderer } from './components/ModelRenderer';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
+export { RigidBody } from './components/RigidBody';
+export type { CollisionEvent } from './physics/CollisionEvent';
+export { PhysicsSystem } from './physics/PhysicsSystem';
 export { Transform } from './core/Transform';
 
 export { objectsByName, targetOfTrack } from './animation/bindClip';
@@ -78,9 +89,8 @@ export {
 } from './components/objectsOfModel';
 export { ClipAsset } from './assets/ClipAsset';
 export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
-export { ModelClip } from './assets/ModelClip';
 export { MaterialAsset } from './assets/MaterialAsset';
 export { ScriptAsset } from './assets/ScriptAsset';
 export { Sound } from './assets/Sound';
 export type { FetchBytes, FetchOptions } from './assets/loadAsset';
-export { Model } from './assets/Model';
+export { Model, ModelClip } from './assets/Model';

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/renderer';
 import { type Interpolant, type KeyframeTrack, type Object3D, PropertyBinding } from 'three';
 import type { ClipAsset } from '../assets/ClipAsset';
-import type { ModelClip } from '../assets/ModelClip';
+import type { ModelClip } from '../assets/Model';
 import type { GameObject } from '../core/SceneGraph';
 import type { Channel, NodeProperty } from './Channel';
 import type { ClipEvent } from './ClipData';

@@ -24,7 +24,7 @@ export function AnimationBar({ components }: { components: readonly Component[] 
     const { command, lost } = makeEditableCopy(animations, name);
     commands.run(command);
     if (lost.length > 0)
-      notices.show('info', t('Left out, since no field holds it: {tracks}', { tracks: lost.join(', ') }), 'clip');
+      notices.show('info', t('Left out, since no field holds it: {tracks}', { tracks: lost.join(', ') }));
   };
   return (
     <div className="material-bar">
