@@ -1,6 +1,7 @@
 import react from '@vitejs/plugin-react';
 import { appAddresses } from '@farol/tools/appAddresses';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
+import { scriptDeclarations } from '@farol/tools/scriptDeclarations';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
@@ -10,7 +11,7 @@ export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [react(), playerPlugin(), stanfordDragon(), securePages(), appAddresses()],
+  plugins: [react(), playerPlugin(), stanfordDragon(), scriptDeclarations(), securePages(), appAddresses()],
   server: { port: 5173, strictPort: true },
   // What is imported late must be known early, or the development server reloads the page when a file asks for it.
   optimizeDeps: {
@@ -27,6 +28,7 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/STLLoader.js',
       'three/addons/loaders/TGALoader.js',
       'postprocessing',
+      'typescript-in-browser',
     ],
   },
   resolve: {

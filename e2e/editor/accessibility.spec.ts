@@ -55,9 +55,21 @@ test('nothing is out of reach, and axe finds nothing serious, from twice enlarge
     await page.setViewportSize({ width, height });
     await expect(page.locator('.sheet-tabs')).toHaveCount(width < 1000 ? 1 : 0);
     await reachEverything(page, `${width} x ${height}`);
-    expect(await axeProblems(page)).toEqual([]);
+    await askInBothThemes(page);
   }
 });
+
+/** Asks axe about the page as it is, and about its colours in the other theme; leaves the theme as it was. */
+async function askInBothThemes(page: Page): Promise<void> {
+  expect(await axeProblems(page)).toEqual([]);
+  const shown = await page.evaluate(() => document.documentElement.dataset.theme as 'dark' | 'light');
+  const other = shown === 'dark' ? 'light' : 'dark';
+  for (const theme of [other, shown] as const) {
+    await page.evaluate((theme) => window.editor.preferences.setState({ theme }), theme);
+    await expect(page.locator('html')).toHaveAttribute('data-theme', theme);
+    if (theme === other) expect(await axeProblems(page, ['color-contrast'])).toEqual([]);
+  }
+}
 
 /** Asks each panel that is in a tab, and the dialogs, whether every control in them can be pressed. */
 async function reachEverything(page: Page, where: string): Promise<void> {
@@ -81,7 +93,7 @@ async function holdAsTelephone(page: Page): Promise<void> {
   await page.setViewportSize({ width: 390, height: 844 });
   await expect(page.locator('.sheet-tabs')).toBeVisible();
   await reachEverything(page, '390 x 844');
-  expect(await axeProblems(page)).toEqual([]);
+  await askInBothThemes(page);
   await page.getByRole('tab', { name: 'Hierarchy' }).tap();
   const sun = page.getByRole('treeitem', { name: 'Sun' });
   const name = sun.locator('.row-name');

@@ -1,8 +1,9 @@
 /**
- * Makes the pictures of the engine's scenes that the editor's welcome shows, by the editor itself on the software
+ * Makes the pictures of the samples that the editor's welcome shows, by the editor itself on the software
  * rasteriser, with the dragon that is made in code.
  *
  *     node packages/tools/samplePictures.mjs
+ *     node packages/tools/samplePictures.mjs prefabs temple
  */
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -32,13 +33,15 @@ try {
   await page.waitForFunction('window.editor');
   await page.evaluate('window.editor.ready');
   const names = /** @type {string[]} */ (await page.evaluate('Object.keys(window.editor.samples)'));
+  const wanted = process.argv.slice(2);
   for (const name of names) {
+    if (wanted.length > 0 && !wanted.includes(name)) continue;
     const data = /** @type {string} */ (
       await page.evaluate(
         async ([scene, width, height, quality]) => {
           const { editor } = /** @type {any} */ (window);
           const { viewport } = editor;
-          await editor.openScene(scene);
+          await editor.openSample(scene);
           editor.layout.maximise('viewport');
           viewport.showGrid = false;
           viewport.showIcons = false;

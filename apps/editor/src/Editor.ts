@@ -15,6 +15,7 @@ import type { EditorPlugin } from './api/EditorPlugin';
 import type { CustomFieldEditor, DraftKeeper, EditorApi, OpenFile } from './api/EditorApi';
 import type { Action } from './api/Action';
 import { KeyBindings } from './api/KeyBindings';
+import { samples } from './api/Sample';
 import { createPreferences, type Preferences, type PreferenceStore } from './api/preferences';
 import { PanelLayout } from './layout/PanelLayout';
 import { PanelRegistry } from './layout/PanelRegistry';
@@ -101,7 +102,7 @@ export class Editor implements EditorApi {
   readonly renameRequested = new Signal();
   readonly fileChanged = new Signal();
   readonly plugins: Plugins = new Plugins(this);
-  readonly samples = scenes;
+  readonly samples = samples;
   readonly ready: Promise<void>;
   autosave: DraftKeeper | null = null;
   timeline: Timeline | null = null;
@@ -158,19 +159,27 @@ export class Editor implements EditorApi {
   private async openFirst(name: string | null): Promise<void> {
     if (name === 'empty') this.show(makeEmptyScene(this.document.assets), { name: null, handle: null });
     else if (name !== null && Object.hasOwn(scenes, name)) await this.openScene(name);
+    else if (name !== null && Object.hasOwn(samples, name)) await this.openSample(name);
     else {
       await this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
       if (name === null) return;
       const text = name.length > 60 ? `${name.slice(0, 60)}…` : name;
       this.notices.show(
         'info',
-        t('There is no scene “{text}”: known are empty, {names}.', { text, names: Object.keys(scenes).join(', ') }),
+        t('There is no scene “{text}”: known are empty, {names}.', { text, names: Object.keys(samples).join(', ') }),
       );
     }
   }
 
   async openScene(name: string, parameters: SceneParameters = {}): Promise<void> {
     this.show(await scenes[name].build(parameters, this.libraryForNext()), { name: null, handle: null });
+  }
+
+  async openSample(name: string): Promise<void> {
+    const { file, parameters } = this.samples[name];
+    if (file === null) return this.openScene(name, parameters);
+    const { readSample } = await import('./files/readSample');
+    this.show(await readSample(this, file), { name: null, handle: null });
   }
 
   libraryForNext(): AssetLibrary {

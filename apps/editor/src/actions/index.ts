@@ -30,6 +30,7 @@ import { remove } from './remove';
 import { rename } from './rename';
 import { exportScene } from './exportScene';
 import { save, saveAs } from './save';
+import { newScript } from './scripts';
 import { selectAll } from './selectAll';
 import { shadings, showShadings } from './shadings';
 import { showKeys } from './showKeys';
@@ -81,6 +82,7 @@ export const actions: readonly Action[] = [
   newMaterial,
   makeMaterial,
   unpackModel,
+  newScript,
   ...gizmoModes,
   gizmoSpace,
   snap,

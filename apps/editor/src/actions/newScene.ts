@@ -1,6 +1,6 @@
-import { scenes } from '@farol/engine/scenes';
 import { makeEmptyScene } from '../model/makeEmptyScene';
 import type { Action } from '../api/Action';
+import { samples } from '../api/Sample';
 
 /** A scene to begin with: a camera, a sun and a sky. */
 export const newScene: Action = {
@@ -13,12 +13,12 @@ export const newScene: Action = {
   },
 };
 
-/** One action for each scene of the engine's. */
-export const openExamples: readonly Action[] = Object.values(scenes).map(({ name, label, sample }) => ({
+/** One action for each sample. */
+export const openExamples: readonly Action[] = Object.values(samples).map(({ name, label }) => ({
   id: `file.new.${name}`,
   label,
   menu: { menu: 'file', group: 'new', submenu: 'Samples' },
   async run(editor) {
-    if (await editor.mayLoseChanges()) await editor.openScene(name, sample);
+    if (await editor.mayLoseChanges()) await editor.openSample(name);
   },
 }));

@@ -2,7 +2,8 @@ import type { Command, CommandStack, Signal } from '@farol/editing';
 import type { ComponentRegistry, Scene } from '@farol/engine';
 import type { CustomField } from '@farol/engine/fields';
 import type { UnpackQuestion } from '@farol/engine/files';
-import type { SceneDefinition, SceneParameters } from '@farol/engine/scenes';
+import type { SceneParameters } from '@farol/engine/scenes';
+import type { Sample } from './Sample';
 import type { ComponentType } from 'react';
 import type { PanelLayout } from '../layout/PanelLayout';
 import type { PanelRegistry } from '../layout/PanelRegistry';
@@ -97,8 +98,8 @@ export interface EditorApi {
   readonly renameRequested: Signal;
   /** Emits when another file, or another scene, is edited. */
   readonly fileChanged: Signal;
-  /** The engine's scenes, by name. */
-  readonly samples: Readonly<Record<string, SceneDefinition>>;
+  /** Scenes to begin with, by name. */
+  readonly samples: Readonly<Record<string, Sample>>;
   /** Fulfilled when the first scene is loaded and drawn. */
   readonly ready: Promise<void>;
   /** Stores changes; null until it has begun, soon after `ready`, and where the browser cannot. */
@@ -115,6 +116,8 @@ export interface EditorApi {
   serialize(): string;
   /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
   openScene(name: string, parameters?: SceneParameters): Promise<void>;
+  /** Opens one of `samples`. @throws Error (as a rejection) when it cannot be made or read; the present scene stays */
+  openSample(name: string): Promise<void>;
   /** A library for the scene that comes next: the present one where nothing of the user's is in it, else a new one. */
   libraryForNext(): EditorDocument['assets'];
   /**

@@ -7,11 +7,14 @@ import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { numbers } from './es/numbers';
 import { panels } from './es/panels';
+import { physics } from './es/physics';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
+import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
 import { samples } from './es/samples';
+import { scriptRuns } from './es/scriptRuns';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
 
@@ -25,11 +28,14 @@ export const es: Texts = {
   ...messages,
   ...numbers,
   ...panels,
+  ...physics,
   ...picture,
   ...player,
   ...rendering,
+  ...triggers,
   ...scripts,
   ...samples,
+  ...scriptRuns,
   ...views,
   ...welcome,
 };

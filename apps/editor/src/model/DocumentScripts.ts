@@ -1,6 +1,12 @@
 import { Signal } from '@farol/editing';
 import type { Component, ComponentClass, ComponentRegistry, Scene } from '@farol/engine';
-import { runInPage, SceneScripts, type SceneScriptsOptions, type ScriptError, type ScriptPlace } from '@farol/engine/scripts';
+import {
+  runInPage,
+  SceneScripts,
+  type SceneScriptsOptions,
+  type ScriptError,
+  type ScriptPlace,
+} from '@farol/engine/scripts';
 
 /** Something that a component of a script threw while the scene played. */
 export interface ScriptFailure extends ScriptPlace {

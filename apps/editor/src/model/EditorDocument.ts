@@ -138,7 +138,6 @@ export class EditorDocument {
   }
 
   private sceneChanged(change: SceneChange): void {
-    this.playEdits.note(change);
     if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
     else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
     else if (change.kind === 'asset') {
@@ -162,7 +161,10 @@ export class EditorDocument {
   private openScripts(isOn: boolean): void {
     const { current: scene } = this;
     // classes of scripts are those of one scene: they are in no registry that others share
-    if (!this.registry) scene.registry = new ComponentRegistry(scene.registry.types.values(), { keepUnknown: true });
+    if (!this.registry)
+      scene.registry = new ComponentRegistry(scene.registry.types.values(), {
+        keepUnknown: scene.registry.keepsUnknown,
+      });
     this.scripts.open(scene, scene.registry, isOn);
   }
 

@@ -28,6 +28,7 @@ export class ScriptEditing {
   readonly changed = new Signal();
 
   private draft: Draft | null = null;
+  private readonly checked = new WeakMap<FieldAsset, { readonly source: string; readonly isBroken: boolean }>();
   private timer: ReturnType<typeof setTimeout> | undefined;
   private gesture: Gesture | null = null;
 
@@ -52,9 +53,22 @@ export class ScriptEditing {
     return this.draft?.asset === asset ? this.draft.text : sourceOf(asset);
   }
 
-  /** Whether what is typed cannot be read, so that the last good text runs. */
+  /** All texts as they are being edited, by name. */
+  get texts(): ReadonlyMap<string, string> {
+    return new Map(this.names.map((name) => [name, this.textOf(name)]));
+  }
+
+  /** Whether the text of a script cannot be read, as it was when it was last taken over or left. */
   isBroken(name: string): boolean {
-    return this.draft !== null && this.draft.asset === this.assetOf(name) && this.draft.isBroken;
+    const asset = this.assetOf(name);
+    if (!asset) return false;
+    if (this.draft?.asset === asset) return this.draft.isBroken;
+    const source = sourceOf(asset);
+    const known = this.checked.get(asset);
+    if (known?.source === source) return known.isBroken;
+    const isBroken = hasSyntaxErrors(source, isJavaScript(name));
+    this.checked.set(asset, { source, isBroken });
+    return isBroken;
   }
 
   /** A key was pressed: takes the text over once no more follow. */

@@ -2,14 +2,19 @@ import { builtinComponents } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
 import { Animation } from './Animation';
 import { Animator } from './Animator';
+import { AudioListener } from './AudioListener';
+import { AudioSource } from './AudioSource';
 import { Camera } from './Camera';
+import { Collider } from './Collider';
 import { Decal } from './Decal';
+import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
 import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
 import { RandomMovement } from './RandomMovement';
+import { RigidBody } from './RigidBody';
 
 /** The built-in components, in the order of the Add menu. */
 const components = [
@@ -24,6 +29,11 @@ const components = [
   KeyController,
   MouseController,
   RandomMovement,
+  RigidBody,
+  Collider,
+  AudioSource,
+  AudioListener,
+  EventTrigger,
 ];
 
 for (const each of components) builtinComponents.register(each);

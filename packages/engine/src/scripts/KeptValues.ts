@@ -23,7 +23,11 @@ export class KeptValues {
     const { kept } = this.note(component);
     const { componentClass: before } = component;
     const next = type ?? unknownClass({ type: before.typeName, version: before.version, values: changedOf(component) });
-    changeClass(component, next, valuesFor(component, next, type ? kept : new Map(Object.entries(changedOf(component)))));
+    changeClass(
+      component,
+      next,
+      valuesFor(component, next, type ? kept : new Map(Object.entries(changedOf(component)))),
+    );
     this.memories.set(component, { kept, given: new Map(Object.entries(component.authoredValues())) });
   }
 

@@ -9,7 +9,10 @@ import { serialize } from '../files/serialize';
 import { SceneScripts } from './SceneScripts';
 import { inNode } from './inNode';
 
-const spin = (fields: string, body: string): string => `import { component, number, string } from '@farol/engine/fields';
+const spin = (
+  fields: string,
+  body: string,
+): string => `import { component, number, string } from '@farol/engine/fields';
 const help = 'For a test.';
 export default class Spin extends component({ ${fields} }) {
   private turned = 0;
@@ -60,7 +63,12 @@ test('an edit keeps 200 components, their ids and the values of their fields, an
   const ids = components.map(({ id }) => id);
   scene.update(1);
   const begun = performance.now();
-  await edit(scene, scripts, 'Spin', spin('rate: number(2, { help }), name: string("a", { help })', 'this.turned = 7;'));
+  await edit(
+    scene,
+    scripts,
+    'Spin',
+    spin('rate: number(2, { help }), name: string("a", { help })', 'this.turned = 7;'),
+  );
   scene.update(1);
   const spent = performance.now() - begun;
   expect(components.map((each) => each.get('rate'))).toEqual(ids.map((_, i) => (i === 1 ? 2 : i)));
@@ -68,7 +76,6 @@ test('an edit keeps 200 components, their ids and the values of their fields, an
   expect(components.map(({ id }) => id)).toEqual(ids);
   expect(scene.componentsOf('Spin')).toHaveLength(200);
   expect(spent).toBeLessThan(300);
-  console.info(`200 components: ${spent.toFixed(1)} ms`);
 });
 
 test('a broken text leaves the last good class running, and is told with its line', async () => {
@@ -76,7 +83,7 @@ test('a broken text leaves the last good class running, and is told with its lin
   const component = addSpin(scene, { rate: 3 }) as Component & { turned: number };
   for (const broken of [plain.replace('this.#calls++', 'this.#calls+'), plain.replace('const help', 'cnst help'), '']) {
     await edit(scene, scripts, 'Spin', broken);
-    console.info(problems(scripts));
+
     component.turned = 0;
     scene.update(1);
     expect(component).toMatchObject({ turned: 3, rate: 3 });
@@ -98,5 +105,15 @@ test('without its script a component is data, and is itself again when the scrip
   scripts.isOn = false;
   expect(component).toBeInstanceOf(UnknownComponent);
   scripts.isOn = true;
+  expect(component.componentClass).toBe(scripts.classOf('Spin'));
+});
+
+test('a script without a class any more leaves the one that there was', async () => {
+  const { scene, scripts } = await make({ Spin: plain });
+  const component = addSpin(scene);
+  await edit(scene, scripts, 'Spin', plain.replace('export default ', ''));
+  expect(problems(scripts)).toEqual([
+    'Spin, line 3: it exports no class: write `export default class … extends component({ … })`.',
+  ]);
   expect(component.componentClass).toBe(scripts.classOf('Spin'));
 });

@@ -1,4 +1,3 @@
-import { runInThisContext } from 'node:vm';
 import * as three from 'three';
 import * as engine from '../index';
 import * as fields from '../fields/index';
@@ -11,7 +10,8 @@ export const inNode: SceneScriptsOptions = {
   modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
   run({ name, code }) {
     try {
-      runInThisContext(code);
+      // oxlint-disable-next-line no-eval -- in the page it is a script element that runs it
+      (0, eval)(code);
     } catch (error) {
       throw new ScriptError(name, (error as Error).message);
     }

@@ -14,6 +14,8 @@ export function loopCheck(): void {
     // runs once the code that the page called has come to its end
     queueMicrotask(ended);
   } else if (now - since > LOOP_LIMIT) {
-    throw new Error(`A loop has gone on for ${LOOP_LIMIT / 1000} s: give it an end, or do its work over several frames.`);
+    throw new Error(
+      `A loop has gone on for ${LOOP_LIMIT / 1000} s: give it an end, or do its work over several frames.`,
+    );
   }
 }

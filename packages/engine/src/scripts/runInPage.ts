@@ -10,7 +10,8 @@ export function takeGiven(name: string): ScriptFunction {
   const given = givenScripts();
   const taken = given[name];
   delete given[name];
-  if (!taken) throw new ScriptError(name, 'it did not run: the page may not run scripts. Look at its Content-Security-Policy.');
+  if (!taken)
+    throw new ScriptError(name, 'it did not run: the page may not run scripts. Look at its Content-Security-Policy.');
   return taken;
 }
 
@@ -43,7 +44,13 @@ export function runInPage({ name, code }: CompiledScript): Promise<ScriptFunctio
         }
       }),
     );
-    element.addEventListener('error', () => end(() => reject(new ScriptError(name, 'the page may not run it: its Content-Security-Policy must allow scripts of blob:.'))));
+    element.addEventListener('error', () =>
+      end(() =>
+        reject(
+          new ScriptError(name, 'the page may not run it: its Content-Security-Policy must allow scripts of blob:.'),
+        ),
+      ),
+    );
     element.src = url;
     document.head.append(element);
   });

@@ -27,11 +27,15 @@ export function scriptClass({ name, exports }: ScriptModule, source: string, had
     throw new ScriptError(name, 'it exports no class: write `export default class … extends component({ … })`.', at);
   }
   if (typeof type !== 'function' || !((type.prototype as unknown) instanceof Component)) {
-    return fail('its default export is no class of components: write `export default class … extends component({ … })`.');
+    return fail(
+      'its default export is no class of components: write `export default class … extends component({ … })`.',
+    );
   }
   for (const [field, declared] of Object.entries(type.fields)) {
     if (typeof declared?.kind !== 'string')
-      fail(`its field '${field}' is not declared: write number(1), flag(true) or another field of '@farol/engine/fields'.`);
+      fail(
+        `its field '${field}' is not declared: write number(1), flag(true) or another field of '@farol/engine/fields'.`,
+      );
   }
   if (!Object.hasOwn(type, 'typeName') || !type.typeName) {
     Object.defineProperty(type, 'typeName', { value: typeNameOf(name), configurable: true });

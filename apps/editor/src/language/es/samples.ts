@@ -11,6 +11,22 @@ export const samples: Texts = {
   'Variance (VSM)': 'Varianza (VSM)',
   Softness: 'Suavidad',
   'Factor of the softness of every light’s shadows.': 'Factor de la suavidad de las sombras de todas las luces.',
+  Prefabs: 'Prefabs',
+  'A street of lamps and benches. Change one lamp, then “Apply all to prefab”.':
+    'Una calle de farolas y bancos. Cambia una farola y luego «Aplicar todo al prefab».',
+  'Light in bands and rings. Edit “lightAttenuation” in the Microshaders panel.':
+    'Luz en bandas y anillos. Edita «lightAttenuation» en el panel Microshaders.',
+  'A temple of columns on a green plane, with moving lights.':
+    'Un templo de columnas sobre un plano verde, con luces en movimiento.',
+  'An atrium with two storeys of arcades, of the scale of the Sponza palace.':
+    'Un atrio con dos pisos de arcadas, a la escala del palacio de Sponza.',
+  'A dragon, a sphere and a cylinder in a room with all three kinds of lights.':
+    'Un dragón, una esfera y un cilindro en una habitación con las tres clases de luces.',
+  'Four Stanford dragons among coloured lights.': 'Cuatro dragones de Stanford entre luces de colores.',
+  'N × N planes with M × M moving lights above them.': 'N × N planos con M × M luces en movimiento encima.',
+  'N × N meshes with M × M moving lights above them.': 'N × N mallas con M × M luces en movimiento encima.',
+  'The sample {file} could not be read: the server answered {status}.':
+    'No se pudo leer el ejemplo {file}: el servidor respondió {status}.',
   Cascades: 'Cascadas',
   'Shadow maps of each directional light: each one more is finer near the camera.':
     'Mapas de sombra de cada luz direccional: cada uno más es más fino cerca de la cámara.',

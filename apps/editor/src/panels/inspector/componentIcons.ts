@@ -11,6 +11,13 @@ const icons: Readonly<Record<string, IconName>> = {
   KeyController: 'keyboard',
   MouseController: 'mouse',
   RandomMovement: 'motion',
+  RigidBody: 'body',
+  Collider: 'collider',
+  CharacterController: 'character',
+  Joint: 'joint',
+  AudioSource: 'sound',
+  AudioListener: 'listener',
+  EventTrigger: 'trigger',
 };
 
 /** The icon of a type of component. */

@@ -1,15 +1,36 @@
-import { t } from '@farol/editing';
+import { t, tCount } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { Icon } from '../../ui/Icon';
 
+interface ScriptBarProps {
+  readonly name: string;
+  /** Whether the text cannot be read. */
+  readonly isBroken: boolean;
+  /** How many things are wrong with it. */
+  readonly problems: number;
+  /** Whether TypeScript's service answers. */
+  readonly isReady: boolean;
+  /** Why it cannot; null where it can. */
+  readonly failure: string | null;
+}
+
+function stateOf({ isBroken, problems, isReady, failure }: ScriptBarProps): string {
+  if (isBroken) return t('Cannot be read yet: the last good text runs');
+  if (problems > 0) return tCount(problems, '{count} error of types', '{count} errors of types');
+  if (failure !== null) return t('No completion: {reason}', { reason: failure });
+  return isReady ? '' : t('Completion is being fetched…');
+}
+
 /** Name and state of the script. */
-export function ScriptBar({ name, isBroken }: { name: string; isBroken: boolean }): ReactNode {
+export function ScriptBar(props: ScriptBarProps): ReactNode {
+  const { name, isBroken, problems } = props;
+  const isWrong = isBroken || problems > 0;
   return (
     <div className="panel-bar">
       <strong>{name}</strong>
-      <span className={isBroken ? 'chunk-state broken' : 'chunk-state'} role="status">
-        {isBroken && <Icon name="warning" size={12} />}
-        {isBroken ? t('Cannot be read yet: the last good text runs') : ''}
+      <span className={isWrong ? 'chunk-state broken' : 'chunk-state'} role="status">
+        {isWrong && <Icon name="warning" size={12} />}
+        {stateOf(props)}
       </span>
     </div>
   );

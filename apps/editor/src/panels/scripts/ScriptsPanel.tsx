@@ -1,7 +1,7 @@
-import { javascript } from '@codemirror/lang-javascript';
 import { t } from '@farol/editing';
-import { type ReactNode, useEffect, useState, useSyncExternalStore } from 'react';
+import { type ReactNode, useEffect, useMemo, useState, useSyncExternalStore } from 'react';
 import { isJavaScript } from '../../model/scriptNames';
+import { typescriptSupport } from '../../scripts/language/typescriptSupport';
 import { CodeEditor } from '../../ui/code/CodeEditor';
 import '../../ui/code/code.css';
 import { useEditor } from '../../ui/EditorContext';
@@ -9,8 +9,10 @@ import { Icon } from '../../ui/Icon';
 import { newScript } from './scriptActions';
 import { ScriptBar } from './ScriptBar';
 import { ScriptList } from './ScriptList';
+import { ScriptProblems } from './ScriptProblems';
 import './scripts.css';
 import { useScriptEditing } from './useScriptEditing';
+import { useDiagnostics, useScriptLanguage } from './useScriptLanguage';
 
 /** The scripts of the scene: which there are, and their texts, which run while they are typed. */
 export function ScriptsPanel(): ReactNode {
@@ -28,6 +30,12 @@ export function ScriptsPanel(): ReactNode {
   // oxlint-disable-next-line react/exhaustive-effect-dependencies -- another script: what was typed is a step
   useEffect(() => () => editing.finish(), [editing, name]);
 
+  const language = useScriptLanguage(editing);
+  const { texts } = editing;
+  const found = useDiagnostics(language, name, [...texts].join('\0'));
+  const problems = useMemo(() => found.filter(({ severity }) => severity !== 'hint'), [found]);
+  const errors = problems.filter(({ severity }) => severity === 'error').length;
+
   return (
     <section className="panel scripts" aria-label={t('Scripts')}>
       <ScriptList names={names} current={name} isBroken={(each) => editing.isBroken(each)} />
@@ -41,21 +49,28 @@ export function ScriptsPanel(): ReactNode {
         </div>
       ) : (
         <div className="chunk">
-          <ScriptBar name={name} isBroken={editing.isBroken(name)} />
+          <ScriptBar
+            name={name}
+            isBroken={editing.isBroken(name)}
+            problems={errors}
+            isReady={language.isReady}
+            failure={language.failure}
+          />
           <CodeEditor
             name={name}
             text={editing.textOf(name)}
             label={t('Text of the script')}
-            problems={none}
+            problems={found}
             goTo={place?.name === name && place.line > 0 ? place : null}
-            language={() => javascript({ typescript: !isJavaScript(name) })}
+            language={() =>
+              typescriptSupport(language, name, !isJavaScript(name), (script, line) => editor.openScript(script, line))
+            }
             onInput={(text) => editing.edit(name, text)}
             onLeave={() => editing.finish()}
           />
+          {problems.length > 0 && <ScriptProblems name={name} list={problems} />}
         </div>
       )}
     </section>
   );
 }
-
-const none: readonly never[] = [];

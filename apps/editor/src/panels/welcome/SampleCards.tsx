@@ -11,7 +11,7 @@ const pictures: Readonly<Record<string, string>> = import.meta.glob('./pictures/
   import: 'default',
 });
 
-/** The engine's scenes, each with its picture. */
+/** The samples, each with its picture and what to try. */
 export function SampleCards({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   return (
@@ -25,14 +25,16 @@ export function SampleCards({ onClose }: { onClose(): void }): ReactNode {
               <button
                 type="button"
                 className="welcome-card"
-                title={t(help)}
                 onClick={() => {
                   onClose();
                   editor.attempt(() => action.run(editor));
                 }}
               >
                 <img src={pictures[`./pictures/${name}.webp`]} alt="" width="320" height="180" />
-                <span>{labelOf(action, editor)}</span>
+                <span>
+                  {labelOf(action, editor)}
+                  <span className="welcome-help">{t(help)}</span>
+                </span>
               </button>
             </li>
           );

@@ -8,10 +8,11 @@ import { codeExtensions, fromOutside } from './codeExtensions';
 /** What is wrong with a text, shown at its place. */
 export interface CodeProblem {
   readonly message: string;
-  /** From 1; where no part of it is given, the whole line is marked. */
+  /** From 1; all of it is marked where no part is given. */
   readonly line: number;
-  /** Characters from the start of the text: the part that is meant, and where it ends. */
-  readonly part?: { readonly from: number; readonly to: number };
+  /** The part that is meant, in characters from the start of the text. */
+  readonly from?: number;
+  readonly to?: number;
   /** Of an error when absent. */
   readonly severity?: 'error' | 'warning' | 'hint';
 }
@@ -32,12 +33,13 @@ interface CodeEditorProps {
   onLeave(): void;
 }
 
-function diagnosticOf(doc: Text, { message, line, part, severity = 'error' }: CodeProblem): Diagnostic {
-  if (part && part.from <= doc.length) {
-    return { from: part.from, to: Math.max(part.from, Math.min(part.to, doc.length)), severity, message };
+function diagnosticOf(doc: Text, problem: CodeProblem): Diagnostic {
+  const { message, line, from, to = from, severity = 'error' } = problem;
+  if (from !== undefined && from <= doc.length) {
+    return { from, to: Math.max(from, Math.min(to!, doc.length)), severity, message };
   }
-  const { from, to } = doc.line(Math.min(Math.max(line, 1), doc.lines));
-  return { from, to, severity, message };
+  const whole = doc.line(Math.min(Math.max(line, 1), doc.lines));
+  return { from: whole.from, to: whole.to, severity, message };
 }
 
 /** A text with line numbers, highlighting, search, and what is wrong with it at its place. */

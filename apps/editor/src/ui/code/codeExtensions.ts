@@ -46,6 +46,11 @@ const theme = EditorView.theme({
     backgroundColor: 'var(--raised)',
     color: 'var(--text)',
   },
+  '.cm-tooltip-autocomplete ul li[aria-selected]': { backgroundColor: 'var(--selected)', color: 'var(--text)' },
+  '.cm-completionMatchedText': { textDecoration: 'none', color: 'var(--accent-text)', fontWeight: '600' },
+  '.cm-completionDetail': { color: 'var(--dim)', fontStyle: 'normal' },
+  '.cm-foldGutter': { color: 'var(--dim)' },
+  '.cm-foldPlaceholder': { border: '0', backgroundColor: 'var(--selected-quiet)', color: 'var(--dim)' },
   '.cm-diagnostic-error': { borderLeftColor: 'var(--error)' },
   '.cm-panels': { backgroundColor: 'var(--panel)', color: 'var(--text)' },
   '.cm-panels input, .cm-panels button': {

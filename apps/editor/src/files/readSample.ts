@@ -1,0 +1,15 @@
+import { t } from '@farol/editing';
+import type { Scene } from '@farol/engine';
+import { deserialize, readSceneFile } from '@farol/engine/files';
+import type { EditorApi } from '../api/EditorApi';
+
+/** Opens a sample's file, which lies beside the page. @throws Error (as a rejection) when it cannot be read */
+export async function readSample(editor: EditorApi, file: string): Promise<Scene> {
+  const response = await fetch(new URL(`scenes/${file}`, document.baseURI));
+  if (!response.ok) {
+    const { status } = response;
+    throw new Error(t('The sample {file} could not be read: the server answered {status}.', { file, status }));
+  }
+  const { text, fileOf } = await readSceneFile(new Uint8Array(await response.arrayBuffer()), editor.mayUnpack);
+  return deserialize(text, { assets: editor.libraryForNext(), registry: editor.components, fileOf });
+}

@@ -1,0 +1,25 @@
+import { t } from '@farol/editing';
+import type { ReactNode } from 'react';
+import type { ScriptDiagnostic } from '../../scripts/language/LanguageAnswers';
+import { useEditor } from '../../ui/EditorContext';
+
+/** Problems that are listed; more are counted. */
+const MOST = 50;
+
+/** What is wrong with a script, by line; a click goes there. */
+export function ScriptProblems({ name, list }: { name: string; list: readonly ScriptDiagnostic[] }): ReactNode {
+  const editor = useEditor();
+  return (
+    <ul className="chunk-errors" aria-label={t('Errors')}>
+      {list.slice(0, MOST).map(({ line, from, message }) => (
+        <li key={`${from}:${message}`}>
+          <button type="button" onClick={() => editor.openScript(name, line)}>
+            {name}:{line}
+          </button>
+          <span>{message}</span>
+        </li>
+      ))}
+      {list.length > MOST && <li>{t('And {count} more.', { count: list.length - MOST })}</li>}
+    </ul>
+  );
+}

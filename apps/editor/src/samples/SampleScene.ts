@@ -1,0 +1,147 @@
+import { builtinComponents, GameObject, type Scene } from '@farol/engine';
+import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
+import {
+  deserialize,
+  FILE_VERSION,
+  type FarolFile,
+  type FileAsset,
+  type FileComponent,
+  type FileObject,
+} from '@farol/engine/files';
+import type { Prefab } from '@farol/engine/prefabs';
+
+export type Values = Readonly<Record<string, FieldValue>>;
+/** A component: its type and the fields that are not the default. */
+export type Part = readonly [type: string, values?: Values];
+
+export interface Place {
+  /** Metres. */
+  readonly position?: Vector3Tuple;
+  /** Radians. */
+  readonly rotation?: Vector3Tuple;
+  readonly scale?: Vector3Tuple;
+  /** What its front looks at, in the space of its parent; in place of `rotation`. */
+  readonly target?: Vector3Tuple;
+  /** Id of the object above; at the top when absent. */
+  readonly parent?: string;
+}
+
+/** Fields of an object of an instance that are not the prefab's: 'Lamp/Light.intensity' by its value. */
+export type Overrides = Readonly<Record<string, FieldValue>>;
+
+const placer = new GameObject();
+
+function transformOf({ position, rotation, scale, target }: Place): Record<string, FieldValue> {
+  if (target) placer.transform.lookAt(position ?? [0, 0, 0], target);
+  const turned = target ? placer.transform.rotation : rotation;
+  return { ...(position && { position }), ...(turned && { rotation: turned }), ...(scale && { scale }) };
+}
+
+/** Puts the file of a sample together, with ids that depend on names and order alone: the same sample is the same file. */
+export class SampleScene {
+  readonly settings: Record<string, FieldValue> = {};
+  readonly microShaders: Record<string, string> = {};
+  activeCamera: string | null = null;
+  private readonly assets: FileAsset[] = [];
+  private readonly files = new Map<string, Blob>();
+  private readonly prefabs: Prefab[] = [];
+  private readonly counts = new Map<string, number>();
+  private objects: FileObject[] = [];
+
+  constructor(readonly name: string) {}
+
+  /** An object. @returns its id */
+  object(name: string, place: Place, ...parts: readonly Part[]): string {
+    const id = this.idOf(name);
+    const components = [['Transform', transformOf(place)] as Part, ...parts].map(([type, values = {}], i) =>
+      component(`${id}-${i}`, type, values),
+    );
+    this.objects.push({ id, name, parent: place.parent ?? null, components });
+    return id;
+  }
+
+  /** An asset that is made of fields: a material, script or clip. @returns its name */
+  asset(type: 'material' | 'script' | 'clip', name: string, values: Record<string, FieldValue>): string {
+    this.assets.push({ name, type, values });
+    return name;
+  }
+
+  /** An asset that is a file. @returns its name */
+  file(type: FileAsset['type'], name: string, bytes: Uint8Array<ArrayBuffer>): string {
+    const path = `assets/${encodeURIComponent(name)}`;
+    this.assets.push({ name, type, file: path });
+    this.files.set(path, new Blob([bytes]));
+    return name;
+  }
+
+  /**
+   * A prefab of what `build` adds: one object, with all below it.
+   * @returns its id
+   */
+  prefab(name: string, build: () => string): string {
+    const before = this.objects;
+    this.objects = [];
+    const root = build();
+    const { objects } = this;
+    this.objects = before;
+    // the id of a prefab is that of its root
+    this.prefabs.push({ id: root, name, objects });
+    return root;
+  }
+
+  /** A copy of a prefab. @returns the id of its root */
+  instance(prefabId: string, place: Place, overrides: Overrides = {}, name?: string): string {
+    const prefab = this.prefabs.find(({ id }) => id === prefabId);
+    if (!prefab) throw new Error(`There is no prefab '${prefabId}'.`);
+    const rootId = this.idOf(name ?? prefab.name);
+    const ids = new Map(prefab.objects.map(({ id }) => [id, id === prefabId ? rootId : `${rootId}-${id}`]));
+    const left = new Set(Object.keys(overrides));
+    for (const source of prefab.objects) {
+      const id = ids.get(source.id)!;
+      const isRoot = source.id === prefabId;
+      const components = source.components.map(({ type, values }, i) => {
+        const own: Record<string, FieldValue> = { ...values };
+        for (const field of Object.keys(builtinComponents.fieldsOf(type))) {
+          if (builtinComponents.fieldsOf(type)[field].kind === 'object' && ids.has(own[field] as string))
+            own[field] = ids.get(own[field] as string)!;
+          const path = `${source.name}/${type}.${field}`;
+          if (left.delete(path)) own[field] = overrides[path];
+        }
+        if (isRoot && type === 'Transform') Object.assign(own, transformOf(place));
+        return component(`${id}-${i}`, type, own);
+      });
+      this.objects.push({
+        id,
+        name: isRoot ? (name ?? source.name) : source.name,
+        parent: isRoot ? (place.parent ?? null) : ids.get(source.parent!)!,
+        prefab: { prefab: prefabId, source: source.id },
+        components,
+      });
+    }
+    if (left.size > 0) throw new Error(`The prefab '${prefab.name}' has no ${[...left].join(', ')}.`);
+    return rootId;
+  }
+
+  /** The scene, checked as every file is. @throws FileError (as a rejection) naming what is wrong */
+  async build(): Promise<Scene> {
+    const file: FarolFile = {
+      ...{ format: 'farol-scene', version: FILE_VERSION, name: this.name, settings: this.settings },
+      ...{ activeCamera: this.activeCamera, assets: this.assets },
+      ...(Object.keys(this.microShaders).length > 0 ? { microShaders: this.microShaders } : {}),
+      ...(this.prefabs.length > 0 ? { prefabs: this.prefabs } : {}),
+      objects: this.objects,
+    };
+    return deserialize(JSON.stringify(file), { fileOf: (path) => this.files.get(path) ?? null });
+  }
+
+  private idOf(name: string): string {
+    const base = name.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-');
+    const count = (this.counts.get(base) ?? 0) + 1;
+    this.counts.set(base, count);
+    return count === 1 ? base : `${base}-${count}`;
+  }
+}
+
+const component = (id: string, type: string, values: Values): FileComponent => ({
+  ...{ type, version: builtinComponents.get(type).version, id, values: { ...values } },
+});

@@ -1,0 +1,22 @@
+import { containerContent, writeContainer } from '@farol/engine/files';
+import { microshaders } from './microshaders';
+import { prefabs } from './prefabs';
+import type { SampleScene } from './SampleScene';
+
+/** What makes each sample, by the name of its file in `public/scenes`. */
+export const sampleMakers: Readonly<Record<string, () => Promise<SampleScene>>> = {
+  'prefabs.json': prefabs,
+  'microshaders.json': microshaders,
+};
+
+/**
+ * The bytes of a sample's file, the same in every run: a container where the name ends in '.farol', JSON else.
+ * @throws FileError (as a rejection) naming what is wrong with it
+ */
+export async function makeSample(file: string): Promise<Uint8Array> {
+  const scene = await (await sampleMakers[file]()).build();
+  const content = containerContent(scene);
+  scene.dispose();
+  if (file.endsWith('.farol')) return writeContainer(content);
+  return new TextEncoder().encode(`${JSON.stringify(content.file, null, 1)}\n`);
+}

@@ -1,0 +1,77 @@
+import { type Extension, StateEffect, StateField } from '@codemirror/state';
+import { keymap, showTooltip, type Tooltip, ViewPlugin, type ViewUpdate } from '@codemirror/view';
+import type { ScriptSignature } from './LanguageAnswers';
+import type { ScriptLanguage } from './ScriptLanguage';
+
+const setSignature = StateEffect.define<ScriptSignature | null>();
+
+/** How a function is called, the parameter that is being written marked. */
+function signatureElement({ before, parameters, after, active, help, parameterHelp }: ScriptSignature): HTMLElement {
+  const element = document.createElement('div');
+  element.className = 'code-help';
+  const line = document.createElement('code');
+  line.append(before);
+  parameters.forEach((text, i) => {
+    if (i > 0) line.append(', ');
+    const part = document.createElement(i === active ? 'strong' : 'span');
+    part.textContent = text;
+    line.append(part);
+  });
+  line.append(after);
+  element.append(line);
+  const said = parameterHelp || help;
+  if (said !== '') {
+    const text = document.createElement('p');
+    text.textContent = said;
+    element.append(text);
+  }
+  return element;
+}
+
+function tooltipOf(signature: ScriptSignature): Tooltip {
+  return { pos: signature.from, above: true, create: () => ({ dom: signatureElement(signature) }) };
+}
+
+const shown = StateField.define<Tooltip | null>({
+  create: () => null,
+  update(before, { effects, changes }) {
+    const effect = effects.findLast((each) => each.is(setSignature));
+    if (effect) return effect.value ? tooltipOf(effect.value) : null;
+    return before && { ...before, pos: changes.mapPos(before.pos) };
+  },
+  provide: (field) => showTooltip.from(field),
+});
+
+/** Shows how a function is called while its arguments are being written; Escape takes it away. */
+export function signatureHelp(language: ScriptLanguage, script: string): Extension {
+  const plugin = ViewPlugin.define((view) => {
+    let asked = 0;
+    const ask = async (): Promise<void> => {
+      const number = ++asked;
+      const found = await language.ask('signature', script, view.state.selection.main.head).catch(() => null);
+      if (number === asked) view.dispatch({ effects: setSignature.of(found) });
+    };
+    return {
+      update({ docChanged, selectionSet, state, transactions }: ViewUpdate): void {
+        if (!docChanged && !selectionSet) return;
+        const isShown = state.field(shown) !== null;
+        const isTyped = transactions.some((each) => each.isUserEvent('input'));
+        const { head } = state.selection.main;
+        const isOpened = isTyped && /[(,]/.test(state.sliceDoc(Math.max(0, head - 2), head));
+        if (isShown || isOpened) void ask();
+      },
+      destroy: () => void asked++,
+    };
+  });
+  const close = keymap.of([
+    {
+      key: 'Escape',
+      run: (view) => {
+        if (view.state.field(shown) === null) return false;
+        view.dispatch({ effects: setSignature.of(null) });
+        return true;
+      },
+    },
+  ]);
+  return [shown, plugin, close];
+}
