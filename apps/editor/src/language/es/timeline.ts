@@ -93,7 +93,7 @@ export const timeline: Texts = {
   '{count} events selected': '{count} eventos seleccionados',
   'On ## a flag': 'Sí',
   'Off ## a flag': 'No',
-  'Keys ## of a clip': 'Claves',
+  'Dope sheet': 'Hoja de claves',
   'Add a key to {field}': 'Añadir una clave a {field}',
   'Fold {name}': 'Plegar {name}',
   'Unfold {name}': 'Desplegar {name}',

@@ -76,7 +76,7 @@ describe('setKey', () => {
       const split = data.tracks[0].keys;
       expect(split).toHaveLength(3);
       for (let time = 1; time <= 3; time += 0.05) {
-        const [before, after] = [valueAt(keys, time), valueAt(split, time)] as number[][];
+        const [before, after] = [valueAt(keys, time), valueAt(split, time)] as unknown as number[][];
         before.forEach((value, axis) => expect(Math.abs(after[axis] - value)).toBeLessThan(1e-7));
       }
     }
