@@ -3,7 +3,7 @@ import { axeProblems } from '../support/axeProblems';
 import { expect, test } from '../support/test';
 import { addObject, fieldOf, history, openEditor, serialized } from './editor';
 
-test.use({ viewport: { width: 1100, height: 640 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
 
 /** Where the box is along x: as it is seen, not as it was authored. */
 const shownX = (page: Page): Promise<number> =>
@@ -55,10 +55,10 @@ test('a clip of two recorded keys: eased, scrubbed, undone, played and stopped',
   expect((await history(page)).at(-1)).toBe('Eased 2 keys of Box clip');
 
   // the last key dragged to the middle: one step
-  await page.mouse.click(sheet.x + 14 + (sheet.width - 44), sheet.y + 36);
-  await page.mouse.move(sheet.x + 14 + (sheet.width - 44), sheet.y + 36);
+  const { y } = (await panel.locator('.timeline-sheet').boundingBox())!;
+  await page.mouse.click(sheet.x + 14 + (sheet.width - 44), y + 36);
   await page.mouse.down();
-  await page.mouse.move(sheet.x + 14 + (sheet.width - 44) / 2, sheet.y + 36, { steps: 4 });
+  await page.mouse.move(sheet.x + 14 + (sheet.width - 44) / 2, y + 36, { steps: 4 });
   await page.mouse.up();
   await expect(panel.getByLabel('Time of the key')).toHaveValue('0.5');
   expect((await history(page)).slice(-2)).toEqual(['Eased 2 keys of Box clip', 'Moved 1 key of Box clip']);

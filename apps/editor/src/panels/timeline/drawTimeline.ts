@@ -9,6 +9,9 @@ import { HEADER, RULER, SUMMARY, type TimelineView } from './TimelineView';
 /** Half of the width of a key (CSS pixels). */
 export const KEY = 5;
 
+/** How far beyond the selected keys the ends of their bar are, by which they are scaled (CSS pixels). */
+export const GRIP = 9;
+
 type Context = CanvasRenderingContext2D;
 
 /** The marks of a line; null for one that has other ones, or none. */
@@ -146,8 +149,8 @@ function drawHeader(context: Context, view: TimelineView, colours: TimelineColou
     context.fillStyle = colours.selected;
     context.fillRect(bar.x0, top, bar.x1 - bar.x0, tall);
     context.fillStyle = colours.accent;
-    context.fillRect(bar.x0 - 8, top, 3, tall);
-    context.fillRect(bar.x1 + 5, top, 3, tall);
+    context.fillRect(bar.x0 - GRIP - 1.5, top, 3, tall);
+    context.fillRect(bar.x1 + GRIP - 1.5, top, 3, tall);
   }
   drawMarks(context, view, colours, marksOfTracks(timeline.data.tracks), RULER + SUMMARY / 2, colours.dim);
   context.fillStyle = colours.lineStrong;
