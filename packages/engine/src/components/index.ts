@@ -3,8 +3,10 @@ import { Transform } from '../core/Transform';
 import { Animation } from './Animation';
 import { Animator } from './Animator';
 import { Camera } from './Camera';
+import { CharacterController } from './CharacterController';
 import { Collider } from './Collider';
 import { Decal } from './Decal';
+import { Joint } from './Joint';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
@@ -28,6 +30,8 @@ const components = [
   RandomMovement,
   RigidBody,
   Collider,
+  Joint,
+  CharacterController,
 ];
 
 for (const each of components) builtinComponents.register(each);
