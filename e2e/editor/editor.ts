@@ -34,6 +34,7 @@ export interface EditorHandle {
   readonly microShaders: { textOf(name: string): string };
   readonly dialogs: { show(request: { kind: 'keys' | 'export' | 'welcome'; recovery: null }): Promise<boolean> };
   readonly notices: { show(kind: 'error', text: string): void };
+  readonly preferences: { setState(values: { theme: 'dark' | 'light' }): void };
   openMicroShader(name: string, line?: number): void;
   readonly commands: {
     readonly history: readonly string[];

@@ -2,11 +2,14 @@ import { builtinComponents } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
 import { Animation } from './Animation';
 import { Animator } from './Animator';
+import { AudioListener } from './AudioListener';
+import { AudioSource } from './AudioSource';
 import { Camera } from './Camera';
 import { CharacterController } from './CharacterController';
 import { Collider } from './Collider';
 import { Decal } from './Decal';
 import { Joint } from './Joint';
+import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
@@ -32,6 +35,9 @@ const components = [
   Collider,
   Joint,
   CharacterController,
+  AudioSource,
+  AudioListener,
+  EventTrigger,
 ];
 
 for (const each of components) builtinComponents.register(each);

@@ -10,7 +10,7 @@ function normalised(path: string): string | null {
 }
 
 /**
- * The name of the script that an import such as './helpers' or '../tools/helpers.ts' leads to, seen from another script's
+ * The name of the script that an import such as './helpers' or '../tools/helpers' leads to, seen from another script's
  * folder; null when there is none.
  */
 export function resolveScript(specifier: string, from: string, has: (name: string) => boolean): string | null {

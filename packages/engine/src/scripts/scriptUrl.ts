@@ -5,7 +5,7 @@ const FOLDER = 'farol-scripts/';
 /** Whether the text of a script of this name is TypeScript. */
 export const isTypeScript = (name: string): boolean => !/\.m?js$/.test(name);
 
-/** The address that stack traces name for a script: `farol-scripts/Spin.ts`. */
+/** The address that stack traces name for a script: `farol-scripts/` and its name. */
 export function scriptUrl(name: string): string {
   const file = /\.(m?js|ts)$/.test(name) ? name : `${name}.ts`;
   // what would end the address within a stack trace
