@@ -1,10 +1,18 @@
 import { containerContent, writeContainer } from '@farol/engine/files';
+import { animation } from './animation';
 import { microshaders } from './microshaders';
+import { nightInTheTemple } from './nightInTheTemple';
+import { physics } from './physics';
 import { prefabs } from './prefabs';
+import { scripts } from './scripts';
 import type { SampleScene } from './SampleScene';
 
 /** What makes each sample, by the name of its file in `public/scenes`. */
 export const sampleMakers: Readonly<Record<string, () => Promise<SampleScene>>> = {
+  'night-in-the-temple.farol': nightInTheTemple,
+  'animation.json': animation,
+  'physics.json': physics,
+  'scripts.json': scripts,
   'prefabs.json': prefabs,
   'microshaders.json': microshaders,
 };
