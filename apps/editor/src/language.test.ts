@@ -30,6 +30,7 @@ const ofFields = (fields: FieldTable): string[] =>
     // signs of units, such as 'm/s', are the same everywhere
     ...('unit' in field && field.unit && /\p{L}{4}| /u.test(field.unit) ? [field.unit] : []),
     ...(field.kind === 'choice' ? choicesOf(field) : []),
+    ...(field.kind === 'object' && field.noneLabel ? [field.noneLabel] : []),
   ]);
 
 /** Every text that the editor may ask for. */

@@ -11,7 +11,17 @@ const source = fileURLToPath(new URL('.', import.meta.url));
 const names = {
   app: ['App', 'createWebGLRenderer', 'noWebGL2'],
   loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides', 'PictureRenderer', 'techniqueLimits'],
-  scene: ['Scene', 'FieldAsset', 'GameObject', 'ClipAsset', 'Component', 'createRandom', 'gameObjectOf'],
+  scene: [
+    'Scene',
+    'FieldAsset',
+    'GameObject',
+    'ClipAsset',
+    'Component',
+    'createRandom',
+    'gameObjectOf',
+    'hitPoint',
+    'rayHits',
+  ],
   components: [
     ...[
       'Animation',
@@ -29,6 +39,7 @@ const names = {
     ...['Collider', 'PhysicsSystem', 'RigidBody'],
     ...['lightShadows', 'meshShadows'],
     ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
+    ...['AudioListener', 'AudioSource', 'EventTrigger', 'audioOutput'],
   ],
   animation: [
     'ClipError',

@@ -15,13 +15,16 @@ export { createRandom } from './core/createRandom';
 export type { EngineKeyEvent, EnginePointerEvent } from './core/events';
 export { GameObject } from './core/GameObject';
 export { gameObjectOf } from './core/gameObjectOf';
+export { hitPoint, rayHits } from './picking/rayHits';
 export type { RequiredEffect } from './core/RequiredEffect';
 export { Scene, type SceneOptions } from './core/Scene';
 export type {
   AddComponentOptions,
   CameraComponent,
   ComponentClass,
+  CostlyEvents,
   MoveOptions,
+  ObjectPointerEvent,
   SceneChange,
   SceneSystem,
   SceneSystemClass,
@@ -43,9 +46,13 @@ export { ComponentRegistry, type ComponentRegistryOptions } from './core/Compone
 export { builtinComponents } from './components/index';
 export { Animation, type PlayOptions } from './components/Animation';
 export { Animator } from './components/Animator';
+export { AudioListener } from './components/AudioListener';
+export { AudioSource } from './components/AudioSource';
+export { audioOutput, type AudioOutput } from './audio/audioOutput';
 export { Camera } from './components/Camera';
 export { Collider } from './components/Collider';
 export { Decal } from './components/Decal';
+export { EventTrigger } from './components/EventTrigger';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
 export { lightShadows, meshShadows } from './components/newShadows';

@@ -6,7 +6,7 @@ import { SearchSelect, type SearchOption } from '../ui/SearchSelect';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 export function ObjectEditor(props: FieldEditorProps<ObjectField>): ReactNode {
-  const { value, mixed, label, description, disabled, onCommit } = props;
+  const { field, value, mixed, label, description, disabled, onCommit } = props;
   const { document } = useEditor();
   const revision = useSignal(document.structure);
   const options = useMemo(() => {
@@ -15,6 +15,6 @@ export function ObjectEditor(props: FieldEditorProps<ObjectField>): ReactNode {
     return list;
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the tree
   }, [document, revision]);
-  const placeholder = mixed ? '—' : t('No object');
+  const placeholder = mixed ? '—' : t(field.noneLabel ?? 'No object');
   return <SearchSelect {...{ value, options, label, description, disabled, placeholder }} onChange={onCommit} />;
 }

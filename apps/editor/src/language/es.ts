@@ -11,6 +11,7 @@ import { physics } from './es/physics';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
+import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
 import { samples } from './es/samples';
 import { scriptRuns } from './es/scriptRuns';
@@ -31,6 +32,7 @@ export const es: Texts = {
   ...picture,
   ...player,
   ...rendering,
+  ...triggers,
   ...scripts,
   ...samples,
   ...scriptRuns,

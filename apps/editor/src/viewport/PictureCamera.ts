@@ -1,11 +1,10 @@
-import { Camera as CameraComponent, type CameraComponent as AnyCamera } from '@farol/engine';
+import { Camera as CameraComponent, type CameraComponent as AnyCamera, hitPoint } from '@farol/engine';
 import { type Camera, MathUtils, Sphere, Vector2, Vector3 } from 'three';
 import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import { boundsOf } from './boundsOf';
 import { CameraFlight } from './CameraFlight';
 import type { EditorCamera } from './EditorCamera';
-import { hitPoint } from './pick';
 import type { ViewPose } from './ViewPose';
 
 const middle = new Vector2();

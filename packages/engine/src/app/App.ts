@@ -124,6 +124,7 @@ export class App {
   stop(): void {
     cancelAnimationFrame(this.request);
     this.request = 0;
+    this.currentScene.pause();
   }
 
   /** Lets the simulation go on. */
@@ -134,6 +135,7 @@ export class App {
   /** Holds the simulation; the loop goes on drawing. */
   pause(): void {
     this.isPlaying = false;
+    this.currentScene.pause();
   }
 
   /** Advances the simulation by `deltaSeconds`, playing or not, and draws. */

@@ -43,7 +43,12 @@ export class InputRouter {
     surface.addEventListener('pointerdown', pointer('down'), { signal });
     surface.addEventListener('pointermove', pointer('move'), { signal });
     surface.addEventListener('pointerup', pointer('up'), { signal });
-    surface.addEventListener('pointercancel', pointer('up'), { signal });
+    surface.addEventListener('pointerleave', pointer('leave'), { signal });
+    const cancelled = (event: Event): void => {
+      this.pointer('leave', event as PointerEvent);
+      this.pointer('up', event as PointerEvent);
+    };
+    surface.addEventListener('pointercancel', cancelled, { signal });
     surface.addEventListener('wheel', pointer('wheel'), { signal, passive: false });
     surface.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
     keys?.addEventListener('keydown', (event) => this.keyDown(event as KeyboardEvent), { signal });
@@ -69,7 +74,7 @@ export class InputRouter {
     if (type === 'down') this.surface.setPointerCapture?.(event.pointerId);
     if (type === 'wheel') event.preventDefault();
     if (type === 'up' && event.pointerType === 'touch') this.pointers.delete(event.pointerId);
-    else if (type !== 'wheel') this.pointers.set(event.pointerId, { x, y });
+    else if (type !== 'wheel' && type !== 'leave') this.pointers.set(event.pointerId, { x, y });
     const wheelEvent = event as unknown as WheelEvent;
     this.sink.dispatchPointer({
       type,

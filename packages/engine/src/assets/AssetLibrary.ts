@@ -25,6 +25,7 @@ import {
   type FetchBytes,
   fetchBytes,
   type FileAssetType,
+  isFileAssetType,
   readableEndings,
   type ReadOptions,
   typeOfUrl,
@@ -39,6 +40,7 @@ import { Model } from './Model';
 import type { ModelClip } from './ModelClip';
 import { modelParts } from './modelParts';
 import { ScriptAsset } from './ScriptAsset';
+import type { Sound } from './Sound';
 import { UseCounter } from './UseCounter';
 
 /** Crease angle of meshes where none is given (radians). */
@@ -136,7 +138,7 @@ export class AssetLibrary implements MaterialHost {
   }
 
   /**
-   * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR), or gives
+   * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR, sounds), or gives
    * 'dragon' its address.
    * @throws AssetError when the name is taken, or the type cannot be told
    */
@@ -144,7 +146,7 @@ export class AssetLibrary implements MaterialHost {
     if (this.sources.get(name) !== builtinAssets.dragon) this.checkFree(name);
     const dragon = name === 'dragon';
     const known = dragon ? 'mesh' : type;
-    if (known !== 'mesh' && known !== 'texture' && known !== 'model') {
+    if (!isFileAssetType(known)) {
       throw new AssetError(name, `cannot be read from '${shortText(url, 80)}': only ${readableEndings} can.`);
     }
     const options: ReadOptions = { normalise: dragon, renderer: this.renderer };
@@ -156,14 +158,14 @@ export class AssetLibrary implements MaterialHost {
   }
 
   /**
-   * Adds an asset that is read from the bytes of a file. Its name tells the format: 'robot.glb', 'brick.png', 'sky.hdr'.
+   * Adds an asset that is read from the bytes of a file. Its name tells the format: 'robot.glb', 'brick.png', 'sky.hdr', 'door.ogg'.
    * A model brings its meshes, materials and textures along as parts, 'robot.glb/mesh-1-Head', once it is loaded.
    * @param type - what it is; told by the ending of the name when absent
    * @throws AssetError when the name is taken, or its ending is none that can be read
    */
   registerFile(name: string, file: Blob, type: AssetType | null = typeOfUrl(name)): this {
     this.checkFree(name);
-    if (type !== 'mesh' && type !== 'texture' && type !== 'model')
+    if (!isFileAssetType(type))
       throw new AssetError(name, `cannot be read: only ${readableEndings} can. Convert it to one of them.`);
     const { renderer } = this;
     const load = (signal?: AbortSignal): Promise<Asset> => read(file.arrayBuffer(), name, type, { renderer, signal });
@@ -508,6 +510,10 @@ export class AssetLibrary implements MaterialHost {
 
   model(name: string): Model {
     return this.getAs<Model>('model', name);
+  }
+
+  sound(name: string): Sound {
+    return this.getAs<Sound>('sound', name);
   }
 
   /** A clip of one's own, or one of a model. */

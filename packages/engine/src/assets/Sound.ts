@@ -1,10 +1,47 @@
-/** A sound file of a library, as its bytes: decoded once an AudioContext is there. */
+/** Samples a second of what is decoded; contexts of another rate play it all the same. */
+const RATE = 48000;
+
+/** A sound file of a library, as its bytes: decoded when it is first to be heard or seen. */
 export class Sound {
   readonly isSound = true;
   name = '';
 
-  /** @param bytes - MP3, Ogg, WAV, or whatever else the browser decodes */
+  private decoding: Promise<AudioBuffer | null> | null = null;
+  private decoded: AudioBuffer | null = null;
+
+  /** @param bytes - MP3, Ogg, WAV, M4A, FLAC, or whatever else the browser decodes */
   constructor(readonly bytes: ArrayBuffer) {}
 
-  dispose(): void {}
+  /** The samples; null before they are decoded. */
+  get buffer(): AudioBuffer | null {
+    return this.decoded;
+  }
+
+  /**
+   * Decodes the bytes, once.
+   * @returns the samples; null where there is no Web Audio, such as in Node
+   * @throws Error (as a rejection) when the browser cannot
+   */
+  decode(): Promise<AudioBuffer | null> {
+    this.decoding ??= this.read();
+    return this.decoding;
+  }
+
+  dispose(): void {
+    this.decoded = null;
+    this.decoding = null;
+  }
+
+  private async read(): Promise<AudioBuffer | null> {
+    // decodes without a device, and so without a gesture of the user's
+    if (typeof OfflineAudioContext === 'undefined') return null;
+    const context = new OfflineAudioContext(1, 1, RATE);
+    try {
+      // what is decoded is taken away: the bytes stay
+      this.decoded = await context.decodeAudioData(this.bytes.slice(0));
+    } catch (cause) {
+      throw new Error('it cannot be decoded: convert it to MP3, Ogg or WAV.', { cause });
+    }
+    return this.decoded;
+  }
 }

@@ -14,10 +14,11 @@ export interface FetchOptions {
 export type FetchBytes = (url: string, options?: FetchOptions) => Promise<ArrayBuffer>;
 
 /** Types of assets that are read from files. */
-export type FileAssetType = Extract<AssetType, 'mesh' | 'texture' | 'model'>;
+export type FileAssetType = Extract<AssetType, 'mesh' | 'texture' | 'model' | 'sound'>;
 
 /** Endings of the files that can be read, for messages. */
-export const readableEndings = '.glb, .gltf, .ply, .ply.gz, .png, .jpg, .webp, .ktx2, .hdr, .exr and .cube';
+export const readableEndings =
+  '.glb, .gltf, .ply, .ply.gz, .png, .jpg, .webp, .ktx2, .hdr, .exr, .cube, .mp3, .ogg, .wav, .m4a and .flac';
 
 const limited: RequestInit = { credentials: 'omit', referrerPolicy: 'no-referrer', redirect: 'error' };
 
@@ -43,6 +44,7 @@ export function typeOfUrl(url: string): FileAssetType | null {
   const path = pathOf(url);
   if (/\.(glb|gltf)$/.test(path)) return 'model';
   if (/\.ply(\.gz)?$/.test(path)) return 'mesh';
+  if (/\.(mp3|ogg|oga|opus|wav|m4a|flac)$/.test(path)) return 'sound';
   return /\.(png|jpe?g|webp|ktx2|hdr|exr|cube)$/.test(path) ? 'texture' : null;
 }
 
@@ -54,3 +56,7 @@ export interface ReadOptions {
   /** Cancels the reading. */
   readonly signal?: AbortSignal;
 }
+
+/** Whether assets of a type are read from files. */
+export const isFileAssetType = (type: AssetType | null): type is FileAssetType =>
+  type === 'mesh' || type === 'texture' || type === 'model' || type === 'sound';

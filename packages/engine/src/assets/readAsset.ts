@@ -8,6 +8,7 @@ import { readCube } from './readCube';
 import { readKtx2 } from './readKtx2';
 import { readEnvironment } from './readEnvironment';
 import { readModel } from './readModel';
+import { Sound } from './Sound';
 
 /** What the first bytes of a file say it is; null when they say nothing. */
 function signatureOf(bytes: ArrayBuffer): string | null {
@@ -54,6 +55,7 @@ export async function readAsset(
   options: ReadOptions = {},
 ): Promise<Asset> {
   if (bytes.byteLength === 0) throw new Error('the file is empty: choose it again.');
+  if (type === 'sound') return new Sound(bytes);
   if (type === 'model') return readModel(bytes, options.renderer, options.signal);
   if (type === 'texture') {
     if (pathOf(path).endsWith('.cube')) return readCube(bytes);

@@ -2,9 +2,12 @@ import { builtinComponents } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
 import { Animation } from './Animation';
 import { Animator } from './Animator';
+import { AudioListener } from './AudioListener';
+import { AudioSource } from './AudioSource';
 import { Camera } from './Camera';
 import { Collider } from './Collider';
 import { Decal } from './Decal';
+import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
@@ -28,6 +31,9 @@ const components = [
   RandomMovement,
   RigidBody,
   Collider,
+  AudioSource,
+  AudioListener,
+  EventTrigger,
 ];
 
 for (const each of components) builtinComponents.register(each);

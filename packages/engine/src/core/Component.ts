@@ -2,7 +2,14 @@ import type { FieldTable, FieldValue } from '../fields/Field';
 import { type AssetNames, BaseFieldOwner, own, sameValue } from '../fields/FieldOwner';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import type { RequiredEffect } from './RequiredEffect';
-import type { Component as ComponentType, ComponentClass, GameObject, Scene } from './SceneGraph';
+import type {
+  Component as ComponentType,
+  ComponentClass,
+  CostlyEvents,
+  GameObject,
+  ObjectPointerEvent,
+  Scene,
+} from './SceneGraph';
 
 /** The base of every class of components: see the interface. Users know the class as `Component`. */
 export abstract class BaseComponent extends BaseFieldOwner implements ComponentType {
@@ -12,6 +19,7 @@ export abstract class BaseComponent extends BaseFieldOwner implements ComponentT
   static readonly unique: boolean = false;
   static readonly help: string = '';
   static readonly effect: RequiredEffect | null = null;
+  static readonly callable: readonly string[] | null = null;
 
   private attachedObject: GameObject | null = null;
   private isEnabled = true;
@@ -28,6 +36,12 @@ export abstract class BaseComponent extends BaseFieldOwner implements ComponentT
   onPointerWheel?(event: EnginePointerEvent): void;
   onKeyDown?(event: EngineKeyEvent): void;
   onKeyUp?(event: EngineKeyEvent): void;
+  onPointerOver?(event: ObjectPointerEvent): void;
+  onPointerOut?(event: ObjectPointerEvent): void;
+  onPointerPress?(event: ObjectPointerEvent): void;
+  onPointerRelease?(event: ObjectPointerEvent): void;
+  onPointerClick?(event: ObjectPointerEvent): void;
+  listensTo?(events: CostlyEvents): boolean;
 
   get id(): string {
     return this.ownId;

@@ -1,8 +1,9 @@
 import { shortText } from '@farol/renderer';
-import type { Scene as ThreeScene } from 'three';
+import type { Camera as ThreeCamera, Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { assetFields } from '../fields/assetFields';
 import { PrefabTable } from '../prefabs/PrefabTable';
+import { AuthoredState } from './AuthoredState';
 import { builtinComponents } from './builtinComponents';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import { moveGameObject } from './moveGameObject';
@@ -19,6 +20,7 @@ import type {
   SceneSystemClass,
 } from './SceneGraph';
 import { SceneIndex } from './SceneIndex';
+import { ScenePointer } from './ScenePointer';
 import { scriptClasses } from './scriptClasses';
 import { SceneMicroShaders } from './SceneMicroShaders';
 import { SceneSystems } from './SceneSystems';
@@ -46,12 +48,15 @@ class BaseScene implements SceneType {
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
   readonly childList: GameObject[] = [];
+  pointerCamera: ThreeCamera | null = null;
 
   private readonly index = new SceneIndex();
   private readonly systems = new SceneSystems(this);
+  private readonly pointer = new ScenePointer(this, this.index);
   /** Components that show values which were not authored. */
   private readonly simulatedOnes = new Set<Component>();
   private wasSimulated = false;
+  private authored: AuthoredState | null = null;
   private readonly listeners = new Set<(change: SceneChange) => void>();
   private readonly ownsAssets: boolean;
   private currentCamera: CameraComponent | null = null;
@@ -102,7 +107,7 @@ class BaseScene implements SceneType {
   }
 
   get takesKeys(): boolean {
-    return this.index.keyed.array.some((component) => component.isActive);
+    return this.index.keyed.array.some((component) => component.isActive && component.listensTo?.('key') !== false);
   }
 
   get requiredEffects(): readonly RequiredEffect[] {
@@ -180,11 +185,12 @@ class BaseScene implements SceneType {
     if (deltaSeconds > 0) {
       this.wasSimulated = true;
       this.startWaiting();
+      this.pointer.update();
     }
     const updated = this.index.updated.array;
     for (let i = 0; i < updated.length; i++) {
       const component = updated[i];
-      if (!component.isActive) continue;
+      if (!component.isActive || this.isTooEarly(component, deltaSeconds)) continue;
       try {
         component.update(deltaSeconds, this.seconds);
       } catch (error) {
@@ -197,7 +203,7 @@ class BaseScene implements SceneType {
     const late = this.index.late.array;
     for (let i = 0; i < late.length; i++) {
       const component = late[i];
-      if (!component.isActive) continue;
+      if (!component.isActive || this.isTooEarly(component, deltaSeconds)) continue;
       try {
         component.lateUpdate!(deltaSeconds, this.seconds);
       } catch (error) {
@@ -230,15 +236,39 @@ class BaseScene implements SceneType {
     this.update(0);
   }
 
+  keepAuthored(): void {
+    this.authored ??= new AuthoredState(this);
+  }
+
+  holds(gameObject: GameObject): boolean {
+    return this.authored?.hold(gameObject) ?? false;
+  }
+
+  pause(): void {
+    this.systems.pause();
+  }
+
   reset(): void {
+    this.pointer.reset();
     for (const component of [...this.index.started.array]) this.destroyed(component);
     this.index.switchOn();
+    this.authored?.restore();
     this.systems.reset();
     for (const component of this.simulatedOnes) component.endSimulation();
     this.simulatedOnes.clear();
     this.traverse((gameObject) => gameObject.transform.restoreAuthored());
     this.setTime(0);
+    // components may write fields at time 0 too
+    this.authored?.restore();
+    this.authored = null;
     this.wasSimulated = false;
+  }
+
+  /** Whether a component is not to be updated yet: it came in this frame and starts in the next one, or is of a script that does not run. */
+  private isTooEarly(component: Component, deltaSeconds: number): boolean {
+    if (deltaSeconds === 0) return scriptClasses.has(component.componentClass);
+    const { waiting } = this.index;
+    return waiting.array.length > 0 && waiting.has(component);
   }
 
   /** Starts every active component that was not started yet; those that their `start` brings are started too. */
@@ -286,12 +316,17 @@ class BaseScene implements SceneType {
         if (event.type === 'move') component.onPointerMove?.(event);
         else if (event.type === 'down') component.onPointerDown?.(event);
         else if (event.type === 'up') component.onPointerUp?.(event);
-        else component.onPointerWheel?.(event);
+        else if (event.type === 'wheel') component.onPointerWheel?.(event);
       } catch (error) {
         this.reportError(component, error);
       }
       if (components[i] !== component) i--;
     }
+    this.pointer.take(event);
+  }
+
+  dispatchObjectPointer(event: EnginePointerEvent): void {
+    this.pointer.take(event);
   }
 
   dispatchKey(event: EngineKeyEvent): void {
@@ -321,6 +356,9 @@ class BaseScene implements SceneType {
   dispose(): void {
     this.listeners.clear();
     this.endAssets();
+    const { authored } = this;
+    this.authored = null;
+    authored?.discard();
     for (const root of this.childList.toReversed()) root.dispose();
     this.systems.dispose();
     this.settings.dispose();
@@ -330,6 +368,7 @@ class BaseScene implements SceneType {
 
   notify(change: SceneChange): void {
     this.edits++;
+    this.authored?.note(change);
     for (const listener of this.listeners) listener(change);
   }
 
@@ -362,6 +401,7 @@ class BaseScene implements SceneType {
   subtreeLeaves(gameObject: GameObject): void {
     for (const child of gameObject.children) this.subtreeLeaves(child);
     for (const component of gameObject.components) this.componentLeaves(component);
+    this.pointer.forget(gameObject);
     this.index.objectsById.delete(gameObject.id);
     gameObject.sceneOf = null;
   }

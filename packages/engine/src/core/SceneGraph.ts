@@ -1,4 +1,5 @@
 import type {
+  Camera as ThreeCamera,
   Matrix4,
   Object3D,
   OrthographicCamera,
@@ -39,9 +40,29 @@ export interface ComponentClass<T extends Component = Component> {
   readonly help: string;
   /** The effect of the renderer that the component cannot be seen without, such as decals; null for none. */
   readonly effect: RequiredEffect | null;
+  /**
+   * Names of the methods that EventTriggers offer; null for all that the class and those it extends have, but for the ones
+   * that the engine calls. Of built-in classes null is none.
+   */
+  readonly callable: readonly string[] | null;
   /** Brings field values written by an older version up to `version`. */
   migrate?(values: Record<string, unknown>, fromVersion: number): Record<string, unknown>;
 }
+
+/** What a component learns of a pointer over its object, or over one below it. */
+export interface ObjectPointerEvent extends EnginePointerEvent {
+  /** The object that is drawn under the pointer; of `onPointerOut` the one that was. */
+  readonly target: GameObject;
+  /** Where the pointer is on it, in the world (m). */
+  readonly point: Vector3;
+  /** From the camera to that point (m). */
+  readonly distance: number;
+  /** Keeps the event from the objects above the one that is called. */
+  stopPropagation(): void;
+}
+
+/** Events that cost something to find out, and are found out only for components that want them. */
+export type CostlyEvents = 'pointer' | 'key';
 
 /**
  * A part of a GameObject that gives it an ability. Its fields are declared once (see `component`), and read by the
@@ -82,6 +103,20 @@ export interface Component extends FieldOwner {
   onPointerWheel?(event: EnginePointerEvent): void;
   onKeyDown?(event: EngineKeyEvent): void;
   onKeyUp?(event: EngineKeyEvent): void;
+
+  /**
+   * Pointer events on what is drawn of the object or of any below it: the nearest mesh under the pointer is called, then
+   * the objects above it. Over and out come once, however the pointer goes from part to part; whether it is over something
+   * is found out when it moves. A press and a release are of any button; a click is of the first one, pressed and released
+   * over the same object, no more than 10 CSS pixels apart. Touch is over what it presses, until it is lifted.
+   */
+  onPointerOver?(event: ObjectPointerEvent): void;
+  onPointerOut?(event: ObjectPointerEvent): void;
+  onPointerPress?(event: ObjectPointerEvent): void;
+  onPointerRelease?(event: ObjectPointerEvent): void;
+  onPointerClick?(event: ObjectPointerEvent): void;
+  /** Whether it wants events that it has methods for at present ('pointer': those on objects); it does when absent. */
+  listensTo?(events: CostlyEvents): boolean;
 
   /** The component came onto a GameObject; `gameObject` is there, `scene` perhaps not. */
   onAttach(): void;
@@ -350,6 +385,8 @@ export interface SceneSystem {
    * @param time - the scene's time in seconds
    */
   update(deltaSeconds: number, time: number): void;
+  /** The simulation is held: the next `update` may come much later. */
+  pause?(): void;
   /** The scene was reset: time 0, all as it was authored. */
   reset(): void;
   /** Gives back what it holds. It is not used afterwards. */
@@ -389,6 +426,8 @@ export interface Scene extends GameObjectContainer {
    * @throws Error when set to a camera that is not in the scene
    */
   activeCamera: CameraComponent | null;
+  /** What the picture is seen through, where that is not the active camera: pointer events on objects go by it. */
+  pointerCamera: ThreeCamera | null;
   /** Simulated time in seconds. */
   readonly time: number;
   /** Whether it was updated by more than 0 seconds since it was made or reset. */
@@ -431,12 +470,25 @@ export interface Scene extends GameObjectContainer {
   update(deltaSeconds: number): void;
   /** Puts everything whose motion depends on time alone at `seconds`: the same in every run. */
   setTime(seconds: number): void;
-  /** Undoes simulation: time 0, and every object where it was authored. */
+  /**
+   * Undoes simulation: time 0, and every object where it was authored. After `keepAuthored` all else that was changed since
+   * is taken back too.
+   */
   reset(): void;
+  /**
+   * From now on the scene remembers what it is made of, until the next `reset`: that brings back objects and components that
+   * were removed, disposed of or moved, takes out those that were added, and sets names, switches and fields as they are now.
+   * Scripts that are edited meanwhile stay as they are edited.
+   */
+  keepAuthored(): void;
   /** Calls a method of every component of the scene that has it. @returns how many received the call */
   callMethod(name: string, ...args: unknown[]): number;
-  /** Passes a pointer event on to every active component that wants it. */
+  /** Tells the systems that the simulation is held: sounds pause. The next `update` lets them go on. */
+  pause(): void;
+  /** Passes a pointer event on to every active component that wants it, and to those of the object under the pointer. */
   dispatchPointer(event: EnginePointerEvent): void;
+  /** Passes a pointer event on to the components of the object under the pointer alone. */
+  dispatchObjectPointer(event: EnginePointerEvent): void;
   /** Passes a key event on to every active component that wants it. */
   dispatchKey(event: EngineKeyEvent): void;
   /** Calls `listener` after each edit of structure, fields or settings. @returns a function that ends it */
@@ -446,6 +498,8 @@ export interface Scene extends GameObjectContainer {
   /** Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released. */
   dispose(): void;
 
+  /** @internal An object is about to be disposed of. @returns whether it has only left the scene, since `reset` brings it back */
+  holds(gameObject: GameObject): boolean;
   /** @internal A component shows a value that was not authored. */
   noteSimulated(component: Component): void;
   /** @internal Counts an edit and tells the listeners. */

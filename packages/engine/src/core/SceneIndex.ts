@@ -7,6 +7,15 @@ import type { CameraComponent, ComponentClass, GameObject } from './SceneGraph';
 const isOf = (component: Component, type: ComponentClass | string): boolean =>
   typeof type === 'string' ? component.typeName === type : component instanceof type;
 
+const takesObjectPointer = (component: Component): boolean =>
+  Boolean(
+    component.onPointerOver ??
+    component.onPointerOut ??
+    component.onPointerPress ??
+    component.onPointerRelease ??
+    component.onPointerClick,
+  );
+
 /** The lists by which a scene finds things without walking its tree; kept up to date as objects come and go. */
 export class SceneIndex {
   readonly objectsById = new Map<string, GameObject>();
@@ -25,6 +34,8 @@ export class SceneIndex {
   readonly started = new IndexedList<Component>();
   /** Components with a pointer method. */
   readonly pointed = new IndexedList<Component>();
+  /** Components with a method for pointer events on their object. */
+  readonly pointable = new IndexedList<Component>();
   /** Components with a key method. */
   readonly keyed = new IndexedList<Component>();
 
@@ -86,12 +97,14 @@ export class SceneIndex {
     if (component.onPointerDown || component.onPointerMove || component.onPointerUp || component.onPointerWheel) {
       this.pointed.add(component);
     }
+    if (takesObjectPointer(component)) this.pointable.add(component);
   }
 
   private removeFromCalls(component: Component): void {
     this.updated.remove(component);
     this.late.remove(component);
     this.pointed.remove(component);
+    this.pointable.remove(component);
     this.keyed.remove(component);
   }
 

@@ -23,6 +23,10 @@ export class SceneSystems {
     for (let i = 0; i < list.length; i++) list[i].update(deltaSeconds, time);
   }
 
+  pause(): void {
+    for (const system of this.list) system.pause?.();
+  }
+
   reset(): void {
     for (const system of this.list) system.reset();
   }

@@ -1,6 +1,7 @@
 /** A pointer event as components see it; positions in CSS pixels from the canvas's top left corner. */
 export interface EnginePointerEvent {
-  readonly type: 'down' | 'move' | 'up' | 'wheel';
+  /** 'leave': the pointer left the canvas, or what it had begun was cancelled. */
+  readonly type: 'down' | 'move' | 'up' | 'wheel' | 'leave';
   readonly x: number;
   readonly y: number;
   /** Movement since the last event, in CSS pixels. */

@@ -55,6 +55,8 @@ export interface StringField extends FieldBase {
   readonly default: string;
   /** Name of a property of the owner that lists the texts to choose from, '' for none; any text when absent. */
   readonly choices?: string;
+  /** What is typed: 'key' is the code of a key (KeyboardEvent.code), which editors take by having it pressed; any text when absent. */
+  readonly input?: 'key';
 }
 
 export interface ChoiceField<Option extends string = string> extends FieldBase {
@@ -102,6 +104,8 @@ export interface AssetField extends FieldBase {
 export interface ObjectField extends FieldBase {
   readonly kind: 'object';
   readonly default: string | null;
+  /** What null is shown as; 'No object' when absent. */
+  readonly noneLabel?: string;
 }
 
 /** A type of fields that the engine does not know by itself. */

@@ -6,7 +6,7 @@ import type { FieldTable, ValuesOf } from './Field';
 /** What a class of components extends: its static members have defaults, `typeName` and `help` are to be given. */
 export type ComponentBase<F extends FieldTable> = Pick<
   ComponentClass,
-  'typeName' | 'version' | 'unique' | 'help' | 'effect'
+  'typeName' | 'version' | 'unique' | 'help' | 'effect' | 'callable'
 > & { readonly fields: F } & (abstract new () => Component & ValuesOf<F>);
 
 /**

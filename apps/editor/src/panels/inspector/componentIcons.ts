@@ -15,6 +15,9 @@ const icons: Readonly<Record<string, IconName>> = {
   Collider: 'collider',
   CharacterController: 'character',
   Joint: 'joint',
+  AudioSource: 'sound',
+  AudioListener: 'listener',
+  EventTrigger: 'trigger',
 };
 
 /** The icon of a type of component. */

@@ -1,5 +1,5 @@
 import type { Scene } from '@farol/engine';
-import { gameObjectOf, type GameObject } from '@farol/engine';
+import { gameObjectOf, type GameObject, rayHits } from '@farol/engine';
 import {
   BufferAttribute,
   type Camera,
@@ -10,7 +10,6 @@ import {
   type Ray,
   Vector3,
 } from 'three';
-import { rayHits } from '../pick';
 
 const world = new Matrix4();
 const vertex = new Vector3();

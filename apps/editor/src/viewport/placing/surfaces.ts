@@ -1,4 +1,4 @@
-import { type GameObject, gameObjectOf, type Scene } from '@farol/engine';
+import { type GameObject, gameObjectOf, rayHits, type Scene } from '@farol/engine';
 import {
   type Camera,
   InstancedMesh,
@@ -10,7 +10,6 @@ import {
   type Vector2,
   Vector3,
 } from 'three';
-import { rayHits } from '../pick';
 
 /** A place on what is drawn. */
 export interface Surface {

@@ -1,0 +1,54 @@
+/** The page's one way to be heard: browsers keep it shut until the user has pressed something. */
+class AudioOutput {
+  private isMuted = false;
+  private isHeldBack = false;
+  private readonly listeners = new Set<() => void>();
+
+  /** Whether every sound of every scene is silent; they go on. */
+  get muted(): boolean {
+    return this.isMuted;
+  }
+
+  set muted(muted: boolean) {
+    if (muted === this.isMuted) return;
+    this.isMuted = muted;
+    this.tell();
+  }
+
+  /** Whether a sound would be heard, had the user pressed anything yet. */
+  get isWaiting(): boolean {
+    return this.isHeldBack;
+  }
+
+  /** Calls `listener` when `muted` or `isWaiting` changes. @returns a function that ends it */
+  onChange(listener: () => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  /**
+   * @internal Whether a context may be made and heard; what is not allowed yet is waited for.
+   * @param context - the one that there is
+   */
+  mayBeHeard(context: BaseAudioContext | null): boolean {
+    if (typeof AudioContext === 'undefined') return false;
+    // a context that is made before the user pressed anything is told of as a fault
+    const mayBeHeard = globalThis.navigator?.userActivation?.hasBeenActive ?? true;
+    this.hold(!mayBeHeard && context?.state !== 'running');
+    return !this.isHeldBack;
+  }
+
+  private hold(isHeldBack: boolean): void {
+    if (isHeldBack === this.isHeldBack) return;
+    this.isHeldBack = isHeldBack;
+    this.tell();
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+}
+
+/** See the class. */
+export const audioOutput = new AudioOutput();
+export type { AudioOutput };

@@ -1,0 +1,305 @@
+import { shortText } from '@farol/renderer';
+import { callEvent } from '../core/callEvent';
+import type { EngineKeyEvent } from '../core/events';
+import type { Component, CostlyEvents, GameObject, ObjectPointerEvent } from '../core/SceneGraph';
+import { tellFault } from '../core/tellFault';
+import { component } from '../fields/component';
+import type { FieldValue } from '../fields/Field';
+import { boolean, choice, colour, number, object, string, vector3 } from '../fields/fields';
+import { methodsOf } from '../triggers/methodsOf';
+import { TriggerCalls } from '../triggers/TriggerCalls';
+
+const events = [
+  'start',
+  'pointerOver',
+  'pointerOut',
+  'pointerPress',
+  'pointerRelease',
+  'pointerClick',
+  'keyDown',
+  'keyUp',
+  'timer',
+  'collisionEnter',
+  'collisionExit',
+  'triggerEnter',
+  'triggerExit',
+] as const;
+
+const values = ['none', 'number', 'flag', 'text', 'colour', 'vector', 'object', 'event'] as const;
+
+const whenEvent = (...equals: (typeof events)[number][]) => ({ field: 'event', equals });
+const whenValue = (...equals: (typeof values)[number][]) => ({ field: 'valueType', equals });
+
+/** What is read of the event of a collision. */
+interface OtherObject {
+  readonly other?: GameObject | null;
+}
+
+/** A little earlier than a time (s) counts as that time, so that sums of frames reach it. */
+const CLOSE = 1e-9;
+
+/**
+ * Calls one method when one thing happens to its object: see `methodsOf` for what can be called. Several may be on an
+ * object. Timers and delays go by the scene's time, the same in every run.
+ */
+export class EventTrigger extends component({
+  event: choice('pointerClick', events, {
+    help: 'What has to happen.',
+    optionLabels: {
+      start: 'Scene starts',
+      pointerOver: 'Pointer over',
+      pointerOut: 'Pointer out',
+      pointerPress: 'Pointer down',
+      pointerRelease: 'Pointer up',
+      pointerClick: 'Pointer click',
+      keyDown: 'Key down',
+      keyUp: 'Key up',
+      timer: 'Timer',
+      collisionEnter: 'Collision begins',
+      collisionExit: 'Collision ends',
+      triggerEnter: 'Something enters',
+      triggerExit: 'Something leaves',
+    },
+  }),
+  key: string('KeyE', {
+    input: 'key',
+    help: 'The key, by its place on the keyboard.',
+    visibleWhen: whenEvent('keyDown', 'keyUp'),
+  }),
+  interval: number(1, {
+    unit: 's',
+    min: 0.01,
+    step: 0.1,
+    help: 'Time from call to call.',
+    visibleWhen: whenEvent('timer'),
+  }),
+  repeats: number(0, {
+    min: 0,
+    integer: true,
+    help: 'How often it calls; 0 for as long as the scene plays.',
+    visibleWhen: whenEvent('timer'),
+  }),
+  otherTag: string('', {
+    help: 'The tag that the other object must have; any object when empty.',
+    label: 'Other object’s tag',
+    visibleWhen: whenEvent('collisionEnter', 'collisionExit', 'triggerEnter', 'triggerExit'),
+  }),
+  target: object(null, { help: 'The object that is told; this one when none is chosen.', noneLabel: 'This object' }),
+  method: string('', {
+    choices: 'methods',
+    help: 'What is called on it: a method of one of its components, or a field that gets the value.',
+    label: 'Call',
+  }),
+  valueType: choice('none', values, {
+    help: 'What is handed over; the methods and fields that can be chosen go by it.',
+    label: 'With',
+    optionLabels: {
+      none: 'No value',
+      number: 'Number',
+      flag: 'Yes or no',
+      text: 'Text',
+      colour: 'Colour',
+      vector: 'Vector',
+      object: 'Object',
+      event: 'The event',
+    },
+  }),
+  numberValue: number(0, { help: 'The number that is handed over.', label: 'Value', visibleWhen: whenValue('number') }),
+  flagValue: boolean(true, { help: 'What is handed over.', label: 'Value', visibleWhen: whenValue('flag') }),
+  textValue: string('', { help: 'The text that is handed over.', label: 'Value', visibleWhen: whenValue('text') }),
+  colourValue: colour([1, 1, 1], {
+    help: 'The colour that is handed over.',
+    label: 'Value',
+    visibleWhen: whenValue('colour'),
+  }),
+  vectorValue: vector3([0, 0, 0], {
+    help: 'The vector that is handed over.',
+    label: 'Value',
+    visibleWhen: whenValue('vector'),
+  }),
+  objectValue: object(null, {
+    help: 'The object that is handed over.',
+    label: 'Value',
+    visibleWhen: whenValue('object'),
+  }),
+  delay: number(0, { unit: 's', min: 0, step: 0.1, help: 'Time from the event to the call.' }),
+  once: boolean(false, { help: 'Whether only the first event counts.', label: 'Only once' }),
+}) {
+  static override readonly typeName: string = 'EventTrigger';
+  static override readonly help: string =
+    'Calls a method when something happens: a click, a key, a timer, a collision.';
+  static override readonly callable: readonly string[] = ['fire'];
+
+  private hasFired = false;
+  /** The scene's time that the timer counts from (s); null before it counts. */
+  private countsFrom: number | null = null;
+  private calls = 0;
+  /** The fault that was told of last: each is told once. */
+  private toldOf = '';
+
+  /** What can be called on the target. */
+  get methods(): string[] {
+    const { scene, target } = this;
+    const found = target === null ? this.isAttached && this.gameObject : scene?.findById(target);
+    return found ? methodsOf(found, this.valueType) : [];
+  }
+
+  /** Does what the event does, whatever the event is. @param event - handed over where the value is the event */
+  fire(event: unknown = null): void {
+    const { scene } = this;
+    if (!scene || !this.isActive || (this.once && this.hasFired)) return;
+    this.hasFired = true;
+    if (this.delay > 0) scene.system(TriggerCalls).delay(this, scene.time + this.delay - CLOSE, event);
+    else this.call(event);
+  }
+
+  override listensTo(kind: CostlyEvents): boolean {
+    return this.event.startsWith(kind);
+  }
+
+  override start(): void {
+    if (this.event === 'start') this.fire();
+  }
+
+  override update(deltaSeconds: number, time: number): void {
+    if (this.event !== 'timer' || deltaSeconds === 0) return;
+    const from = (this.countsFrom ??= time - deltaSeconds);
+    const { interval } = this;
+    const most = this.repeats || Infinity;
+    // a call may switch the trigger off
+    while (this.isActive && this.calls < most) {
+      if (time < from + (this.calls + 1) * interval - CLOSE) return;
+      this.calls++;
+      this.fire();
+    }
+  }
+
+  override onActiveChanged(): void {
+    if (!this.isActive) this.beginAnew();
+  }
+
+  override onFieldChanged(name: string): void {
+    if (name === 'event' || name === 'interval') this.beginAnew();
+  }
+
+  override onDestroy(): void {
+    this.beginAnew();
+    this.hasFired = false;
+    this.toldOf = '';
+  }
+
+  override onPointerOver(event: ObjectPointerEvent): void {
+    if (this.event === 'pointerOver') this.fire(event);
+  }
+
+  override onPointerOut(event: ObjectPointerEvent): void {
+    if (this.event === 'pointerOut') this.fire(event);
+  }
+
+  override onPointerPress(event: ObjectPointerEvent): void {
+    if (this.event === 'pointerPress' && event.button === 0) this.fire(event);
+  }
+
+  override onPointerRelease(event: ObjectPointerEvent): void {
+    if (this.event === 'pointerRelease' && event.button === 0) this.fire(event);
+  }
+
+  override onPointerClick(event: ObjectPointerEvent): void {
+    if (this.event === 'pointerClick') this.fire(event);
+  }
+
+  override onKeyDown(event: EngineKeyEvent): void {
+    if (this.event === 'keyDown' && event.code === this.key && !event.repeat) this.fire(event);
+  }
+
+  override onKeyUp(event: EngineKeyEvent): void {
+    if (this.event === 'keyUp' && event.code === this.key) this.fire(event);
+  }
+
+  onCollisionEnter(event: OtherObject): void {
+    this.met('collisionEnter', event);
+  }
+
+  onCollisionExit(event: OtherObject): void {
+    this.met('collisionExit', event);
+  }
+
+  onTriggerEnter(event: OtherObject): void {
+    this.met('triggerEnter', event);
+  }
+
+  onTriggerExit(event: OtherObject): void {
+    this.met('triggerExit', event);
+  }
+
+  /** Calls the method now. @internal */
+  call(event: unknown): void {
+    const { scene } = this;
+    if (!scene) return;
+    const [type, method] = this.method.split('.');
+    const target = this.target === null ? this.gameObject : scene.findById(this.target);
+    if (!this.method) this.tell('has no method to call');
+    else if (!target) this.tell('calls an object that is not in the scene');
+    else if (type === 'GameObject') this.switchObject(target, method);
+    else {
+      const components = target.getComponents(type);
+      if (components.length === 0)
+        this.tell(`calls ${this.method} of '${shortText(target.name)}', which has no ${type}`);
+      for (const each of components) this.callComponent(each, method, event);
+    }
+  }
+
+  private met(event: string, contact: OtherObject): void {
+    if (this.event !== event) return;
+    if (this.otherTag && !contact.other?.tags.includes(this.otherTag)) return;
+    this.fire(contact);
+  }
+
+  private callComponent(called: Component, method: string, event: unknown): void {
+    const scene = this.scene!;
+    const { valueType } = this;
+    const fields = called.fields;
+    if (method === 'enable' || method === 'disable' || method === 'toggle') {
+      scene.system(TriggerCalls).setEnabled(called, method === 'toggle' ? !called.enabled : method === 'enable');
+    } else if (Object.hasOwn(fields, method)) {
+      try {
+        called.simulate(method, this.fieldValue());
+      } catch (error) {
+        this.tell(`calls a field with a wrong value (${(error as Error).message})`);
+      }
+    } else {
+      const handed = valueType === 'event' ? event : valueType === 'object' ? this.objectOf() : this.fieldValue();
+      const isThere = valueType === 'none' ? callEvent(called, method) : callEvent(called, method, handed);
+      const where = `${this.method} of '${shortText(called.gameObject.name)}'`;
+      if (!isThere) this.tell(`calls ${where}, which has no such method`);
+    }
+  }
+
+  private objectOf(): GameObject | null {
+    return this.objectValue === null ? null : (this.scene?.findById(this.objectValue) ?? null);
+  }
+
+  private fieldValue(): FieldValue {
+    const { valueType } = this;
+    return valueType === 'none' || valueType === 'event' ? null : this.get(`${valueType}Value`);
+  }
+
+  private switchObject(target: GameObject, method: string): void {
+    const calls = this.scene!.system(TriggerCalls);
+    if (method === 'activate' || method === 'deactivate' || method === 'toggle')
+      calls.setActive(target, method === 'toggle' ? !target.active : method === 'activate');
+    else this.tell(`calls ${this.method}, which GameObjects do not have`);
+  }
+
+  private beginAnew(): void {
+    this.countsFrom = null;
+    this.calls = 0;
+  }
+
+  /** Tells of a fault once; the scene goes on. */
+  private tell(fault: string): void {
+    if (fault === this.toldOf) return;
+    this.toldOf = fault;
+    tellFault(this, `It ${fault}: choose another in its field Call.`);
+  }
+}

@@ -1,0 +1,180 @@
+import { type Intersection, Vector2, Vector3 } from 'three';
+import { hitPoint } from '../picking/rayHits';
+import { callEvent } from './callEvent';
+import type { EnginePointerEvent } from './events';
+import { gameObjectOf } from './gameObjectOf';
+import type { GameObject, ObjectPointerEvent, Scene } from './SceneGraph';
+import type { SceneIndex } from './SceneIndex';
+
+/** Farther apart (CSS pixels) a press and a release are no click. */
+const CLICK_REACH = 10;
+
+type PointerMethod = 'onPointerOver' | 'onPointerOut' | 'onPointerPress' | 'onPointerRelease' | 'onPointerClick';
+
+/** What is known of one pointer: a mouse, a pen, a finger. */
+interface Pointer {
+  readonly id: number;
+  /** What it is over. */
+  over: GameObject | null;
+  /** Where it is on that, in the world. */
+  readonly point: Vector3;
+  distance: number;
+  /** What its first button was pressed over. */
+  pressed: GameObject | null;
+  pressX: number;
+  pressY: number;
+  /** Its last move, which the next frame looks at. */
+  moved: EnginePointerEvent | null;
+}
+
+const place = new Vector2();
+
+const belongsToObject = (hit: Intersection): boolean => gameObjectOf(hit.object, hit.instanceId) !== null;
+
+/** The nearest object that is, or is above, both of two; null where there is none. */
+function nearestAbove(one: GameObject | null, other: GameObject | null): GameObject | null {
+  for (let each = one; each; each = each.parent)
+    for (let below = other; below; below = below.parent) if (below === each) return each;
+  return null;
+}
+
+/** Finds what pointers are over, and tells its components: see `Component.onPointerOver`. */
+export class ScenePointer {
+  private readonly pointers: Pointer[] = [];
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly index: SceneIndex,
+  ) {}
+
+  /** A pointer event came. A move waits for the next frame: many may come in one. */
+  take(event: EnginePointerEvent): void {
+    const { type, pointerId } = event;
+    if (type === 'wheel') return;
+    const isWanted = this.isWanted();
+    let pointer = this.pointers.find(({ id }) => id === pointerId);
+    if (!pointer) {
+      if (!isWanted || type === 'leave') return;
+      const [over, pressed, moved] = [null, null, null];
+      pointer = { id: pointerId, over, point: new Vector3(), distance: 0, pressed, pressX: 0, pressY: 0, moved };
+      this.pointers.push(pointer);
+    }
+    if (type === 'move') {
+      pointer.moved = event;
+      return;
+    }
+    pointer.moved = null;
+    if (type === 'leave' || !isWanted) {
+      this.pointers.splice(this.pointers.indexOf(pointer), 1);
+      this.enter(pointer, null, event);
+      return;
+    }
+    this.aim(pointer, event);
+    if (type === 'down') this.press(pointer, event);
+    else this.release(pointer, event);
+  }
+
+  /** Follows the moves since the last frame. */
+  update(): void {
+    const { pointers } = this;
+    for (let i = 0; i < pointers.length; i++) {
+      const pointer = pointers[i];
+      const { moved } = pointer;
+      if (!moved) continue;
+      pointer.moved = null;
+      if (this.isWanted()) this.aim(pointer, moved);
+    }
+  }
+
+  /** Nothing is pointed at any more; nobody is told. */
+  reset(): void {
+    this.pointers.length = 0;
+  }
+
+  /** An object leaves the scene: what is above it is still pointed at. */
+  forget(gameObject: GameObject): void {
+    for (const pointer of this.pointers) {
+      if (pointer.over === gameObject) pointer.over = gameObject.parent;
+      if (pointer.pressed === gameObject) pointer.pressed = null;
+    }
+  }
+
+  private isWanted(): boolean {
+    const { array } = this.index.pointable;
+    for (let i = 0; i < array.length; i++) {
+      if (array[i].isActive && array[i].listensTo?.('pointer') !== false) return true;
+    }
+    return false;
+  }
+
+  /** Finds what is under a pointer. */
+  private aim(pointer: Pointer, event: EnginePointerEvent): void {
+    const camera = this.scene.pointerCamera ?? this.scene.activeCamera?.three;
+    const hit = camera ? hitPoint(this.scene, camera, place.set(event.ndcX, event.ndcY), belongsToObject) : null;
+    const object = hit && gameObjectOf(hit.object, hit.instanceId);
+    if (object !== pointer.over) this.enter(pointer, object, event, hit);
+    else if (hit) {
+      pointer.point.copy(hit.point);
+      pointer.distance = hit.distance;
+    }
+  }
+
+  private enter(
+    pointer: Pointer,
+    object: GameObject | null,
+    event: EnginePointerEvent,
+    hit: Intersection | null = null,
+  ): void {
+    const left = pointer.over;
+    const end = nearestAbove(left, object);
+    pointer.over = object;
+    if (left) this.tell('onPointerOut', left, pointer, event, end);
+    if (!hit || !object) return;
+    pointer.point.copy(hit.point);
+    pointer.distance = hit.distance;
+    this.tell('onPointerOver', object, pointer, event, end);
+  }
+
+  private press(pointer: Pointer, event: EnginePointerEvent): void {
+    const { over } = pointer;
+    if (event.button === 0) {
+      pointer.pressed = over;
+      pointer.pressX = event.x;
+      pointer.pressY = event.y;
+    }
+    if (over) this.tell('onPointerPress', over, pointer, event);
+  }
+
+  private release(pointer: Pointer, event: EnginePointerEvent): void {
+    const { over, pressed } = pointer;
+    if (event.button === 0) pointer.pressed = null;
+    if (!over) return;
+    this.tell('onPointerRelease', over, pointer, event);
+    if (event.button !== 0 || !pressed) return;
+    if (Math.hypot(event.x - pointer.pressX, event.y - pointer.pressY) > CLICK_REACH) return;
+    // of the nearest object that holds both, as in a page
+    const clicked = nearestAbove(over, pressed);
+    if (clicked) this.tell('onPointerClick', clicked, pointer, event);
+  }
+
+  /** Calls the components of an object, then of those above it, up to `end`, which is not called. */
+  private tell(
+    method: PointerMethod,
+    object: GameObject,
+    { point, distance }: Pointer,
+    event: EnginePointerEvent,
+    end: GameObject | null = null,
+  ): void {
+    const propagation = { isStopped: false };
+    const stopPropagation = (): void => {
+      propagation.isStopped = true;
+    };
+    const told: ObjectPointerEvent = { ...event, target: object, point: point.clone(), distance, stopPropagation };
+    let each: GameObject | null = object;
+    while (each !== null && each !== end && !propagation.isStopped) {
+      const { parent }: GameObject = each;
+      for (const component of [...each.components]) if (component.isActive) callEvent(component, method, told);
+      each = parent;
+    }
+  }
+}

@@ -1,0 +1,20 @@
+import type { Component } from './SceneGraph';
+
+/**
+ * Calls a method of a component for an event, if it has it and is not switched off; what it throws goes to
+ * `Scene.reportError`.
+ * @returns whether it has the method
+ */
+export function callEvent(component: Component, method: string, ...args: unknown[]): boolean {
+  const called = (component as unknown as Readonly<Record<string, unknown>>)[method];
+  if (typeof called !== 'function') return false;
+  const { scene } = component;
+  if (scene?.isSwitchedOff(component)) return true;
+  try {
+    called.apply(component, args);
+  } catch (error) {
+    if (!scene) throw error;
+    scene.reportError(component, error);
+  }
+  return true;
+}

@@ -1,0 +1,51 @@
+import { type Camera, type Intersection, type Object3D, type Ray, Raycaster, SkinnedMesh, type Vector2 } from 'three';
+import type { Scene } from '../core/SceneGraph';
+
+const raycaster = new Raycaster();
+const found: Intersection[] = [];
+
+function collect(object: Object3D, camera: Camera, hits: Intersection[]): void {
+  if (!object.visible) return;
+  if (object.layers.test(camera.layers)) {
+    // three remembers how large it was in the first pose: the bones may have it elsewhere now
+    if (object instanceof SkinnedMesh) object.computeBoundingSphere();
+    raycaster.intersectObject(object, false, hits);
+  }
+  for (const child of object.children) collect(child, camera, hits);
+}
+
+/**
+ * What a ray through a point of the picture hits first, as of the last drawn frame; null where nothing is. Bones, morphs
+ * and instances count as they are drawn.
+ * @param point - normalised device coordinates, -1 to 1, y up
+ * @param counts - whether something that is hit counts; everything does when absent
+ */
+export function hitPoint(
+  scene: Scene,
+  camera: Camera,
+  point: Vector2,
+  counts?: (hit: Intersection) => boolean,
+): Intersection | null {
+  raycaster.setFromCamera(point, camera);
+  raycaster.layers.mask = camera.layers.mask;
+  collect(scene.three, camera, found);
+  let nearest: Intersection | null = null;
+  for (const hit of found) {
+    if ((!nearest || hit.distance < nearest.distance) && (!counts || counts(hit))) nearest = hit;
+  }
+  found.length = 0;
+  return nearest;
+}
+
+/**
+ * All that a ray hits, nearest first, as of the last drawn frame; counted as `hitPoint` does.
+ * @param camera - whose layers count
+ */
+export function rayHits(scene: Scene, ray: Ray, camera: Camera): Intersection[] {
+  raycaster.ray.copy(ray);
+  raycaster.camera = camera;
+  raycaster.layers.mask = camera.layers.mask;
+  const hits: Intersection[] = [];
+  collect(scene.three, camera, hits);
+  return hits.sort((a, b) => a.distance - b.distance);
+}
