@@ -10,6 +10,9 @@ import {
 } from '@farol/engine/files';
 import type { Prefab } from '@farol/engine/prefabs';
 
+/** Reads a file below `public`. */
+export type ReadPublic = (path: string) => Promise<Uint8Array<ArrayBuffer>>;
+
 export type Values = Readonly<Record<string, FieldValue>>;
 /** A component: its type and the fields that are not the default. */
 export type Part = readonly [type: string, values?: Values];
@@ -22,6 +25,7 @@ export interface Place {
   readonly scale?: Vector3Tuple;
   /** What its front looks at, in the space of its parent; in place of `rotation`. */
   readonly target?: Vector3Tuple;
+  readonly tags?: readonly string[];
   /** Id of the object above; at the top when absent. */
   readonly parent?: string;
 }
@@ -55,7 +59,8 @@ export class SampleScene {
     const id = this.idOf(name);
     const listed = [['Transform', transformOf(place)] as Part, ...parts].filter(([type]) => this.knows(type));
     const components = listed.map(([type, values = {}], i) => component(`${id}-${i}`, type, values));
-    this.objects.push({ id, name, parent: place.parent ?? null, components });
+    const tags = place.tags ? { tags: [...place.tags] } : {};
+    this.objects.push({ id, name, parent: place.parent ?? null, ...tags, components });
     return id;
   }
 

@@ -5,10 +5,10 @@ import { nightInTheTemple } from './nightInTheTemple';
 import { physics } from './physics';
 import { prefabs } from './prefabs';
 import { scripts } from './scripts';
-import type { SampleScene } from './SampleScene';
+import type { ReadPublic, SampleScene } from './SampleScene';
 
 /** What makes each sample, by the name of its file in `public/scenes`. */
-export const sampleMakers: Readonly<Record<string, () => Promise<SampleScene>>> = {
+export const sampleMakers: Readonly<Record<string, (readPublic: ReadPublic) => Promise<SampleScene>>> = {
   'night-in-the-temple.farol': nightInTheTemple,
   'animation.json': animation,
   'physics.json': physics,
@@ -19,10 +19,11 @@ export const sampleMakers: Readonly<Record<string, () => Promise<SampleScene>>> 
 
 /**
  * The bytes of a sample's file, the same in every run: a container where the name ends in '.farol', JSON else.
+ * @param readPublic - reads a file below `public`
  * @throws FileError (as a rejection) naming what is wrong with it
  */
-export async function makeSample(file: string): Promise<Uint8Array> {
-  const scene = await (await sampleMakers[file]()).build();
+export async function makeSample(file: string, readPublic: ReadPublic): Promise<Uint8Array> {
+  const scene = await (await sampleMakers[file](readPublic)).build();
   const content = containerContent(scene);
   scene.dispose();
   if (file.endsWith('.farol')) return writeContainer(content);

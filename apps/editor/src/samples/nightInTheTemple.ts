@@ -1,10 +1,17 @@
 import { createRandom } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
+import { addClip, eased, track } from './clips';
 import { light, marble, mesh, stone, wood } from './parts';
 import { addDoor } from './night/addDoor';
 import { lanternPrefab } from './night/lanternPrefab';
 import { addPlayer } from './night/addPlayer';
-import { SampleScene } from './SampleScene';
+import { type ReadPublic, SampleScene } from './SampleScene';
+
+const sources: Readonly<Record<string, string>> = import.meta.glob('./night/scripts/*.ts', {
+  eager: true,
+  query: '?raw',
+  import: 'default',
+});
 
 /** Height of the temple's floor, and of the undersides of its beams (m): see the engine's `templePlan`. */
 const FLOOR = 0.96;
@@ -80,8 +87,27 @@ function addAltar(scene: SampleScene, temple: string): void {
   }
   const bronze = { colour: [0.36, 0.22, 0.1], roughness: 0.35, metalness: 0.9 } as const;
   scene.object('Bowl', { position: [0, 1.6, 0], scale: [0.9, 0.22, 0.9], parent: altar }, mesh('cylinder', bronze));
-  const fire = scene.object('Fire', { position: [0, 1.75, 0], parent: altar });
   const flame = { colour: [0.1, 0.03, 0.01], emissive: [1, 0.36, 0.07], emissiveIntensity: 5 } as const;
+  const flicker = eased(
+    [0, 46],
+    [0.13, 38],
+    [0.27, 52],
+    [0.4, 41],
+    [0.62, 55],
+    [0.8, 43],
+    [1, 50],
+    [1.3, 37],
+    [1.5, 46],
+  );
+  const clip = addClip(scene, 'Fire flickers', 1.5, [
+    track('Firelight', 'Light.intensity', flicker),
+    track(
+      'Flame',
+      'Transform.scale',
+      eased([0, [0.3, 0.62, 0.3]], [0.35, [0.34, 0.72, 0.32]], [0.9, [0.28, 0.56, 0.3]], [1.5, [0.3, 0.62, 0.3]]),
+    ),
+  ]);
+  const fire = scene.object('Fire', { position: [0, 1.75, 0], parent: altar }, ['Animation', { clip }]);
   for (const [x, z, size] of [
     [0, 0, 1],
     [0.17, 0.08, 0.65],
@@ -163,7 +189,7 @@ function addFireflies(scene: SampleScene, count: number): void {
 }
 
 /** Crates before the steps and urns at the door: they fall when one walks into them. */
-function addThings(scene: SampleScene): void {
+function addThings(scene: SampleScene, thud: string): void {
   const crate = scene.prefab('Crate', () => {
     const box = { ...wood, repeat: 1 } as const;
     const root = scene.object(
@@ -172,6 +198,8 @@ function addThings(scene: SampleScene): void {
       mesh('box', box),
       ['Collider', { friction: 0.6 }],
       ['RigidBody', { mass: 14 }],
+      ['AudioSource', { sound: thud, playOnStart: false, volume: 0.8 }],
+      ['Thud', { impulse: 14 }],
     );
     for (const x of [-0.47, 0.47]) {
       for (const z of [-0.47, 0.47]) {
@@ -205,6 +233,8 @@ function addThings(scene: SampleScene): void {
       mesh('sponza/urn', { ...marble, colour: [0.56, 0.3, 0.19], repeat: 1, roughness: 0.8 }),
       ['Collider', { shape: 'hull', friction: 0.7 }],
       ['RigidBody', { mass: 6 }],
+      ['AudioSource', { sound: thud, playOnStart: false, volume: 0.6, playbackRate: 1.5 }],
+      ['Thud', { impulse: 6 }],
     ),
   );
   const urns = scene.object('Urns', {});
@@ -241,7 +271,7 @@ function addTrees(scene: SampleScene): void {
  * A walk by night: lanterns swing on their chains and throw shadows, fireflies wander, the door opens when one comes near, and
  * crates and urns fall when they are pushed.
  */
-export async function nightInTheTemple(): Promise<SampleScene> {
+export async function nightInTheTemple(readPublic: ReadPublic): Promise<SampleScene> {
   const scene = new SampleScene('Night in the temple');
   Object.assign(scene.settings, {
     ...{ background: 'sky', sky: 'night', environmentIntensity: 1, backgroundIntensity: 1.2 },
@@ -249,6 +279,26 @@ export async function nightInTheTemple(): Promise<SampleScene> {
     ...{ toneMapping: 'aces-filmic', exposure: 1.25, shadowCascades: 2 },
     ...{ bloom: true, bloomIntensity: 0.7, bloomThreshold: 1.1, vignette: true, vignetteDarkness: 0.45 },
   });
+  for (const [path, source] of Object.entries(sources))
+    scene.asset('script', path.replace('./night/scripts/', '').replace(/\.ts$/, ''), { source });
+  const [step, creak, thud, crickets] = await Promise.all(
+    ['step', 'doorCreak', 'thud', 'crickets'].map(async (name) =>
+      scene.file('sound', `Sounds/${name}.wav`, await readPublic(`sounds/${name}.wav`)),
+    ),
+  );
+  for (const x of [-11, 11]) {
+    scene.object('Crickets', { position: [x, 0.5, 17] }, [
+      'AudioSource',
+      {
+        sound: crickets,
+        loop: true,
+        volume: 0.35,
+        maxDistance: 45,
+        referenceDistance: 4,
+        playbackRate: x < 0 ? 1 : 0.93,
+      },
+    ]);
+  }
   scene.object(
     'Moon',
     { position: [-16, 20, 22], target: [0, 0, 2] },
@@ -256,12 +306,12 @@ export async function nightInTheTemple(): Promise<SampleScene> {
   );
   addGround(scene);
   const temple = addTemple(scene);
-  addDoor(scene, FLOOR);
+  addDoor(scene, FLOOR, creak);
   addAltar(scene, temple);
   addLanterns(scene);
-  addThings(scene);
+  addThings(scene, thud);
   addTrees(scene);
   addFireflies(scene, 110);
-  addPlayer(scene);
+  addPlayer(scene, step);
   return scene;
 }
