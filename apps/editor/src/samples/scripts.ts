@@ -53,7 +53,7 @@ export async function scripts(): Promise<SampleScene> {
       ['Light', { intensity: 5, range: 3.5, ...(i % 6 === 0 && { castShadow: true, shadowMapSize: 512 }) }],
       ['ObjectRenderer', { mesh: 'bulb', kind: 'basic', instanced: true }],
       ['Orbit', { speed: (i % 2 === 0 ? 1 : -1) * (1.1 - i * 0.05), phase: i * 1.7 }],
-      ['Rainbow', { start: i / 12 }],
+      ['Rainbow', { hue: i / 12 }],
     );
   }
   return scene;

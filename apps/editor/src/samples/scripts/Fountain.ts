@@ -32,6 +32,10 @@ export default class Fountain extends component({
     while (this.drops.length > 0 && this.drops[0].age > 2) this.drops.shift()!.object.dispose();
   }
 
+  override onDestroy(): void {
+    for (const { object } of this.drops.splice(0)) object.dispose();
+  }
+
   private throwDrop(): void {
     const object = new GameObject('Drop');
     object.addComponent('Light', { diffuse: [0.35, 0.7, 1], intensity: 1.2, range: 2.5 });
