@@ -1,5 +1,5 @@
 import { type Command, SetFields, t } from '@farol/editing';
-import { GameObject, meshShadows, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { AudioSource, GameObject, meshShadows, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import { instanceRootOf, instantiatePrefab } from '@farol/engine/prefabs';
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
@@ -28,6 +28,8 @@ function makeObject(editor: EditorApi, { kind, name }: DraggedAsset): GameObject
   if (kind === 'model') {
     const [clip] = assets.model(name).animations;
     object.addComponent(ModelRenderer, { model: name, animation: clip?.name ?? '' });
+  } else if (kind === 'sound') {
+    object.addComponent(AudioSource, { sound: name });
   } else if (kind === 'mesh') {
     object.addComponent(ObjectRenderer, { mesh: name, ...meshShadows });
   } else if (kind === 'texture') {

@@ -5,8 +5,9 @@ import { canRename, joinName, splitName } from '../../model/assetNames';
 import { assetEntry } from '../../files/assetKinds';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { LateSoundButton } from '../../ui/LateSoundButton';
 import { TextInput } from '../../ui/TextInput';
-import { Thumbnail } from '../../ui/Thumbnail';
+import { assetIcons, Thumbnail } from '../../ui/Thumbnail';
 import { AssetFacts } from './AssetFacts';
 import { MaterialInspector } from './MaterialInspector';
 import { UsedBy } from './UsedBy';
@@ -35,7 +36,7 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
   return (
     <>
       <div className="object-header">
-        <Icon name={material ? 'contrast' : 'mesh'} />
+        <Icon name={assetIcons[entry.kind]} />
         {canRename(assets, name) ? (
           <TextInput value={leaf} label={t('Name of the asset')} onCommit={rename} />
         ) : (
@@ -57,6 +58,7 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
         <>
           <div className="asset-large">
             <Thumbnail entry={entry} />
+            {entry.kind === 'sound' && <LateSoundButton name={name} />}
           </div>
           <AssetFacts entry={entry} />
         </>
