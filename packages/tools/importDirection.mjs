@@ -87,6 +87,10 @@ export const importRules = [
     from: 'packages/engine/src/picture/chain',
     may: ['packages/engine', 'three', '@farol/renderer', 'postprocessing'],
   },
+  {
+    from: 'packages/engine/src/physics',
+    may: ['packages/engine', 'three', '@farol/renderer', '@dimforge/rapier3d-compat'],
+  },
   { from: 'packages/engine/src/scripts', may: ['packages/engine', 'three', '@farol/renderer', 'sucrase'] },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
   { from: 'packages/editing', may: ['packages/editing', 'three'] },

@@ -32,6 +32,7 @@ import { PlaceToShow } from './model/PlaceToShow';
 import { RecentFiles } from './model/RecentFiles';
 import { Tools } from './model/Tools';
 import { Registry } from './model/Registry';
+import type { Timeline } from './model/timeline/Timeline';
 import { Tour } from './model/Tour';
 import { panels } from './panels';
 import { applyViews, type ViewChoice } from './viewport/panes/ViewChoice';
@@ -105,6 +106,7 @@ export class Editor implements EditorApi {
   readonly samples = samples;
   readonly ready: Promise<void>;
   autosave: DraftKeeper | null = null;
+  timeline: Timeline | null = null;
   worksOffline = false;
 
   private openFile: OpenFile = { name: null, handle: null };

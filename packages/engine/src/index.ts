@@ -50,6 +50,7 @@ export { AudioListener } from './components/AudioListener';
 export { AudioSource } from './components/AudioSource';
 export { audioOutput, type AudioOutput } from './audio/audioOutput';
 export { Camera } from './components/Camera';
+export { Collider } from './components/Collider';
 export { Decal } from './components/Decal';
 export { EventTrigger } from './components/EventTrigger';
 export { KeyController } from './components/KeyController';
@@ -59,6 +60,9 @@ export { ModelRenderer } from './components/ModelRenderer';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
 export { RandomMovement } from './components/RandomMovement';
+export { RigidBody } from './components/RigidBody';
+export type { CollisionEvent } from './physics/CollisionEvent';
+export { PhysicsSystem } from './physics/PhysicsSystem';
 export { Transform } from './core/Transform';
 
 export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animation/ClipData';

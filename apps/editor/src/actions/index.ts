@@ -30,6 +30,7 @@ import { remove } from './remove';
 import { rename } from './rename';
 import { exportScene } from './exportScene';
 import { save, saveAs } from './save';
+import { newScript } from './scripts';
 import { selectAll } from './selectAll';
 import { shadings, showShadings } from './shadings';
 import { showKeys } from './showKeys';
@@ -40,6 +41,7 @@ import { snap } from './snap';
 import { alignToSurface, gizmoPivots, snapTargets } from './snapping';
 import { showStatistics } from './statistics';
 import { themes } from './themes';
+import { addKeys, record } from './timeline';
 import { undo } from './undo';
 import { startTour, welcome } from './welcome';
 import { continuous, showGrid, showIcons, showPictureEffects, showRanges } from './viewportToggles';
@@ -80,6 +82,7 @@ export const actions: readonly Action[] = [
   newMaterial,
   makeMaterial,
   unpackModel,
+  newScript,
   ...gizmoModes,
   gizmoSpace,
   snap,
@@ -111,6 +114,8 @@ export const actions: readonly Action[] = [
   pause,
   step,
   stop,
+  record,
+  addKeys,
   maximiseViewport,
   resetPanels,
   goToMenuBar,

@@ -9,7 +9,7 @@ export type MenuName = MenuPlace['menu'];
 /** The menus of the bar, from left to right, each with its groups from top to bottom. Other groups come after these. */
 const menus: Readonly<Record<MenuName, readonly string[]>> = {
   file: ['new', 'open', 'save', 'share', 'recover'],
-  edit: ['history', 'clipboard', 'select', 'snapping', 'handles', 'play', 'plugins'],
+  edit: ['history', 'clipboard', 'select', 'snapping', 'handles', 'play', 'animation', 'plugins'],
   object: ['name', 'state', 'tree', 'duplicate', 'align', 'material', 'prefab'],
   view: [
     ...['camera', 'side', 'bookmarks', 'views', 'shading', 'picture'],

@@ -17,6 +17,7 @@ import type { PlaceToShow } from '../model/PlaceToShow';
 import type { Notices } from '../model/Notices';
 import type { RecentFiles } from '../model/RecentFiles';
 import type { Registry } from '../model/Registry';
+import type { Timeline } from '../model/timeline/Timeline';
 import type { Tour } from '../model/Tour';
 import type { Tools } from '../model/Tools';
 import type { Viewport } from '../viewport/Viewport';
@@ -67,6 +68,8 @@ export interface EditorApi {
   readonly clipboard: Clipboard;
   /** What is open over the picture, such as copies that are being arranged. */
   readonly tools: Tools;
+  /** The clip that is edited; null until the Timeline panel was first shown: see `timelineOf`. */
+  timeline: Timeline | null;
   /** What the Console panel shows. */
   readonly log: ConsoleLog;
   readonly notices: Notices;

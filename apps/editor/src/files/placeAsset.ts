@@ -86,9 +86,21 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
   return true;
 }
 
+/** Gives the object under the pointer a component of a script; without a place the script is shown. */
+async function useScript(editor: EditorApi, script: string, place: DropPlace): Promise<void> {
+  if (place.target === undefined) return editor.openScript(script);
+  if (place.target === null)
+    throw new Error(t('Drop {name} on an object, which gets it as a component.', { name: script }));
+  const { addScriptComponent } = await import('../model/scriptEdits');
+  const { document, commands } = editor;
+  commands.run(addScriptComponent(document.scene, [place.target], script));
+  document.selection.set([place.target.id]);
+}
+
 /**
  * Brings an asset into the scene: models, meshes and prefabs are placed; environments light the scene; materials, shaders
- * and textures go onto the object under the pointer, or else onto something new.
+ * and textures go onto the object under the pointer, or else onto something new; a script becomes a component of the object
+ * under the pointer, or else is shown.
  * @param then - part of the same step: what becomes of the object that was made
  * @throws Error when a prefab would be placed within itself
  */
@@ -100,6 +112,7 @@ export async function placeAsset(
 ): Promise<void> {
   const { document, commands } = editor;
   const { scene, selection } = document;
+  if (asset.kind === 'script') return useScript(editor, asset.name, place);
   const parent = place.parent ?? scene;
   if (asset.kind === 'prefab') {
     const prefab = scene.prefabs.get(asset.name);

@@ -7,6 +7,7 @@ import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { numbers } from './es/numbers';
 import { panels } from './es/panels';
+import { physics } from './es/physics';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { rendering } from './es/rendering';
@@ -27,6 +28,7 @@ export const es: Texts = {
   ...messages,
   ...numbers,
   ...panels,
+  ...physics,
   ...picture,
   ...player,
   ...rendering,

@@ -138,7 +138,6 @@ export class EditorDocument {
   }
 
   private sceneChanged(change: SceneChange): void {
-    this.playEdits.note(change);
     if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
     else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
     else if (change.kind === 'asset') {

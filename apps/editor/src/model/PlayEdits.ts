@@ -1,6 +1,7 @@
 import { type Command, type CommandStack, labelOfField, SetFields, Signal, t } from '@farol/editing';
-import type { Component, FieldAsset, Scene, SceneChange, SceneSettings } from '@farol/engine';
+import { type Component, type FieldAsset, type Scene, ScriptAsset, type SceneSettings } from '@farol/engine';
 import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
+import { AddAssets, RemoveAsset } from './commands/AddAssets';
 import { CommandList } from './commands/CommandList';
 
 /** A value that was edited while the scene played. */
@@ -25,9 +26,6 @@ export class PlayEdits {
   /** Emits when there is something to keep, or no longer. */
   readonly changed = new Signal();
 
-  private isRecording = false;
-  /** Fields that changed while playing, with what they were before: components may write them as well. */
-  private readonly before = new Map<FieldOwner, Map<string, FieldValue>>();
   private values: readonly PlayChange[] = [];
   /** All edits as they were done, while none of them was kept. */
   private all: readonly Command[] = [];
@@ -53,40 +51,32 @@ export class PlayEdits {
   /** The scene begins to play. */
   begin(): void {
     this.dismiss();
-    this.isRecording = true;
+    this.document.scene.keepAuthored();
     this.document.commands.hold();
   }
 
-  /** The scene stops: it is as it was when it began to play. @param reset - puts simulation back to time 0 */
+  /**
+   * The scene stops: it is as it was when it began to play, but for scripts: what was typed of them meanwhile stays, as steps.
+   * @param reset - puts simulation back to time 0, and takes back what components changed
+   */
   end(reset: () => void): void {
     const { commands } = this.document;
-    const taken = commands.release();
-    // components may write their fields then too
+    let isWhole = true;
+    // of what a component has removed a step cannot be undone; the scene takes back what is left of it
+    const taken = commands.release(() => (isWhole = false));
     reset();
-    this.isRecording = false;
-    for (const [owner, fields] of this.before) for (const [name, value] of fields) owner.set(name, value);
-    this.before.clear();
-    this.all = taken;
+    const others = taken.filter((command) => !isOfScripts(command));
+    for (const command of taken) if (isOfScripts(command)) commands.run(command);
+    this.all = isWhole ? others : [];
+    if (!isWhole) for (const command of others) command.forget?.(false);
     this.last = commands.last;
-    this.values = changesOf(taken);
+    this.values = changesOf(others);
     this.changed.emit();
   }
 
   /** Another scene came. */
   abort(): void {
-    this.isRecording = false;
-    this.before.clear();
     this.dismiss();
-  }
-
-  /** Something of the scene changed, by an edit or by a component. */
-  note(change: SceneChange): void {
-    if (!this.isRecording) return;
-    if (change.kind !== 'field' && change.kind !== 'settings' && change.kind !== 'asset') return;
-    const owner = ownerOf(change, this.document.scene);
-    let fields = this.before.get(owner);
-    if (!fields) this.before.set(owner, (fields = new Map()));
-    if (!fields.has(change.field)) fields.set(change.field, change.before);
   }
 
   /** Keeps a value, as one step of history. @throws Error when its object is not in the scene: it was added while playing */
@@ -135,13 +125,11 @@ export class PlayEdits {
   }
 }
 
-function ownerOf(
-  change: Extract<SceneChange, { kind: 'field' | 'settings' | 'asset' }>,
-  scene: Scene,
-): PlayChange['owner'] {
-  if (change.kind === 'field') return change.component;
-  return change.kind === 'asset' ? change.asset : scene.settings;
-}
+/** Whether a step makes, deletes or edits scripts alone. */
+const isOfScripts = (command: Command): boolean =>
+  command instanceof SetFields
+    ? command.edits.every(({ owner }) => owner instanceof ScriptAsset)
+    : (command instanceof AddAssets || command instanceof RemoveAsset) && command.isOfScripts;
 
 /** What a change is of, such as 'intensity of Lamp'. */
 export function nameOf({ owner, name }: PlayChange): string {

@@ -6,6 +6,7 @@ import { type AssetOwner, assetOwners } from './assetOwners';
 import { RemoveAsset } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';
 import { SetPrefab } from './commands/SetPrefab';
+import { componentTypeOf } from './scriptNames';
 
 /** A place that names an asset. */
 export interface AssetUsage {
@@ -56,8 +57,27 @@ function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { ne
 
 const withParts = (scene: Scene, asset: string): Set<string> => new Set([asset, ...scene.assets.partsOf(asset)]);
 
-/** Every place that names an asset, or a part of it. */
+/** Where components of a script are. */
+function usagesOfScript(scene: Scene, script: string, source: string): AssetUsage[] {
+  const type = componentTypeOf(script, source);
+  const usages: AssetUsage[] = [];
+  if (type === null) return usages;
+  scene.traverse(({ components, name, id }) => {
+    for (const { typeName } of components) if (typeName === type) usages.push({ place: name, field: type, object: id });
+  });
+  for (const prefab of scene.prefabs.list) {
+    for (const object of prefab.objects) {
+      const place = t('{name} (prefab {prefab})', { name: object.name, prefab: prefab.name });
+      if (object.components.some((each) => each.type === type)) usages.push({ place, field: type });
+    }
+  }
+  return usages;
+}
+
+/** Every place that names an asset, or a part of it, or has a component of it. */
 export function usagesOf(scene: Scene, asset: string): AssetUsage[] {
+  const script = scene.assets.fieldAsset(asset);
+  if (script?.type === 'script') return usagesOfScript(scene, asset, script.get('source') as string);
   const names = withParts(scene, asset);
   return [
     ...editsOf(scene, names).map(({ owner, name, place, object }) => ({

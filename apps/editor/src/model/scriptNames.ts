@@ -1,10 +1,11 @@
 import type { Scene } from '@farol/engine';
+import { typeNameOf } from '@farol/engine/scripts';
 import { splitName } from './assetNames';
 
-/** A class of a name: 'Script 2' gives 'Script2', 'door opener' 'DoorOpener'. */
+/** A class of a name: 'Script 2' gives 'Script2', 'door opener.ts' 'DoorOpener'. */
 export function classNameOf(script: string): string {
   const words = splitName(script)
-    .leaf.replace(/\.[jt]s$/i, '')
+    .leaf.replace(/\.(m?js|ts)$/, '')
     .normalize('NFD')
     .replaceAll(/\p{M}/gu, '')
     .split(/[^A-Za-z0-9_$]+/)
@@ -14,20 +15,30 @@ export function classNameOf(script: string): string {
 }
 
 /** Whether the text of a script is JavaScript, by its name; else it is TypeScript. */
-export const isJavaScript = (script: string): boolean => /\.js$/i.test(script);
+export const isJavaScript = (script: string): boolean => /\.m?js$/.test(script);
 
-/** The type of components that a script's text declares: its `typeName`, else the name of the class; null where it has none. */
-export function typeNameOf(source: string): string | null {
-  const [, declared] = /\bstatic\b[^;=]*\btypeName\b[^;=]*=\s*['"`]([\w$]+)['"`]/.exec(source) ?? [];
-  if (declared) return declared;
-  const [, named] = /\bexport\s+default\s+class\s+(?!extends\b)([\w$]+)/.exec(source) ?? [];
-  return named ?? null;
+/** The type that the text of a script declares for its components; null where they are called after the script. */
+function declaredType(source: string): string | null {
+  return /\bstatic\b[^;={]*\btypeName\b[^;={]*=\s*(['"`])([^'"`\n]+)\1/.exec(source)?.[2] ?? null;
 }
 
-/** The script whose class a type of components is; null for types that come from elsewhere. */
+/** The type of the components of a script; null where it is no class of components, but something that others import. */
+export function componentTypeOf(script: string, source: string): string | null {
+  if (!/\bexport\s+(default\b|\{[^}]*\bas\s+default\b)/.test(source)) return null;
+  return declaredType(source) ?? typeNameOf(script);
+}
+
+/** The text of a script under another name: the class that is called after the script gets that name, too. */
+export function sourceForName(source: string, from: string, to: string): string {
+  const word = classNameOf(from).replaceAll('$', String.raw`\$`);
+  const pattern = new RegExp(String.raw`(\bexport\s+default\s+class\s+)${word}(?![\w$])`);
+  return source.replace(pattern, (_all, start: string) => start + classNameOf(to));
+}
+
+/** The script that components of a type are of; null for types that come from elsewhere. */
 export function scriptOfType(scene: Scene, typeName: string): string | null {
   const found = scene.assets
     .fieldAssets('script')
-    .find((asset) => typeNameOf(asset.get('source') as string) === typeName);
+    .find((asset) => componentTypeOf(asset.name, asset.get('source') as string) === typeName);
   return found?.name ?? null;
 }

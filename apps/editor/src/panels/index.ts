@@ -65,4 +65,11 @@ export const panels: readonly Panel[] = [
     place: 'bottom',
     load: () => import('./microshaders/MicroShadersPanel').then(({ MicroShadersPanel }) => MicroShadersPanel),
   },
+  {
+    id: 'timeline',
+    title: 'Timeline',
+    icon: 'timeline',
+    place: 'bottom',
+    load: () => import('./timeline/TimelinePanel').then(({ TimelinePanel }) => TimelinePanel),
+  },
 ];

@@ -147,15 +147,22 @@ export class CommandStack<Item = string> {
 
   /**
    * Takes all steps since `hold` back and out of the history.
+   * @param failed called for a step that cannot be undone, such as one of something that is gone; the others go on. What it
+   * threw is thrown when absent
    * @returns the steps, oldest first, undone: whoever calls this must do them again or `forget` them
    */
-  release(): Command<Item>[] {
+  release(failed?: (command: Command<Item>, error: unknown) => void): Command<Item>[] {
     if (!this.isHeld) return [];
     this.gesture?.commit();
     const taken = this.done.splice(this.held).toReversed();
     for (const command of taken) {
-      command.undo();
-      this.onApplied(command, false);
+      try {
+        command.undo();
+        this.onApplied(command, false);
+      } catch (error) {
+        if (!failed) throw error;
+        failed(command, error);
+      }
     }
     // what was undone meanwhile came after them
     if (taken.length > 0) for (const command of this.undone.splice(0)) command.forget?.(false);

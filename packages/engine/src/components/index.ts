@@ -5,6 +5,7 @@ import { Animator } from './Animator';
 import { AudioListener } from './AudioListener';
 import { AudioSource } from './AudioSource';
 import { Camera } from './Camera';
+import { Collider } from './Collider';
 import { Decal } from './Decal';
 import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
@@ -13,6 +14,7 @@ import { ModelRenderer } from './ModelRenderer';
 import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
 import { RandomMovement } from './RandomMovement';
+import { RigidBody } from './RigidBody';
 
 /** The built-in components, in the order of the Add menu. */
 const components = [
@@ -27,6 +29,8 @@ const components = [
   KeyController,
   MouseController,
   RandomMovement,
+  RigidBody,
+  Collider,
   AudioSource,
   AudioListener,
   EventTrigger,

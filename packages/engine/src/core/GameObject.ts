@@ -248,6 +248,7 @@ class BaseGameObject implements GameObjectType {
   }
 
   dispose(): void {
+    if (this.scene?.holds(this)) return;
     if (this.container) moveGameObject(this, null, undefined, { keepWorld: false });
     // from the last one on: each leaves the end of its list
     for (const child of this.childList.toReversed()) child.dispose();

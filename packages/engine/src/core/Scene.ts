@@ -3,6 +3,7 @@ import type { Camera as ThreeCamera, Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { assetFields } from '../fields/assetFields';
 import { PrefabTable } from '../prefabs/PrefabTable';
+import { AuthoredState } from './AuthoredState';
 import { builtinComponents } from './builtinComponents';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import { moveGameObject } from './moveGameObject';
@@ -55,6 +56,7 @@ class BaseScene implements SceneType {
   /** Components that show values which were not authored. */
   private readonly simulatedOnes = new Set<Component>();
   private wasSimulated = false;
+  private authored: AuthoredState | null = null;
   private readonly listeners = new Set<(change: SceneChange) => void>();
   private readonly ownsAssets: boolean;
   private currentCamera: CameraComponent | null = null;
@@ -188,7 +190,7 @@ class BaseScene implements SceneType {
     const updated = this.index.updated.array;
     for (let i = 0; i < updated.length; i++) {
       const component = updated[i];
-      if (!component.isActive) continue;
+      if (!component.isActive || this.isTooEarly(component, deltaSeconds)) continue;
       try {
         component.update(deltaSeconds, this.seconds);
       } catch (error) {
@@ -201,7 +203,7 @@ class BaseScene implements SceneType {
     const late = this.index.late.array;
     for (let i = 0; i < late.length; i++) {
       const component = late[i];
-      if (!component.isActive) continue;
+      if (!component.isActive || this.isTooEarly(component, deltaSeconds)) continue;
       try {
         component.lateUpdate!(deltaSeconds, this.seconds);
       } catch (error) {
@@ -234,6 +236,14 @@ class BaseScene implements SceneType {
     this.update(0);
   }
 
+  keepAuthored(): void {
+    this.authored ??= new AuthoredState(this);
+  }
+
+  holds(gameObject: GameObject): boolean {
+    return this.authored?.hold(gameObject) ?? false;
+  }
+
   pause(): void {
     this.systems.pause();
   }
@@ -242,12 +252,23 @@ class BaseScene implements SceneType {
     this.pointer.reset();
     for (const component of [...this.index.started.array]) this.destroyed(component);
     this.index.switchOn();
+    this.authored?.restore();
     this.systems.reset();
     for (const component of this.simulatedOnes) component.endSimulation();
     this.simulatedOnes.clear();
     this.traverse((gameObject) => gameObject.transform.restoreAuthored());
     this.setTime(0);
+    // components may write fields at time 0 too
+    this.authored?.restore();
+    this.authored = null;
     this.wasSimulated = false;
+  }
+
+  /** Whether a component is not to be updated yet: it came in this frame and starts in the next one, or is of a script that does not run. */
+  private isTooEarly(component: Component, deltaSeconds: number): boolean {
+    if (deltaSeconds === 0) return scriptClasses.has(component.componentClass);
+    const { waiting } = this.index;
+    return waiting.array.length > 0 && waiting.has(component);
   }
 
   /** Starts every active component that was not started yet; those that their `start` brings are started too. */
@@ -335,6 +356,9 @@ class BaseScene implements SceneType {
   dispose(): void {
     this.listeners.clear();
     this.endAssets();
+    const { authored } = this;
+    this.authored = null;
+    authored?.discard();
     for (const root of this.childList.toReversed()) root.dispose();
     this.systems.dispose();
     this.settings.dispose();
@@ -344,6 +368,7 @@ class BaseScene implements SceneType {
 
   notify(change: SceneChange): void {
     this.edits++;
+    this.authored?.note(change);
     for (const listener of this.listeners) listener(change);
   }
 

@@ -470,8 +470,17 @@ export interface Scene extends GameObjectContainer {
   update(deltaSeconds: number): void;
   /** Puts everything whose motion depends on time alone at `seconds`: the same in every run. */
   setTime(seconds: number): void;
-  /** Undoes simulation: time 0, and every object where it was authored. */
+  /**
+   * Undoes simulation: time 0, and every object where it was authored. After `keepAuthored` all else that was changed since
+   * is taken back too.
+   */
   reset(): void;
+  /**
+   * From now on the scene remembers what it is made of, until the next `reset`: that brings back objects and components that
+   * were removed, disposed of or moved, takes out those that were added, and sets names, switches and fields as they are now.
+   * Scripts that are edited meanwhile stay as they are edited.
+   */
+  keepAuthored(): void;
   /** Calls a method of every component of the scene that has it. @returns how many received the call */
   callMethod(name: string, ...args: unknown[]): number;
   /** Tells the systems that the simulation is held: sounds pause. The next `update` lets them go on. */
@@ -489,6 +498,8 @@ export interface Scene extends GameObjectContainer {
   /** Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released. */
   dispose(): void;
 
+  /** @internal An object is about to be disposed of. @returns whether it has only left the scene, since `reset` brings it back */
+  holds(gameObject: GameObject): boolean;
   /** @internal A component shows a value that was not authored. */
   noteSimulated(component: Component): void;
   /** @internal Counts an edit and tells the listeners. */

@@ -3,17 +3,18 @@ import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldValue, ValuesOf } from '../fields/Field';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
+import { physicsFields } from '../physics/physicsFields';
 import { fogFields, pictureFields, skyFields } from '../picture/pictureFields';
 import type { Sky } from '../picture/sky/makeSky';
 import { SkySource } from '../picture/sky/SkySource';
 
-export const sceneFields = pictureFields;
+export const sceneFields = { ...pictureFields, ...physicsFields };
 
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- the properties are made from the table
 export interface SceneSettings extends ValuesOf<typeof sceneFields> {}
 
 /**
- * What belongs to a scene as a whole: all that makes its picture beside the objects. Writes background, environment and fog
+ * What belongs to a scene as a whole: all that makes its picture beside the objects, and gravity. Writes background, environment and fog
  * to its three scene; by the rest a `PictureRenderer` draws.
  */
 export class SceneSettings extends BaseFieldOwner {

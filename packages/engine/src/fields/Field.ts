@@ -5,6 +5,8 @@ export type Vector3Tuple = readonly [number, number, number];
 export interface FieldCondition {
   readonly field: string;
   readonly equals: readonly unknown[];
+  /** Another condition that must hold as well. */
+  readonly and?: FieldCondition;
 }
 
 interface FieldBase {

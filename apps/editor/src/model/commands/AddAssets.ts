@@ -23,6 +23,10 @@ export class AddAssets implements Command {
     return this.taken.length === 0;
   }
 
+  get isOfScripts(): boolean {
+    return this.taken.every(({ source }) => source.type === 'script');
+  }
+
   do(): void {
     for (const each of this.taken) this.assets.restore(each);
   }
@@ -35,6 +39,7 @@ export class AddAssets implements Command {
 /** Takes an asset, with its parts, out of the library. Nothing may use it any more. */
 export class RemoveAsset implements Command {
   readonly label: string;
+  readonly isOfScripts: boolean;
   private taken: TakenAsset | null = null;
 
   constructor(
@@ -42,6 +47,7 @@ export class RemoveAsset implements Command {
     private readonly name: string,
   ) {
     this.label = t('Deleted {name}', { name });
+    this.isOfScripts = assets.typeOf(name) === 'script';
   }
 
   do(): void {

@@ -113,6 +113,11 @@ export class Timeline implements EditRecorder {
     return this.document.simulation.state !== 'stopped';
   }
 
+  /** Whether there is a clip and an object whose edits can become keys. */
+  get canRecord(): boolean {
+    return this.canPreview;
+  }
+
   private get canPreview(): boolean {
     return this.isOpen && !this.isFollowing && this.currentClip !== null && this.currentRoot !== null;
   }
@@ -192,7 +197,8 @@ export class Timeline implements EditRecorder {
   /** Called each frame while it plays, or while the scene does. */
   advance(deltaSeconds: number): void {
     if (this.isFollowing) {
-      const time = this.currentRoot && playedTime(this.currentRoot);
+      const { currentRoot: root, currentClip: clip } = this;
+      const time = root && clip && playedTime(root, clip.name);
       if (time === null || time === this.seconds) return;
       this.seconds = time;
       this.moved.emit();

@@ -25,8 +25,8 @@ export const playerOfClip = (scene: Scene, clip: string): GameObject | null =>
 export const playedClip = (object: GameObject): string | null =>
   (componentOn(object)?.getAuthored(PLAYER.field) as string | null | undefined) ?? null;
 
-/** How far the clip of an object that plays has come (s); null when it does not play. */
-export function playedTime(object: GameObject): number | null {
-  const time = (componentOn(object) as { readonly time?: unknown } | null)?.time;
-  return typeof time === 'number' ? time : null;
+/** How far the clip of an object has come (s); null while it does not play this one. */
+export function playedTime(object: GameObject, clip: string): number | null {
+  const { playing, time } = (componentOn(object) ?? {}) as { readonly playing?: unknown; readonly time?: unknown };
+  return playing === clip && typeof time === 'number' ? time : null;
 }

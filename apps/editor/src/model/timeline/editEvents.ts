@@ -1,4 +1,5 @@
 import type { ClipData, ClipEvent } from '@farol/engine';
+import { roundTime } from './clipTracks';
 
 /** Edits of the events of a clip. They are kept in order of time; several may be at one time. An event is known by its place. */
 
@@ -24,28 +25,21 @@ export function changeEvent(data: ClipData, place: number, change: Partial<ClipE
   return sorted(data, data.events.with(place, event), [event]);
 }
 
-/** Moves events; none goes before 0. */
-export function moveEvents(
-  data: ClipData,
-  places: readonly number[],
-  by: number,
-  snap: (time: number) => number = (time) => time,
-): EventEdit {
+/** Moves events; none goes before 0. @param by - seconds */
+export function moveEvents(data: ClipData, places: readonly number[], by: number): EventEdit {
   const first = Math.min(...places.map((place) => data.events[place].time));
   const limited = Math.max(by, -first);
   const moved = new Map(
     places.map((place) => {
       const event = data.events[place];
-      return [place, { ...event, time: Math.max(snap(event.time + limited), 0) }];
+      return [place, { ...event, time: roundTime(Math.max(event.time + limited, 0)) }];
     }),
   );
-  return sorted(
-    data,
-    data.events.map((event, i) => moved.get(i) ?? event),
-    [...moved.values()],
-  );
+  const events = data.events.map((event, i) => moved.get(i) ?? event);
+  return sorted(data, events, [...moved.values()]);
 }
 
+/** Takes events away. */
 export const removeEvents = (data: ClipData, places: readonly number[]): ClipData => ({
   ...data,
   events: data.events.filter((_, i) => !places.includes(i)),

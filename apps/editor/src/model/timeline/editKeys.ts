@@ -160,7 +160,7 @@ export function deleteKeys(data: ClipData, selected: KeySelection): ClipData {
 }
 
 /** Gives the selected keys other times; keys that are met give way. @param timeOf - 0 or more */
-function retimeKeys(data: ClipData, selected: KeySelection, timeOf: (time: number) => number): KeyEdit {
+export function retimeKeys(data: ClipData, selected: KeySelection, timeOf: (time: number) => number): KeyEdit {
   const next = new Set<string>();
   const tracks = data.tracks.map((track) => {
     const isSelected = selectedIn(selected, track);
@@ -184,17 +184,12 @@ export function rangeOfKeys(data: ClipData, selected: KeySelection): { first: nu
   return first > last ? null : { first, last };
 }
 
-/** Moves the selected keys; none goes before 0. @param by - seconds @param snap - brings each new time to a frame, say */
-export function moveKeys(
-  data: ClipData,
-  selected: KeySelection,
-  by: number,
-  snap: (time: number) => number = (time) => time,
-): KeyEdit {
+/** Moves the selected keys; none goes before 0. @param by - seconds */
+export function moveKeys(data: ClipData, selected: KeySelection, by: number): KeyEdit {
   const range = rangeOfKeys(data, selected);
   if (!range) return { data, selected };
   const limited = Math.max(by, -range.first);
-  return retimeKeys(data, selected, (time) => Math.max(snap(time + limited), 0));
+  return retimeKeys(data, selected, (time) => Math.max(time + limited, 0));
 }
 
 /** Stretches the time between the selected keys about one that stays. @param factor - 0 or more */

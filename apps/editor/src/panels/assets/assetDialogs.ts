@@ -1,11 +1,11 @@
 import { t, tCount } from '@farol/editing';
 import type { EditorApi } from '../../api/EditorApi';
 import type { AssetEntry } from '../../files/assetKinds';
-import { renameAsset } from '../../model/assetEdits';
 import { canRename, joinName, splitName } from '../../model/assetNames';
 import { deleteAsset, usagesOf } from '../../model/assetUsages';
 import { Sequence } from '../../model/commands/Sequence';
 import { deletePrefab, instancesOf, renamePrefab } from '../../model/prefabEdits';
+import { renameAnyAsset } from '../../model/scriptEdits';
 
 /** @throws Error that says why, where an asset is not the user's to delete */
 function checkRemovable({ document }: EditorApi, { isBuiltin, label, name }: AssetEntry): void {
@@ -25,7 +25,10 @@ export async function removeEntries(editor: EditorApi, entries: readonly AssetEn
       return instancesOf(scene, name).map((object) => ({ path: object.name, problem: becomesOwn }));
     return usagesOf(scene, name).map(({ place, field }) => ({
       path: place,
-      problem: t('{field} becomes empty.', { field }),
+      problem:
+        kind === 'script'
+          ? t('{field} is kept as data, and does nothing.', { field })
+          : t('{field} becomes empty.', { field }),
     }));
   });
   const what = tCount(entries.length, '{label}', '{count} assets', { label: entries[0].label });
@@ -71,7 +74,7 @@ export function renameEntry(editor: EditorApi, entry: AssetEntry): void {
       if (prefab) return commands.run(renamePrefab(scene, prefab, name));
       const isSelected = document.assetSelection.has(entry.name);
       const others = new Set(assets.list());
-      commands.run(renameAsset(scene, entry.name, joinName(folder, name)));
+      commands.run(renameAnyAsset(scene, entry.name, joinName(folder, name)));
       const next = assets.list().find((each) => !others.has(each) && assets.modelOf(each) === null);
       if (isSelected && next !== undefined) document.assetSelection.set([next]);
     },

@@ -8,6 +8,8 @@ import { duplicateMaterial, giveMaterial, moveAssets } from '../../model/assetEd
 import { canRename, splitName } from '../../model/assetNames';
 import { usagesOf } from '../../model/assetUsages';
 import { instancesOf } from '../../model/prefabEdits';
+import { addScriptComponent } from '../../model/scriptEdits';
+import { duplicateAndShow } from '../scripts/scriptActions';
 import { removeEntries, renameEntry } from './assetDialogs';
 
 /** The assets that a menu of one is of: all that are selected, if it is among them. */
@@ -37,6 +39,21 @@ function materialEntries(editor: EditorApi, { name, label }: AssetEntry): MenuEn
     entries.push({ label: t('Duplicate'), icon: 'duplicate', run: () => editor.attempt(duplicate) });
   }
   return entries;
+}
+
+function scriptEntries(editor: EditorApi, { name }: AssetEntry): MenuEntry[] {
+  const { document, commands } = editor;
+  const attempt = (run: () => unknown) => (): void => editor.attempt(run);
+  return [
+    { label: t('Edit ## the text of a script'), icon: 'code', run: () => editor.openScript(name) },
+    {
+      label: t('Add to the selected objects'),
+      icon: 'add',
+      disabled: document.selectedObjects.length === 0,
+      run: attempt(() => commands.run(addScriptComponent(document.scene, document.selectedObjects, name))),
+    },
+    { label: t('Duplicate'), icon: 'duplicate', run: attempt(() => duplicateAndShow(editor, name)) },
+  ];
 }
 
 /** Selects the objects that use an asset, or are instances of a prefab. */
@@ -78,7 +95,8 @@ export function assetMenu(editor: EditorApi, entry: AssetEntry, folders: readonl
     entries.push({ label: t('Use as environment'), icon: 'world', help, run });
   }
   if (kind === 'material') entries.push(...materialEntries(editor, entry));
-  if (kind !== 'texture' || !isEnvironment(name)) {
+  if (kind === 'script') entries.push(...scriptEntries(editor, entry));
+  else if (kind !== 'texture' || !isEnvironment(name)) {
     const label = kind === 'material' || kind === 'shader' ? t('Place on a sphere') : t('Place in scene');
     entries.push({ label, icon: 'add', run: attempt(() => placeAsset(editor, entry)) });
   }

@@ -3,6 +3,7 @@ import type { EditorApi } from '../../api/EditorApi';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { addFolder, addMaterial, removeFolder, renameFolder } from '../../model/assetEdits';
 import { joinName, splitName } from '../../model/assetNames';
+import { newScript } from '../scripts/scriptActions';
 import { chooseFiles } from './chooseFiles';
 
 /** Adds a material to a folder, and shows its fields. */
@@ -47,6 +48,7 @@ export function newEntries(editor: EditorApi, folder: string): MenuEntry[] {
   const attempt = (run: () => unknown) => (): void => editor.attempt(run);
   return [
     { label: t('New material'), icon: 'contrast', run: attempt(() => newMaterial(editor, folder)) },
+    { label: t('New script'), icon: 'code', run: attempt(() => newScript(editor, joinName(folder, t('Script')))) },
     { label: t('New folder…'), icon: 'folder', run: attempt(() => newFolder(editor, folder)) },
     'separator',
     { label: t('Import…'), icon: 'open', run: attempt(() => chooseFiles(editor)) },

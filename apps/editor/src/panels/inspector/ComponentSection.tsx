@@ -1,8 +1,10 @@
 import { t } from '@farol/editing';
-import type { Component } from '@farol/engine';
+import { builtinComponents, type Component } from '@farol/engine';
 import { type ReactNode, useState } from 'react';
 import { setEnabled } from '../../model/edits';
+import { scriptOfType } from '../../model/scriptNames';
 import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { Toggle } from '../../ui/Toggle';
@@ -28,6 +30,8 @@ export function ComponentSection(props: { components: readonly Component[] }): R
   const isTransform = typeName === 'Transform';
   const mixed = components.some((component) => component.enabled !== enabled);
 
+  // one of the engine's own is no script's
+  const script = builtinComponents.types.has(typeName) ? null : scriptOfType(editor.document.scene, typeName);
   const menu = (): MenuEntry[] => componentEntries(editor, components);
 
   return (
@@ -35,9 +39,20 @@ export function ComponentSection(props: { components: readonly Component[] }): R
       id={typeName}
       title={title}
       help={t(componentClass.help)}
-      icon={componentIcon(typeName)}
+      icon={script === null ? componentIcon(typeName) : 'code'}
       controls={
         <>
+          {script !== null && (
+            <button
+              type="button"
+              className="button small"
+              aria-label={t('Edit script {name}', { name: script })}
+              title={t('Edit script {name}', { name: script })}
+              onClick={() => editor.openScript(script)}
+            >
+              <Icon name="code" size={13} />
+            </button>
+          )}
           {!isTransform && (
             <Toggle
               value={mixed ? null : enabled}

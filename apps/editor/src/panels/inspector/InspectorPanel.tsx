@@ -1,5 +1,6 @@
 import { t } from '@farol/editing';
 import { type FocusEvent, type PointerEvent, type ReactNode, useDeferredValue, useMemo, useState } from 'react';
+import { draggedAsset, isAssetDrag } from '../../files/dragAsset';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { FieldFilter, wordsOfFilter } from '../../ui/FieldFilter';
 import './inspector.css';
@@ -9,7 +10,8 @@ import { SceneInspector } from './SceneInspector';
 
 /** The values of what is selected; below them the help of the field under the pointer, or with the focus. */
 export function InspectorPanel(): ReactNode {
-  const { document } = useEditor();
+  const editor = useEditor();
+  const { document } = editor;
   useSignal(document.selection.changed);
   useSignal(document.assetSelection.changed);
   useSignal(document.opened);
@@ -36,6 +38,20 @@ export function InspectorPanel(): ReactNode {
       className="panel inspector"
       aria-label={t('Inspector')}
       aria-busy={ids !== document.selection.ids}
+      onDragOver={(event) => {
+        if (asset !== null || ids.length === 0 || !isAssetDrag(event.dataTransfer, 'script')) return;
+        event.preventDefault();
+        event.dataTransfer.dropEffect = 'copy';
+      }}
+      onDrop={(event) => {
+        const dropped = draggedAsset(event.dataTransfer);
+        if (event.defaultPrevented || dropped?.kind !== 'script' || ids.length === 0) return;
+        event.preventDefault();
+        editor.attempt(async () => {
+          const { addScriptComponent } = await import('../../model/scriptEdits');
+          editor.commands.run(addScriptComponent(document.scene, document.selectedObjects, dropped.name));
+        });
+      }}
       onPointerOver={show}
       onFocus={show}
       onBlur={() => setHelp('')}

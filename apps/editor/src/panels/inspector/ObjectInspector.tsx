@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import type { Component, GameObject } from '@farol/engine';
 import { memo, type ReactNode, useMemo } from 'react';
 import { addComponent, renameObject, setActive } from '../../model/edits';
+import { scriptOfType } from '../../model/scriptNames';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { SearchMenu, type SearchMenuItem } from '../../ui/SearchMenu';
@@ -22,6 +23,9 @@ function sharedComponents(objects: readonly GameObject[]): (readonly Component[]
     return group.length === objects.length ? [group] : [];
   });
 }
+
+/** No type of components is called so. */
+const NEW_SCRIPT = 'new script…';
 
 const keys = new WeakMap<Component, number>();
 let count = 0;
@@ -50,18 +54,24 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
   const mixed = objects.some(({ active }) => active !== first.active);
 
   const types = document.scene.registry.types;
-  const items = (): SearchMenuItem[] =>
-    [...types.values()]
+  const items = (): SearchMenuItem[] => [
+    ...[...types.values()]
       .filter(({ typeName }) => typeName !== 'Transform')
       .map((type) => ({
         value: type.typeName,
         label: wordsOf(type.typeName),
         help: t(type.help),
-        icon: componentIcon(type.typeName),
+        icon: scriptOfType(document.scene, type.typeName) === null ? componentIcon(type.typeName) : 'code',
         disabled: type.unique && objects.every((object) => object.getComponent(type.typeName)),
-      }));
+      })),
+    { value: NEW_SCRIPT, label: t('New script…'), help: t('A component of your own, written here.'), icon: 'code' },
+  ];
   const add = (name: string): void =>
-    editor.attempt(() => commands.run(addComponent(document.scene, objects, types.get(name)!)));
+    editor.attempt(async () => {
+      if (name !== NEW_SCRIPT) return commands.run(addComponent(document.scene, objects, types.get(name)!));
+      const { newScript } = await import('../scripts/scriptActions');
+      newScript(editor, t('Script'), objects);
+    });
 
   return (
     <>

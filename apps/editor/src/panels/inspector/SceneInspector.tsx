@@ -6,6 +6,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { SelectBox } from '../../ui/SelectBox';
 import { TextInput } from '../../ui/TextInput';
+import { PhysicsSection } from './PhysicsSection';
 import { PictureSections } from './PictureSections';
 import { Section } from './Section';
 
@@ -56,6 +57,7 @@ export function SceneInspector(): ReactNode {
         )}
       </Section>
       <PictureSections settings={scene.settings} />
+      <PhysicsSection settings={scene.settings} />
     </>
   );
 }

@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useMemo } from 'react';
-import { renameAsset } from '../../model/assetEdits';
 import { canRename, joinName, splitName } from '../../model/assetNames';
+import { renameAnyAsset } from '../../model/scriptEdits';
 import { assetEntry } from '../../files/assetKinds';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -10,6 +10,7 @@ import { TextInput } from '../../ui/TextInput';
 import { assetIcons, Thumbnail } from '../../ui/Thumbnail';
 import { AssetFacts } from './AssetFacts';
 import { MaterialInspector } from './MaterialInspector';
+import { ScriptAssetBar } from './ScriptAssetBar';
 import { UsedBy } from './UsedBy';
 import './material.css';
 
@@ -22,6 +23,7 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
   const { scene, assets } = document;
   const prefab = scene.prefabs.get(name);
   const material = assets.materialAsset(name);
+  const isScript = assets.fieldAsset(name)?.type === 'script';
   const entry = useMemo(() => assetEntry(scene, name), [scene, name]);
   if (!entry) return null;
   const { folder, leaf } = splitName(name);
@@ -29,7 +31,7 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
     editor.attempt(() => {
       const to = joinName(folder, next.trim());
       if (!next.trim() || to === name) return;
-      const command = renameAsset(scene, name, to);
+      const command = renameAnyAsset(scene, name, to);
       commands.run(command);
       document.assetSelection.set([assets.has(to) ? to : name]);
     });
@@ -52,9 +54,9 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
           <Icon name="close" size={12} />
         </button>
       </div>
-      {material ? (
-        <MaterialInspector material={material} />
-      ) : (
+      {isScript && <ScriptAssetBar name={name} />}
+      {material && <MaterialInspector material={material} />}
+      {!isScript && !material && (
         <>
           <div className="asset-large">
             <Thumbnail entry={entry} />

@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useEffect, useRef, useState } from 'react';
-import { renameAsset } from '../../model/assetEdits';
 import { joinName, splitName } from '../../model/assetNames';
+import { renameScript } from '../../model/scriptEdits';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
@@ -34,7 +34,7 @@ export function ScriptList({ names, current, isBroken }: ScriptListProps): React
     if (leaf === '' || leaf === splitName(name).leaf) return;
     editor.attempt(() => {
       const to = joinName(splitName(name).folder, leaf);
-      editor.commands.run(renameAsset(editor.document.scene, name, to));
+      editor.commands.run(renameScript(editor.document.scene, name, to));
       editor.openScript(to);
     });
   };

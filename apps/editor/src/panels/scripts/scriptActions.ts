@@ -1,37 +1,59 @@
 import { t } from '@farol/editing';
+import type { GameObject } from '@farol/engine';
 import type { EditorApi } from '../../api/EditorApi';
 import { assetEntry } from '../../files/assetKinds';
 import type { MenuEntry } from '../../api/MenuEntry';
-import { addScript, duplicateScript } from '../../model/scriptEdits';
+import { addScript, addScriptComponent, duplicateScript } from '../../model/scriptEdits';
+import { usagesOf } from '../../model/assetUsages';
 import { removeEntries } from '../assets/assetDialogs';
 
-/** Makes a script, and shows it. */
-export function newScript(editor: EditorApi): void {
-  const { command, name } = addScript(editor.document.scene, t('Script'));
+/**
+ * Makes a script, and shows it.
+ * @param wanted - its name, its folder in it
+ * @param users - objects that get its component
+ * @returns its name
+ */
+export function newScript(editor: EditorApi, wanted = t('Script'), users: readonly GameObject[] = []): string {
+  const { command, name } = addScript(editor.document.scene, wanted, users);
   editor.commands.run(command);
-  editor.openScript(name);
+  editor.openScript(name, users.length > 0 ? 1 : 0);
+  return name;
 }
 
-function duplicate(editor: EditorApi, script: string): void {
+export function duplicateAndShow(editor: EditorApi, script: string): void {
   const { command, name } = duplicateScript(editor.document.scene, script);
   editor.commands.run(command);
   editor.openScript(name);
 }
 
-async function remove(editor: EditorApi, script: string): Promise<void> {
+export async function removeScript(editor: EditorApi, script: string): Promise<void> {
   const entry = assetEntry(editor.document.scene, script);
   if (entry) await removeEntries(editor, [entry]);
 }
 
-/** Lines of the menu of a script. @param rename - has its name typed */
-export function scriptMenu(editor: EditorApi, script: string, rename: () => void): MenuEntry[] {
-  const attempt = (run: () => unknown) => (): void => editor.attempt(run);
-  return [
-    { label: t('Rename'), keys: 'F2', run: rename },
-    { label: t('Duplicate'), icon: 'duplicate', run: attempt(() => duplicate(editor, script)) },
-    'separator',
-    { label: t('Delete…'), icon: 'remove', keys: 'Delete', run: attempt(() => remove(editor, script)) },
-  ];
+/** Selects the objects that have a component of a script. @throws Error where none has */
+function selectUsers({ document }: EditorApi, script: string): void {
+  const ids = usagesOf(document.scene, script).flatMap(({ object }) => object ?? []);
+  if (ids.length === 0) throw new Error(t('No object uses it.'));
+  document.selection.set([...new Set(ids)]);
 }
 
-export { remove as removeScript };
+/** Lines of the menu of a script. @param rename - has its name typed */
+export function scriptMenu(editor: EditorApi, script: string, rename: () => void): MenuEntry[] {
+  const { document, commands } = editor;
+  const attempt = (run: () => unknown) => (): void => editor.attempt(run);
+  return [
+    {
+      label: t('Add to the selected objects'),
+      icon: 'add',
+      disabled: document.selectedObjects.length === 0,
+      run: attempt(() => commands.run(addScriptComponent(document.scene, document.selectedObjects, script))),
+    },
+    { label: t('Select what uses it'), icon: 'select', run: attempt(() => selectUsers(editor, script)) },
+    'separator',
+    { label: t('Rename'), keys: 'F2', run: rename },
+    { label: t('Duplicate'), icon: 'duplicate', run: attempt(() => duplicateAndShow(editor, script)) },
+    'separator',
+    { label: t('Delete…'), icon: 'remove', keys: 'Delete', run: attempt(() => removeScript(editor, script)) },
+  ];
+}

@@ -1,0 +1,75 @@
+import type { Texts } from '@farol/editing';
+
+/** Physics: bodies, colliders, joints and characters, in Spanish. */
+export const physics: Texts = {
+  Physics: 'Física',
+  'How bodies move while the scene plays.': 'Cómo se mueven los cuerpos mientras se reproduce la escena.',
+  Gravity: 'Gravedad',
+  'Acceleration of every dynamic body while the scene plays.':
+    'Aceleración de cada cuerpo dinámico mientras se reproduce la escena.',
+  'Rigid Body': 'Cuerpo rígido',
+  'A body that falls, is pushed, or pushes others.': 'Un cuerpo que cae, es empujado o empuja a otros.',
+  'Moved by forces and collisions, moved by animation and scripts, or never.':
+    'Movido por fuerzas y choques, movido por animación y scripts, o nunca.',
+  Dynamic: 'Dinámico',
+  Kinematic: 'Cinemático',
+  Fixed: 'Fijo',
+  'Mass by': 'Masa según',
+  'Whether its mass is given, or comes from size and density of its colliders.':
+    'Si su masa se indica, o resulta del tamaño y la densidad de sus colisionadores.',
+  'Mass ## of a body': 'Masa',
+  Density: 'Densidad',
+  Mass: 'Masa',
+  'Of the whole body.': 'De todo el cuerpo.',
+  'Gravity factor': 'Factor de gravedad',
+  "Factor of the scene's gravity.": 'Factor de la gravedad de la escena.',
+  Damping: 'Amortiguación',
+  'How fast its speed fades by itself.': 'Con qué rapidez se pierde su velocidad por sí sola.',
+  'Turning damping': 'Amortiguación del giro',
+  'How fast its turning fades by itself.': 'Con qué rapidez se pierde su giro por sí solo.',
+  'Continuous detection': 'Detección continua',
+  'Does not pass through thin things when it is fast.': 'No atraviesa cosas delgadas cuando va rápido.',
+  Velocity: 'Velocidad',
+  'In the world.': 'En el mundo.',
+  'Angular velocity': 'Velocidad angular',
+  'Axis of the world that it turns about, as long as it is fast.':
+    'Eje del mundo sobre el que gira, tan largo como rápido es el giro.',
+  'Position X': 'Posición X',
+  'It does not move along X of the world.': 'No se mueve a lo largo de la X del mundo.',
+  'Position Y': 'Posición Y',
+  'It does not move along Y of the world.': 'No se mueve a lo largo de la Y del mundo.',
+  'Position Z': 'Posición Z',
+  'It does not move along Z of the world.': 'No se mueve a lo largo de la Z del mundo.',
+  'Rotation X': 'Rotación X',
+  'It does not turn about X of the world.': 'No gira sobre la X del mundo.',
+  'Rotation Y': 'Rotación Y',
+  'It does not turn about Y of the world.': 'No gira sobre la Y del mundo.',
+  'Rotation Z': 'Rotación Z',
+  'It does not turn about Z of the world.': 'No gira sobre la Z del mundo.',
+  Collider: 'Colisionador',
+  'A shape that bodies collide with.': 'Una forma con la que chocan los cuerpos.',
+  Shape: 'Forma',
+  'A hull is the smallest shape without hollows round the mesh; a mesh has every triangle, and cannot be that of a dynamic body.':
+    'Una envolvente es la menor forma sin huecos alrededor de la malla; una malla tiene cada triángulo, y no puede ser la de un cuerpo dinámico.',
+  Capsule: 'Cápsula',
+  'Convex hull': 'Envolvente convexa',
+  'Mesh ## collider': 'Malla',
+  'Fit to mesh': 'Ajustar a la malla',
+  'As large as the mesh of the object, or where it has none as the meshes below it.':
+    'Del tamaño de la malla del objeto o, si no tiene, de las mallas que hay debajo.',
+  'Sides of the box; of other shapes those of the box round them.':
+    'Lados de la caja; en otras formas, los de la caja que las rodea.',
+  Offset: 'Desplazamiento',
+  'Middle of the shape in the space of the object.': 'Centro de la forma en el espacio del objeto.',
+  Axis: 'Eje',
+  'Own axis that it stands along.': 'Eje propio a lo largo del que está.',
+  Sensor: 'Sensor',
+  'It stops nothing, and tells what comes in and goes out: onTriggerEnter, onTriggerExit.':
+    'No detiene nada, y avisa de lo que entra y sale: onTriggerEnter, onTriggerExit.',
+  Friction: 'Fricción',
+  '0 slides as on ice; that of two bodies is the mean.': '0 resbala como sobre hielo; la de dos cuerpos es la media.',
+  Bounciness: 'Rebote',
+  'How much it bounces: 0 not at all, 1 as high as before.': 'Cuánto rebota: 0 nada, 1 tan alto como antes.',
+  'Of bodies whose mass comes from their density; else the share of this shape in the mass. Water has 1000.':
+    'De los cuerpos cuya masa resulta de su densidad; si no, la parte de esta forma en la masa. El agua tiene 1000.',
+};

@@ -1,0 +1,27 @@
+import { t } from '@farol/editing';
+import type { ReactNode } from 'react';
+import type { Timeline } from '../../model/timeline/Timeline';
+import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { newClip } from './newClip';
+
+/** What the panel shows while no clip is edited. */
+export function EmptyTimeline({ timeline }: { timeline: Timeline }): ReactNode {
+  const editor = useEditor();
+  const object = editor.document.selectedObjects.at(-1) ?? timeline.root;
+  return (
+    <div className="timeline-empty">
+      <p>
+        {object
+          ? t('{name} has no clip yet. A clip moves it, and all below it, over time.', { name: object.name })
+          : t('Select an object to animate it, or choose a clip above.')}
+      </p>
+      {object && (
+        <button type="button" className="button framed" onClick={() => editor.attempt(() => newClip(editor))}>
+          <Icon name="add" />
+          <span>{t('New clip for {name}', { name: object.name })}</span>
+        </button>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,124 @@
+import { t } from '@farol/editing';
+import type { ReactNode } from 'react';
+import { clipName } from '../../model/timeline/clipEdits';
+import { addKeys } from '../../model/timeline/timelineEdits';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { MenuButton } from '../../ui/MenuButton';
+import type { IconName } from '../../style/iconPaths';
+import { clipEntries } from './clipEntries';
+import { easingEntries } from './easingEntries';
+import { nextKeyTime } from './keyMarks';
+import { SelectedFields } from './SelectedFields';
+import type { TimelineView } from './TimelineView';
+import { tracksForKeys } from './tracksForKeys';
+
+interface ToolProps {
+  readonly label: string;
+  readonly icon: IconName;
+  readonly keys?: string;
+  readonly className?: string;
+  readonly pressed?: boolean;
+  readonly disabled?: boolean;
+  onClick(): void;
+}
+
+function Tool({ label, icon, keys, className = '', pressed, disabled, onClick }: ToolProps): ReactNode {
+  return (
+    <button
+      type="button"
+      className={`button ${className}`}
+      aria-label={label}
+      title={keys ? `${label} (${keys})` : label}
+      aria-pressed={pressed}
+      disabled={disabled}
+      onClick={onClick}
+    >
+      <Icon name={icon} />
+    </button>
+  );
+}
+
+/** Recording, playing, the clip, and what is selected of it. */
+export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
+  const { timeline } = view;
+  const editor = useEditor();
+  useSignal(timeline.changed);
+  useSignal(editor.document.assetsChanged);
+  const { clip, data, isPlaying, isRecording, canRecord, selection } = timeline;
+  const goTo = (time: number | null): void => {
+    if (time === null) return;
+    timeline.pause();
+    timeline.setTime(time);
+    view.reveal(time);
+  };
+  const isNone = clip === null;
+  return (
+    <div className="panel-bar timeline-bar" role="toolbar" aria-label={t('Timeline tools')}>
+      <Tool
+        label={t('Record')}
+        icon="record"
+        keys="Shift+K"
+        className="record"
+        pressed={isRecording}
+        disabled={!canRecord}
+        onClick={() => timeline.setRecording(!isRecording)}
+      />
+      <span className="bar-line" />
+      <Tool label={t('To the beginning')} icon="first" keys="Home" disabled={isNone} onClick={() => goTo(0)} />
+      <Tool
+        label={t('Previous key')}
+        icon="previousKey"
+        keys="Ctrl+←"
+        disabled={isNone}
+        onClick={() => goTo(nextKeyTime(data, timeline.time, -1))}
+      />
+      <Tool
+        label={isPlaying ? t('Pause the clip') : t('Play the clip')}
+        icon={isPlaying ? 'pause' : 'play'}
+        pressed={isPlaying}
+        disabled={!canRecord}
+        onClick={() => (isPlaying ? timeline.pause() : timeline.play())}
+      />
+      <Tool
+        label={t('Next key')}
+        icon="nextKey"
+        keys="Ctrl+→"
+        disabled={isNone}
+        onClick={() => goTo(nextKeyTime(data, timeline.time, 1))}
+      />
+      <Tool label={t('To the end')} icon="last" keys="End" disabled={isNone} onClick={() => goTo(timeline.duration)} />
+      <span className="bar-line" />
+      <MenuButton
+        label={clip ? clipName(clip) : t('Clips')}
+        icon="timeline"
+        className="button timeline-clip"
+        entries={() => clipEntries(editor, timeline)}
+      />
+      <Tool
+        label={t('Add keys')}
+        icon="key"
+        disabled={data.tracks.length === 0}
+        onClick={() => addKeys(timeline, tracksForKeys(view))}
+      />
+      <div className="button-group" role="group" aria-label={t('What is shown')}>
+        <Tool
+          label={t('Keys')}
+          icon="timeline"
+          pressed={view.mode === 'keys'}
+          disabled={isNone}
+          onClick={() => view.set('mode', 'keys')}
+        />
+        <Tool
+          label={t('Curves')}
+          icon="curve"
+          pressed={view.mode === 'curves'}
+          disabled={isNone}
+          onClick={() => view.set('mode', 'curves')}
+        />
+      </div>
+      <MenuButton label={t('Easing')} disabled={selection.keys.size === 0} entries={() => easingEntries(timeline)} />
+      <SelectedFields view={view} />
+    </div>
+  );
+}

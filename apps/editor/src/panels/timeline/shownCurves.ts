@@ -1,0 +1,75 @@
+import { numberDisplay } from '@farol/editing';
+import type { ClipKey } from '@farol/engine';
+import { isNumeric, isTriple } from '../../model/timeline/clipTracks';
+import type { TimelineRow, TrackRow } from './timelineRows';
+import type { TimelineView } from './TimelineView';
+
+/** A curve of the curve view: one number of a track. */
+export interface ShownCurve {
+  readonly row: TrackRow;
+  /** Which coordinate; 0 for a number. */
+  readonly channel: 0 | 1 | 2;
+  readonly isTriple: boolean;
+  /** The number of a key as it is shown, angles in degrees. */
+  shownOf(key: ClipKey): number;
+  /** From what is shown to the field's unit. */
+  fromShown(shown: number): number;
+}
+
+const same = (value: number): number => value;
+
+/** Fields whose target is gone are shown as they are in the clip. */
+const displayOf = ({ field }: TrackRow): { toShown(value: number): number; fromShown(shown: number): number } =>
+  field && field.kind !== 'colour' && field.kind !== 'boolean' && field.kind !== 'choice'
+    ? numberDisplay(field)
+    : { toShown: same, fromShown: same };
+
+const known = new WeakMap<readonly TimelineRow[], { chosen: ReadonlySet<string>; curves: readonly ShownCurve[] }>();
+
+/** The curves of the lines that are chosen, of all when none is. */
+export function shownCurves(view: TimelineView): readonly ShownCurve[] {
+  const last = known.get(view.rows);
+  if (last?.chosen === view.chosen) return last.curves;
+  const { chosen, rows } = view;
+  const isShown = (row: TrackRow, channel: number): boolean => {
+    const { path, component } = row.track;
+    const group = `${path}\n${component}`;
+    return chosen.has(row.id) || chosen.has(`${row.id}\n${channel}`) || chosen.has(group);
+  };
+  const all = curvesOf(rows);
+  const some = all.filter(({ row, channel }) => isShown(row, channel));
+  const curves = some.length > 0 ? some : all;
+  known.set(rows, { chosen, curves });
+  return curves;
+}
+
+function curvesOf(rows: readonly TimelineRow[]): ShownCurve[] {
+  return rows.flatMap((row): ShownCurve[] => {
+    if (row.kind !== 'track' || !isNumeric(row.track.keys[0]?.value)) return [];
+    const { toShown, fromShown } = displayOf(row);
+    if (!isTriple(row.track.keys[0].value)) {
+      return [{ row, channel: 0, isTriple: false, fromShown, shownOf: ({ value }) => toShown(value as number) }];
+    }
+    return ([0, 1, 2] as const).map((channel) => ({
+      row,
+      channel,
+      isTriple: true,
+      fromShown,
+      shownOf: ({ value }) => toShown((value as readonly number[])[channel]),
+    }));
+  });
+}
+
+/** The lowest and the highest shown value of keys within some times; null where there is none. */
+export function valuesOfCurves(view: TimelineView, first = -Infinity, last = Infinity): [number, number] | null {
+  let [low, high] = [Infinity, -Infinity];
+  for (const curve of shownCurves(view)) {
+    for (const key of curve.row.track.keys) {
+      if (key.time < first || key.time > last) continue;
+      const value = curve.shownOf(key);
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+  }
+  return low > high ? null : [low, high];
+}

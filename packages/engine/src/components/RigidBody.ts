@@ -1,0 +1,120 @@
+import { type Quaternion, Vector3 } from 'three';
+import type { Scene } from '../core/SceneGraph';
+import { toVector3, type Vector3Input } from '../core/toVector3';
+import { component } from '../fields/component';
+import type { BodyControl } from '../physics/BodyControl';
+import { rigidBodyFields } from '../physics/rigidBodyFields';
+import { PhysicsSystem } from '../physics/PhysicsSystem';
+
+/**
+ * Makes an object a body of the scene's physics, with the Colliders of the object and of those below it. While the scene
+ * plays a dynamic body is moved by forces and collisions; a kinematic one goes where its object is moved by animation or
+ * scripts, and pushes others; a fixed one stays. What it does is simulation: it is not saved, and `scene.reset()` undoes it.
+ * Its methods may be called from `start` on; what is asked before the physics have begun waits for them.
+ */
+export class RigidBody extends component(rigidBodyFields) {
+  static override readonly typeName: string = 'RigidBody';
+  static override readonly unique: boolean = true;
+  static override readonly help: string = 'A body that falls, is pushed, or pushes others.';
+
+  private control: BodyControl | null = null;
+  /** What was asked before the body was there. */
+  private readonly waiting: ((body: BodyControl) => void)[] = [];
+
+  /** @internal Called by the physics. @param control - null when the body is given up */
+  setControl(control: BodyControl | null): void {
+    this.control = control;
+    if (control) for (const call of this.waiting.splice(0)) call(control);
+  }
+
+  /** In the world (m/s): a copy. Setting it wakes the body. */
+  get velocity(): Vector3 {
+    return this.control ? this.control.velocity(new Vector3()) : new Vector3(...this.initialVelocity);
+  }
+
+  set velocity(value: Vector3Input) {
+    const velocity = toVector3(value, new Vector3());
+    this.whenThere((body) => body.setVelocity(velocity));
+  }
+
+  /** Axis of the world as long as the speed (rad/s): a copy. Setting it wakes the body. */
+  get angularVelocity(): Vector3 {
+    return this.control ? this.control.angularVelocity(new Vector3()) : new Vector3(...this.initialAngularVelocity);
+  }
+
+  set angularVelocity(value: Vector3Input) {
+    const velocity = toVector3(value, new Vector3());
+    this.whenThere((body) => body.setAngularVelocity(velocity));
+  }
+
+  /** Whether it has come to rest: it costs nothing until something touches it. */
+  get isSleeping(): boolean {
+    return this.control?.isSleeping ?? false;
+  }
+
+  /**
+   * Changes the velocity of a dynamic body at once.
+   * @param impulse - in the world (N·s)
+   * @param point - of the world where it acts (m); the centre of mass when absent
+   */
+  applyImpulse(impulse: Vector3Input, point?: Vector3Input): void {
+    const [value, place] = [toVector3(impulse, new Vector3()), point ? toVector3(point, new Vector3()) : null];
+    this.whenThere((body) => body.applyImpulse(value, place));
+  }
+
+  /**
+   * Acts on a dynamic body during this frame: called in each `update`, it is a constant force.
+   * @param force - in the world (N)
+   * @param point - of the world where it acts (m); the centre of mass when absent
+   */
+  applyForce(force: Vector3Input, point?: Vector3Input): void {
+    const [value, place] = [toVector3(force, new Vector3()), point ? toVector3(point, new Vector3()) : null];
+    this.whenThere((body) => body.applyForce(value, place));
+  }
+
+  /** Turns a dynamic body during this frame. @param torque - in the world (N·m) */
+  applyTorque(torque: Vector3Input): void {
+    const value = toVector3(torque, new Vector3());
+    this.whenThere((body) => body.applyTorque(value));
+  }
+
+  /** Lets a body move again that has come to rest. */
+  wakeUp(): void {
+    this.whenThere((body) => body.wakeUp());
+  }
+
+  /**
+   * Puts the body elsewhere, without a way between; its velocity stays.
+   * @param position - in the world (m)
+   * @param rotation - in the world; as it is when absent
+   */
+  teleport(position: Vector3Input, rotation?: Quaternion): void {
+    const [place, turn] = [toVector3(position, new Vector3()), rotation?.clone() ?? null];
+    this.whenThere((body) => body.teleport(place, turn));
+  }
+
+  override onEnterScene(scene: Scene): void {
+    scene.system(PhysicsSystem).componentChanged(this);
+  }
+
+  override onLeaveScene(scene: Scene): void {
+    scene.system(PhysicsSystem).componentChanged(this);
+  }
+
+  override onFieldChanged(): void {
+    this.scene?.system(PhysicsSystem).componentChanged(this);
+  }
+
+  override onActiveChanged(): void {
+    this.scene?.system(PhysicsSystem).componentChanged(this);
+  }
+
+  override onDestroy(): void {
+    this.waiting.length = 0;
+  }
+
+  private whenThere(call: (body: BodyControl) => void): void {
+    if (this.control) call(this.control);
+    else if (this.scene?.isSimulated) this.waiting.push(call);
+  }
+}

@@ -1,0 +1,197 @@
+import type { Prefab } from '../prefabs/Prefab';
+import type { FieldValue } from '../fields/Field';
+import { type FieldOwner, remake } from '../fields/FieldOwner';
+import { moveGameObject } from './moveGameObject';
+import { scriptClasses } from './scriptClasses';
+import type { CameraComponent, Component, GameObject, GameObjectContainer, Scene, SceneChange } from './SceneGraph';
+import type { SceneView } from './SceneViews';
+
+interface ComponentRecord {
+  readonly component: Component;
+  readonly id: string;
+  readonly enabled: boolean;
+}
+
+interface ObjectRecord {
+  readonly children: readonly GameObject[];
+  readonly components: readonly ComponentRecord[];
+  readonly name: string;
+  readonly active: boolean;
+  readonly locked: boolean;
+  readonly tags: readonly string[];
+  readonly prefabLink: GameObject['prefabLink'];
+}
+
+const recordOf = (object: GameObject): ObjectRecord => ({
+  children: [...object.children],
+  components: object.components.map((component) => ({ component, id: component.id, enabled: component.enabled })),
+  name: object.name,
+  active: object.active,
+  locked: object.locked,
+  tags: object.tags,
+  prefabLink: object.prefabLink,
+});
+
+/**
+ * What a scene is made of at a moment, so that all that code changes afterwards can be taken back: objects and components
+ * that come, go or move, their names and switches, and fields that are set. Edits of scripts are not taken back.
+ */
+export class AuthoredState {
+  private readonly objects = new Map<GameObject, ObjectRecord>();
+  private readonly roots: readonly GameObject[];
+  private readonly camera: CameraComponent | null;
+  private readonly name: string;
+  private readonly views: readonly (readonly [number, SceneView])[];
+  private readonly microShaders: ReadonlyMap<string, string>;
+  private readonly prefabs: readonly Prefab[];
+  private readonly assets: ReadonlySet<string>;
+  /** What fields were before they were set. */
+  private readonly fields = new Map<FieldOwner, Map<string, FieldValue>>();
+  /** Whether more than fields has changed. */
+  private isTouched = false;
+  private isRestoring = false;
+
+  constructor(private readonly scene: Scene) {
+    scene.traverse((object) => this.objects.set(object, recordOf(object)));
+    this.roots = [...scene.roots];
+    this.camera = scene.activeCamera;
+    this.name = scene.name;
+    this.views = scene.views.entries;
+    this.microShaders = new Map(scene.microShaders.texts);
+    this.prefabs = scene.prefabs.list;
+    this.assets = new Set(scene.assets.fieldAssets().map(({ name }) => name));
+  }
+
+  /** Something of the scene has changed. */
+  note(change: SceneChange): void {
+    if (this.isRestoring) return;
+    if (change.kind === 'field') this.noteField(change.component, change.field, change.before);
+    else if (change.kind === 'settings') this.noteField(this.scene.settings, change.field, change.before);
+    else if (change.kind === 'asset') {
+      if (change.asset.type !== 'script') this.noteField(change.asset, change.field, change.before);
+    } else {
+      this.isTouched = true;
+      // out of the scene it tells no more of what is set
+      if (change.kind === 'remove') change.gameObject.traverse(({ components }) => components.forEach(this.noteAll));
+      else if (change.kind === 'component-remove') this.noteAll(change.component);
+    }
+  }
+
+  /**
+   * An object is about to be disposed of: what was there at the moment, of it and all below it, only leaves the scene.
+   * @returns whether the object itself was there
+   */
+  hold(gameObject: GameObject): boolean {
+    if (this.objects.has(gameObject)) {
+      moveGameObject(gameObject, null);
+      return true;
+    }
+    const held: GameObject[] = [];
+    gameObject.traverse((each) => {
+      if (this.objects.has(each)) held.push(each);
+    });
+    for (const each of held) if (each.container && !this.isBelow(each, held)) moveGameObject(each, null);
+    return false;
+  }
+
+  /** Brings everything back. May be called again: what was changed since is taken back then. */
+  restore(): void {
+    this.isRestoring = true;
+    try {
+      if (this.isTouched) this.restoreStructure();
+      for (const [owner, values] of this.fields) {
+        for (const [name, value] of values) if (Object.hasOwn(owner.fields, name)) trySet(owner, name, value);
+      }
+      this.isTouched = false;
+    } finally {
+      this.isRestoring = false;
+    }
+  }
+
+  /** Disposes of what was held and is not in the scene. */
+  discard(): void {
+    for (const object of this.objects.keys()) if (!object.scene && !object.container) object.dispose();
+  }
+
+  private readonly noteAll = (component: Component): void => {
+    for (const name of Object.keys(component.fields)) this.noteField(component, name, component.getAuthored(name));
+  };
+
+  private noteField(owner: FieldOwner, name: string, before: FieldValue): void {
+    let values = this.fields.get(owner);
+    if (!values) this.fields.set(owner, (values = new Map()));
+    if (!values.has(name)) values.set(name, before);
+  }
+
+  private isBelow(object: GameObject, others: readonly GameObject[]): boolean {
+    for (let above = object.parent; above; above = above.parent) if (others.includes(above)) return true;
+    return false;
+  }
+
+  private restoreStructure(): void {
+    const { scene } = this;
+    const added: GameObject[] = [];
+    const arrange = (container: GameObjectContainer, children: readonly GameObject[]): void => {
+      children.forEach((child, i) => {
+        if (container.childList[i] !== child) moveGameObject(child, container, i);
+      });
+      added.push(...container.childList.slice(children.length));
+    };
+    // parents first: what was put below its own child comes out before it gets children
+    arrange(scene, this.roots);
+    for (const [object, { children }] of this.objects) arrange(object, children);
+    // what was moved into its place meanwhile is no addition
+    for (const each of added) if (!this.objects.has(each)) each.dispose();
+    for (const [object, record] of this.objects) this.restoreObject(object, record);
+    for (const asset of scene.assets.fieldAssets()) {
+      if (asset.type !== 'script' && !this.assets.has(asset.name)) scene.assets.unregister(asset.name);
+    }
+    scene.name = this.name;
+    for (const [place] of scene.views.entries)
+      if (!this.views.some(([at]) => at === place)) scene.views.set(place, null);
+    for (const [place, view] of this.views) scene.views.set(place, view);
+    for (const name of [...scene.microShaders.texts.keys()]) {
+      if (!this.microShaders.has(name)) scene.microShaders.set(name, null);
+    }
+    for (const [name, text] of this.microShaders) scene.microShaders.set(name, text);
+    for (const { id } of scene.prefabs.list) if (!this.prefabs.some((each) => each.id === id)) scene.prefabs.delete(id);
+    for (const prefab of this.prefabs) scene.prefabs.set(prefab);
+    if (scene.activeCamera !== this.camera && this.camera?.scene === scene) scene.activeCamera = this.camera;
+  }
+
+  private restoreObject(object: GameObject, record: ObjectRecord): void {
+    const wanted = new Set(record.components.map(({ component }) => component));
+    for (const component of [...object.components]) {
+      if (wanted.has(component)) continue;
+      object.removeComponent(component);
+      component.dispose();
+    }
+    record.components.forEach(({ component, id, enabled }, index) => {
+      if (object.components[index] === component) component.enabled = enabled;
+      else if (component.isAttached && component.gameObject === object) object.moveComponent(component, index);
+      else {
+        if (component.isAttached) component.gameObject.removeComponent(component);
+        // it may have been disposed of; the classes of scripts are made anew in any case
+        if (!scriptClasses.has(component.componentClass)) remake(component, component.componentClass);
+        for (const [name, value] of this.fields.get(component) ?? []) trySet(component, name, value);
+        object.addComponent(component, {}, { index, id, enabled });
+      }
+      if (component.enabled !== enabled) component.enabled = enabled;
+    });
+    const { name, active, locked, tags, prefabLink } = record;
+    object.name = name;
+    object.active = active;
+    object.locked = locked;
+    if (object.tags !== tags) object.tags = tags;
+    object.prefabLink = prefabLink;
+  }
+}
+
+/** Sets a field that may have become another one by a script that was edited. */
+function trySet(owner: FieldOwner, name: string, value: FieldValue): void {
+  try {
+    owner.set(name, value);
+  } catch (error) {
+    console.error(error);
+  }
+}

@@ -1,0 +1,20 @@
+import type { Quaternion, Vector3 } from 'three';
+
+/** What a body of the running simulation can be told and asked, all in the world's space and SI units. */
+export interface BodyControl {
+  readonly isSleeping: boolean;
+  /** In kilograms. */
+  readonly mass: number;
+  velocity(target: Vector3): Vector3;
+  setVelocity(velocity: Vector3): void;
+  angularVelocity(target: Vector3): Vector3;
+  setAngularVelocity(velocity: Vector3): void;
+  /** @param point - where it acts; the centre of mass when null */
+  applyImpulse(impulse: Vector3, point: Vector3 | null): void;
+  /** Acts for the time of the frame. @param point - where it acts; the centre of mass when null */
+  applyForce(force: Vector3, point: Vector3 | null): void;
+  applyTorque(torque: Vector3): void;
+  wakeUp(): void;
+  /** @param rotation - as it is when null */
+  teleport(position: Vector3, rotation: Quaternion | null): void;
+}

@@ -1,0 +1,106 @@
+import type { Collider as RapierCollider } from '@dimforge/rapier3d-compat';
+import { Matrix4, Quaternion, Vector3 } from 'three';
+import type { GameObject } from '../core/SceneGraph';
+import { type Body, placeOf } from './Body';
+import { collisionMethods } from './CollisionEvent';
+import { colliderShape } from './colliderShape';
+import type { Rapier } from './loadRapier';
+import { makeColliderDesc } from './makeColliderDesc';
+import { ObjectWatch } from './ObjectWatch';
+import { shortText } from '@farol/renderer';
+import type { ColliderPart } from './PhysicsParts';
+
+const place = new Vector3();
+const turn = new Quaternion();
+const one = new Vector3(1, 1, 1);
+const inverse = new Matrix4();
+
+/** A collider of Rapier's world: of a Collider, or of a CharacterController. */
+export interface ColliderRecord {
+  /** Null for that of a CharacterController. */
+  readonly component: ColliderPart | null;
+  readonly object: GameObject;
+  readonly body: Body;
+  readonly rapier: RapierCollider;
+  /** Place among the colliders, by which events are sorted. */
+  readonly order: number;
+  /** Of an object below the body's: notices that it moved in the body. */
+  readonly watch: ObjectWatch | null;
+  /** In m³ times density: its share of the body's mass. */
+  readonly weight: number;
+}
+
+const nameOf = (object: GameObject): string => `'${shortText(object.name)}'`;
+
+/** From the object of a collider to its body, which has no scale: as they are shown. */
+export function matrixInBody(object: GameObject, body: Body, target = new Matrix4()): Matrix4 {
+  placeOf(body.object.object3D, place, turn);
+  inverse.compose(place, turn, one).invert();
+  object.object3D.updateWorldMatrix(true, false);
+  return target.multiplyMatrices(inverse, object.object3D.matrixWorld);
+}
+
+/** Whether a component of an object hears of collisions. */
+export function listens(object: GameObject): boolean {
+  return object.components.some((component) =>
+    collisionMethods.some((name) => typeof (component as unknown as Record<string, unknown>)[name] === 'function'),
+  );
+}
+
+/**
+ * Makes the collider of a component.
+ * @param make - brings the description into Rapier's world
+ * @throws Error naming the object and the mend where there is no shape
+ */
+export function makeCollider(
+  rapier: Rapier,
+  component: ColliderPart,
+  body: Body,
+  order: number,
+  make: (desc: InstanceType<Rapier['ColliderDesc']>) => RapierCollider,
+): ColliderRecord {
+  const { gameObject: object } = component;
+  const shape = colliderShape(component);
+  if (!shape) {
+    throw new Error(
+      `The Collider of ${nameOf(object)} has no mesh to fit to: give the object a mesh, or switch "Fit to mesh" off and give a size.`,
+    );
+  }
+  if (shape.kind === 'mesh' && body.type === 'dynamic') {
+    throw new Error(
+      `The Collider of ${nameOf(object)} is a mesh on a dynamic body: choose the convex hull, or make the body fixed or kinematic.`,
+    );
+  }
+  const matrix = matrixInBody(object, body);
+  if (!matrix.elements.every(Number.isFinite) || matrix.determinant() === 0) {
+    throw new Error(`The Collider of ${nameOf(object)} has no size: its object, or one above it, has a scale of 0.`);
+  }
+  const desc = makeColliderDesc(rapier, shape, matrix);
+  if (!desc) {
+    throw new Error(
+      `The Collider of ${nameOf(object)} gets no ${shape.kind} from its mesh, which has too few points or wrong ones: choose a box.`,
+    );
+  }
+  const { ActiveCollisionTypes: Types, ActiveEvents, CoefficientCombineRule } = rapier;
+  const heard = listens(object) || listens(body.object);
+  desc
+    .setSensor(component.sensor)
+    .setFriction(component.friction)
+    .setRestitution(component.restitution)
+    .setRestitutionCombineRule(CoefficientCombineRule.Max)
+    .setDensity(component.sensor ? 0 : component.density)
+    .setActiveEvents(heard ? ActiveEvents.COLLISION_EVENTS : ActiveEvents.NONE);
+  if (component.sensor) {
+    desc.setActiveCollisionTypes(Types.DEFAULT | Types.KINEMATIC_FIXED | Types.KINEMATIC_KINEMATIC);
+  }
+  const made = make(desc);
+  return {
+    component,
+    object,
+    body,
+    rapier: made,
+    order,
+    watch: object === body.object ? null : new ObjectWatch(object.object3D, body.object.object3D),
+    weight: component.sensor ? 0 : made.volume() * component.density,
+  };
+}

@@ -1,0 +1,14 @@
+import type { Component } from '../core/SceneGraph';
+import type { ValuesOf } from '../fields/Field';
+import type { BodyControl } from './BodyControl';
+import type { colliderFields } from './colliderFields';
+import type { rigidBodyFields } from './rigidBodyFields';
+
+/** A RigidBody as the physics know it. */
+export interface RigidBodyPart extends Component, ValuesOf<typeof rigidBodyFields> {
+  /** Takes the body that it is as long as the scene plays. @param control - null when that is given up */
+  setControl(control: BodyControl | null): void;
+}
+
+/** A Collider as the physics know it. */
+export interface ColliderPart extends Component, ValuesOf<typeof colliderFields> {}

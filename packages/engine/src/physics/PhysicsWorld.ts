@@ -1,0 +1,307 @@
+import type { EventQueue, World } from '@dimforge/rapier3d-compat';
+import { shortText } from '@farol/renderer';
+import { Quaternion, Vector3 } from 'three';
+import type { Component, GameObject, Scene, SceneChange } from '../core/SceneGraph';
+import { Body, placeOf } from './Body';
+import { type ColliderRecord, listens, makeCollider } from './ColliderRecord';
+import { Contacts } from './Contacts';
+import type { Rapier } from './loadRapier';
+import { findParts, type SceneParts } from './findParts';
+import type { ColliderPart, RigidBodyPart } from './PhysicsParts';
+
+/** Length of a step (s). */
+export const STEP = 1 / 60;
+/** As many steps as the longest frame of an App has; what a frame took beyond them is left out. */
+const MOST_STEPS = 6;
+/** Of a step, within which a frame is long enough for it: frame times are not exact. */
+const TOLERANCE = 1e-6;
+
+const place = new Vector3();
+const turn = new Quaternion();
+
+/** What of the system the world reads. */
+interface Changes {
+  readonly revision: number;
+  readonly changed: Set<Component>;
+  componentChanged(component: Component): void;
+}
+
+/**
+ * The running physics of a scene: Rapier's world, and a body and colliders for the components of the scene, made in the
+ * order of its tree.
+ */
+export class PhysicsWorld {
+  /** How many steps were taken. */
+  steps = 0;
+  readonly times = { rapier: 0, all: 0 };
+
+  private readonly world: World;
+  private readonly queue: EventQueue;
+  private readonly bodies = new Map<GameObject, Body>();
+  /** The same, in the order in which they were made. */
+  private bodyList: Body[] = [];
+  private readonly colliders = new Map<ColliderPart, ColliderRecord>();
+  private readonly byHandle = new Map<number, ColliderRecord>();
+  private readonly contacts: Contacts;
+  private readonly told = new WeakSet<Component>();
+  private readonly problems: { component: Component; error: unknown }[] = [];
+  private readonly endChanges: () => void;
+  private seenRevision = -1;
+  private wasEdited = false;
+  /** Time that has passed since the last step (s). */
+  private rest = 0;
+  private made = 0;
+
+  constructor(
+    private readonly rapier: Rapier,
+    private readonly scene: Scene,
+    private readonly changes: Changes,
+  ) {
+    this.world = new rapier.World(vectorOf(scene.settings.gravity));
+    this.world.timestep = STEP;
+    this.queue = new rapier.EventQueue(true);
+    this.contacts = new Contacts(this.world, this.byHandle, (object, method, event) => {
+      for (const component of [...object.components]) {
+        const listener = (component as unknown as Record<string, unknown>)[method];
+        if (typeof listener !== 'function' || !component.isActive || component.scene !== this.scene) continue;
+        try {
+          listener.call(component, event);
+        } catch (error) {
+          this.problems.push({ component, error });
+        }
+      }
+    });
+    this.endChanges = scene.onChange((change) => this.sceneChanged(change));
+  }
+
+  update(deltaSeconds: number): void {
+    const began = performance.now();
+    this.times.rapier = 0;
+    if (this.wasEdited || this.seenRevision !== this.changes.revision) this.reconcile();
+    this.follow(deltaSeconds);
+    this.rest += deltaSeconds;
+    let count = Math.floor(this.rest / STEP + TOLERANCE);
+    this.rest = Math.max(0, this.rest - count * STEP);
+    count = Math.min(count, MOST_STEPS);
+    for (let left = count; left > 0; left--) this.step(left);
+    this.show(Math.min(1, this.rest / STEP));
+    this.contacts.tell();
+    this.times.all = performance.now() - began;
+    this.tellProblems();
+  }
+
+  dispose(): void {
+    this.endChanges();
+    for (const body of this.bodyList) body.component?.setControl(null);
+    this.bodies.clear();
+    this.bodyList = [];
+    this.colliders.clear();
+    this.byHandle.clear();
+    this.queue.free();
+    this.world.free();
+  }
+
+  private follow(deltaSeconds: number): void {
+    const { bodyList } = this;
+    for (let i = 0; i < bodyList.length; i++) {
+      const body = bodyList[i];
+      if (body.force || body.torque) body.spendForces(deltaSeconds);
+      if (body.follow()) this.sizeChanged(body);
+    }
+    for (const record of this.colliders.values())
+      if (record.watch?.moved() && record.component) this.changes.componentChanged(record.component);
+  }
+
+  /** @param left - steps of this frame that are still to come, this one included */
+  private step(left: number): void {
+    const { bodyList } = this;
+    for (let i = 0; i < bodyList.length; i++) if (bodyList[i].hasTarget) bodyList[i].approach(1 / left);
+    const began = performance.now();
+    this.world.step(this.queue);
+    this.times.rapier += performance.now() - began;
+    this.steps++;
+    for (let i = 0; i < bodyList.length; i++) if (bodyList[i].type === 'dynamic') bodyList[i].read();
+    this.contacts.collect(this.queue);
+  }
+
+  private show(share: number): void {
+    const { bodyList } = this;
+    for (let i = 0; i < bodyList.length; i++) if (bodyList[i].type === 'dynamic') bodyList[i].show(share);
+  }
+
+  private sceneChanged(change: SceneChange): void {
+    if (change.kind === 'settings') this.world.gravity = vectorOf(this.scene.settings.gravity);
+    else if (change.kind === 'field') {
+      const { component, field } = change;
+      if (field !== 'mesh' && field !== 'model') return;
+      for (const collider of component.gameObject.getComponents('Collider')) this.changes.componentChanged(collider);
+    } else if (change.kind === 'move') {
+      change.gameObject.traverse((object) => this.bodies.get(object)?.objectMoved());
+      this.wasEdited = true;
+    } else if (change.kind === 'component-add' || change.kind === 'component-remove') this.wasEdited = true;
+  }
+
+  /** Brings bodies and colliders in line with the components that there are. */
+  private reconcile(): void {
+    const { changed } = this.changes;
+    this.seenRevision = this.changes.revision;
+    this.wasEdited = false;
+    const parts = findParts(this.scene);
+    this.takeAway(parts, changed);
+    for (const [object, component] of parts.bodies) this.reconcileBody(object, component, changed);
+    const unweighed = new Set<Body>();
+    for (const [component, owner] of parts.colliders) {
+      const body = this.bodies.get(owner);
+      const record = this.colliders.get(component);
+      if (record) this.hear(record);
+      else if (body) this.attempt(component, () => this.addCollider(component, body));
+      if (body && (changed.has(component) || !record)) unweighed.add(body);
+    }
+    for (const component of changed) {
+      const body = component.scene === this.scene ? this.bodies.get(component.gameObject) : undefined;
+      if (body) unweighed.add(body);
+    }
+    for (const body of unweighed) this.weigh(body);
+    changed.clear();
+    // what was asked of new bodies needs their mass
+    for (const body of this.bodyList) body.component?.setControl(body);
+  }
+
+  private takeAway(parts: SceneParts, changed: ReadonlySet<Component>): void {
+    for (const [component, record] of this.colliders) {
+      const owner = parts.colliders.get(component);
+      if (owner === record.body.object && !changed.has(component) && !this.isStale(record.body, parts)) continue;
+      this.removeCollider(record);
+    }
+    const kept: Body[] = [];
+    for (const body of this.bodyList) {
+      if (!this.isStale(body, parts)) {
+        kept.push(body);
+        continue;
+      }
+      body.component?.setControl(null);
+      this.bodies.delete(body.object);
+      this.world.removeRigidBody(body.rapier);
+    }
+    this.bodyList = kept;
+  }
+
+  private isStale(body: Body, parts: SceneParts): boolean {
+    return !parts.bodies.has(body.object) || parts.bodies.get(body.object) !== body.component;
+  }
+
+  private reconcileBody(object: GameObject, component: RigidBodyPart | null, changed: ReadonlySet<Component>): void {
+    const there = this.bodies.get(object);
+    if (!there) {
+      this.attempt(component ?? object.transform, () => this.addBody(object, component));
+    } else if (component && changed.has(component)) this.applyFields(there, component);
+  }
+
+  private addBody(object: GameObject, component: RigidBodyPart | null): void {
+    placeOf(object.object3D, place, turn);
+    if (![...place, ...turn].every(Number.isFinite)) {
+      throw new Error(
+        `The RigidBody of '${shortText(object.name)}' has no place: its object, or one above it, has a scale of 0 or a number that is none.`,
+      );
+    }
+    const { RigidBodyDesc } = this.rapier;
+    const type = component?.type ?? 'fixed';
+    const desc =
+      type === 'dynamic'
+        ? RigidBodyDesc.dynamic()
+        : type === 'kinematic'
+          ? RigidBodyDesc.kinematicPositionBased()
+          : RigidBodyDesc.fixed();
+    desc.setTranslation(place.x, place.y, place.z).setRotation(turn);
+    if (component && type === 'dynamic') {
+      desc.setLinvel(...component.initialVelocity).setAngvel(vectorOf(component.initialAngularVelocity));
+    }
+    const body = new Body(object, component, type, this.world.createRigidBody(desc));
+    body.order = this.made++;
+    this.bodies.set(object, body);
+    this.bodyList.push(body);
+    if (component) this.applyFields(body, component);
+  }
+
+  private applyFields(body: Body, component: RigidBodyPart): void {
+    const { rapier } = body;
+    const { RigidBodyType } = this.rapier;
+    const { type } = component;
+    if (type !== body.type) {
+      const types = {
+        dynamic: RigidBodyType.Dynamic,
+        kinematic: RigidBodyType.KinematicPositionBased,
+        fixed: RigidBodyType.Fixed,
+      };
+      body.type = type;
+      body.objectMoved();
+      rapier.setBodyType(types[type], true);
+    }
+    rapier.setGravityScale(component.gravityScale, true);
+    rapier.setLinearDamping(component.linearDamping);
+    rapier.setAngularDamping(component.angularDamping);
+    rapier.enableCcd(component.continuous);
+    rapier.setEnabledTranslations(!component.lockPositionX, !component.lockPositionY, !component.lockPositionZ, true);
+    rapier.setEnabledRotations(!component.lockRotationX, !component.lockRotationY, !component.lockRotationZ, true);
+  }
+
+  private addCollider(component: ColliderPart, body: Body): void {
+    const record = makeCollider(this.rapier, component, body, this.made++, (desc) =>
+      this.world.createCollider(desc, body.rapier),
+    );
+    this.colliders.set(component, record);
+    this.byHandle.set(record.rapier.handle, record);
+  }
+
+  private removeCollider(record: ColliderRecord): void {
+    this.contacts.end(record);
+    this.byHandle.delete(record.rapier.handle);
+    if (record.component) this.colliders.delete(record.component);
+    this.world.removeCollider(record.rapier, true);
+  }
+
+  /** Components that hear of collisions may have come or gone. */
+  private hear({ rapier, object, body }: ColliderRecord): void {
+    const { ActiveEvents } = this.rapier;
+    const heard = listens(object) || listens(body.object);
+    rapier.setActiveEvents(heard ? ActiveEvents.COLLISION_EVENTS : ActiveEvents.NONE);
+  }
+
+  /** Gives the colliders of a body their shares of its mass. */
+  private weigh(body: Body): void {
+    const { component } = body;
+    if (!component || body.type !== 'dynamic') return;
+    const own = [...this.colliders.values()].filter((record) => record.body === body);
+    const weight = own.reduce((sum, record) => sum + record.weight, 0);
+    // one without a shape falls too
+    const isBare = weight === 0;
+    body.rapier.setAdditionalMass(isBare ? component.mass : 0, true);
+    for (const record of own) {
+      if (record.weight === 0) continue;
+      record.rapier.setMass(component.massFrom === 'mass' ? (component.mass * record.weight) / weight : record.weight);
+    }
+    body.rapier.recomputeMassPropertiesFromColliders();
+  }
+
+  private sizeChanged(body: Body): void {
+    for (const record of this.colliders.values()) {
+      if (record.body === body && record.component) this.changes.componentChanged(record.component);
+    }
+  }
+
+  private attempt(component: Component, make: () => void): void {
+    try {
+      make();
+    } catch (error) {
+      if (this.told.has(component)) return;
+      this.told.add(component);
+      this.problems.push({ component, error });
+    }
+  }
+
+  private tellProblems(): void {
+    for (const { component, error } of this.problems.splice(0)) this.scene.reportError(component, error);
+  }
+}
+
+const vectorOf = ([x, y, z]: readonly [number, number, number]): { x: number; y: number; z: number } => ({ x, y, z });

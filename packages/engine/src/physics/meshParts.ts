@@ -1,0 +1,71 @@
+import { type BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
+import { Model } from '../assets/Model';
+import type { GameObject, Scene } from '../core/SceneGraph';
+
+/** A mesh that an object is drawn with. */
+export interface MeshPart {
+  readonly geometry: BufferGeometry;
+  /** From the mesh to the object. */
+  readonly matrix: Matrix4;
+}
+
+/** A mesh or model that an object is drawn with, by its name in the library. */
+export interface MeshName {
+  readonly type: 'mesh' | 'model';
+  readonly name: string;
+}
+
+/** What an object draws itself. */
+export function meshNamesOf(object: GameObject): MeshName[] {
+  const names: MeshName[] = [];
+  for (const component of object.components) {
+    if (!component.enabled) continue;
+    const { typeName } = component;
+    if (typeName !== 'ObjectRenderer' && typeName !== 'ModelRenderer') continue;
+    const type = typeName === 'ObjectRenderer' ? 'mesh' : 'model';
+    const name = component.get(type);
+    if (typeof name === 'string') names.push({ type, name });
+  }
+  return names;
+}
+
+/**
+ * The objects whose meshes a collider is fitted to: its own object where that draws a mesh, else all below it, but for
+ * those that belong to another body.
+ */
+export function drawnObjects(object: GameObject): GameObject[] {
+  if (meshNamesOf(object).length > 0) return [object];
+  return object.children.flatMap((child) => (child.getComponent('RigidBody') ? [] : drawnObjects(child)));
+}
+
+function addModelParts(root: Object3D, matrix: Matrix4, parts: MeshPart[]): void {
+  root.updateMatrix();
+  const own = new Matrix4().multiplyMatrices(matrix, root.matrix);
+  if (root instanceof Mesh) parts.push({ geometry: root.geometry as BufferGeometry, matrix: own });
+  for (const child of root.children) addModelParts(child, own, parts);
+}
+
+/** The matrix from an object below another to that one. */
+function matrixBetween(object: GameObject, above: GameObject): Matrix4 {
+  const matrix = new Matrix4();
+  for (let each: GameObject | null = object; each && each !== above; each = each.parent) {
+    each.object3D.updateMatrix();
+    matrix.premultiply(each.object3D.matrix);
+  }
+  return matrix;
+}
+
+/** The meshes that a collider of an object is fitted to, of those that are loaded. */
+export function meshParts(object: GameObject, scene: Scene): MeshPart[] {
+  const parts: MeshPart[] = [];
+  for (const drawn of drawnObjects(object)) {
+    const matrix = matrixBetween(drawn, object);
+    for (const { type, name } of meshNamesOf(drawn)) {
+      if (!scene.assets.isReady(type, name)) continue;
+      const asset = scene.assets.get(name);
+      if (asset instanceof Model) addModelParts(asset.scene, matrix, parts);
+      else parts.push({ geometry: asset as BufferGeometry, matrix });
+    }
+  }
+  return parts;
+}
