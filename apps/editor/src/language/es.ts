@@ -16,6 +16,7 @@ import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
 import { samples } from './es/samples';
 import { scriptRuns } from './es/scriptRuns';
+import { timeline } from './es/timeline';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
 
@@ -38,6 +39,7 @@ export const es: Texts = {
   ...scripts,
   ...samples,
   ...scriptRuns,
+  ...timeline,
   ...views,
   ...welcome,
 };

@@ -22,6 +22,7 @@ const NONE: ReadonlyMap<string, never> = new Map<string, never>();
 /** Modules that scripts can import, fetched when the first script comes. */
 const loadModules = async (): Promise<SceneScriptsOptions> => ({
   modules: (await import('./scriptModules')).scriptModules,
+  compile: compileScript,
   run: runInPage,
 });
 

@@ -51,6 +51,7 @@ export class Animation
 {
   static override readonly typeName: string = 'Animation';
   static override readonly help: string = 'Plays clips on the object and all below it.';
+  static override readonly callable: readonly string[] = ['play', 'stop', 'pause'];
 
   /** The last one is what plays; those before it fade out. */
   private players: ClipPlayer[] = [];
