@@ -23,7 +23,13 @@ const apart = new RegExp(
 /** Names that a text imports of three. @param {string} text */
 const importedNames = (text) =>
   [...text.matchAll(/\bimport\s*\{([^}]*)\}\s*from\s*['"]three['"]/g)].flatMap(([, list]) =>
-    list.split(',').map((each) => each.replace(/\btype\s+\w+/, '').trim().split(/\s+as\s+/)[0]),
+    list.split(',').map(
+      (each) =>
+        each
+          .replace(/\btype\s+\w+/, '')
+          .trim()
+          .split(/\s+as\s+/)[0],
+    ),
   );
 
 /** @param {string} file @param {Set<string>} seen @returns {string[]} */
@@ -64,7 +70,13 @@ function exportsOfThree() {
     const text = readFileSync(join(three, 'src', entry), 'utf8');
     const within = (/** @type {string} */ path) => posix.join(posix.dirname(entry), path);
     for (const [, list, path] of text.matchAll(/^export \{([^}]*)\} from '([^']+)';/gm)) {
-      const names = list.split(',').map((each) => each.trim().split(/\s+as\s+/).at(-1) ?? '');
+      const names = list.split(',').map(
+        (each) =>
+          each
+            .trim()
+            .split(/\s+as\s+/)
+            .at(-1) ?? '',
+      );
       files.set(within(path), [...(files.get(within(path)) ?? []), ...names]);
     }
     for (const [, path] of text.matchAll(/^export \* from '([^']+)';/gm)) {
@@ -83,7 +95,13 @@ function exportsOf(path) {
   const text = readFileSync(join(three, 'src', path), 'utf8');
   const own = [...text.matchAll(/^export (?:async )?(?:class|function\*?|const|let) (\w+)/gm)].map(([, name]) => name);
   const listed = [...text.matchAll(/^export \{([^}]*)\};/gm)].flatMap(([, list]) =>
-    list.split(',').map((each) => each.trim().split(/\s+as\s+/).at(-1) ?? ''),
+    list.split(',').map(
+      (each) =>
+        each
+          .trim()
+          .split(/\s+as\s+/)
+          .at(-1) ?? '',
+    ),
   );
   return {
     own: [...own, ...listed].filter((name) => name !== ''),
@@ -121,7 +139,16 @@ export function wholeThree() {
       const used = usedNames();
       all = exportsOfThree();
       const playsSound = [...used].some((name) => name.includes('Audio'));
-      rest = new Set([...all].filter(([path, names]) => apart.test(path) && !(playsSound && path.startsWith('audio/')) && !names.some((name) => used.has(name))).map(([path]) => path));
+      rest = new Set(
+        [...all]
+          .filter(
+            ([path, names]) =>
+              apart.test(path) &&
+              !(playsSound && path.startsWith('audio/')) &&
+              !names.some((/** @type {string} */ name) => used.has(name)),
+          )
+          .map(([path]) => path),
+      );
     },
     resolveId(source, importer) {
       if (source === ID) return `\0${ID}`;
@@ -145,7 +172,9 @@ export function wholeThree() {
       if (isServed) return `export * from 'three';`;
       const restNames = new Set([...rest].flatMap((path) => all.get(path)));
       const shared = [...names].filter((name) => !restNames.has(name));
-      const lines = [...rest].map((path) => `export { ${all.get(path).join(', ')} } from ${JSON.stringify(REST + path)};`);
+      const lines = [...rest].map(
+        (path) => `export { ${all.get(path).join(', ')} } from ${JSON.stringify(REST + path)};`,
+      );
       return [`export { ${shared.join(', ')} } from 'three';`, ...lines].join('\n');
     },
   };

@@ -1,6 +1,7 @@
 import { Signal } from '@farol/editing';
 import type { Component, ComponentClass, ComponentRegistry, Scene } from '@farol/engine';
 import {
+  compileScript,
   runInPage,
   SceneScripts,
   type SceneScriptsOptions,
