@@ -25,6 +25,7 @@ import { groupObjects, ungroupObjects } from '../groupObjects';
 import { below, objectsOf, pick, type Random } from './random';
 import { randomArrangement } from './randomArrangement';
 import { randomAssetCommand } from './randomAssetCommand';
+import { randomClipCommand } from './randomClipCommand';
 import { randomEdit } from './randomEdit';
 import { randomMaterialCommand } from './randomMaterialCommand';
 import { randomPrefabCommand } from './randomPrefabCommand';
@@ -51,7 +52,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 32);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 33);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -133,6 +134,8 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomArrangement(random, scene, some(random, all).slice(0, 2));
     case 30:
       return randomViewCommand(random, document);
+    case 31:
+      return randomClipCommand(random, document, pick(random, all));
     default:
       return randomEdit(random, document, pick(random, pick(random, all).components));
   }
