@@ -1,5 +1,6 @@
 import type { Texts } from '@farol/editing';
 import { actions } from './es/actions';
+import { animation } from './es/animation';
 import { arrange } from './es/arrange';
 import { components } from './es/components';
 import { edits } from './es/edits';
@@ -22,6 +23,7 @@ import { welcome } from './es/welcome';
 /** All texts of the editor in Spanish, by their English ones. */
 export const es: Texts = {
   ...actions,
+  ...animation,
   ...arrange,
   ...components,
   ...edits,

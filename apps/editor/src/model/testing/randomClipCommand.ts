@@ -43,6 +43,8 @@ export function randomClipCommand(random: Random, document: EditorDocument, obje
   }
   const position = { path: 'Arm', component: 'Transform', field: 'position' };
   if (act === 8) return setClip('Key', clip, setKey(data, position, time, [random(), random(), random()]));
-  const edit = randomEdit(random, document, pick(random, object.components));
+  // components of scripts that do not run have no fields
+  const owners = object.components.filter(({ fields }) => Object.keys(fields).length > 0);
+  const edit = randomEdit(random, document, pick(random, owners));
   return recordEdit(edit, { clip, root: object, data, duration: clip.duration, time });
 }

@@ -21,6 +21,9 @@ interface FieldListProps {
   readonly names?: readonly string[];
 }
 
+const isDefault = (owner: FieldOwner, name: string): boolean =>
+  sameValue(owner.getAuthored(name), owner.fields[name].default);
+
 /** The fields of a component, or of several of one type, that matter at present. */
 export function FieldList({ owners, names }: FieldListProps): ReactNode {
   const { document, commands } = useEditor();
@@ -30,6 +33,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
   const [owner] = owners;
   const rows = (names ?? Object.keys(owner.fields))
     .filter((name) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
+    .filter((name) => !owner.fields[name].deprecated || owners.some((each) => !isDefault(each, name)))
     .map((name) => {
       const field = owner.fields[name];
       const { value, mixed, parts } = sharedValue(owners.map((each) => commands.valueOf(each, name)));
