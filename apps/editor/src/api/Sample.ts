@@ -21,6 +21,26 @@ const ofFile = (file: string, label: string, help: string): Sample => ({
 
 /** Files that `packages/tools/makeSamples.mjs` writes. */
 const ofFiles: readonly Sample[] = [
+  ofFile(
+    'night-in-the-temple.farol',
+    'Night in the temple',
+    'Play, then walk up the steps. The door opens when you come near; push the crates.',
+  ),
+  ofFile(
+    'animation.json',
+    'Animation',
+    'A fairground of clips. Open the Timeline, move keys of “Arm reaches”, and play.',
+  ),
+  ofFile(
+    'physics.json',
+    'Physics',
+    'Play: a ball on a chain knocks down a wall. Change masses, joints and bounciness.',
+  ),
+  ofFile(
+    'scripts.json',
+    'Scripts',
+    'Play, then edit “Wave” in the Scripts panel: it changes while it runs. F stops the fountain.',
+  ),
   ofFile('prefabs.json', 'Prefabs', 'A street of lamps and benches. Change one lamp, then “Apply all to prefab”.'),
   ofFile(
     'microshaders.json',
