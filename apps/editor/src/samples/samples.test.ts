@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import * as engine from '@farol/engine';
-import { builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
+import { builtinComponents, ComponentRegistry, Light, ObjectRenderer, PhysicsSystem, type Scene } from '@farol/engine';
 import * as fields from '@farol/engine/fields';
 import { deserialize, readSceneFile, serialize, UnknownComponent } from '@farol/engine/files';
 import { SceneScripts, takeGiven } from '@farol/engine/scripts';
@@ -60,8 +60,8 @@ describe.each(Object.keys(sampleMakers))('%s', (file) => {
     });
     expect(unknown).toEqual([]);
     expect(scene.activeCamera).not.toBeNull();
-    expect(scene.componentsOf(engine.Light).some(({ castShadow }) => castShadow)).toBe(true);
-    expect(scene.componentsOf(engine.ObjectRenderer).some(({ receiveShadow }) => receiveShadow)).toBe(true);
+    expect(scene.componentsOf(Light).some(({ castShadow }) => castShadow)).toBe(true);
+    expect(scene.componentsOf(ObjectRenderer).some(({ receiveShadow }) => receiveShadow)).toBe(true);
     scene.dispose();
   });
 
@@ -72,7 +72,7 @@ describe.each(Object.keys(sampleMakers))('%s', (file) => {
     scene.setTime(0);
     const [before, at] = [JSON.stringify(serialize(scene)), places(scene)];
     for (const type of ['RigidBody', 'Collider'] as const) {
-      if (scene.componentsOf(type).length > 0) await scene.system(engine.PhysicsSystem).prepare();
+      if (scene.componentsOf(type).length > 0) await scene.system(PhysicsSystem).prepare();
     }
     for (let i = 0; i < 120; i++) scene.update(1 / 60);
     if (file !== 'prefabs.json') expect(places(scene)).not.toEqual(at);
