@@ -26,21 +26,38 @@ function withoutDecoders(): Plugin {
   };
 }
 
+/** Has the player find Rapier in a script of its own, `farol-player-physics.js`: 4.3 MB. */
+function withoutRapier(): Plugin {
+  const own = fileURLToPath(new URL('src/player/loadRapier.ts', import.meta.url));
+  return {
+    name: 'farol-no-rapier',
+    enforce: 'pre',
+    // built packages name their files with an ending
+    resolveId: (source, importer) => (importer && /\/loadRapier(\.js)?$/.test(source) ? own : null),
+  };
+}
+
 /** The player as one classic script, with everything that it would load late inside: it runs without a server. */
-async function buildPlayer(fromSource: boolean, decoders: boolean): Promise<string> {
+function buildPlayer(fromSource: boolean, decoders: boolean): Promise<string> {
+  const plugins = [withoutRapier(), ...(decoders ? [] : [withoutDecoders()])];
+  return buildScript('src/player/main.ts', 'FarolPlayer', fromSource, plugins);
+}
+
+/** One classic script. @param name - of the global that it makes */
+async function buildScript(entry: string, name: string, fromSource: boolean, plugins: Plugin[]): Promise<string> {
   const result = await build({
     root,
     configFile: false,
     publicDir: false,
     logLevel: 'warn',
     mode: 'production',
-    plugins: decoders ? [] : [withoutDecoders()],
+    plugins,
     define: { 'process.env.NODE_ENV': '"production"' },
     resolve: { dedupe: ['three'], ...(fromSource ? { conditions: sourceConditions } : {}) },
     build: {
       write: false,
       target: 'es2022',
-      lib: { entry: 'src/player/main.ts', formats: ['iife'], name: 'FarolPlayer' },
+      lib: { entry, formats: ['iife'], name },
       rolldownOptions: { output: { codeSplitting: false } },
     },
   });
@@ -61,7 +78,8 @@ async function playerPage(hasDragon: boolean): Promise<string> {
 
 /**
  * Serves and builds `farol-player.js`, which exported pages hold and embedded frames run, `farol-player-decoders.js`, the
- * same with decoders of compressed models, and `player.html`, which embedded frames show.
+ * same with decoders of compressed models, `farol-player-physics.js`, which both need for scenes with physics, and
+ * `player.html`, which embedded frames show.
  */
 export function playerPlugin(): Plugin {
   const scripts = new Map<string, Promise<string | Uint8Array>>();
@@ -71,6 +89,7 @@ export function playerPlugin(): Plugin {
     return {
       'farol-player.js': () => buildPlayer(fromSource, false),
       'farol-player-decoders.js': () => buildPlayer(fromSource, true),
+      'farol-player-physics.js': () => buildScript('src/player/physics.ts', 'FarolPhysics', fromSource, []),
       'player.html': () => playerPage(dragon !== null),
       ...(dragon ? { [DRAGON]: () => readFile(dragon) } : {}),
     };

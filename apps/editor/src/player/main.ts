@@ -96,7 +96,7 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
 }
 
 function listens(scene: Scene): boolean {
-  let found = false;
+  let found = scene.componentsOf('CharacterController').length > 0;
   scene.traverse((object) => {
     found ||= object.getComponent(KeyController) !== null || object.getComponent(MouseController) !== null;
   });

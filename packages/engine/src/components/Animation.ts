@@ -234,8 +234,7 @@ export class Animation
     ];
     for (const model of models) {
       const clip = model?.clips.find((each) => each.name === name);
-      const found =
-        clip && assets.list('clip').find((each) => assets.isReady('clip', each) && assets.clip(each) === clip);
+      const found = clip && assets.nameOf(clip);
       if (found) return found;
     }
     const leaf = assets.list('clip').find((each) => each.endsWith(`/${name}`));

@@ -22,12 +22,27 @@ async function needsDecoders(files: Iterable<Blob>, scene: Scene): Promise<boole
   return false;
 }
 
-/** The script that shows a scene, as one text. @throws Error when it is not there */
-async function playerScript(decoders: boolean): Promise<string> {
-  const address = new URL(decoders ? 'farol-player-decoders.js' : 'farol-player.js', document.baseURI);
+/** A file beside the editor. @throws Error when it is not there */
+async function fileBeside(name: string): Promise<Response> {
+  const address = new URL(name, document.baseURI);
   const response = await fetch(address);
   if (!response.ok) throw new Error(`The player could not be read: ${address.href} answered ${response.status}.`);
-  return response.text();
+  return response;
+}
+
+/** The script that shows a scene, as one text. @throws Error when it is not there */
+const playerScript = async (decoders: boolean): Promise<string> =>
+  (await fileBeside(decoders ? 'farol-player-decoders.js' : 'farol-player.js')).text();
+
+/** Names that a scene with physics has in its components or scripts. */
+const physicsNames = /\b(RigidBody|Collider|CharacterController|Joint)\b/;
+
+/** The element with the physics, packed: 4.3 MB become 2.2; '' for a scene without. @throws Error when they are not there */
+async function physicsOf(file: object): Promise<string> {
+  if (!physicsNames.test(JSON.stringify(file))) return '';
+  const { body } = await fileBeside('farol-player-physics.js');
+  const packed = await new Response(body!.pipeThrough(new CompressionStream('gzip'))).arrayBuffer();
+  return `\n<script type="application/octet-stream" id="farol-physics">${base64Of(new Uint8Array(packed))}</script>`;
 }
 
 async function dragonOf(scene: Scene, uses: boolean): Promise<string> {
@@ -65,10 +80,11 @@ function policyOf(hosts: Iterable<string>, nonce: string): string {
 export async function exportHtml(scene: Scene): Promise<Blob> {
   const content = containerContent(scene);
   const usesDragon = assetUses(content.file, scene.registry).some(({ name }) => name === 'dragon');
-  const [script, bytes, dragon] = await Promise.all([
+  const [script, bytes, dragon, physics] = await Promise.all([
     needsDecoders(content.files.values(), scene).then(playerScript),
     writeContainer(content),
     dragonOf(scene, usesDragon),
+    physicsOf(content.file),
   ]);
   const nonce = makeNonce();
   const hosts = new Set(foreignAddresses(content.file).map(({ origin }) => origin));
@@ -83,7 +99,7 @@ export async function exportHtml(scene: Scene): Promise<Blob> {
 <style nonce="${nonce}">html,body{height:100%;margin:0;overflow:hidden;background:#000}p{margin:1em;color:#eee;font:16px sans-serif;white-space:pre-line}</style>
 </head>
 <body>
-<script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>
+<script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>${physics}
 <script nonce="${nonce}">${script.replaceAll('</script', '<\\/script')}</script>
 </body>
 </html>

@@ -12,4 +12,6 @@ export const player: Texts = {
     'El enlace está dañado o cortado: hay que copiarlo entero, hasta la última letra.',
   'The address holds no scene: it must go on with #scene=…':
     'La dirección no contiene ninguna escena: tiene que seguir con #scene=…',
+  'The page has no physics: export the scene anew.': 'La página no tiene física: hay que exportar de nuevo la escena.',
+  'The physics could not be fetched.': 'No se pudo obtener la física.',
 };
