@@ -1,6 +1,7 @@
 import { type Command, type CommandStack, Signal, t } from '@farol/editing';
 import {
   AssetLibrary,
+  audioOutput,
   type AssetLibraryOptions,
   builtinComponents,
   ComponentRegistry,
@@ -321,8 +322,9 @@ export class Editor implements EditorApi {
 
   private watchPreferences(): void {
     let shown: ViewChoice | null = null;
-    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, views }: Preferences): void => {
+    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, views, isMuted }: Preferences): void => {
       if (views !== shown) applyViews(this.viewport, (shown = views));
+      audioOutput.muted = isMuted;
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
       Object.assign(this.viewport, { snapTo, alignsToSurface, pivot });

@@ -101,6 +101,7 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
     assets.registerFile(name, blob);
     try {
       await assets.load(name, signal);
+      if (assets.typeOf(name) === 'sound') await assets.sound(name).decode();
       added.push(name);
       names.push(name);
     } catch (error) {
@@ -110,7 +111,7 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
       problems.push(
         t('{path} cannot be imported: {reason}', {
           path,
-          reason: cause instanceof Error ? cause.message : String(error),
+          reason: cause instanceof Error && assets.typeOf(name) !== 'sound' ? cause.message : String(error),
         }),
       );
     }

@@ -13,7 +13,7 @@ import {
 } from '@farol/engine';
 import * as fields from '@farol/engine/fields';
 import { deserialize, readSceneFile, serialize, UnknownComponent } from '@farol/engine/files';
-import { SceneScripts, takeGiven } from '@farol/engine/scripts';
+import { compileScript, SceneScripts, takeGiven } from '@farol/engine/scripts';
 import { root } from '@farol/tools/root';
 import * as three from 'three';
 import { describe, expect, test } from 'vitest';
@@ -30,6 +30,7 @@ async function open(file: string): Promise<{ scene: Scene; scripts: SceneScripts
   const scene = await deserialize(text, { registry, fileOf });
   const scripts = new SceneScripts(scene, registry, {
     modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
+    compile: compileScript,
     run: ({ name, code }) => {
       // oxlint-disable-next-line no-eval -- in the page it is a script element that runs it
       (0, eval)(code);
