@@ -26,6 +26,17 @@ function withoutDecoders(): Plugin {
   };
 }
 
+/** Has the player find Rapier in a script of its own, `farol-player-physics.js`: 4.3 MB. */
+function withoutRapier(): Plugin {
+  const own = fileURLToPath(new URL('src/player/loadRapier.ts', import.meta.url));
+  return {
+    name: 'farol-no-rapier',
+    enforce: 'pre',
+    // built packages name their files with an ending
+    resolveId: (source, importer) => (importer && /\/loadRapier(\.js)?$/.test(source) ? own : null),
+  };
+}
+
 interface PlayerParts {
   /** Whether it can read compressed models. */
   readonly decoders?: boolean;
@@ -34,16 +45,13 @@ interface PlayerParts {
 }
 
 /** The player as one classic script, with everything that it would load late inside: it runs without a server. */
-const buildPlayer = (fromSource: boolean, { decoders = false, scripts = false }: PlayerParts = {}): Promise<string> =>
-  buildScript(
-    `src/player/${scripts ? 'mainWithScripts' : 'main'}.ts`,
-    'FarolPlayer',
-    fromSource,
-    decoders ? [] : [withoutDecoders()],
-  );
+function buildPlayer(fromSource: boolean, { decoders = false, scripts = false }: PlayerParts = {}): Promise<string> {
+  const plugins = [withoutRapier(), ...(decoders ? [] : [withoutDecoders()])];
+  return buildScript(`src/player/${scripts ? 'mainWithScripts' : 'main'}.ts`, 'FarolPlayer', fromSource, plugins);
+}
 
-/** A module of the editor and all that it imports as one classic script. */
-async function buildScript(entry: string, name: string, fromSource: boolean, plugins: Plugin[] = []): Promise<string> {
+/** One classic script. @param name - of the global that it makes */
+async function buildScript(entry: string, name: string, fromSource: boolean, plugins: Plugin[]): Promise<string> {
   const result = await build({
     root,
     configFile: false,
@@ -62,7 +70,7 @@ async function buildScript(entry: string, name: string, fromSource: boolean, plu
   });
   const outputs = (Array.isArray(result) ? result : [result]).flatMap((each) => ('output' in each ? each.output : []));
   const script = outputs.find((output) => output.type === 'chunk');
-  if (!script) throw new Error(`${entry} gave no script.`);
+  if (!script) throw new Error('The player gave no script.');
   return script.code;
 }
 
@@ -83,8 +91,9 @@ async function playerPage(hasDragon: boolean, runsScripts: boolean): Promise<str
 
 /**
  * Serves and builds `farol-player.js`, which exported pages hold and embedded frames run, the same with decoders of
- * compressed models, with scripts, and with both, `farol-script-compiler.js`, which frames of scenes with scripts fetch, and
- * `player.html` and `player-scripts.html`, which embedded frames show.
+ * compressed models, with scripts, and with both, `farol-player-physics.js`, which all need for scenes with physics,
+ * `farol-script-compiler.js`, which frames of scenes with scripts fetch, and `player.html` and `player-scripts.html`, which
+ * embedded frames show.
  */
 export function playerPlugin(): Plugin {
   const scripts = new Map<string, Promise<string | Uint8Array>>();
@@ -96,7 +105,8 @@ export function playerPlugin(): Plugin {
       'farol-player-decoders.js': () => buildPlayer(fromSource, { decoders: true }),
       'farol-player-scripts.js': () => buildPlayer(fromSource, { scripts: true }),
       'farol-player-scripts-decoders.js': () => buildPlayer(fromSource, { scripts: true, decoders: true }),
-      'farol-script-compiler.js': () => buildScript('src/player/compiler.ts', 'FarolCompiler', fromSource),
+      'farol-script-compiler.js': () => buildScript('src/player/compiler.ts', 'FarolCompiler', fromSource, []),
+      'farol-player-physics.js': () => buildScript('src/player/physics.ts', 'FarolPhysics', fromSource, []),
       'player.html': () => playerPage(dragon !== null, false),
       'player-scripts.html': () => playerPage(dragon !== null, true),
       ...(dragon ? { [DRAGON]: () => readFile(dragon) } : {}),

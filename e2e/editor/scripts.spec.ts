@@ -80,7 +80,8 @@ test('a script turns an object, an edit is live with its values, and the exporte
 
   // from elsewhere it opens with its scripts off, and says so
   const text = (await serialized(page)).replace("runs = 'Z'", "runs = 'X'");
-  await page.evaluate((file) => window.editor.openFileBytes(file, { name: 'Other.farol', handle: null }), text);
+  await page.evaluate((file) => void window.editor.openFileBytes(file, { name: 'Other.farol', handle: null }), text);
+  await page.getByRole('button', { name: 'Don’t save' }).click();
   const bar = page.getByRole('alert', { name: 'Scripts are off' });
   await expect(bar).toContainText('it comes from elsewhere');
   const typeOf = (): Promise<boolean> => page.evaluate(() => window.editor.document.scripts.classOf('Spin') !== null);

@@ -1,7 +1,8 @@
-import { setTexts } from '@farol/editing';
+import { setTexts, t } from '@farol/editing';
 import {
   App,
   AssetLibrary,
+  audioOutput,
   builtinComponents,
   ComponentRegistry,
   type ComponentRegistryType,
@@ -70,6 +71,19 @@ function say(text: string): void {
   place.textContent = [place.textContent, text].filter(Boolean).join('\n');
 }
 
+/** Says that there would be sound, until the user has pressed something. */
+function sayWhenMuted(): void {
+  const line = document.createElement('p');
+  line.setAttribute('role', 'status');
+  const update = (): void => {
+    line.textContent = audioOutput.isWaiting ? t('Click for sound') : '';
+    line.hidden = !audioOutput.isWaiting;
+  };
+  audioOutput.onChange(update);
+  update();
+  document.body.append(line);
+}
+
 /** A camera of the viewer's own, where the scene's cannot be moved by the user. */
 function orbit(app: App, scene: Scene): (width: number, height: number) => void {
   const camera = new PerspectiveCamera(50, 1, 0.05, 2000);
@@ -92,6 +106,7 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
     controls.target.copy(middle);
   }
   controls.enableDamping = true;
+  scene.pointerCamera = camera;
   let last = 0;
   const frame = (now: number): void => {
     scene.update(last === 0 ? 0 : Math.min((now - last) / 1000, 0.1));
@@ -108,7 +123,7 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
 }
 
 function listens(scene: Scene): boolean {
-  let found = false;
+  let found = scene.componentsOf('CharacterController').length > 0;
   scene.traverse((object) => {
     found ||= object.getComponent(KeyController) !== null || object.getComponent(MouseController) !== null;
   });
@@ -137,6 +152,7 @@ async function start(runScripts: RunScripts | null): Promise<void> {
   const scripted = scene.assets.fieldAssets('script').length > 0 && runScripts !== null;
   if (scripted) await runScripts(scene, registry);
   app.scene = scene;
+  sayWhenMuted();
   document.title = scene.name;
   app.canvas.setAttribute('role', 'img');
   app.canvas.setAttribute('aria-label', scene.name);

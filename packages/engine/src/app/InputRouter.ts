@@ -15,6 +15,9 @@ export interface InputSurface extends EventTarget {
 /** Pixels of a wheel event's line and page (deltaMode 1 and 2). */
 const WHEEL_UNITS = [1, 16, 400];
 
+const pointerTypeOf = ({ pointerType }: PointerEvent): 'mouse' | 'touch' | 'pen' =>
+  pointerType === 'touch' || pointerType === 'pen' ? pointerType : 'mouse';
+
 const isTyping = (target: EventTarget | null): boolean => {
   const element = target as { tagName?: string; isContentEditable?: boolean } | null;
   return Boolean(element?.isContentEditable) || /^(INPUT|TEXTAREA|SELECT)$/.test(element?.tagName ?? '');
@@ -87,6 +90,7 @@ export class InputRouter {
       button: event.button ?? -1,
       buttons: event.buttons ?? 0,
       pointerId: event.pointerId ?? 0,
+      pointerType: pointerTypeOf(event),
       wheel: type === 'wheel' ? wheelEvent.deltaY * (WHEEL_UNITS[wheelEvent.deltaMode] ?? 1) : 0,
       shiftKey: event.shiftKey,
       ctrlKey: event.ctrlKey,

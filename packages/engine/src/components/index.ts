@@ -5,8 +5,10 @@ import { Animator } from './Animator';
 import { AudioListener } from './AudioListener';
 import { AudioSource } from './AudioSource';
 import { Camera } from './Camera';
+import { CharacterController } from './CharacterController';
 import { Collider } from './Collider';
 import { Decal } from './Decal';
+import { Joint } from './Joint';
 import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
@@ -31,6 +33,8 @@ const components = [
   RandomMovement,
   RigidBody,
   Collider,
+  Joint,
+  CharacterController,
   AudioSource,
   AudioListener,
   EventTrigger,

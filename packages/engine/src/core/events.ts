@@ -15,6 +15,8 @@ export interface EnginePointerEvent {
   /** Bit mask of the buttons held: 1 left, 2 right, 4 middle. */
   readonly buttons: number;
   readonly pointerId: number;
+  /** What points; a mouse when absent. */
+  readonly pointerType?: 'mouse' | 'touch' | 'pen';
   /** Wheel movement in CSS pixels, positive towards the user; 0 for other types. */
   readonly wheel: number;
   readonly shiftKey: boolean;

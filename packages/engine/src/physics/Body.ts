@@ -3,10 +3,10 @@ import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 import type { GameObject } from '../core/SceneGraph';
 import type { BodyControl } from './BodyControl';
 import { ObjectWatch } from './ObjectWatch';
-import type { RigidBodyPart } from './PhysicsParts';
+import type { CharacterPart, RigidBodyPart } from './PhysicsParts';
 import { mirrored, worldRotation } from './worldRotation';
 
-export type BodyType = 'dynamic' | 'kinematic' | 'fixed';
+export type BodyType = 'dynamic' | 'kinematic' | 'fixed' | 'character';
 
 const position = new Vector3();
 const rotation = new Quaternion();
@@ -55,8 +55,8 @@ export class Body implements BodyControl {
 
   constructor(
     readonly object: GameObject,
-    /** Null for colliders without a RigidBody, and for a CharacterController. */
-    readonly component: RigidBodyPart | null,
+    /** Null for colliders without a RigidBody. */
+    readonly component: RigidBodyPart | CharacterPart | null,
     public type: BodyType,
     readonly rapier: RapierBody,
   ) {
@@ -134,7 +134,8 @@ export class Body implements BodyControl {
    */
   follow(): boolean {
     const { object3D } = this.object;
-    if (this.type === 'dynamic') {
+    if (this.type === 'character') this.followCharacter(object3D);
+    else if (this.type === 'dynamic') {
       if (!this.isShownAsWas(object3D)) {
         placeOf(object3D, position, rotation);
         this.putAt(position, rotation);
@@ -155,13 +156,35 @@ export class Body implements BodyControl {
     return true;
   }
 
+  /** Where a character stands is the physics', whither it looks its own. */
+  private followCharacter(object3D: Object3D): void {
+    if (!this.shownPosition.equals(object3D.position)) {
+      placeOf(object3D, position, rotation);
+      this.putAt(position, rotation);
+      this.noteShown();
+    } else if (!this.shownTurn.equals(object3D.quaternion)) {
+      worldRotation(object3D, this.turnNow, signs).normalize();
+      this.turnBefore.copy(this.turnNow);
+      this.rapier.setNextKinematicRotation(this.turnNow);
+      this.shownTurn.copy(object3D.quaternion);
+    }
+  }
+
   /** Moves a kinematic body on its way through the frame. @param share - of the way that is left, above 0 to 1 */
   approach(share: number): void {
+    this.before.copy(this.now);
+    this.turnBefore.copy(this.turnNow);
     this.now.lerp(this.target, share);
     this.turnNow.slerp(this.turnTarget, share);
     this.rapier.setNextKinematicTranslation(this.now);
     this.rapier.setNextKinematicRotation(this.turnNow);
     if (share === 1) this.hasTarget = false;
+  }
+
+  /** A kinematic body that does not move in a step. */
+  stay(): void {
+    this.before.copy(this.now);
+    this.turnBefore.copy(this.turnNow);
   }
 
   /** Takes over where a step put a dynamic body. */
@@ -190,8 +213,9 @@ export class Body implements BodyControl {
       mirrored(rotation.premultiply(parentRotation.invert()), signs);
     }
     object3D.position.copy(position);
-    object3D.quaternion.copy(rotation);
     this.shownPosition.copy(position);
+    if (this.type === 'character') return;
+    object3D.quaternion.copy(rotation);
     this.shownTurn.copy(rotation);
     this.isSettled = this.wasSleeping && this.before.equals(this.now) && this.turnBefore.equals(this.turnNow);
   }

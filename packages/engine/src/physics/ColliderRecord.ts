@@ -8,7 +8,7 @@ import type { Rapier } from './loadRapier';
 import { makeColliderDesc } from './makeColliderDesc';
 import { ObjectWatch } from './ObjectWatch';
 import { shortText } from '@farol/renderer';
-import type { ColliderPart } from './PhysicsParts';
+import type { CharacterPart, ColliderPart } from './PhysicsParts';
 
 const place = new Vector3();
 const turn = new Quaternion();
@@ -103,4 +103,30 @@ export function makeCollider(
     watch: object === body.object ? null : new ObjectWatch(object.object3D, body.object.object3D),
     weight: component.sensor ? 0 : made.volume() * component.density,
   };
+}
+
+/** The capsule of a CharacterController. */
+export function makeCapsule(
+  { ColliderDesc: Desc, ActiveEvents }: Rapier,
+  component: CharacterPart,
+  body: Body,
+  order: number,
+  make: (desc: InstanceType<Rapier['ColliderDesc']>) => RapierCollider,
+): ColliderRecord {
+  const { gameObject: object } = component;
+  matrixInBody(object, body, inverse).decompose(place, turn, one);
+  const [across, along] = [Math.max(Math.abs(one.x), Math.abs(one.z)), Math.abs(one.y)];
+  place.set(...component.centre).applyMatrix4(inverse);
+  one.set(1, 1, 1);
+  const radius = component.radius * across;
+  if (!(radius > 0) || along === 0) {
+    throw new Error(
+      `The CharacterController of ${nameOf(object)} has no size: its object, or one above it, has a scale of 0.`,
+    );
+  }
+  const half = Math.max((component.height * along) / 2 - radius, 0.001);
+  const desc = Desc.capsule(half, radius).setTranslation(place.x, place.y, place.z);
+  // what touches it is told by the controller, which keeps a distance; sensors are told by Rapier
+  desc.setActiveEvents(listens(object) ? ActiveEvents.COLLISION_EVENTS : ActiveEvents.NONE);
+  return { component: null, object, body, rapier: make(desc), order, watch: null, weight: 0 };
 }

@@ -47,13 +47,30 @@ export class Contacts {
       const key = `${a.order} ${b.order}`;
       const isSensor = a.rapier.isSensor() || b.rapier.isSensor();
       const touch: Touch = { a, b, started, isSensor, ...(started && !isSensor ? this.contactOf(a, b) : none) };
+      if (started ? this.open.has(key) : !this.open.delete(key)) return;
       if (started) this.open.set(key, touch);
-      else if (!this.open.delete(key)) return;
       this.touches.push(touch);
     });
     if (this.touches.length - first < 2) return;
     const sorted = this.touches.slice(first).sort(inOrder);
     this.touches.splice(first, sorted.length, ...sorted);
+  }
+
+  /** Takes over a touch that Rapier does not tell of: that of a character. @param normal - from the second to the first */
+  touch(
+    one: ColliderRecord,
+    two: ColliderRecord,
+    started: boolean,
+    point: Vector3 | null,
+    normal: Vector3 | null,
+  ): void {
+    const [a, b] = one.order < two.order ? [one, two] : [two, one];
+    const key = `${a.order} ${b.order}`;
+    if (started ? this.open.has(key) : !this.open.delete(key)) return;
+    if (a !== one) normal?.negate();
+    const touch: Touch = { a, b, started, isSensor: false, point, normal, impulse: 0 };
+    if (started) this.open.set(key, touch);
+    this.touches.push(touch);
   }
 
   /** A collider is taken away: what touches it no longer does. */

@@ -1,7 +1,10 @@
 import type { Component } from '../core/SceneGraph';
 import type { ValuesOf } from '../fields/Field';
 import type { BodyControl } from './BodyControl';
+import type { CharacterControl } from './CharacterControl';
+import type { characterFields } from './characterFields';
 import type { colliderFields } from './colliderFields';
+import type { jointFields } from './jointFields';
 import type { rigidBodyFields } from './rigidBodyFields';
 
 /** A RigidBody as the physics know it. */
@@ -12,3 +15,11 @@ export interface RigidBodyPart extends Component, ValuesOf<typeof rigidBodyField
 
 /** A Collider as the physics know it. */
 export interface ColliderPart extends Component, ValuesOf<typeof colliderFields> {}
+
+/** A CharacterController as the physics know it. */
+export interface CharacterPart extends Component, ValuesOf<typeof characterFields> {
+  readonly control: CharacterControl;
+}
+
+/** A Joint as the physics know it. */
+export interface JointPart extends Component, ValuesOf<typeof jointFields> {}

@@ -3,11 +3,13 @@ import { shortText } from '@farol/renderer';
 import { Quaternion, Vector3 } from 'three';
 import type { Component, GameObject, Scene, SceneChange } from '../core/SceneGraph';
 import { Body, placeOf } from './Body';
-import { type ColliderRecord, listens, makeCollider } from './ColliderRecord';
+import { type ColliderRecord, listens, makeCapsule, makeCollider } from './ColliderRecord';
 import { Contacts } from './Contacts';
 import type { Rapier } from './loadRapier';
-import { findParts, type SceneParts } from './findParts';
-import type { ColliderPart, RigidBodyPart } from './PhysicsParts';
+import { CharacterMotion } from './CharacterMotion';
+import { findParts, isCharacter, type SceneParts } from './findParts';
+import { type JointRecord, makeJoint } from './JointRecord';
+import type { CharacterPart, ColliderPart, JointPart, RigidBodyPart } from './PhysicsParts';
 
 /** Length of a step (s). */
 export const STEP = 1 / 60;
@@ -18,6 +20,8 @@ const TOLERANCE = 1e-6;
 
 const place = new Vector3();
 const turn = new Quaternion();
+
+type BodyPart = RigidBodyPart | CharacterPart | null;
 
 /** What of the system the world reads. */
 interface Changes {
@@ -41,6 +45,10 @@ export class PhysicsWorld {
   /** The same, in the order in which they were made. */
   private bodyList: Body[] = [];
   private readonly colliders = new Map<ColliderPart, ColliderRecord>();
+  private readonly characters = new Map<Body, CharacterMotion>();
+  private readonly joints = new Map<JointPart, JointRecord>();
+  /** What joints to the world are tied to. */
+  private ground: Body['rapier'] | null = null;
   private readonly byHandle = new Map<number, ColliderRecord>();
   private readonly contacts: Contacts;
   private readonly told = new WeakSet<Component>();
@@ -92,10 +100,13 @@ export class PhysicsWorld {
 
   dispose(): void {
     this.endChanges();
-    for (const body of this.bodyList) body.component?.setControl(null);
+    for (const body of this.bodyList) controlledBy(body, null);
+    for (const motion of this.characters.values()) motion.dispose();
     this.bodies.clear();
     this.bodyList = [];
     this.colliders.clear();
+    this.characters.clear();
+    this.joints.clear();
     this.byHandle.clear();
     this.queue.free();
     this.world.free();
@@ -115,7 +126,12 @@ export class PhysicsWorld {
   /** @param left - steps of this frame that are still to come, this one included */
   private step(left: number): void {
     const { bodyList } = this;
-    for (let i = 0; i < bodyList.length; i++) if (bodyList[i].hasTarget) bodyList[i].approach(1 / left);
+    for (let i = 0; i < bodyList.length; i++) {
+      const body = bodyList[i];
+      if (body.hasTarget) body.approach(1 / left);
+      else if (body.type === 'kinematic') body.stay();
+    }
+    for (const motion of this.characters.values()) motion.move(this.steps, STEP);
     const began = performance.now();
     this.world.step(this.queue);
     this.times.rapier += performance.now() - began;
@@ -126,7 +142,10 @@ export class PhysicsWorld {
 
   private show(share: number): void {
     const { bodyList } = this;
-    for (let i = 0; i < bodyList.length; i++) if (bodyList[i].type === 'dynamic') bodyList[i].show(share);
+    for (let i = 0; i < bodyList.length; i++) {
+      const { type } = bodyList[i];
+      if (type === 'dynamic' || type === 'character') bodyList[i].show(share);
+    }
   }
 
   private sceneChanged(change: SceneChange): void {
@@ -162,12 +181,23 @@ export class PhysicsWorld {
       if (body) unweighed.add(body);
     }
     for (const body of unweighed) this.weigh(body);
+    for (const [component, owner] of parts.joints) {
+      if (!this.joints.has(component)) this.attempt(component, () => this.addJoint(component, owner));
+    }
+    for (const component of parts.doubled) this.attempt(component, () => refuseDouble(component));
     changed.clear();
     // what was asked of new bodies needs their mass
-    for (const body of this.bodyList) body.component?.setControl(body);
+    for (const body of this.bodyList) controlledBy(body, body);
   }
 
   private takeAway(parts: SceneParts, changed: ReadonlySet<Component>): void {
+    for (const [component, joint] of this.joints) {
+      const { body, partner } = joint;
+      const isLost = this.isStale(body, parts) || (partner !== null && this.isStale(partner, parts));
+      if (parts.joints.get(component) === body.object && !isLost && !changed.has(component)) continue;
+      this.joints.delete(component);
+      this.world.removeImpulseJoint(joint.rapier, true);
+    }
     for (const [component, record] of this.colliders) {
       const owner = parts.colliders.get(component);
       if (owner === record.body.object && !changed.has(component) && !this.isStale(record.body, parts)) continue;
@@ -179,7 +209,13 @@ export class PhysicsWorld {
         kept.push(body);
         continue;
       }
-      body.component?.setControl(null);
+      controlledBy(body, null);
+      const motion = this.characters.get(body);
+      if (motion) {
+        this.removeCollider(motion.capsule);
+        motion.dispose();
+        this.characters.delete(body);
+      }
       this.bodies.delete(body.object);
       this.world.removeRigidBody(body.rapier);
     }
@@ -190,14 +226,17 @@ export class PhysicsWorld {
     return !parts.bodies.has(body.object) || parts.bodies.get(body.object) !== body.component;
   }
 
-  private reconcileBody(object: GameObject, component: RigidBodyPart | null, changed: ReadonlySet<Component>): void {
+  private reconcileBody(object: GameObject, component: BodyPart, changed: ReadonlySet<Component>): void {
     const there = this.bodies.get(object);
     if (!there) {
       this.attempt(component ?? object.transform, () => this.addBody(object, component));
-    } else if (component && changed.has(component)) this.applyFields(there, component);
+    } else if (component && changed.has(component)) {
+      if (isCharacter(component)) this.changeCharacter(there, component);
+      else this.applyFields(there, component);
+    }
   }
 
-  private addBody(object: GameObject, component: RigidBodyPart | null): void {
+  private addBody(object: GameObject, component: BodyPart): void {
     placeOf(object.object3D, place, turn);
     if (![...place, ...turn].every(Number.isFinite)) {
       throw new Error(
@@ -205,22 +244,73 @@ export class PhysicsWorld {
       );
     }
     const { RigidBodyDesc } = this.rapier;
-    const type = component?.type ?? 'fixed';
-    const desc =
-      type === 'dynamic'
-        ? RigidBodyDesc.dynamic()
-        : type === 'kinematic'
-          ? RigidBodyDesc.kinematicPositionBased()
-          : RigidBodyDesc.fixed();
-    desc.setTranslation(place.x, place.y, place.z).setRotation(turn);
-    if (component && type === 'dynamic') {
+    const type = component === null ? 'fixed' : isCharacter(component) ? 'character' : component.type;
+    const makers = {
+      dynamic: RigidBodyDesc.dynamic,
+      kinematic: RigidBodyDesc.kinematicPositionBased,
+      character: RigidBodyDesc.kinematicPositionBased,
+      fixed: RigidBodyDesc.fixed,
+    };
+    const desc = makers[type]().setTranslation(place.x, place.y, place.z).setRotation(turn);
+    if (component && !isCharacter(component) && type === 'dynamic') {
       desc.setLinvel(...component.initialVelocity).setAngvel(vectorOf(component.initialAngularVelocity));
     }
     const body = new Body(object, component, type, this.world.createRigidBody(desc));
     body.order = this.made++;
     this.bodies.set(object, body);
     this.bodyList.push(body);
-    if (component) this.applyFields(body, component);
+    if (!component) return;
+    if (isCharacter(component)) this.addCharacter(body, component);
+    else this.applyFields(body, component);
+  }
+
+  private addCharacter(body: Body, component: CharacterPart): void {
+    const capsule = makeCapsule(this.rapier, component, body, this.made++, (desc) =>
+      this.world.createCollider(desc, body.rapier),
+    );
+    this.byHandle.set(capsule.rapier.handle, capsule);
+    const motion = new CharacterMotion(this.rapier, this.world, component, body, capsule, this.byHandle, this.contacts);
+    this.characters.set(body, motion);
+  }
+
+  private changeCharacter(body: Body, component: CharacterPart): void {
+    const before = this.characters.get(body);
+    if (before) {
+      this.removeCollider(before.capsule);
+      before.dispose();
+      this.characters.delete(body);
+    }
+    this.attempt(component, () => this.addCharacter(body, component));
+  }
+
+  private addJoint(component: JointPart, owner: GameObject | null): void {
+    const { gameObject, partner } = component;
+    const name = shortText(gameObject.name);
+    const body = owner && this.bodies.get(owner);
+    if (!body)
+      throw new Error(`The Joint of '${name}' has no body: add a RigidBody to its object, or to one above it.`);
+    const other = partner === null ? null : this.scene.findById(partner);
+    if (partner !== null && !other) {
+      throw new Error(`The partner of the Joint of '${name}' is gone: choose another object, or none for the world.`);
+    }
+    const otherBody = other && this.bodyAbove(other);
+    if (other && (!otherBody || otherBody === body)) {
+      const problem = otherBody ? 'is the same body' : 'has no RigidBody';
+      throw new Error(
+        `The partner of the Joint of '${name}', '${shortText(other.name)}', ${problem}: ${otherBody ? 'choose another object' : 'add one to it'}, or choose none for the world.`,
+      );
+    }
+    const ground = (): Body['rapier'] =>
+      (this.ground ??= this.world.createRigidBody(this.rapier.RigidBodyDesc.fixed()));
+    this.joints.set(component, makeJoint(this.rapier, this.world, component, body, otherBody, ground));
+  }
+
+  private bodyAbove(object: GameObject): Body | null {
+    for (let each: GameObject | null = object; each; each = each.parent) {
+      const body = this.bodies.get(each);
+      if (body) return body;
+    }
+    return null;
   }
 
   private applyFields(body: Body, component: RigidBodyPart): void {
@@ -270,7 +360,7 @@ export class PhysicsWorld {
   /** Gives the colliders of a body their shares of its mass. */
   private weigh(body: Body): void {
     const { component } = body;
-    if (!component || body.type !== 'dynamic') return;
+    if (!component || isCharacter(component) || body.type !== 'dynamic') return;
     const own = [...this.colliders.values()].filter((record) => record.body === body);
     const weight = own.reduce((sum, record) => sum + record.weight, 0);
     // one without a shape falls too
@@ -287,6 +377,7 @@ export class PhysicsWorld {
     for (const record of this.colliders.values()) {
       if (record.body === body && record.component) this.changes.componentChanged(record.component);
     }
+    if (body.type === 'character' && body.component) this.changes.componentChanged(body.component);
   }
 
   private attempt(component: Component, make: () => void): void {
@@ -302,6 +393,16 @@ export class PhysicsWorld {
   private tellProblems(): void {
     for (const { component, error } of this.problems.splice(0)) this.scene.reportError(component, error);
   }
+}
+
+const controlledBy = ({ component }: Body, control: Body | null): void => {
+  if (component && !isCharacter(component)) component.setControl(control);
+};
+
+function refuseDouble(component: RigidBodyPart): never {
+  throw new Error(
+    `'${shortText(component.gameObject.name)}' has a CharacterController, which is a body of its own: remove the RigidBody.`,
+  );
 }
 
 const vectorOf = ([x, y, z]: readonly [number, number, number]): { x: number; y: number; z: number } => ({ x, y, z });

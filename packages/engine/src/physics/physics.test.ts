@@ -1,63 +1,19 @@
-import { BoxGeometry, Quaternion, Vector3 } from 'three';
+import { BoxGeometry, Quaternion } from 'three';
 import { expect, test } from 'vitest';
-import { builtinComponents } from '../components/index';
 import { Collider } from '../components/Collider';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { RigidBody } from '../components/RigidBody';
 import { Component } from '../core/Component';
 import { createRandom } from '../core/createRandom';
 import { GameObject } from '../core/GameObject';
-import { Scene } from '../core/Scene';
-import type { FieldValue, Vector3Tuple } from '../fields/Field';
+import type { Scene } from '../core/SceneGraph';
 import { serialize } from '../files/serialize';
 import type { CollisionEvent } from './CollisionEvent';
 import { PhysicsSystem } from './PhysicsSystem';
-
-type Values = Readonly<Record<string, FieldValue>>;
-
-function makeScene(): Scene {
-  const scene = new Scene({ registry: builtinComponents });
-  scene.onComponentError = (_, error) => {
-    throw error;
-  };
-  return scene;
-}
-
-/** A box of the library, which collides; with a body unless that is null. */
-function box(name: string, position: Vector3Tuple, body: Values | null = {}, collider: Values = {}): GameObject {
-  const object = new GameObject(name, { id: name });
-  object.transform.position = position;
-  object.addComponent(ObjectRenderer, { mesh: 'box' });
-  if (body) object.addComponent(RigidBody, body);
-  object.addComponent(Collider, collider);
-  return object;
-}
-
-function ground(): GameObject {
-  const object = box('Ground', [0, -0.5, 0], null);
-  object.transform.scale = [50, 1, 50];
-  return object;
-}
-
-const prepare = (scene: Scene): Promise<void> => scene.system(PhysicsSystem).prepare();
-
-function run(scene: Scene, steps: number): void {
-  for (let i = 0; i < steps; i++) scene.update(1 / 60);
-}
+import { box, ground, makeScene, placesOf, prepare, run, worldOf } from './testing/physicsScene';
 
 /** How far a body falls in a number of steps (m): Rapier takes each in four parts, velocity first. */
 const fallen = (steps: number): number => (9.81 / 2) * (steps / 60) * (steps / 60 + 1 / 240);
-
-/** Bits of where every object is. */
-function placesOf(scene: Scene): number[] {
-  const places: number[] = [];
-  scene.traverse(({ object3D: { position, quaternion, scale } }) =>
-    places.push(...position, ...quaternion.toArray(), ...scale),
-  );
-  return places;
-}
-
-const worldOf = (object: GameObject): Vector3 => object.transform.worldPosition;
 
 test('a body falls as gravity says, and rests on what is fixed', async () => {
   const scene = makeScene();

@@ -23,13 +23,27 @@ async function needsDecoders(files: Iterable<Blob>, scene: Scene): Promise<boole
   return false;
 }
 
-/** The script that shows a scene, as one text. @throws Error when it is not there */
-async function playerScript(decoders: boolean, scripts: boolean): Promise<string> {
-  const name = `farol-player${scripts ? '-scripts' : ''}${decoders ? '-decoders' : ''}.js`;
+/** A file beside the editor. @throws Error when it is not there */
+async function fileBeside(name: string): Promise<Response> {
   const address = new URL(name, document.baseURI);
   const response = await fetch(address);
   if (!response.ok) throw new Error(`The player could not be read: ${address.href} answered ${response.status}.`);
-  return response.text();
+  return response;
+}
+
+/** The script that shows a scene, as one text. @throws Error when it is not there */
+const playerScript = async (decoders: boolean, scripts: boolean): Promise<string> =>
+  (await fileBeside(`farol-player${scripts ? '-scripts' : ''}${decoders ? '-decoders' : ''}.js`)).text();
+
+/** Names that a scene with physics has in its components or scripts. */
+const physicsNames = /\b(RigidBody|Collider|CharacterController|Joint)\b/;
+
+/** The element with the physics, packed: 4.3 MB become 2.2; '' for a scene without. @throws Error when they are not there */
+async function physicsOf(file: object): Promise<string> {
+  if (!physicsNames.test(JSON.stringify(file))) return '';
+  const { body } = await fileBeside('farol-player-physics.js');
+  const packed = await new Response(body!.pipeThrough(new CompressionStream('gzip'))).arrayBuffer();
+  return `\n<script type="application/octet-stream" id="farol-physics">${base64Of(new Uint8Array(packed))}</script>`;
 }
 
 async function dragonOf(scene: Scene, uses: boolean): Promise<string> {
@@ -83,10 +97,11 @@ export async function exportHtml(scene: Scene): Promise<Blob> {
   const content = containerContent(scene);
   const usesDragon = assetUses(content.file, scene.registry).some(({ name }) => name === 'dragon');
   const scripts = await compiledScripts(scene);
-  const [script, bytes, dragon] = await Promise.all([
+  const [script, bytes, dragon, physics] = await Promise.all([
     needsDecoders(content.files.values(), scene).then((decoders) => playerScript(decoders, scripts.length > 0)),
     writeContainer(content),
     dragonOf(scene, usesDragon),
+    physicsOf(content.file),
   ]);
   const nonce = makeNonce();
   const hosts = new Set(foreignAddresses(content.file).map(({ origin }) => origin));
@@ -101,7 +116,7 @@ export async function exportHtml(scene: Scene): Promise<Blob> {
 <style nonce="${nonce}">html,body{height:100%;margin:0;overflow:hidden;background:#000}p{margin:1em;color:#eee;font:16px sans-serif;white-space:pre-line}</style>
 </head>
 <body>
-<script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>
+<script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>${physics}
 ${scripts.map((code) => `<script nonce="${nonce}">${inElement(code)}</script>\n`).join('')}<script nonce="${nonce}">${script.replaceAll('</script', '<\\/script')}</script>
 </body>
 </html>

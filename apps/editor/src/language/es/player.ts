@@ -6,10 +6,13 @@ export const player: Texts = {
   '… and {count} more': '… y {count} más',
   'This scene asks for files of other hosts, which would learn that you open it:':
     'Esta escena pide archivos de otros servidores, que sabrían que se abre:',
+  'Click for sound': 'Un clic para oír el sonido',
   'Load from these hosts': 'Cargar de estos servidores',
   'Open without them': 'Abrir sin ellos',
   'The link is damaged or cut short: copy all of it, to its last letter.':
     'El enlace está dañado o cortado: hay que copiarlo entero, hasta la última letra.',
   'The address holds no scene: it must go on with #scene=…':
     'La dirección no contiene ninguna escena: tiene que seguir con #scene=…',
+  'The page has no physics: export the scene anew.': 'La página no tiene física: hay que exportar de nuevo la escena.',
+  'The physics could not be fetched.': 'No se pudo obtener la física.',
 };

@@ -1,0 +1,42 @@
+import { t } from '@farol/editing';
+import type { Rapier } from '@farol/engine/physics';
+
+/** The element that the player came by: known only while it runs first. */
+const ownScript = document.currentScript as HTMLScriptElement | null;
+
+/** In the player it stands for the engine's file of this name: Rapier is in the page, packed, or in a script beside the player. */
+export function loadRapier(): Promise<Rapier> {
+  loading ??= load();
+  return loading;
+}
+
+let loading: Promise<Rapier> | null = null;
+
+async function load(): Promise<Rapier> {
+  const packed = document.getElementById('farol-physics');
+  await (packed ? runPacked(packed.textContent) : runBeside());
+  const { farolLoadRapier } = globalThis as { farolLoadRapier?: () => Promise<Rapier> };
+  if (!farolLoadRapier) throw new Error(t('The page has no physics: export the scene anew.'));
+  return farolLoadRapier();
+}
+
+/** @param base64 - of a script, packed by gzip */
+async function runPacked(base64: string): Promise<void> {
+  const bytes = Uint8Array.from(atob(base64.trim()), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const script = document.createElement('script');
+  // the page's policy allows its own scripts alone
+  script.nonce = ownScript?.nonce ?? '';
+  script.textContent = await new Response(stream).text();
+  document.head.append(script);
+}
+
+function runBeside(): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const script = document.createElement('script');
+    script.src = new URL('farol-player-physics.js', ownScript?.src ?? document.baseURI).href;
+    script.addEventListener('load', () => resolve());
+    script.addEventListener('error', () => reject(new Error(t('The physics could not be fetched.'))));
+    document.head.append(script);
+  });
+}

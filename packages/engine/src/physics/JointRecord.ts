@@ -1,0 +1,124 @@
+import type {
+  ImpulseJoint,
+  JointData,
+  PrismaticImpulseJoint,
+  RevoluteImpulseJoint,
+  World,
+} from '@dimforge/rapier3d-compat';
+import { shortText } from '@farol/renderer';
+import { Matrix4, Quaternion, Vector3 } from 'three';
+import type { GameObject } from '../core/SceneGraph';
+import { type Body, placeOf } from './Body';
+import type { Rapier } from './loadRapier';
+import type { JointPart } from './PhysicsParts';
+
+/** A joint of Rapier's world. */
+export interface JointRecord {
+  readonly component: JointPart;
+  readonly body: Body;
+  /** Null for the world. */
+  readonly partner: Body | null;
+  readonly rapier: ImpulseJoint;
+}
+
+const X = new Vector3(1, 0, 0);
+const axis = new Vector3();
+const place = new Vector3();
+const turn = new Quaternion();
+const one = new Vector3(1, 1, 1);
+const matrix = new Matrix4();
+
+/** A point and a rotation of the world in the space of a body; of the world's own for null. */
+function localFrame(body: Body | null, point: Vector3, rotation: Quaternion): { anchor: Vector3; frame: Quaternion } {
+  const [anchor, frame] = [point.clone(), rotation.clone()];
+  if (!body) return { anchor, frame };
+  placeOf(body.object.object3D, place, turn);
+  anchor.applyMatrix4(matrix.compose(place, turn, one).invert());
+  return { anchor, frame: frame.premultiply(turn.invert()) };
+}
+
+/** The point of an object's space in the world. */
+function inWorld(object: GameObject, point: readonly [number, number, number]): Vector3 {
+  object.object3D.updateWorldMatrix(true, false);
+  return new Vector3(...point).applyMatrix4(object.object3D.matrixWorld);
+}
+
+/** The rotation of the world whose X is the joint's axis. */
+function frameOf(component: JointPart): Quaternion {
+  const rotation = new Quaternion();
+  placeOf(component.gameObject.object3D, place, rotation);
+  axis.set(...component.axis);
+  if (component.type !== 'hinge' && component.type !== 'slider') return rotation;
+  if (axis.lengthSq() === 0) {
+    throw new Error(
+      `The Joint of '${shortText(component.gameObject.name)}' has no axis: give it one that is longer than 0.`,
+    );
+  }
+  return rotation.multiply(turn.setFromUnitVectors(X, axis.normalize()));
+}
+
+function dataOf({ JointData: Data }: Rapier, component: JointPart, from: Vector3, to: Vector3): JointData {
+  const along = { x: 1, y: 0, z: 0 };
+  const same = { x: 0, y: 0, z: 0, w: 1 };
+  switch (component.type) {
+    case 'fixed':
+      return Data.fixed(from, same, to, same);
+    case 'hinge':
+      return Data.revolute(from, to, along);
+    case 'ball':
+      return Data.spherical(from, to);
+    case 'slider':
+      return Data.prismatic(from, to, along);
+    case 'spring':
+      return Data.spring(component.restLength, component.stiffness, component.damping, from, to);
+  }
+}
+
+/**
+ * Makes the joint of a component, as the two objects are now.
+ * @param partner - null for the world, which `ground` then is a body of
+ */
+export function makeJoint(
+  rapier: Rapier,
+  world: World,
+  component: JointPart,
+  body: Body,
+  partner: Body | null,
+  ground: () => Body['rapier'],
+): JointRecord {
+  const point = inWorld(component.gameObject, component.anchor);
+  const rotation = frameOf(component);
+  const own = localFrame(body, point, rotation);
+  const other = localFrame(partner, partnerPoint(component, point), rotation);
+  const joint = world.createImpulseJoint(
+    dataOf(rapier, component, other.anchor, own.anchor),
+    partner?.rapier ?? ground(),
+    body.rapier,
+    true,
+  );
+  joint.setContactsEnabled(component.collide);
+  if (component.type !== 'spring') {
+    joint.setLocalFrame1(other.anchor, other.frame);
+    joint.setLocalFrame2(own.anchor, own.frame);
+  }
+  if (component.type === 'hinge' || component.type === 'slider') {
+    const unit = joint as RevoluteImpulseJoint | PrismaticImpulseJoint;
+    const isHinge = component.type === 'hinge';
+    if (component.limits) {
+      const lower = isHinge ? component.lowerAngle : component.lowerDistance;
+      const upper = isHinge ? component.upperAngle : component.upperDistance;
+      unit.setLimits(Math.min(lower, upper), Math.max(lower, upper));
+    }
+    if (component.motor) {
+      unit.configureMotorModel(rapier.MotorModel.ForceBased);
+      unit.configureMotorVelocity(isHinge ? component.motorTurn : component.motorSpeed, component.motorStrength);
+    }
+  }
+  return { component, body, partner, rapier: joint };
+}
+
+function partnerPoint(component: JointPart, point: Vector3): Vector3 {
+  if (!component.ownPartnerAnchor) return point;
+  const partner = component.partner === null ? null : (component.scene?.findById(component.partner) ?? null);
+  return partner ? inWorld(partner, component.partnerAnchor) : new Vector3(...component.partnerAnchor);
+}

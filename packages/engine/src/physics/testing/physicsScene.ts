@@ -1,0 +1,55 @@
+import type { Vector3 } from 'three';
+import { Collider } from '../../components/Collider';
+import { builtinComponents } from '../../components/index';
+import { ObjectRenderer } from '../../components/ObjectRenderer';
+import { RigidBody } from '../../components/RigidBody';
+import { GameObject } from '../../core/GameObject';
+import { Scene } from '../../core/Scene';
+import type { FieldValue, Vector3Tuple } from '../../fields/Field';
+import { PhysicsSystem } from '../PhysicsSystem';
+
+export type Values = Readonly<Record<string, FieldValue>>;
+
+/** A scene in which every error of a component is thrown. */
+export function makeScene(): Scene {
+  const scene = new Scene({ registry: builtinComponents });
+  scene.onComponentError = (_, error) => {
+    throw error;
+  };
+  return scene;
+}
+
+/** A box of the library, which collides; with a body unless that is null. */
+export function box(name: string, position: Vector3Tuple, body: Values | null = {}, collider: Values = {}): GameObject {
+  const object = new GameObject(name, { id: name });
+  object.transform.position = position;
+  object.addComponent(ObjectRenderer, { mesh: 'box' });
+  if (body) object.addComponent(RigidBody, body);
+  object.addComponent(Collider, collider);
+  return object;
+}
+
+/** 50 m by 50 m, its top at height 0. */
+export function ground(): GameObject {
+  const object = box('Ground', [0, -0.5, 0], null);
+  object.transform.scale = [50, 1, 50];
+  return object;
+}
+
+export const prepare = (scene: Scene): Promise<void> => scene.system(PhysicsSystem).prepare();
+
+/** Frames of a sixtieth of a second. */
+export function run(scene: Scene, steps: number): void {
+  for (let i = 0; i < steps; i++) scene.update(1 / 60);
+}
+
+/** Bits of where every object is. */
+export function placesOf(scene: Scene): number[] {
+  const places: number[] = [];
+  scene.traverse(({ object3D: { position, quaternion, scale } }) =>
+    places.push(...position, ...quaternion.toArray(), ...scale),
+  );
+  return places;
+}
+
+export const worldOf = (object: GameObject): Vector3 => object.transform.worldPosition;
