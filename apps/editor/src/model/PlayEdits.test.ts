@@ -1,10 +1,11 @@
 import { SetFields } from '@farol/editing';
 import { builtinComponents, Component, ComponentRegistry, createRandom, GameObject, Light, Scene } from '@farol/engine';
-import { component, number } from '@farol/engine/fields';
+import { component, type FieldValue, number } from '@farol/engine/fields';
 import { serialize } from '@farol/engine/files';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { addObject, deleteObjects, moveObjects } from './edits';
 import { EditorDocument } from './EditorDocument';
+import { scriptsInNode } from './testing/scriptsInNode';
 
 /** Writes a field of its own and one of another component while it is simulated. */
 class Flicker extends component({ beats: number(0, { help: 'Counts.' }) }) {
@@ -31,7 +32,7 @@ beforeEach(() => {
 });
 
 const state = (): string => JSON.stringify(serialize(document.scene));
-const set = (owner: Component, name: string, value: number): void =>
+const set = (owner: Component, name: string, value: FieldValue): void =>
   document.commands.run(new SetFields(`Set ${name}`, [{ owner, name, value }]));
 
 describe('edits while playing', () => {
@@ -102,6 +103,36 @@ describe('edits while playing', () => {
     expect(state()).toBe(before);
     commands.redo();
     expect(state()).toBe(played);
+  });
+
+  it('of scripts stay when the scene stops, as steps; what scripts did is taken back', async () => {
+    const text = (act: string): string => `import { component } from '@farol/engine/fields';
+export default class Worker extends component({}) {
+  update() { ${act} }
+}`;
+    document = new EditorDocument(undefined, undefined, scriptsInNode());
+    const { scene, scripts, commands, simulation, assets } = document;
+    const house = new GameObject('House');
+    scene.add(house.add(new GameObject('Door')));
+    const source = text("this.gameObject.name = 'Other'; this.gameObject.children[0]?.dispose();");
+    const script = assets.addFieldAsset('script', 'Worker', { source });
+    await scripts.settled();
+    house.addComponent('Worker');
+    const before = state();
+    simulation.play();
+    simulation.advance(0.05);
+    expect([house.name, house.children]).toEqual(['Other', []]);
+    commands.run(new SetFields('Edited script', [{ owner: script, name: 'source', value: text('this.calls = 1;') }]));
+    set(house.transform, 'position', [1, 2, 3]);
+    await scripts.settled();
+    simulation.advance(0.05);
+    expect(house.getComponent('Worker')).toMatchObject({ calls: 1 });
+    simulation.stop();
+    expect(house.getComponent('Worker')).not.toHaveProperty('calls');
+    expect(commands.history).toEqual(['Edited script']);
+    expect(document.playEdits.changes.map(({ name }) => name)).toEqual(['position']);
+    commands.undo();
+    expect(state()).toBe(before);
   });
 
   it.each([1, 2, 3])('leave the scene exactly as it was, whatever is done (seed %i)', (seed) => {

@@ -138,7 +138,10 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomViewCommand(random, document);
     case 31:
     case 32:
-      return randomScriptCommand(random, document, some(random, all));
+      // what is edited of scripts while the scene plays stays when it stops
+      return document.simulation.state === 'stopped'
+        ? randomScriptCommand(random, document, some(random, all))
+        : randomEdit(random, document, scene.settings);
     case 33:
       return randomClipCommand(random, document, pick(random, all));
     case 34:

@@ -9,14 +9,14 @@ import { below, objectsOf, pick, type Random } from './random';
 const tables = [
   'rate: number(1, { help })',
   'rate: number(2, { help }), word: string("a", { help })',
-  'rate: string("slow", { help }), far: flag(true, { help })',
+  'rate: string("slow", { help }), far: boolean(true, { help })',
   'word: string("b", { help }), at: vector3([1, 2, 3], { help })',
 ];
 
 const textOf = (
   table: string,
   count: number,
-): string => `import { component, flag, number, string, vector3 } from '@farol/engine/fields';
+): string => `import { boolean, component, number, string, vector3 } from '@farol/engine/fields';
 const help = 'For a test.';
 export default class Spin extends component({ ${table} }) {
   static version = 1;

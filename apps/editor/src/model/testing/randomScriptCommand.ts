@@ -21,6 +21,7 @@ export function randomScriptCommand(random: Random, { assets, scene }: EditorDoc
     const name = `${folder}Renamed ${below(random, 1000)}`;
     return renameAnyAsset(scene, script.name, assets.has(name) ? script.name : name);
   }
-  const value = `export default class Any extends Base {} // ${below(random, 1000)}`;
+  const value = `import { component } from '@farol/engine/fields';
+export default class Any extends component({}) {} // ${below(random, 1000)}`;
   return new SetFields('Edit script', [{ owner: script, name: 'source', value }]);
 }
