@@ -177,8 +177,8 @@ export class Editor implements EditorApi {
   }
 
   async openSample(name: string): Promise<void> {
-    const { file, parameters } = this.samples[name];
-    if (file === null) return this.openScene(name, parameters);
+    const { file, scene } = this.samples[name];
+    if (file === null) return this.openScene(name, scene?.sample);
     const { readSample } = await import('./files/readSample');
     this.show(await readSample(this, file), { name: null, handle: null });
   }

@@ -25,6 +25,7 @@ import { groupObjects, ungroupObjects } from '../groupObjects';
 import { below, objectsOf, pick, type Random } from './random';
 import { randomArrangement } from './randomArrangement';
 import { randomAssetCommand } from './randomAssetCommand';
+import { randomClipCommand } from './randomClipCommand';
 import { randomEdit } from './randomEdit';
 import { randomMaterialCommand } from './randomMaterialCommand';
 import { randomPrefabCommand } from './randomPrefabCommand';
@@ -52,7 +53,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 34);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 35);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -137,6 +138,8 @@ export function randomCommand(random: Random, document: EditorDocument): Command
     case 31:
     case 32:
       return randomScriptCommand(random, document, some(random, all));
+    case 33:
+      return randomClipCommand(random, document, pick(random, all));
     default: {
       // components of scripts that do not run have no fields
       const owners = pick(random, all).components.filter(({ fields }) => Object.keys(fields).length > 0);

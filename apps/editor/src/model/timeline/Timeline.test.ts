@@ -2,7 +2,7 @@ import { SetFields } from '@farol/editing';
 import { Animation, type ClipAsset, GameObject, Light } from '@farol/engine';
 import { beforeEach, describe, expect, test } from 'vitest';
 import { EditorDocument } from '../EditorDocument';
-import { setValues } from '../edits';
+import { moveObjects, setValues } from '../edits';
 import { addClip } from './clipEdits';
 import { clipPlayer } from './clipPlayer';
 import { keyId, trackId } from './clipTracks';
@@ -175,6 +175,26 @@ describe('the preview', () => {
       [0, 4, 0],
       [0, 4, 0],
     ]);
+  });
+
+  test('is not read by commands that move objects in the tree, nor by their undo and redo', async () => {
+    twoKeys();
+    timeline.setTime(1);
+    const other = new GameObject('Other');
+    document.scene.add(other);
+    document.commands.run(moveObjects(document.scene, [lamp], other));
+    expect(authored(lamp)).toEqual([0, 0, 0]);
+    await noticed();
+    expect(place(cube)).toEqual([10, 0, 0]);
+    const moved = document.serialize();
+    document.commands.undo();
+    await noticed();
+    expect([place(cube), authored(lamp)]).toEqual([
+      [10, 0, 0],
+      [0, 0, 0],
+    ]);
+    document.commands.redo();
+    expect(document.serialize()).toBe(moved);
   });
 
   test('follows an undo of keys, and a clip that plays', async () => {
