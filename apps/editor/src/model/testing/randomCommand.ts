@@ -1,5 +1,6 @@
 import type { Command } from '@farol/editing';
 import { builtinComponents, Camera, GameObject } from '@farol/engine';
+import { addPhysics, type PhysicsKind } from '../addPhysics';
 import { copyObjects, pasteObjects } from '../clip';
 import type { Container } from '../commands/Placement';
 import { SetMicroShaders } from '../commands/SetMicroShaders';
@@ -51,7 +52,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 32);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 33);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -133,6 +134,10 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomArrangement(random, scene, some(random, all).slice(0, 2));
     case 30:
       return randomViewCommand(random, document);
+    case 32: {
+      const kinds: readonly PhysicsKind[] = ['dynamic', 'kinematic', 'fixed', 'character'];
+      return addPhysics(scene, some(random, all), pick(random, kinds));
+    }
     default:
       return randomEdit(random, document, pick(random, pick(random, all).components));
   }
