@@ -4,6 +4,7 @@ import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { scriptDeclarations } from '@farol/tools/scriptDeclarations';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
+import { wholeThree } from '@farol/tools/wholeThree';
 import { defineConfig } from 'vite';
 import { playerPlugin } from './player.config.ts';
 
@@ -11,7 +12,15 @@ export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [react(), playerPlugin(), stanfordDragon(), scriptDeclarations(), securePages(), appAddresses()],
+  plugins: [
+    react(),
+    wholeThree(),
+    playerPlugin(),
+    stanfordDragon(),
+    scriptDeclarations(),
+    securePages({ runsScripts: true }),
+    appAddresses(),
+  ],
   server: { port: 5173, strictPort: true },
   // What is imported late must be known early, or the development server reloads the page when a file asks for it.
   optimizeDeps: {

@@ -26,10 +26,17 @@ export interface EditorHandle {
     readonly scene: Scene;
     readonly selectedObjects: GameObject[];
     readonly selection: { readonly ids: readonly string[]; set(ids: readonly string[]): void };
-    readonly simulation: { readonly state: string };
+    readonly simulation: { readonly state: string; step(): void; stop(): void };
+    readonly scripts: { settled(): Promise<void> };
   };
-  /** The engine's scenes. */
-  readonly samples: Readonly<Record<string, { readonly parameters: object }>>;
+  /** Scenes of the engine's, and files. */
+  readonly samples: Readonly<
+    Record<
+      string,
+      { readonly label: string; readonly file: string | null; readonly scene: { readonly parameters: object } | null }
+    >
+  >;
+  openSample(name: string): Promise<void>;
   openScene(name: string, parameters?: Record<string, number>): Promise<void>;
   readonly microShaders: { textOf(name: string): string };
   readonly dialogs: { show(request: { kind: 'keys' | 'export' | 'welcome'; recovery: null }): Promise<boolean> };

@@ -4,12 +4,13 @@
  *
  * @param {object} [options]
  * @param {boolean} [options.isServed] the development server puts scripts into pages and pushes changes; default false
+ * @param {boolean} [options.runsScripts] the page compiles scripts of scenes and runs them; default false
  * @see Content Security Policy Level 3
  */
-export function contentSecurityPolicy({ isServed = false } = {}) {
+export function contentSecurityPolicy({ isServed = false, runsScripts = false } = {}) {
   return [
     "default-src 'none'",
-    `script-src 'self' 'wasm-unsafe-eval'${isServed ? " 'unsafe-inline'" : ''}`,
+    `script-src 'self' 'wasm-unsafe-eval'${runsScripts ? ' blob:' : ''}${isServed ? " 'unsafe-inline'" : ''}`,
     "worker-src 'self' blob:",
     // the Lab measures in frames of its own
     "frame-src 'self'",
@@ -29,9 +30,11 @@ export const policyElement = (policy) => `<meta http-equiv="Content-Security-Pol
 /**
  * Vite plugin: puts the policy into each page, the strict one into what is built.
  *
+ * @param {object} [options]
+ * @param {boolean} [options.runsScripts] see `contentSecurityPolicy`
  * @returns {import('vite').Plugin}
  */
-export function securePages() {
+export function securePages({ runsScripts = false } = {}) {
   let isServed = false;
   return {
     name: 'farol-content-security-policy',
@@ -41,7 +44,7 @@ export function securePages() {
     transformIndexHtml: {
       order: 'post',
       // before anything that it is about
-      handler: (html) => html.replace('<head>', `<head>\n    ${policyElement(contentSecurityPolicy({ isServed }))}`),
+      handler: (html) => html.replace('<head>', `<head>\n    ${policyElement(contentSecurityPolicy({ isServed, runsScripts }))}`),
     },
   };
 }

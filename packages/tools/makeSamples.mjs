@@ -4,6 +4,7 @@
  *     node packages/tools/makeSamples.mjs
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { createServer } from 'vite';
 import { root } from './root.mjs';
@@ -22,11 +23,11 @@ const server = await createServer({
 });
 try {
   const { makeSample, sampleMakers } =
-    /** @type {{ makeSample(file: string): Promise<Uint8Array>, sampleMakers: Record<string, unknown> }} */ (
+    /** @type {{ makeSample(file: string, readPublic: (path: string) => Promise<Uint8Array>): Promise<Uint8Array>, sampleMakers: Record<string, unknown> }} */ (
       await server.ssrLoadModule('/apps/editor/src/samples/makeSamples.ts')
     );
   for (const file of Object.keys(sampleMakers)) {
-    const bytes = await makeSample(file);
+    const bytes = await makeSample(file, (path) => readFile(join(root, 'public', path)));
     writeFileSync(join(folder, file), bytes);
     console.log(`${file}: ${(bytes.length / 1000).toFixed(1)} kB`);
   }

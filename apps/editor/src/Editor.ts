@@ -1,6 +1,7 @@
 import { type Command, type CommandStack, Signal, t } from '@farol/editing';
 import {
   AssetLibrary,
+  audioOutput,
   type AssetLibraryOptions,
   builtinComponents,
   ComponentRegistry,
@@ -176,8 +177,8 @@ export class Editor implements EditorApi {
   }
 
   async openSample(name: string): Promise<void> {
-    const { file, parameters } = this.samples[name];
-    if (file === null) return this.openScene(name, parameters);
+    const { file, scene } = this.samples[name];
+    if (file === null) return this.openScene(name, scene?.sample);
     const { readSample } = await import('./files/readSample');
     this.show(await readSample(this, file), { name: null, handle: null });
   }
@@ -321,8 +322,9 @@ export class Editor implements EditorApi {
 
   private watchPreferences(): void {
     let shown: ViewChoice | null = null;
-    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, views }: Preferences): void => {
+    const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, views, isMuted }: Preferences): void => {
       if (views !== shown) applyViews(this.viewport, (shown = views));
+      audioOutput.muted = isMuted;
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
       Object.assign(this.viewport, { snapTo, alignsToSurface, pivot });

@@ -9,3 +9,8 @@ declare module 'virtual:script-declarations' {
   const url: string;
   export default url;
 }
+
+/** All of three: see `@farol/tools/wholeThree`. */
+declare module 'virtual:whole-three' {
+  export * from 'three';
+}

@@ -67,10 +67,14 @@ export type { CollisionEvent } from './physics/CollisionEvent';
 export { PhysicsSystem } from './physics/PhysicsSystem';
 export { Transform } from './core/Transform';
 
+export { objectsByName, targetOfTrack } from './animation/bindClip';
 export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animation/ClipData';
 export { ClipPreview } from './animation/ClipPreview';
 export { clipText } from './animation/clipText';
 export { cubicBezier } from './animation/cubicBezier';
+export { modelBelow, type ModelInScene } from './animation/modelsBelow';
+export type { NodeProperty } from './animation/Channel';
+export type { ClipWrap } from './animation/clipEvents';
 export { ClipError, parseClip } from './animation/parseClip';
 export { objectAtPath, pathBelow, trackTarget, type TrackTarget } from './animation/trackTarget';
 export { valueAt } from './animation/valueAt';
@@ -87,9 +91,8 @@ export {
 } from './components/objectsOfModel';
 export { ClipAsset } from './assets/ClipAsset';
 export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
-export { ModelClip } from './assets/ModelClip';
 export { MaterialAsset } from './assets/MaterialAsset';
 export { ScriptAsset } from './assets/ScriptAsset';
 export { Sound } from './assets/Sound';
 export type { FetchBytes, FetchOptions } from './assets/loadAsset';
-export { Model } from './assets/Model';
+export { Model, ModelClip } from './assets/Model';

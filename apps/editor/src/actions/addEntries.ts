@@ -57,6 +57,7 @@ export function addEntries(editor: EditorApi, parent: GameObject | null = null, 
   return [
     ...entries('object'),
     ...entries('camera'),
+    ...entries('sound'),
     'separator',
     { label: t('Mesh'), icon: 'mesh', entries: parts.length > 0 ? [...meshes, 'separator', ...parts] : meshes },
     { label: t('Light'), icon: 'point', entries: entries('light') },

@@ -19,7 +19,7 @@ import { measure } from './measure';
 import { measureDistance } from './measureDistance';
 import { newScene, openExamples } from './newScene';
 import { open } from './open';
-import { pause, play, playFromCamera, playFromHere, step, stop } from './play';
+import { muteSound, pause, play, playFromCamera, playFromHere, step, stop } from './play';
 import { makeMaterial, newMaterial, unpackModel } from './materials';
 import { physicsActions } from './physics';
 import { makePrefab, unpackPrefab } from './prefabs';
@@ -113,6 +113,7 @@ export const actions: readonly Action[] = [
   play,
   playFromCamera,
   playFromHere,
+  muteSound,
   pause,
   step,
   stop,

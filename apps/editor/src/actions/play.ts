@@ -82,3 +82,13 @@ export const playFromHere: Action = {
     return canPlayThrough(editor) && (!parent || isEvenlyScaled(parent));
   },
 };
+
+/** Scenes that play are silent; their sounds go on. */
+export const muteSound: Action = {
+  id: 'play.mute',
+  label: 'Mute sound',
+  icon: 'sound',
+  menu: { menu: 'edit', group: 'play' },
+  run: ({ preferences }) => preferences.setState(({ isMuted }) => ({ isMuted: !isMuted })),
+  checked: ({ preferences }) => preferences.getState().isMuted,
+};

@@ -1,4 +1,4 @@
-import { type SceneParameters, scenes } from '@farol/engine/scenes';
+import { type SceneDefinition, scenes } from '@farol/engine/scenes';
 
 /** A scene to look at and to learn from. */
 export interface Sample {
@@ -10,17 +10,37 @@ export interface Sample {
   readonly help: string;
   /** Its file in `public/scenes`; null for a scene that the engine makes. */
   readonly file: string | null;
-  /** With what the engine makes it. */
-  readonly parameters: SceneParameters;
+  /** The engine's scene; null for a file. */
+  readonly scene: SceneDefinition | null;
 }
 
 const ofFile = (file: string, label: string, help: string): Sample => ({
   name: file.slice(0, file.lastIndexOf('.')),
-  ...{ label, help, file, parameters: {} },
+  ...{ label, help, file, scene: null },
 });
 
 /** Files that `packages/tools/makeSamples.mjs` writes. */
 const ofFiles: readonly Sample[] = [
+  ofFile(
+    'night-in-the-temple.farol',
+    'Night in the temple',
+    'Play, then walk up the steps. The door opens when you come near; push the crates.',
+  ),
+  ofFile(
+    'animation.json',
+    'Animation',
+    'A fairground of clips. Open the Timeline, move keys of “Arm reaches”, and play.',
+  ),
+  ofFile(
+    'physics.json',
+    'Physics',
+    'Play: a ball on a chain knocks down a wall. Change masses, joints and bounciness.',
+  ),
+  ofFile(
+    'scripts.json',
+    'Scripts',
+    'Play, then edit “Wave” in the Scripts panel: it changes while it runs. F stops the fountain.',
+  ),
   ofFile('prefabs.json', 'Prefabs', 'A street of lamps and benches. Change one lamp, then “Apply all to prefab”.'),
   ofFile(
     'microshaders.json',
@@ -33,12 +53,9 @@ const ofFiles: readonly Sample[] = [
 export const samples: Readonly<Record<string, Sample>> = Object.fromEntries(
   [
     ...ofFiles,
-    ...Object.values(scenes).map(({ name, label, help, sample }): Sample => ({
-      name,
-      label,
-      help,
-      file: null,
-      parameters: sample,
-    })),
+    ...Object.values(scenes).map((scene): Sample => {
+      const { name, label, help } = scene;
+      return { name, label, help, file: null, scene };
+    }),
   ].map((sample) => [sample.name, sample]),
 );

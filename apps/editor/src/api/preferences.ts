@@ -22,6 +22,8 @@ export interface Preferences {
   alignsToSurface: boolean;
   /** What several objects turn and grow about. */
   pivot: GizmoPivot;
+  /** Whether scenes that play are silent. */
+  isMuted: boolean;
   /** One view or four, and how they show the scene. */
   views: ViewChoice;
 }
@@ -42,6 +44,7 @@ export const createPreferences = (storage: string): PreferenceStore =>
         snapTo: 'grid',
         alignsToSurface: false,
         pivot: 'centre',
+        isMuted: false,
       }),
       { name: storage },
     ),

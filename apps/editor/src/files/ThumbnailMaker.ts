@@ -26,6 +26,7 @@ import type { Viewport } from '../viewport/Viewport';
 import { whenLost } from '../viewport/whenLost';
 import { whenRestored } from '../viewport/whenRestored';
 import type { AssetEntry } from './assetKinds';
+import { soundPicture } from './soundPicture';
 
 /** Side of a thumbnail (pixels). */
 const SIZE = 96;
@@ -53,7 +54,7 @@ export class ThumbnailMaker {
   /** An address of a picture of an asset; null when none can be drawn now. It is drawn once for each state of the asset. */
   pictureOf(entry: AssetEntry): Promise<string | null> {
     const { scene, assets } = this.viewport.document;
-    if (entry.kind === 'script' || entry.kind === 'clip' || entry.kind === 'sound') return Promise.resolve(null);
+    if (entry.kind === 'script' || entry.kind === 'clip') return Promise.resolve(null);
     const prefab = entry.kind === 'prefab' ? scene.prefabs.get(entry.name) : null;
     const material = entry.kind === 'material' ? assets.materialAsset(entry.name) : null;
     const owner: object = prefab ?? material ?? assets;
@@ -116,6 +117,7 @@ export class ThumbnailMaker {
         return await this.render(stage.three);
       }
       if (entry.kind === 'prefab' || !assets.isReady(entry.kind, entry.name)) return null;
+      if (entry.kind === 'sound') return await soundPicture(assets.sound(entry.name));
       if (entry.kind === 'mesh') await assets.prepareMesh(entry.name);
       const { subject, dispose } = this.subjectOf(entry);
       release = dispose;

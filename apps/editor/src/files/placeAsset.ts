@@ -1,5 +1,5 @@
 import { type Command, SetFields, t } from '@farol/editing';
-import { GameObject, meshShadows, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { Animation, AudioSource, GameObject, meshShadows, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import { instanceRootOf, instantiatePrefab } from '@farol/engine/prefabs';
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
@@ -26,8 +26,11 @@ function makeObject(editor: EditorApi, { kind, name }: DraggedAsset): GameObject
   const object = new GameObject(stemOf(name));
   const { assets } = editor.document;
   if (kind === 'model') {
-    const [clip] = assets.model(name).animations;
-    object.addComponent(ModelRenderer, { model: name, animation: clip?.name ?? '' });
+    const [clip] = assets.model(name).clips;
+    object.addComponent(ModelRenderer, { model: name });
+    if (clip) object.addComponent(Animation, { clip: assets.nameOf(clip) });
+  } else if (kind === 'sound') {
+    object.addComponent(AudioSource, { sound: name });
   } else if (kind === 'mesh') {
     object.addComponent(ObjectRenderer, { mesh: name, ...meshShadows });
   } else if (kind === 'texture') {

@@ -1,5 +1,6 @@
 import type { Texts } from '@farol/editing';
 import { actions } from './es/actions';
+import { animation } from './es/animation';
 import { arrange } from './es/arrange';
 import { components } from './es/components';
 import { edits } from './es/edits';
@@ -15,12 +16,14 @@ import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
 import { samples } from './es/samples';
 import { scriptRuns } from './es/scriptRuns';
+import { timeline } from './es/timeline';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
 
 /** All texts of the editor in Spanish, by their English ones. */
 export const es: Texts = {
   ...actions,
+  ...animation,
   ...arrange,
   ...components,
   ...edits,
@@ -36,6 +39,7 @@ export const es: Texts = {
   ...scripts,
   ...samples,
   ...scriptRuns,
+  ...timeline,
   ...views,
   ...welcome,
 };

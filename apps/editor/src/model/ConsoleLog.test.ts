@@ -13,7 +13,9 @@ it('says the same once, with its count, and keeps the last five hundred', () => 
     'component broken 1',
   ]);
   expect(log.entries[1].place?.line).toBe(4);
-  expect(log.count('error')).toBe(2);
+  log.add('error', 'script', 'thrown', { script: 'Spin', line: 7 });
+  expect(log.entries.at(-1)!.place).toEqual({ script: 'Spin', line: 7 });
+  expect(log.count('error')).toBe(3);
   for (let i = 0; i < 600; i++) log.add('info', 'page', String(i));
   expect(log.entries.length).toBe(500);
   expect(log.entries.at(-1)!.text).toBe('599');

@@ -1,6 +1,7 @@
 import { Signal } from '@farol/editing';
 import type { Component, ComponentClass, ComponentRegistry, Scene } from '@farol/engine';
 import {
+  compileScript,
   runInPage,
   SceneScripts,
   type SceneScriptsOptions,
@@ -22,6 +23,7 @@ const NONE: ReadonlyMap<string, never> = new Map<string, never>();
 /** Modules that scripts can import, fetched when the first script comes. */
 const loadModules = async (): Promise<SceneScriptsOptions> => ({
   modules: (await import('./scriptModules')).scriptModules,
+  compile: compileScript,
   run: runInPage,
 });
 

@@ -40,7 +40,9 @@ export class Simulation {
 
   /** Holds the scene as it is at this moment. */
   pause(): void {
-    if (this.isPlaying) this.enter('paused');
+    if (!this.isPlaying) return;
+    this.getScene().pause();
+    this.enter('paused');
   }
 
   /** Advances a scene that does not play by one sixtieth of a second. */
@@ -48,6 +50,7 @@ export class Simulation {
     if (this.isPlaying) return this.pause();
     if (this.current === 'stopped') this.edits.begin();
     this.getScene().update(STEP);
+    this.getScene().pause();
     this.current = 'paused';
     this.changed.emit();
   }

@@ -1,5 +1,5 @@
 import { CommandStack } from '@farol/editing';
-import { Animator, GameObject, Light, Model, ModelRenderer, ObjectRenderer, Scene } from '@farol/engine';
+import { Animation, GameObject, Light, Model, ModelRenderer, ObjectRenderer, Scene } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
 import { makePrefab } from '@farol/engine/prefabs';
 import {
@@ -138,6 +138,7 @@ describe('unpacking a model', () => {
     const model = new Model(root, [new AnimationClip('Turn', 1, [])]);
     assets.register('Props/robot.glb', model);
     assets.register('Props/robot.glb/mesh-1', mesh.geometry);
+    assets.register('Props/robot.glb/clip-1-Turn', assets.model('Props/robot.glb').clips[0]);
     const object = new GameObject('Robot');
     scene.add(object);
     const renderer = object.addComponent(ModelRenderer, {
@@ -148,12 +149,12 @@ describe('unpacking a model', () => {
     return { document, scene, object, renderer };
   }
 
-  it('is one step: objects, a light, a material as an asset, an Animator with its clip', () => {
+  it('is one step: objects, a light, a material as an asset, an Animation with its clip', () => {
     const { document, scene, object, renderer } = placed();
     run(document, unpackModels(scene, [renderer]));
     expect(document.commands.history.length).toBe(1);
     expect(object.getComponent(ModelRenderer)).toBeNull();
-    expect(object.getComponent(Animator)).toMatchObject({ model: 'Props/robot.glb', animation: 'Turn' });
+    expect(object.getComponent(Animation)).toMatchObject({ clip: 'Props/robot.glb/clip-1-Turn', speed: 1 });
     const body = object.find('Body')!.getComponent(ObjectRenderer)!;
     expect(body).toMatchObject({ mesh: 'Props/robot.glb/mesh-1', material: 'Props/robot/Red', castShadow: false });
     expect(scene.assets.materialAsset('Props/robot/Red')!.get('colour')).toEqual([1, 0, 0]);

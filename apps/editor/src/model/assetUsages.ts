@@ -41,7 +41,7 @@ function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { ne
     ...object,
     components: object.components.map((component) => {
       const values = { ...component.values };
-      for (const [name] of assetFields(scene.registry.get(component.type).fields)) {
+      for (const [name] of assetFields(scene.registry.fieldsOf(component.type))) {
         if (!isOne(names, values[name])) continue;
         values[name] = null;
         usages.push({

@@ -46,9 +46,9 @@ export function copyObjects(scene: Scene, objects: readonly GameObject[]): strin
   const names = new Set<string>();
   for (const { components } of list) {
     for (const { type, values } of components) {
-      const fields = scene.registry.types.get(type)!.fields;
+      const fields = scene.registry.fieldsOf(type);
       for (const [name, value] of Object.entries(values)) {
-        if (fields[name].kind === 'asset' && typeof value === 'string') names.add(value);
+        if (fields[name]?.kind === 'asset' && typeof value === 'string') names.add(value);
       }
     }
   }

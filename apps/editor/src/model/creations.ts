@@ -1,5 +1,6 @@
 import { t } from '@farol/editing';
 import {
+  AudioSource,
   Camera,
   type ComponentClass,
   Decal,
@@ -17,10 +18,10 @@ type Values = Readonly<Record<string, FieldValue>>;
 /** Something that can be added to a scene. */
 export interface Creation {
   readonly label: string;
-  readonly group: 'object' | 'mesh' | 'light' | 'camera';
+  readonly group: 'object' | 'mesh' | 'light' | 'camera' | 'sound';
   /** Of a mesh: the scene that it is a part of; null for others. */
   readonly folder: string | null;
-  /** What its icon stands for: 'mesh', 'camera', 'decal', or the type of a light. */
+  /** What its icon stands for: 'mesh', 'camera', 'decal', 'sound', or the type of a light. */
   readonly kind: string;
   make(): GameObject;
 }
@@ -103,6 +104,13 @@ export function creations(scene: Scene): Creation[] {
       folder: null,
       kind: 'camera',
       make: () => withComponent(t('Camera'), Camera),
+    },
+    {
+      label: t('Sound'),
+      group: 'sound',
+      folder: null,
+      kind: 'sound',
+      make: () => withComponent(t('Sound'), AudioSource),
     },
   ];
 }

@@ -1,4 +1,4 @@
-import { createRandom } from '@farol/engine';
+import { builtinComponents, ComponentRegistry, createRandom } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
 import { expect, it } from 'vitest';
 import { EditorDocument } from './EditorDocument';
@@ -18,8 +18,11 @@ it.each([1, 2, 3, 4])(
   'undoes and redoes random edits exactly, seed %i',
   (seed) => {
     const random = createRandom(seed);
-    const document = new EditorDocument();
-    document.open(randomScene(random, document));
+    const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
+    const document = new EditorDocument(undefined, registry);
+    // their components are data
+    document.scripts.isOn = false;
+    document.open(randomScene(random, document), false);
     const { commands } = document;
     /** What the document was after each number of steps that the history still has. */
     const states = [stateOf(document)];

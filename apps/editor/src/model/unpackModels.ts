@@ -1,6 +1,6 @@
 import { type Command, countLabel, t } from '@farol/editing';
 import {
-  Animator,
+  Animation,
   type AssetLibrary,
   type GameObject,
   type ModelRenderer,
@@ -40,7 +40,7 @@ function materialFolder(name: string): string {
 
 /**
  * Makes each model that is drawn whole a tree of objects below its own: meshes, lights, cameras, materials as assets, and
- * an Animator where it has clips. The objects of the ModelRenderers stay where they are, with all else that they hold.
+ * an Animation where it has clips. The objects of the ModelRenderers stay where they are, with all else that they hold.
  * @param renderers - with models that are loaded
  * @throws Error when one cannot be unpacked; see `whyNotUnpack`
  */
@@ -80,8 +80,8 @@ function unpackOne(scene: Scene, renderer: ModelRenderer): Command {
     [
       () => new AddAssets(assets, taken),
       () => new PlaceComponents('', scene, 'remove', [{ component: renderer, object: parent, index }]),
-      ...(model.animations.length > 0 && !parent.getComponent(Animator)
-        ? [() => addAnimator(scene, renderer, parent)]
+      ...(model.animations.length > 0 && !parent.getComponent(Animation)
+        ? [() => addAnimation(scene, renderer, parent)]
         : []),
       () => new PlaceObjects('', scene, 'add', placements, stay),
     ],
@@ -89,12 +89,13 @@ function unpackOne(scene: Scene, renderer: ModelRenderer): Command {
   );
 }
 
-function addAnimator(scene: Scene, renderer: ModelRenderer, object: GameObject): Command {
-  const { model, animation, animationSpeed, enabled } = renderer;
-  const animator = new Animator();
-  animator.set('model', model);
-  animator.set('animation', animation);
-  animator.set('animationSpeed', animationSpeed);
-  animator.enabled = enabled;
-  return new PlaceComponents('', scene, 'add', [{ component: animator, object, index: object.components.length }]);
+function addAnimation(scene: Scene, renderer: ModelRenderer, object: GameObject): Command {
+  const { assets } = scene;
+  const { animation, animationSpeed, enabled } = renderer;
+  const clip = assets.model(renderer.model!).clips.find(({ name }) => name === animation);
+  const added = new Animation();
+  added.set('clip', clip ? assets.nameOf(clip) : null);
+  added.set('speed', animationSpeed);
+  added.enabled = enabled;
+  return new PlaceComponents('', scene, 'add', [{ component: added, object, index: object.components.length }]);
 }

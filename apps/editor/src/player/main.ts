@@ -1,7 +1,8 @@
-import { setTexts } from '@farol/editing';
+import { setTexts, t } from '@farol/editing';
 import {
   App,
   AssetLibrary,
+  audioOutput,
   builtinComponents,
   ComponentRegistry,
   KeyController,
@@ -58,6 +59,19 @@ function say(text: string): void {
   place.textContent = [place.textContent, text].filter(Boolean).join('\n');
 }
 
+/** Says that there would be sound, until the user has pressed something. */
+function sayWhenMuted(): void {
+  const line = document.createElement('p');
+  line.setAttribute('role', 'status');
+  const update = (): void => {
+    line.textContent = audioOutput.isWaiting ? t('Click for sound') : '';
+    line.hidden = !audioOutput.isWaiting;
+  };
+  audioOutput.onChange(update);
+  update();
+  document.body.append(line);
+}
+
 /** A camera of the viewer's own, where the scene's cannot be moved by the user. */
 function orbit(app: App, scene: Scene): (width: number, height: number) => void {
   const camera = new PerspectiveCamera(50, 1, 0.05, 2000);
@@ -80,6 +94,7 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
     controls.target.copy(middle);
   }
   controls.enableDamping = true;
+  scene.pointerCamera = camera;
   let last = 0;
   const frame = (now: number): void => {
     scene.update(last === 0 ? 0 : Math.min((now - last) / 1000, 0.1));
@@ -111,6 +126,7 @@ async function start(): Promise<void> {
   const app = new App({ parent: document.body, renderer: { antialias: true } });
   const scene = await readScene(app.webgl);
   app.scene = scene;
+  sayWhenMuted();
   document.title = scene.name;
   app.canvas.setAttribute('role', 'img');
   app.canvas.setAttribute('aria-label', scene.name);

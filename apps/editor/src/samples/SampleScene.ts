@@ -1,4 +1,4 @@
-import { builtinComponents, GameObject, type Scene } from '@farol/engine';
+import { builtinComponents, ComponentRegistry, GameObject, type Scene } from '@farol/engine';
 import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
 import {
   deserialize,
@@ -9,6 +9,9 @@ import {
   type FileObject,
 } from '@farol/engine/files';
 import type { Prefab } from '@farol/engine/prefabs';
+
+/** Reads a file below `public`. */
+export type ReadPublic = (path: string) => Promise<Uint8Array<ArrayBuffer>>;
 
 export type Values = Readonly<Record<string, FieldValue>>;
 /** A component: its type and the fields that are not the default. */
@@ -22,6 +25,7 @@ export interface Place {
   readonly scale?: Vector3Tuple;
   /** What its front looks at, in the space of its parent; in place of `rotation`. */
   readonly target?: Vector3Tuple;
+  readonly tags?: readonly string[];
   /** Id of the object above; at the top when absent. */
   readonly parent?: string;
 }
@@ -53,10 +57,11 @@ export class SampleScene {
   /** An object. @returns its id */
   object(name: string, place: Place, ...parts: readonly Part[]): string {
     const id = this.idOf(name);
-    const components = [['Transform', transformOf(place)] as Part, ...parts].map(([type, values = {}], i) =>
-      component(`${id}-${i}`, type, values),
+    const components = [['Transform', transformOf(place)] as Part, ...parts].map(([type, values = {}], n) =>
+      component(`${id}-${n}`, type, values),
     );
-    this.objects.push({ id, name, parent: place.parent ?? null, components });
+    const tags = place.tags ? { tags: [...place.tags] } : {};
+    this.objects.push({ id, name, parent: place.parent ?? null, ...tags, components });
     return id;
   }
 
@@ -101,8 +106,9 @@ export class SampleScene {
       const isRoot = source.id === prefabId;
       const components = source.components.map(({ type, values }, i) => {
         const own: Record<string, FieldValue> = { ...values };
-        for (const field of Object.keys(builtinComponents.fieldsOf(type))) {
-          if (builtinComponents.fieldsOf(type)[field].kind === 'object' && ids.has(own[field] as string))
+        const fields = builtinComponents.types.get(type)?.fields ?? {};
+        for (const field of Object.keys(fields)) {
+          if (fields[field].kind === 'object' && ids.has(own[field] as string))
             own[field] = ids.get(own[field] as string)!;
           const path = `${source.name}/${type}.${field}`;
           if (left.delete(path)) own[field] = overrides[path];
@@ -131,7 +137,9 @@ export class SampleScene {
       ...(this.prefabs.length > 0 ? { prefabs: this.prefabs } : {}),
       objects: this.objects,
     };
-    return deserialize(JSON.stringify(file), { fileOf: (path) => this.files.get(path) ?? null });
+    // components of scripts are kept as data
+    const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
+    return deserialize(JSON.stringify(file), { registry, fileOf: (path) => this.files.get(path) ?? null });
   }
 
   private idOf(name: string): string {
@@ -143,5 +151,5 @@ export class SampleScene {
 }
 
 const component = (id: string, type: string, values: Values): FileComponent => ({
-  ...{ type, version: builtinComponents.get(type).version, id, values: { ...values } },
+  ...{ type, version: builtinComponents.types.get(type)?.version ?? 1, id, values: { ...values } },
 });

@@ -4,7 +4,8 @@ import type { IconName } from '../style/iconPaths';
 import { Icon } from './Icon';
 import { useThumbnail } from './useThumbnail';
 
-const icons: Readonly<Record<AssetKind, IconName>> = {
+/** The icon of each kind of asset. */
+export const assetIcons: Readonly<Record<AssetKind, IconName>> = {
   prefab: 'prefab',
   model: 'mesh',
   mesh: 'mesh',
@@ -29,7 +30,7 @@ export function Thumbnail({ entry, size = 28 }: { entry: AssetEntry; size?: numb
   const picture = useThumbnail(entry, inSight);
   return (
     <span ref={place} className="asset-picture">
-      {picture ? <img src={picture} alt="" draggable={false} /> : <Icon name={icons[entry.kind]} size={size} />}
+      {picture ? <img src={picture} alt="" draggable={false} /> : <Icon name={assetIcons[entry.kind]} size={size} />}
     </span>
   );
 }

@@ -1,4 +1,4 @@
-import { Camera, type Component, Decal, type GameObject, Light, type Scene } from '@farol/engine';
+import { AudioSource, Camera, type Component, Decal, type GameObject, Light, type Scene } from '@farol/engine';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -25,7 +25,7 @@ const LEAST = 8;
 const kindOf: Readonly<Record<string, number>> = Object.fromEntries(iconKinds.map((kind, i) => [kind, i]));
 const place = new Vector3();
 
-/** Icons for the lights, cameras and decals of a scene, which can be picked though there is nothing to see of them: one draw. */
+/** Icons for the lights, cameras, decals and sounds of a scene, which can be picked though there is nothing to see of them: one draw. */
 export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   private readonly shown: GameObject[] = [];
   /** Size of an icon (CSS pixels). */
@@ -48,19 +48,21 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     this.grow(64);
   }
 
-  /** Takes over where lights, cameras and decals are now. @param without - a camera that is looked through */
+  /** Takes over where lights, cameras, decals and sounds are now. @param without - a camera that is looked through */
   refresh(scene: Scene, isSelected: (object: GameObject) => boolean, pixelRatio: number, without: Camera | null): void {
     this.shown.length = 0;
     const lights = scene.componentsOf(Light);
     const cameras = scene.componentsOf(Camera);
     const decals = scene.componentsOf(Decal);
-    const count = lights.length + cameras.length + decals.length;
+    const sounds = scene.componentsOf(AudioSource);
+    const count = lights.length + cameras.length + decals.length + sounds.length;
     this.size = Math.max(LEAST, SIZE * Math.min(1, Math.sqrt(MANY / Math.max(count, 1))));
     this.material.uniforms.size.value = this.size * pixelRatio;
     this.grow(count);
     for (const light of lights) if (light.isActive) this.addIcon(light, isSelected);
     for (const camera of cameras) if (camera.isActive && camera !== without) this.addIcon(camera, isSelected);
     for (const decal of decals) if (decal.isActive) this.addIcon(decal, isSelected);
+    for (const sound of sounds) if (sound.isActive) this.addIcon(sound, isSelected);
     this.geometry.setDrawRange(0, this.shown.length);
     for (const name in this.geometry.attributes) this.geometry.attributes[name].needsUpdate = true;
   }
@@ -107,7 +109,7 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     const isDecal = component instanceof Decal;
     geometry.attributes.kind.setX(
       i,
-      component instanceof Light ? kindOf[component.type] : isDecal ? kindOf.decal : kindOf.camera,
+      component instanceof Light ? kindOf[component.type] : (kindOf[component.typeName.toLowerCase()] ?? kindOf.sound),
     );
     if (component instanceof Light || isDecal) {
       const [r, g, b] = isDecal ? component.colour : component.diffuse;

@@ -1,9 +1,11 @@
-import { type EngineKeyEvent, InputRouter } from '@farol/engine';
+import { type EngineKeyEvent, type EnginePointerEvent, InputRouter } from '@farol/engine';
+import type { Camera } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
 
 /**
- * Sends pointer and keys to a scene that plays: the pointer while a camera of the scene is looked through, keys while the
- * picture has the focus and a component of the scene listens to them. Escape gives the keys back to the editor, until the
+ * Sends pointer and keys to a scene that plays: to the object under the pointer always, to all components that follow the
+ * pointer while a camera of the scene is looked through, keys while the picture has the focus and a component of the scene
+ * listens to them. Escape gives the keys back to the editor, until the
  * picture is pressed or gets the focus anew.
  */
 export class SceneInput {
@@ -14,6 +16,7 @@ export class SceneInput {
 
   /**
    * @param surface - the canvas, as large as the view that is played in
+   * @param getCamera - what the picture is seen through
    * @param isLookedThrough - whether a camera of the scene is looked through
    * @param changed - called when keys may go elsewhere than before
    */
@@ -21,11 +24,12 @@ export class SceneInput {
     private readonly document: EditorDocument,
     private readonly canvas: HTMLCanvasElement,
     surface: HTMLCanvasElement,
+    private readonly getCamera: () => Camera,
     private readonly isLookedThrough: () => boolean,
     private readonly changed: () => void,
   ) {
     this.router = new InputRouter(surface, window, {
-      dispatchPointer: (event) => this.hasPointer && document.scene.dispatchPointer(event),
+      dispatchPointer: (event) => this.pointer(event),
       dispatchKey: (event) => this.mayPass(event) && document.scene.dispatchKey(event),
     });
     canvas.addEventListener('focus', this.taken);
@@ -65,6 +69,14 @@ export class SceneInput {
     this.canvas.removeEventListener('pointerdown', this.taken);
     this.canvas.removeEventListener('blur', this.left);
     this.router.dispose();
+  }
+
+  private pointer(event: EnginePointerEvent): void {
+    const { scene, simulation } = this.document;
+    if (!simulation.isPlaying) return;
+    scene.pointerCamera = this.getCamera();
+    if (this.hasPointer) scene.dispatchPointer(event);
+    else scene.dispatchObjectPointer(event);
   }
 
   /** What the scene knows to be held is let go of, wherever keys go by then. */

@@ -123,6 +123,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
       document,
       canvas,
       surface,
+      () => this.rayCamera,
       () => this.lookThrough !== null,
       () => this.changed.emit(),
     );

@@ -1,4 +1,4 @@
-import { Camera, Decal, type GameObject, Light, type Scene } from '@farol/engine';
+import { AudioSource, Camera, Decal, type GameObject, Light, type Scene } from '@farol/engine';
 import { Box3, Matrix4, OrthographicCamera, Vector3 } from 'three';
 import type { LineSet } from './LineSet';
 
@@ -12,6 +12,24 @@ const z = new Vector3();
 const from = new Vector3();
 const to = new Vector3();
 
+/** Three circles about `centre`. */
+function drawSphere(lines: LineSet, radius: number, segments = 64): void {
+  x.set(radius, 0, 0);
+  y.set(0, radius, 0);
+  z.set(0, 0, radius);
+  lines.circle(centre, x, y, segments);
+  lines.circle(centre, y, z, segments);
+  lines.circle(centre, z, x, segments);
+}
+
+/** How far a sound has its whole loudness, and how far it is heard. */
+function drawSound(lines: LineSet, source: AudioSource): void {
+  if (!source.positional) return;
+  centre.setFromMatrixPosition(source.gameObject.object3D.matrixWorld);
+  drawSphere(lines, source.referenceDistance);
+  if (source.falloff === 'linear') drawSphere(lines, source.maxDistance);
+}
+
 /** Sphere of a point light, cone of a spot light, arrow of a directional light. @param segments - of each circle */
 function drawLight(lines: LineSet, light: Light, segments = 64): void {
   const { matrixWorld } = light.gameObject.object3D;
@@ -20,14 +38,8 @@ function drawLight(lines: LineSet, light: Light, segments = 64): void {
   y.setFromMatrixColumn(matrixWorld, 1).normalize();
   z.setFromMatrixColumn(matrixWorld, 2).normalize().negate();
   const reach = Math.min(light.reach, 1000);
-  if (light.type === 'point' && Number.isFinite(light.reach)) {
-    x.set(reach, 0, 0);
-    y.set(0, reach, 0);
-    z.set(0, 0, reach);
-    lines.circle(centre, x, y, segments);
-    lines.circle(centre, y, z, segments);
-    lines.circle(centre, z, x, segments);
-  } else if (light.type === 'spot') {
+  if (light.type === 'point' && Number.isFinite(light.reach)) drawSphere(lines, reach, segments);
+  else if (light.type === 'spot') {
     const length = Number.isFinite(light.reach) ? reach : 5;
     const radius = Math.min(length * Math.tan(Math.min(light.cutoff, 1.5)), length * 4);
     to.copy(centre).addScaledVector(z, length);
@@ -91,7 +103,7 @@ export function drawRanges(lines: LineSet, scene: Scene): void {
   for (const light of lights) if (light.isActive) drawLight(lines, light, segments);
 }
 
-/** Adds the lines that show what is selected besides its outline: ranges of lights, views of cameras, boxes of decals. */
+/** Adds the lines that show what is selected besides its outline: ranges of lights and sounds, views of cameras, boxes of decals. */
 export function drawSelection(lines: LineSet, objects: readonly GameObject[], lookThrough: Camera | null): void {
   for (const object of objects) {
     const light = object.getComponent(Light);
@@ -100,5 +112,7 @@ export function drawSelection(lines: LineSet, objects: readonly GameObject[], lo
     const decal = object.getComponent(Decal);
     if (camera && camera !== lookThrough) drawCamera(lines, camera);
     if (decal) drawDecal(lines, decal);
+    const sound = object.getComponent(AudioSource);
+    if (sound) drawSound(lines, sound);
   }
 }

@@ -2,7 +2,7 @@ import { CanvasTexture, LinearFilter } from 'three';
 import { iconPaths } from '../style/iconPaths';
 
 /** Icons of the viewport in the order of the atlas. */
-export const iconKinds = ['point', 'spot', 'directional', 'ambient', 'hemisphere', 'camera', 'decal'] as const;
+export const iconKinds = ['point', 'spot', 'directional', 'ambient', 'hemisphere', 'camera', 'decal', 'sound'] as const;
 
 const CELL = 64;
 

@@ -45,6 +45,38 @@ class SetNumber implements Command {
 }
 
 describe('CommandStack', () => {
+  it('lets a recorder do other commands in place of those that are run, previewed and amended', () => {
+    const [target, recorded] = [{ value: 0 }, { value: 0 }];
+    const stack = new CommandStack();
+    let [begun, interrupted] = [0, 0];
+    stack.recorder = {
+      valueOf: (_, name) => (name === 'seen' ? 7 : undefined),
+      begin() {
+        begun++;
+        return (command) => new SetNumber(recorded, (command as SetNumber).value * 10, true);
+      },
+      interrupt() {
+        interrupted++;
+      },
+    };
+    stack.run(new SetNumber(target, 1));
+    const gesture = stack.begin();
+    gesture.preview(new SetNumber(target, 2));
+    gesture.preview(new SetNumber(target, 3));
+    gesture.commit();
+    expect([target.value, recorded.value, begun]).toEqual([0, 30, 2]);
+    stack.amend(stack.last!, new SetNumber(target, 4));
+    expect(recorded.value).toBe(40);
+    stack.undo();
+    stack.redo();
+    expect([recorded.value, interrupted]).toEqual([40, 2]);
+    const owner = { fields: {}, ownerName: '', getAuthored: () => 5, set() {} };
+    expect([stack.valueOf(owner, 'seen'), stack.valueOf(owner, 'other')]).toEqual([7, 5]);
+    stack.recorder = null;
+    stack.run(new SetNumber(target, 9));
+    expect([target.value, stack.valueOf(owner, 'seen')]).toEqual([9, 5]);
+  });
+
   it.each([true, false])('makes one step of many previews (joining: %s)', (joins) => {
     const target = { value: 0 };
     const stack = new CommandStack();

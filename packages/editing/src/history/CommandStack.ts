@@ -116,6 +116,7 @@ export class CommandStack<Item = string> {
     this.gesture?.commit();
     const command = this.done.length > this.held ? this.done.at(-1) : undefined;
     if (!command) return false;
+    this.recorder?.interrupt();
     command.undo();
     this.done.pop();
     this.undone.push(command);
@@ -129,6 +130,7 @@ export class CommandStack<Item = string> {
     this.gesture?.commit();
     const command = this.undone.at(-1);
     if (!command) return false;
+    this.recorder?.interrupt();
     command.do();
     this.undone.pop();
     this.done.push(command);

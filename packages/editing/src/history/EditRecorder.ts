@@ -10,4 +10,6 @@ export interface EditRecorder<Item = string> {
    * @returns gives for each command of the edit the one to do in its place, or the same
    */
   begin(): (command: Command<Item>) => Command<Item>;
+  /** A step is about to be undone, or done again: the document must be as it was authored. */
+  interrupt(): void;
 }

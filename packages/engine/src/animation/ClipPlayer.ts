@@ -1,5 +1,5 @@
 import type { ClipAsset } from '../assets/ClipAsset';
-import type { ModelClip } from '../assets/ModelClip';
+import type { ModelClip } from '../assets/Model';
 import type { Object3D } from 'three';
 import type { GameObject } from '../core/SceneGraph';
 import type { AnimationSystem } from './AnimationSystem';

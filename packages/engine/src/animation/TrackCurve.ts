@@ -104,9 +104,19 @@ export class TrackCurve {
   }
 }
 
-/** Why a track cannot be played on a field, as "key 3: must be …"; null when it can. */
+/** Why a track cannot be played on a field, as "key 3: must be …"; null when it can. Each track is checked once. */
 export function problemWithTrack(track: ClipTrack, field: Field): string | null {
-  for (const [i, { value }] of track.keys.entries()) {
+  const known = checked.get(track);
+  if (known?.field === field) return known.problem;
+  const problem = findProblem(track, field);
+  checked.set(track, { field, problem });
+  return problem;
+}
+
+const checked = new WeakMap<ClipTrack, { readonly field: Field; readonly problem: string | null }>();
+
+function findProblem({ keys }: ClipTrack, field: Field): string | null {
+  for (const [i, { value }] of keys.entries()) {
     const problem = checkFieldValue(field, value);
     if (problem) return `key ${i + 1} ${problem}`;
   }

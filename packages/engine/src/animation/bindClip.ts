@@ -1,7 +1,7 @@
 import { shortText } from '@farol/renderer';
 import { type Interpolant, type KeyframeTrack, type Object3D, PropertyBinding } from 'three';
 import type { ClipAsset } from '../assets/ClipAsset';
-import type { ModelClip } from '../assets/ModelClip';
+import type { ModelClip } from '../assets/Model';
 import type { GameObject } from '../core/SceneGraph';
 import type { Channel, NodeProperty } from './Channel';
 import type { ClipEvent } from './ClipData';
@@ -155,7 +155,7 @@ function interpolantOf(track: KeyframeTrack): Interpolant {
 }
 
 /** The objects below one, and itself, by name; of those of one name the first. */
-function objectsByName(root: GameObject): Map<string, GameObject> {
+export function objectsByName(root: GameObject): Map<string, GameObject> {
   const objects = new Map<string, GameObject>();
   root.traverse((each) => {
     if (!objects.has(each.name)) objects.set(each.name, each);

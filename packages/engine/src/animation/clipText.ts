@@ -2,7 +2,13 @@ import type { FieldValue } from '../fields/Field';
 import type { ClipData, ClipKey, ClipTrack } from './ClipData';
 
 /** Nine digits tell all single-precision numbers apart, and more than anybody types. */
-const short = (value: number): number => Number(value.toPrecision(9)) + 0;
+function short(value: number): number {
+  // what has no more digits is told without writing it as text
+  const size = Math.abs(value);
+  const unit = size < 1 ? 1e9 : size < 1000 ? 1e6 : 1;
+  if (size < 1e9 && Math.round(value * unit) / unit === value) return value + 0;
+  return Number(value.toPrecision(9)) + 0;
+}
 
 const shortValue = (value: FieldValue): FieldValue => {
   if (typeof value === 'number') return short(value);

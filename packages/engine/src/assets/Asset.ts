@@ -1,8 +1,7 @@
 import type { BufferGeometry, Material, ShaderMaterial, Texture } from 'three';
 import type { AssetType, FieldValue } from '../fields/Field';
 import type { FieldAsset, FieldAssetType } from './FieldAsset';
-import type { Model } from './Model';
-import type { ModelClip } from './ModelClip';
+import type { Model, ModelClip } from './Model';
 import type { Sound } from './Sound';
 
 /** What an asset is in three. A shader is a ShaderMaterial or RawShaderMaterial, used as it is; scripts and clips are data. */

@@ -36,8 +36,7 @@ import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import { MaterialAsset, type MaterialHost } from './MaterialAsset';
 import { MaterialCache } from './MaterialCache';
 import { MeshNormals } from './MeshNormals';
-import { Model } from './Model';
-import type { ModelClip } from './ModelClip';
+import { Model, type ModelClip } from './Model';
 import { modelParts } from './modelParts';
 import { ScriptAsset } from './ScriptAsset';
 import type { Sound } from './Sound';
@@ -443,6 +442,12 @@ export class AssetLibrary implements MaterialHost {
     );
     this.loading.set(name, promise);
     return promise;
+  }
+
+  /** The name of an asset that was made or loaded; null when it is not in the library. */
+  nameOf(asset: Asset): string | null {
+    for (const [name, value] of this.values) if (value === asset) return name;
+    return null;
   }
 
   /** Begins to load an asset and calls back once it is there. A failure is told to `onChange` only. */

@@ -1,5 +1,4 @@
 import type { AnimationClip, BufferGeometry, Material, Object3D, Skeleton, Texture } from 'three';
-import { ModelClip } from './ModelClip';
 
 /** A tree of three objects that was read from a file, with its animations: what a glTF holds. It is never in a scene itself. */
 export class Model {
@@ -33,6 +32,28 @@ export class Model {
     });
     for (const each of disposables) each.dispose();
   }
+}
+
+/** A clip that came with a model: part of it in a library, 'robot.glb/clip-1-Walk'. Its tracks name nodes of the model. */
+export class ModelClip {
+  readonly isModelClip = true;
+
+  constructor(
+    readonly three: AnimationClip,
+    readonly model: Model,
+  ) {}
+
+  /** As the file calls it. */
+  get name(): string {
+    return this.three.name;
+  }
+
+  /** Seconds. */
+  get duration(): number {
+    return this.three.duration;
+  }
+
+  dispose(): void {}
 }
 
 /** The textures that a material holds. */

@@ -125,7 +125,8 @@ describe('a model', () => {
   test('brings its parts, each once, which leave and come back with it', async () => {
     const assets = await library();
     await assets.load('tri.glb');
-    expect(assets.partsOf('tri.glb')).toEqual(['tri.glb/mesh-1', 'tri.glb/material-1-Red']);
+    expect(assets.partsOf('tri.glb')).toEqual(['tri.glb/mesh-1', 'tri.glb/material-1-Red', 'tri.glb/clip-1-Slide']);
+    expect(assets.clip('tri.glb/clip-1-Slide').name).toBe('Slide');
     expect(assets.modelOf('tri.glb/mesh-1')).toBe('tri.glb');
     const taken = assets.take('tri.glb');
     expect(assets.list('mesh')).not.toContain('tri.glb/mesh-1');

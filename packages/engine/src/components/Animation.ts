@@ -51,6 +51,7 @@ export class Animation
 {
   static override readonly typeName: string = 'Animation';
   static override readonly help: string = 'Plays clips on the object and all below it.';
+  static override readonly callable: readonly string[] = ['play', 'stop', 'pause'];
 
   /** The last one is what plays; those before it fade out. */
   private players: ClipPlayer[] = [];
@@ -233,8 +234,7 @@ export class Animation
     ];
     for (const model of models) {
       const clip = model?.clips.find((each) => each.name === name);
-      const found =
-        clip && assets.list('clip').find((each) => assets.isReady('clip', each) && assets.clip(each) === clip);
+      const found = clip && assets.nameOf(clip);
       if (found) return found;
     }
     const leaf = assets.list('clip').find((each) => each.endsWith(`/${name}`));

@@ -26,8 +26,7 @@ function copiesOf(source: Object3D): Map<Object3D, Object3D> {
 }
 
 /**
- * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets, and plays its animations in step
- * with the scene's time. Geometries, materials and textures are those of the asset, however often it is placed.
+ * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets; an `Animation` plays its clips. Geometries, materials and textures are those of the asset, however often it is placed.
  */
 export class ModelRenderer extends component({
   model: asset('model', null, { help: 'The model that is drawn.' }),
@@ -37,12 +36,18 @@ export class ModelRenderer extends component({
     choices: 'animations',
     help: 'The clip that plays while the scene plays.',
     label: 'Clip',
+    deprecated: true,
   }),
-  animationSpeed: number(1, { step: 0.1, help: 'Factor of the speed; below 0 it runs backwards.', label: 'Speed' }),
+  animationSpeed: number(1, {
+    step: 0.1,
+    help: 'Factor of the speed; below 0 it runs backwards.',
+    label: 'Speed',
+    deprecated: true,
+  }),
 }) {
   static override readonly typeName: string = 'ModelRenderer';
   static override readonly unique: boolean = true;
-  static override readonly help: string = 'A whole model, such as a glTF, with its animations.';
+  static override readonly help: string = 'A whole model, such as a glTF; an Animation plays its clips.';
 
   private inUse: Model | null = null;
   private copies: ReadonlyMap<Object3D, Object3D> = new Map();

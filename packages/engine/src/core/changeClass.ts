@@ -36,9 +36,12 @@ export function changeClass(component: Component, type: ComponentClass, values: 
   scene.notify({ kind: 'component-class', gameObject, component });
 }
 
-/** Whether a field of a class can have a value. */
+/** Whether a field of a class can have a value. A part of a model may be named before the model is loaded. */
 export function fits(type: ComponentClass, name: string, value: FieldValue, scene: Scene | null): boolean {
   const field = Object.hasOwn(type.fields, name) ? type.fields[name] : undefined;
   if (!field || checkFieldValue(field, value) !== null) return false;
-  return !(field.kind === 'asset' && typeof value === 'string' && scene?.assets.problemWith(field.assetType, value));
+  if (field.kind !== 'asset' || typeof value !== 'string' || !scene) return true;
+  const { assets } = scene;
+  if (assets.has(value)) return assets.has(value, field.assetType);
+  return assets.list('model').some((model) => value.startsWith(`${model}/`));
 }

@@ -17,6 +17,8 @@ interface FieldBase {
   readonly visibleWhen?: FieldCondition;
   /** Title of the group of fields that it stands in; none when absent. */
   readonly group?: string;
+  /** Kept for older files: shown only where it is not the default. */
+  readonly deprecated?: boolean;
   /** Shown, but not to be edited by hand. */
   readonly readOnly?: boolean;
 }

@@ -196,6 +196,7 @@ export class Body implements BodyControl {
     this.turnBefore.copy(this.turnNow);
     this.rapier.translation(this.now);
     this.rapier.rotation(this.turnNow);
+    this.turnNow.normalize();
   }
 
   /** Moves the object to between the last two steps. @param share - 0 is the one before, 1 the last */

@@ -2,7 +2,6 @@ import type { ScriptAsset } from '../assets/ScriptAsset';
 import type { Component, ComponentClass, ComponentRegistry, Scene } from '../core/SceneGraph';
 import { UnknownComponent } from '../core/UnknownComponent';
 import type { CompiledScript, ScriptFunction, ScriptRunner } from './CompiledScript';
-import { compileScript } from './compileScript';
 import { KeptValues } from './KeptValues';
 import { asScriptError, type ScriptModule, ScriptModules } from './ScriptModules';
 import { ScriptError, type ScriptPlace } from './ScriptError';
@@ -15,8 +14,8 @@ export interface SceneScriptsOptions {
   readonly modules: Readonly<Record<string, object>>;
   /** Gets the function of a compiled script: `runInPage`, or what a test has. */
   readonly run: ScriptRunner;
-  /** `compileScript` when absent; a page with compiled scripts gives those. */
-  readonly compile?: (name: string, source: string) => Promise<CompiledScript | ScriptError>;
+  /** `compileScript`; a page with compiled scripts gives those. */
+  readonly compile: (name: string, source: string) => Promise<CompiledScript | ScriptError>;
   /** Whether scripts run; true when absent. */
   readonly isOn?: boolean;
 }
@@ -215,7 +214,7 @@ export class SceneScripts {
     entry.pending = source;
     let result: ScriptFunction | ScriptError;
     try {
-      const compiled = await (this.options.compile ?? compileScript)(name, source);
+      const compiled = await this.options.compile(name, source);
       result = compiled instanceof ScriptError ? compiled : await this.options.run(compiled);
     } catch (error) {
       result = asScriptError(error, name);

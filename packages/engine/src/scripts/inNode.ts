@@ -1,6 +1,7 @@
 import * as three from 'three';
 import * as engine from '../index';
 import * as fields from '../fields/index';
+import { compileScript } from './compileScript';
 import { takeGiven } from './runInPage';
 import { ScriptError } from './ScriptError';
 import type { SceneScriptsOptions } from './SceneScripts';
@@ -8,6 +9,7 @@ import type { SceneScriptsOptions } from './SceneScripts';
 /** What scripts get in tests, run in Node. */
 export const inNode: SceneScriptsOptions = {
   modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
+  compile: compileScript,
   run({ name, code }) {
     try {
       // oxlint-disable-next-line no-eval -- in the page it is a script element that runs it

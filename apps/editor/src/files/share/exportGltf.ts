@@ -17,7 +17,7 @@ interface Writer {
 }
 
 /**
- * The scene as a GLB: tree, meshes, materials, models, cameras and the lights that glTF knows. The page answers meanwhile.
+ * The scene as a GLB: tree, meshes, materials, models, clips, cameras and the lights that glTF knows. The page answers meanwhile.
  * @param webgl - reads textures that no canvas can: compressed ones, floats
  * @throws Error (as a rejection) naming the object and its texture when one cannot be read
  * @see glTF 2.0, KHR_lights_punctual
@@ -39,7 +39,8 @@ export async function exportGltf(scene: Scene, webgl: WebGLRenderer): Promise<Ex
         afterParse: () => writer.json.skins?.forEach((skin) => Reflect.deleteProperty(skin, 'skeleton')),
       };
     });
-    const options = { binary: true, onlyVisible: false, trs: true };
+    const animations = [...source.animations];
+    const options = { binary: true, onlyVisible: false, trs: true, animations };
     const glb = (await exporter.parseAsync(source.three, options)) as ArrayBuffer;
     return { blob: new Blob([glb], { type: 'model/gltf-binary' }), leftOut: source.leftOut.lines };
   } finally {

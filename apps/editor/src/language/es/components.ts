@@ -115,7 +115,6 @@ export const components: Texts = {
   'Vertex colours': 'Colores de vértice',
   'Multiply by the colours of the vertices.': 'Multiplicar por los colores de los vértices.',
   'Model Renderer': 'Dibujo de modelo',
-  'A whole model, such as a glTF, with its animations.': 'Un modelo entero, por ejemplo glTF, con sus animaciones.',
   Model: 'Modelo',
   'The model that is drawn.': 'El modelo que se dibuja.',
   Speed: 'Velocidad',

@@ -151,7 +151,6 @@ export const messages: Texts = {
     'Se omiten los componentes que glTF no conoce: {typeName}',
   'Meshes that are not loaded are left out': 'Se omiten las mallas sin cargar',
   'Models that are not loaded are left out': 'Se omiten los modelos sin cargar',
-  'Animations are left out': 'Se omiten las animaciones',
   'Lights from all sides are left out': 'Se omiten las luces de todas direcciones',
   'The environment is left out': 'Se omite el entorno',
   'The background is left out': 'Se omite el fondo',

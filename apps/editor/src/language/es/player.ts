@@ -6,6 +6,7 @@ export const player: Texts = {
   '… and {count} more': '… y {count} más',
   'This scene asks for files of other hosts, which would learn that you open it:':
     'Esta escena pide archivos de otros servidores, que sabrían que se abre:',
+  'Click for sound': 'Un clic para oír el sonido',
   'Load from these hosts': 'Cargar de estos servidores',
   'Open without them': 'Abrir sin ellos',
   'The link is damaged or cut short: copy all of it, to its last letter.':

@@ -11,6 +11,15 @@ export const samples: Texts = {
   'Variance (VSM)': 'Varianza (VSM)',
   Softness: 'Suavidad',
   'Factor of the softness of every light’s shadows.': 'Factor de la suavidad de las sombras de todas las luces.',
+  'Night in the temple': 'Noche en el templo',
+  'Play, then walk up the steps. The door opens when you come near; push the crates.':
+    'Reproduce y sube los escalones. La puerta se abre al acercarse; empuja las cajas.',
+  'A fairground of clips. Open the Timeline, move keys of “Arm reaches”, and play.':
+    'Una feria de clips. Abre la línea de tiempo, mueve claves de «Arm reaches» y reproduce.',
+  'Play: a ball on a chain knocks down a wall. Change masses, joints and bounciness.':
+    'Reproduce: una bola con cadena derriba un muro. Cambia masas, articulaciones y rebote.',
+  'Play, then edit “Wave” in the Scripts panel: it changes while it runs. F stops the fountain.':
+    'Reproduce y edita «Wave» en el panel Scripts: cambia mientras funciona. F detiene la fuente.',
   Prefabs: 'Prefabs',
   'A street of lamps and benches. Change one lamp, then “Apply all to prefab”.':
     'Una calle de farolas y bancos. Cambia una farola y luego «Aplicar todo al prefab».',

@@ -83,4 +83,12 @@ export const triggers: Texts = {
   'Only once': 'Solo una vez',
   'Whether only the first event counts.': 'Si solo cuenta el primer suceso.',
   'This object': 'Este objeto',
+  'Press the key; Escape leaves it': 'Pulsa la tecla; Escape la deja como está',
+  'Press the key for {label}': 'Pulsar la tecla para {label}',
+  'Press…': 'Pulsa…',
+  'No key': 'Ninguna tecla',
+  "'{name}' cannot be played: {reason}": '«{name}» no se puede reproducir: {reason}',
+  'Pause {name}': 'Pausar {name}',
+  'Play {name}': 'Reproducir {name}',
+  'Mute sound': 'Silenciar el sonido',
 };

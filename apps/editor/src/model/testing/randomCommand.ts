@@ -26,9 +26,11 @@ import { groupObjects, ungroupObjects } from '../groupObjects';
 import { below, objectsOf, pick, type Random } from './random';
 import { randomArrangement } from './randomArrangement';
 import { randomAssetCommand } from './randomAssetCommand';
+import { randomClipCommand } from './randomClipCommand';
 import { randomEdit } from './randomEdit';
 import { randomMaterialCommand } from './randomMaterialCommand';
 import { randomPrefabCommand } from './randomPrefabCommand';
+import { randomScriptCommand } from './randomScriptCommand';
 import { randomViewCommand } from './randomViewCommand';
 
 /** Some objects, often nested ones. */
@@ -52,7 +54,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 33);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 36);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -134,11 +136,19 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomArrangement(random, scene, some(random, all).slice(0, 2));
     case 30:
       return randomViewCommand(random, document);
-    case 32: {
+    case 34: {
       const kinds: readonly PhysicsKind[] = ['dynamic', 'kinematic', 'fixed', 'character'];
       return addPhysics(scene, some(random, all), pick(random, kinds));
     }
-    default:
-      return randomEdit(random, document, pick(random, pick(random, all).components));
+    case 31:
+    case 32:
+      return randomScriptCommand(random, document, some(random, all));
+    case 33:
+      return randomClipCommand(random, document, pick(random, all));
+    default: {
+      // components of scripts that do not run have no fields
+      const owners = pick(random, all).components.filter(({ fields }) => Object.keys(fields).length > 0);
+      return randomEdit(random, document, pick(random, owners));
+    }
   }
 }

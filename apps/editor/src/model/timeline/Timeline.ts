@@ -273,11 +273,20 @@ export class Timeline implements EditRecorder {
   begin(): (command: Command) => Command {
     const { clip, root, data, duration, seconds: time } = this;
     if (!clip || !root) return (command) => command;
-    if (this.records) return (command) => recordEdit(command, { clip, root, data, duration, time });
     return (command) => {
-      if (this.previews && this.isOfTrack(command, root)) this.endPreview();
+      // what moves objects in the tree reads where they are
+      if (!(command instanceof SetFields)) this.interrupt();
+      else if (this.records) return recordEdit(command, { clip, root, data, duration, time });
+      else if (this.previews && this.isOfTrack(command, root)) this.endPreview();
       return command;
     };
+  }
+
+  /** Shows what was authored for as long as the code runs that asks for it. */
+  interrupt(): void {
+    this.preview?.end();
+    this.preview = null;
+    this.edited();
   }
 
   private isOfTrack(command: Command, root: GameObject): boolean {

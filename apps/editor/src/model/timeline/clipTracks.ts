@@ -13,8 +13,17 @@ export const isSameTime = (a: number, b: number): boolean => Math.abs(a - b) < S
 /** Names a track within its clip. */
 export const trackId = ({ path, component, field }: TrackAddress): string => `${path}\n${component}\n${field}`;
 
+/** The place of a time: the same for times that are the same. */
+export const keyPlace = (time: number): number => Math.round(time / SAME_TIME);
+
 /** Names a key within its clip, as long as it stays at its time. @param track - `trackId` of its track */
-export const keyId = (track: string, time: number): string => `${track}\n${Math.round(time / SAME_TIME)}`;
+export const keyId = (track: string, time: number): string => `${track}\n${keyPlace(time)}`;
+
+/** The track and the place that a key is named by. */
+export function splitKeyId(id: string): [track: string, place: number] {
+  const at = id.lastIndexOf('\n');
+  return [id.slice(0, at), Number(id.slice(at + 1))];
+}
 
 /** A time with the digits that are kept in the text of a clip. */
 export const roundTime = (time: number): number => Number(time.toPrecision(9));

@@ -1,6 +1,6 @@
 import type { ClipData, ClipKey } from '@farol/engine';
-import { findTrack, isSameTime, keyId, roundTime, type TrackAddress, trackId } from './clipTracks';
-import { type KeyEdit, type KeySelection, rangeOfKeys, selectedIn } from './editKeys';
+import { findTrack, keyId, roundTime, type TrackAddress, trackId } from './clipTracks';
+import { insertKeys, type KeyEdit, type KeySelection, rangeOfKeys, selectedIn } from './editKeys';
 
 /** Keys that were copied: their times are from the first one on. */
 export interface CopiedKeys {
@@ -47,8 +47,7 @@ export function pasteKeys(data: ClipData, copied: CopiedKeys, time: number, onto
     const track = findTrack({ ...data, tracks }, address);
     if (!track) tracks = [...tracks, { ...address, keys: pasted }];
     else {
-      const staying = track.keys.filter((key) => !pasted.some((other) => isSameTime(other.time, key.time)));
-      const changed = { ...track, keys: [...staying, ...pasted].toSorted((a, b) => a.time - b.time) };
+      const changed = { ...track, keys: insertKeys(track.keys, pasted) };
       tracks = tracks.map((each) => (each === track ? changed : each));
     }
   }

@@ -13,7 +13,10 @@ export const namedCurves = {
   easeInOut: [0.42, 0, 0.58, 1],
 } as const satisfies Record<string, CurveControl>;
 
-const PRECISION = 1e-9;
+/** Parts of a curve that are smaller than this have no shape. */
+const SMALLEST = 1e-9;
+/** Halvings after which a number between 0 and 1 is exact. */
+const HALVINGS = 52;
 
 /** A coordinate of the curve at its parameter u, from 0 to 1. */
 const coordinate = (u: number, first: number, second: number): number =>
@@ -22,7 +25,7 @@ const coordinate = (u: number, first: number, second: number): number =>
 /** The parameter where the share of the time is `share`, from 0 to 1; found by halving, since x only grows. */
 function parameterAt(share: number, [x1, , x2]: CurveControl): number {
   let [low, high] = [0, 1];
-  while (high - low > PRECISION) {
+  for (let i = 0; i < HALVINGS; i++) {
     const middle = (low + high) / 2;
     if (coordinate(middle, x1, x2) < share) low = middle;
     else high = middle;
@@ -40,7 +43,8 @@ const mix = (a: number, b: number, t: number): number => a + (b - a) * t;
  * Splits a curve in two that together are the same curve.
  * @param share - of the time, above 0 and below 1
  * @returns the share of the way there, and the control points of both parts in their own shares. A part that begins and ends
- *   at the same share of the way has no shares: it becomes straight.
+ *   at the same share of the way has no shares: it becomes straight. A handle that would go beyond its part in time, as of
+ *   curves that are steep in the middle, ends there.
  */
 export function splitCurve(
   share: number,
@@ -59,7 +63,7 @@ export function splitCurve(
   const [ya, yb, way, yc, yd] = halves(y1, y2);
   const limit = (value: number): number => Math.min(Math.max(value, 0), 1);
   const part = (xs: readonly number[], ys: readonly number[], [x0, y0]: number[], [x3, y3]: number[]): CurveControl => {
-    if (Math.abs(y3 - y0) < PRECISION || x3 - x0 < PRECISION) return STRAIGHT;
+    if (Math.abs(y3 - y0) < SMALLEST || x3 - x0 < SMALLEST) return STRAIGHT;
     const inX = (value: number): number => limit((value - x0) / (x3 - x0));
     const inY = (value: number): number => (value - y0) / (y3 - y0);
     return [inX(xs[0]), inY(ys[0]), inX(xs[1]), inY(ys[1])];

@@ -6,7 +6,9 @@ import {
   isSameTime,
   keyBefore,
   keyId,
+  keyPlace,
   roundTime,
+  splitKeyId,
   type TrackAddress,
   trackId,
   valueAt,
@@ -40,10 +42,29 @@ function makeKey(time: number, value: FieldValue, easing: Easing | undefined, co
   return easing === 'bezier' && control ? { ...key, easing, control } : { ...key, easing };
 }
 
+/** The places in time of the selected keys, by track: read of the ids once for each selection. */
+const placesByTrack = new WeakMap<KeySelection, ReadonlyMap<string, ReadonlySet<number>>>();
+
+function placesOf(selected: KeySelection): ReadonlyMap<string, ReadonlySet<number>> {
+  const known = placesByTrack.get(selected);
+  if (known) return known;
+  const places = new Map<string, Set<number>>();
+  for (const id of selected) {
+    const [track, place] = splitKeyId(id);
+    const ofTrack = places.get(track);
+    if (ofTrack) ofTrack.add(place);
+    else places.set(track, new Set([place]));
+  }
+  placesByTrack.set(selected, places);
+  return places;
+}
+
+const none = (): boolean => false;
+
 /** Tells of each key of a track whether it is selected. */
 export function selectedIn(selected: KeySelection, track: TrackAddress): (key: ClipKey) => boolean {
-  const id = trackId(track);
-  return ({ time }) => selected.has(keyId(id, time));
+  const places = selected.size === 0 ? undefined : placesOf(selected).get(trackId(track));
+  return places ? ({ time }) => places.has(keyPlace(time)) : none;
 }
 
 /** Calls `visit` with each selected key. */
@@ -55,6 +76,7 @@ export function eachSelected(
   if (selected.size === 0) return;
   for (const track of tracks) {
     const isSelected = selectedIn(selected, track);
+    if (isSelected === none) continue;
     track.keys.forEach((key, i) => {
       if (isSelected(key)) visit(key, track, i);
     });
@@ -85,10 +107,9 @@ export const keptSelection = (data: ClipData, selected: KeySelection): KeySelect
   new Set(selectedKeys(data, selected).map(({ key, track }) => keyId(trackId(track), key.time)));
 
 /** Puts keys into a track's: those that are at the same time give way. @param added - in any order, the last one of a time counts */
-function insertAll(keys: readonly ClipKey[], added: readonly ClipKey[]): ClipKey[] {
-  const others = keys.filter(({ time }) => !added.some((key) => isSameTime(key.time, time)));
-  const last = added.filter((key, i) => !added.some((other, j) => j > i && isSameTime(key.time, other.time)));
-  return [...others, ...last].toSorted(inOrder);
+export function insertKeys(keys: readonly ClipKey[], added: readonly ClipKey[]): ClipKey[] {
+  const byPlace = new Map(added.map((key) => [keyPlace(key.time), key]));
+  return [...keys.filter(({ time }) => !byPlace.has(keyPlace(time))), ...byPlace.values()].toSorted(inOrder);
 }
 
 /** Keys with one more, the curve before and after it as it was where the value is that of the curve. */
@@ -152,6 +173,7 @@ export function retargetTrack(data: ClipData, from: TrackAddress, to: TrackAddre
 export function deleteKeys(data: ClipData, selected: KeySelection): ClipData {
   const tracks = data.tracks.flatMap((track) => {
     const isSelected = selectedIn(selected, track);
+    if (isSelected === none) return track;
     const keys = track.keys.filter((key) => !isSelected(key));
     if (keys.length === track.keys.length) return track;
     return keys.length === 0 ? [] : { ...track, keys };
@@ -164,12 +186,13 @@ export function retimeKeys(data: ClipData, selected: KeySelection, timeOf: (time
   const next = new Set<string>();
   const tracks = data.tracks.map((track) => {
     const isSelected = selectedIn(selected, track);
+    if (isSelected === none) return track;
     const moved = track.keys.filter(isSelected).map((key) => ({ ...key, time: roundTime(timeOf(key.time)) }));
     if (moved.length === 0) return track;
     const staying = track.keys.filter((key) => !isSelected(key));
     const id = trackId(track);
     for (const { time } of moved) next.add(keyId(id, time));
-    return { ...track, keys: insertAll(staying, moved) };
+    return { ...track, keys: insertKeys(staying, moved) };
   });
   return { data: withTracks(data, tracks), selected: next };
 }

@@ -8,6 +8,7 @@ import { foldersOf } from '../../model/assetEdits';
 import { splitName } from '../../model/assetNames';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { LateSoundButton } from '../../ui/LateSoundButton';
 import { LateItems, MenuButton } from '../../ui/MenuButton';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
 import { AssetCard } from './AssetCard';
@@ -159,6 +160,7 @@ export function AssetsPanel(): ReactNode {
                   onSelect={select}
                   onPlace={place}
                 />
+                {entry.kind === 'sound' && <LateSoundButton name={entry.name} />}
               </li>
             ))}
           </ul>

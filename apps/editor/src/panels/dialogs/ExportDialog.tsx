@@ -19,8 +19,10 @@ async function saveHtml({ document, notices }: EditorApi): Promise<readonly stri
   return [];
 }
 
-async function saveGltf({ document, notices, viewport }: EditorApi): Promise<readonly string[]> {
+async function saveGltf({ document, notices, viewport, timeline }: EditorApi): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.glb`;
+  // a preview of a clip is no part of the scene
+  timeline?.endPreview();
   const { blob, leftOut } = await exportGltf(document.scene, viewport.webgl);
   await download(blob, fileName, t('glTF binary'));
   notices.show('info', t('Exported {fileName}', { fileName }));

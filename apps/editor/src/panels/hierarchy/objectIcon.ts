@@ -1,4 +1,4 @@
-import { Camera, Decal, type GameObject, Light, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { AudioSource, Camera, Decal, type GameObject, Light, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import { isInstanceRoot } from '@farol/engine/prefabs';
 import type { IconName } from '../../style/iconPaths';
 
@@ -10,5 +10,6 @@ export function objectIcon(object: GameObject): IconName {
   if (object.getComponent(Camera)) return 'camera';
   if (object.getComponent(ObjectRenderer) || object.getComponent(ModelRenderer)) return 'mesh';
   if (object.getComponent(Decal)) return 'decal';
+  if (object.getComponent(AudioSource)) return 'sound';
   return object.children.length > 0 ? 'folder' : 'object';
 }

@@ -9,6 +9,7 @@ import { MenuButton } from '../../ui/MenuButton';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { Toggle } from '../../ui/Toggle';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { AnimationBar } from './AnimationBar';
 import { componentEntries } from './componentEntries';
 import { componentIcon, wordsOf } from './componentIcons';
 import { FieldList } from './FieldList';
@@ -73,6 +74,7 @@ export function ComponentSection(props: { components: readonly Component[] }): R
     >
       <FieldList owners={components} />
       {typeName === 'ModelRenderer' && <ModelBar components={components} />}
+      {typeName === 'Animation' && <AnimationBar components={components} />}
       {typeName === 'ObjectRenderer' && <MaterialPreview components={components} />}
     </Section>
   );

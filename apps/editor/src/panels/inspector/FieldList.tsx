@@ -1,6 +1,7 @@
 import { sharedValue } from '@farol/editing';
 import { type Field, type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
 import type { ReactElement, ReactNode } from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { FieldGroup } from './FieldGroup';
 import { FieldRow } from './FieldRow';
@@ -20,16 +21,22 @@ interface FieldListProps {
   readonly names?: readonly string[];
 }
 
+const isDefault = (owner: FieldOwner, name: string): boolean =>
+  sameValue(owner.getAuthored(name), owner.fields[name].default);
+
 /** The fields of a component, or of several of one type, that matter at present. */
 export function FieldList({ owners, names }: FieldListProps): ReactNode {
+  const { document, commands } = useEditor();
   useOwnersRevision(owners);
+  useSignal(document.previewed);
   const places = useLiveTexts(owners.length === 1 ? owners[0] : null);
   const [owner] = owners;
   const rows = (names ?? Object.keys(owner.fields))
     .filter((name) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
+    .filter((name) => !owner.fields[name].deprecated || owners.some((each) => !isDefault(each, name)))
     .map((name) => {
       const field = owner.fields[name];
-      const { value, mixed, parts } = sharedValue(owners.map((each) => each.getAuthored(name)));
+      const { value, mixed, parts } = sharedValue(owners.map((each) => commands.valueOf(each, name)));
       return (
         <FieldRow
           key={name}

@@ -37,6 +37,9 @@ function keyOf(component: Component): number {
   return key;
 }
 
+/** What every object has, and what only older files have: an Animation does what an Animator did. */
+const notAdded: ReadonlySet<string> = new Set(['Transform', 'Animator']);
+
 /** The selected GameObjects: name, whether they are active, and their components. @param props.ids - at least one */
 export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: readonly string[] }): ReactNode {
   const editor = useEditor();
@@ -56,7 +59,7 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
   const types = document.scene.registry.types;
   const items = (): SearchMenuItem[] => [
     ...[...types.values()]
-      .filter(({ typeName }) => typeName !== 'Transform')
+      .filter(({ typeName }) => !notAdded.has(typeName))
       .map((type) => ({
         value: type.typeName,
         label: wordsOf(type.typeName),

@@ -4,6 +4,7 @@ const icons: Readonly<Record<string, IconName>> = {
   Transform: 'transform',
   ObjectRenderer: 'mesh',
   ModelRenderer: 'mesh',
+  Animation: 'animation',
   Animator: 'play',
   Light: 'point',
   Camera: 'camera',

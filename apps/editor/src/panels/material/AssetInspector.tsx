@@ -5,8 +5,9 @@ import { renameAnyAsset } from '../../model/scriptEdits';
 import { assetEntry } from '../../files/assetKinds';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { LateSoundButton } from '../../ui/LateSoundButton';
 import { TextInput } from '../../ui/TextInput';
-import { Thumbnail } from '../../ui/Thumbnail';
+import { assetIcons, Thumbnail } from '../../ui/Thumbnail';
 import { AssetFacts } from './AssetFacts';
 import { MaterialInspector } from './MaterialInspector';
 import { ScriptAssetBar } from './ScriptAssetBar';
@@ -37,7 +38,7 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
   return (
     <>
       <div className="object-header">
-        <Icon name={isScript ? 'code' : material ? 'contrast' : 'mesh'} />
+        <Icon name={assetIcons[entry.kind]} />
         {canRename(assets, name) ? (
           <TextInput value={leaf} label={t('Name of the asset')} onCommit={rename} />
         ) : (
@@ -59,6 +60,7 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
         <>
           <div className="asset-large">
             <Thumbnail entry={entry} />
+            {entry.kind === 'sound' && <LateSoundButton name={name} />}
           </div>
           <AssetFacts entry={entry} />
         </>

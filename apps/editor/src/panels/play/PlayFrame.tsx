@@ -4,6 +4,7 @@ import { play } from '../../actions/play';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { keyText } from '../../ui/keyText';
+import { useSoundWaits } from '../../ui/useAudioOutput';
 import { useKeyBindings } from '../../ui/useKeyBindings';
 import './playFrame.css';
 
@@ -12,6 +13,7 @@ export function PlayFrame(): ReactNode {
   const { simulation } = useEditor().document;
   useSignal(simulation.changed);
   const key = useKeyBindings().keysOf(play).at(0);
+  const soundWaits = useSoundWaits();
   const { state } = simulation;
   if (state === 'stopped') return null;
   const keys = key ? keyText(key) : t('The stop button');
@@ -25,6 +27,7 @@ export function PlayFrame(): ReactNode {
             ? t('{keys} stops and puts everything back', { keys })
             : t('Stop puts everything back; {keys} plays on', { keys })}
         </span>
+        {soundWaits && <span>{t('Click for sound')}</span>}
       </p>
     </div>
   );

@@ -103,7 +103,7 @@ export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
       />
       <div className="button-group" role="group" aria-label={t('What is shown')}>
         <Tool
-          label={t('Keys')}
+          label={t('Dope sheet')}
           icon="timeline"
           pressed={view.mode === 'keys'}
           disabled={isNone}

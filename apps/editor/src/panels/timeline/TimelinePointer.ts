@@ -3,7 +3,7 @@ import { moveEvents } from '../../model/timeline/editEvents';
 import { type KeySelection, moveKeys, rangeOfKeys, scaleKeys, selectedKeys } from '../../model/timeline/editKeys';
 import type { ClipGesture, Timeline } from '../../model/timeline/Timeline';
 import { addEventAt, addKeyOnCurve, movedLabel, scaledLabel } from '../../model/timeline/timelineEdits';
-import { marksOfRow, selectionBar } from './drawTimeline';
+import { GRIP, marksOfRow, selectionBar } from './drawTimeline';
 import {
   dragCurveKey,
   dragHandle,
@@ -142,11 +142,16 @@ export class TimelinePointer {
     if (y < RULER) return this.isAtEnd(x, reach) ? this.dragDuration() : this.scrub(x, event);
     if (y < HEADER) {
       const bar = selectionBar(view);
-      if (bar && Math.abs(x - (bar.x1 + 6)) <= reach) return this.scale(true);
-      if (bar && Math.abs(x - (bar.x0 - 6)) <= reach) return this.scale(false);
-      const drag = this.dragMarks(marksOfTracks(timeline.data.tracks), x, reach, event);
+      const marks = marksOfTracks(timeline.data.tracks);
+      const mark = markNear(marks, view.time(x), reach / view.scale);
+      /** How far the pointer is from a place of the line (CSS pixels). */
+      const far = (at: number): number => Math.abs(x - at);
+      const toMark = mark < 0 ? Infinity : far(view.x(marks.times[mark]));
+      if (bar && far(bar.x1 + GRIP) <= Math.min(reach, toMark)) return this.scale(true, x);
+      if (bar && far(bar.x0 - GRIP) <= Math.min(reach, toMark)) return this.scale(false, x);
+      const drag = this.dragMarks(marks, x, reach, event);
       if (drag) return drag;
-      if (bar && x > bar.x0 && x < bar.x1) return this.moveSelected(view.time(x));
+      if (bar && x > bar.x0 && x < bar.x1) return this.moveSelected(view.time(x), x);
       return this.boxOrPan(x, y, event);
     }
     if (view.mode === 'curves') {
@@ -215,21 +220,19 @@ export class TimelinePointer {
     if (at < 0) return null;
     const ids = marks.ids[at];
     this.choose(ids, event);
-    return { ...this.moveSelected(marks.times[at]), click: () => this.chooseAlone(ids, event) };
+    return { ...this.moveSelected(marks.times[at], x), click: () => this.chooseAlone(ids, event) };
   }
 
-  /** Moves what is selected. @param anchor - the time that snaps to frames */
-  private moveSelected(anchor: number): SheetDrag {
+  /** Moves what is selected. @param anchor - the time that snaps to frames @param from - where it was pressed */
+  private moveSelected(anchor: number, from: number): SheetDrag {
     const { view, timeline } = this;
     let gesture: ClipGesture | null = null;
-    let grabbed: number | null = null;
     const { keys } = timeline.selection;
     return {
       begin: () => (gesture = timeline.beginEdit()),
       move: (x, _, event) => {
-        grabbed ??= x;
         if (!gesture) return;
-        const time = anchor + (x - grabbed) / view.scale;
+        const time = anchor + (x - from) / view.scale;
         const by = (event.altKey ? time : timeline.snap(time)) - anchor;
         gesture.preview(movedLabel(timeline, keys.size), moveKeys(gesture.data, keys, by));
       },
@@ -237,21 +240,19 @@ export class TimelinePointer {
     };
   }
 
-  /** Stretches the selected keys. @param isEnd - by the last one, about the first; else the other way round */
-  private scale(isEnd: boolean): SheetDrag | null {
+  /** Stretches the selected keys. @param isEnd - by the last one, about the first; else the other way round @param from - where it was pressed */
+  private scale(isEnd: boolean, from: number): SheetDrag | null {
     const { view, timeline } = this;
     const { keys } = timeline.selection;
     const range = rangeOfKeys(timeline.data, keys);
     if (!range) return null;
     const [pivot, dragged] = isEnd ? [range.first, range.last] : [range.last, range.first];
     let gesture: ClipGesture | null = null;
-    let grabbed: number | null = null;
     return {
       begin: () => (gesture = timeline.beginEdit()),
       move: (x, _, event) => {
-        grabbed ??= x;
         if (!gesture) return;
-        const factor = Math.max((dragged + (x - grabbed) / view.scale - pivot) / (dragged - pivot), 0);
+        const factor = Math.max((dragged + (x - from) / view.scale - pivot) / (dragged - pivot), 0);
         const snap = event.altKey ? undefined : timeline.snap;
         gesture.preview(scaledLabel(timeline, keys.size), scaleKeys(gesture.data, keys, pivot, factor, snap));
       },

@@ -49,7 +49,7 @@ export function TimelineSheet({ view, height, scroller }: TimelineSheetProps): R
         className="timeline-keys"
         role="application"
         tabIndex={0}
-        aria-label={view.mode === 'curves' ? t('Curves') : t('Keys')}
+        aria-label={view.mode === 'curves' ? t('Curves') : t('Dope sheet')}
         aria-describedby={helpId}
       />
       <p id={helpId} className="hidden-text">

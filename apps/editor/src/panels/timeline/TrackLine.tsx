@@ -26,7 +26,7 @@ function valueText(value: FieldValue, field: Field | null, channel: number | nul
   const text = (number: number): string => formatNumber(isAngle ? toDegrees(number) : number, 'short');
   if (typeof value === 'number') return text(value);
   if (isTriple(value)) return channel === null ? value.map((each) => text(each)).join('  ') : text(value[channel]);
-  return typeof value === 'boolean' ? (value ? t('On') : t('Off')) : String(value);
+  return typeof value === 'boolean' ? (value ? t('On ## a flag') : t('Off ## a flag')) : String(value);
 }
 
 /** The value of a track at the playhead. */

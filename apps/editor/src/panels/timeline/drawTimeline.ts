@@ -9,6 +9,9 @@ import { HEADER, RULER, SUMMARY, type TimelineView } from './TimelineView';
 /** Half of the width of a key (CSS pixels). */
 export const KEY = 5;
 
+/** How far beyond the selected keys the ends of their bar are, by which they are scaled (CSS pixels). */
+export const GRIP = 9;
+
 type Context = CanvasRenderingContext2D;
 
 /** The marks of a line; null for one that has other ones, or none. */
@@ -62,9 +65,14 @@ function drawMarks(
   context.stroke();
 }
 
-function drawRow(context: Context, view: TimelineView, colours: TimelineColours, row: TimelineRow, top: number): void {
+function drawRowGround(
+  context: Context,
+  view: TimelineView,
+  colours: TimelineColours,
+  row: TimelineRow,
+  top: number,
+): void {
   const { width, rowHeight } = view;
-  const y = top + rowHeight / 2;
   if (row.kind === 'group' || row.kind === 'events') {
     context.fillStyle = colours.strip;
     context.fillRect(0, top, width, rowHeight);
@@ -75,6 +83,10 @@ function drawRow(context: Context, view: TimelineView, colours: TimelineColours,
   }
   context.fillStyle = colours.line;
   context.fillRect(0, top + rowHeight - 1, width, 1);
+}
+
+function drawRow(context: Context, view: TimelineView, colours: TimelineColours, row: TimelineRow, top: number): void {
+  const y = top + view.rowHeight / 2;
   if (row.kind === 'events') {
     drawEvents(context, view, colours, y);
     return;
@@ -137,8 +149,8 @@ function drawHeader(context: Context, view: TimelineView, colours: TimelineColou
     context.fillStyle = colours.selected;
     context.fillRect(bar.x0, top, bar.x1 - bar.x0, tall);
     context.fillStyle = colours.accent;
-    context.fillRect(bar.x0 - 8, top, 3, tall);
-    context.fillRect(bar.x1 + 5, top, 3, tall);
+    context.fillRect(bar.x0 - GRIP - 1.5, top, 3, tall);
+    context.fillRect(bar.x1 + GRIP - 1.5, top, 3, tall);
   }
   drawMarks(context, view, colours, marksOfTracks(timeline.data.tracks), RULER + SUMMARY / 2, colours.dim);
   context.fillStyle = colours.lineStrong;
@@ -156,7 +168,7 @@ function drawHeader(context: Context, view: TimelineView, colours: TimelineColou
   context.fillRect(0, RULER, width, 1);
 }
 
-/** Lines of the ruler through what is below it, and what is beyond the end. */
+/** Lines of the ruler through what is below it. */
 function drawGround(context: Context, view: TimelineView, colours: TimelineColours): void {
   const { timeline, width, height } = view;
   context.fillStyle = colours.panel;
@@ -168,7 +180,8 @@ function drawGround(context: Context, view: TimelineView, colours: TimelineColou
   }
 }
 
-function drawEnd(context: Context, view: TimelineView, colours: TimelineColours): void {
+/** Darkens what is before the beginning and beyond the end. */
+function drawOutside(context: Context, view: TimelineView, colours: TimelineColours): void {
   const { width, height, timeline } = view;
   const end = view.x(timeline.duration);
   const zero = view.x(0);
@@ -178,7 +191,11 @@ function drawEnd(context: Context, view: TimelineView, colours: TimelineColours)
   if (zero > 0) context.fillRect(0, HEADER, zero, height - HEADER);
   context.globalAlpha = 1;
   context.fillStyle = colours.lineStrong;
-  context.fillRect(Math.round(end), RULER, 1, height - RULER);
+  context.fillRect(Math.round(end), HEADER, 1, height - HEADER);
+}
+
+function drawEnd(context: Context, view: TimelineView, colours: TimelineColours): void {
+  const end = view.x(view.timeline.duration);
   // the handle of the duration
   context.beginPath();
   context.moveTo(end - 1, 2);
@@ -219,11 +236,15 @@ export function drawTimeline(canvas: HTMLCanvasElement, view: TimelineView, colo
   context.beginPath();
   context.rect(0, HEADER, width, height - HEADER);
   context.clip();
-  if (view.mode === 'curves') drawCurves(context, view, colours);
-  else {
+  if (view.mode === 'curves') {
+    drawOutside(context, view, colours);
+    drawCurves(context, view, colours);
+  } else {
     const first = Math.max(Math.floor(view.scrollTop / view.rowHeight), 0);
-    for (let i = first; i < view.rows.length && view.rowTop(i) < height; i++)
-      drawRow(context, view, colours, view.rows[i], view.rowTop(i));
+    const end = Math.min(Math.ceil((view.scrollTop + height - HEADER) / view.rowHeight), view.rows.length);
+    for (let i = first; i < end; i++) drawRowGround(context, view, colours, view.rows[i], view.rowTop(i));
+    drawOutside(context, view, colours);
+    for (let i = first; i < end; i++) drawRow(context, view, colours, view.rows[i], view.rowTop(i));
   }
   context.restore();
   drawHeader(context, view, colours);

@@ -1,6 +1,17 @@
 import { t } from '@farol/editing';
-import { Camera, type GameObject, Light, ModelRenderer, ObjectRenderer, type Scene, Transform } from '@farol/engine';
 import {
+  Animation,
+  Animator,
+  Camera,
+  type GameObject,
+  Light,
+  ModelRenderer,
+  ObjectRenderer,
+  type Scene,
+  Transform,
+} from '@farol/engine';
+import {
+  type AnimationClip,
   type BufferGeometry,
   type Material,
   Mesh,
@@ -12,6 +23,7 @@ import {
 } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { breathe } from './breathe';
+import { gltfAnimations } from './gltfAnimations';
 import { gltfGeometry } from './gltfGeometry';
 import { gltfLight, whatIsLost } from './gltfLight';
 import { GltfMaterials } from './GltfMaterials';
@@ -23,9 +35,13 @@ type Drawn = Mesh<BufferGeometry, Material | Material[]>;
 export class GltfScene {
   readonly three = new ThreeScene();
   readonly leftOut = new LeftOut();
+  /** Its clips, with tracks that name nodes of `three` by their uuid. */
+  animations: readonly AnimationClip[] = [];
   private readonly materials: GltfMaterials;
   private readonly geometries = new Map<string, BufferGeometry | null>();
   private readonly skinned: Object3D[] = [];
+  /** What was made of objects, and of nodes of models that are drawn. */
+  private readonly nodes = new Map<GameObject | Object3D, Object3D>();
   private readonly endings: (() => void)[] = [];
 
   private constructor(
@@ -41,6 +57,7 @@ export class GltfScene {
     const made = new GltfScene(scene, webgl);
     try {
       for (const root of scene.roots) await made.addObject(root, made.three);
+      made.animations = gltfAnimations(scene, made.nodes, made.leftOut);
       made.freeSkins();
       made.noteSurroundings();
       return made;
@@ -69,7 +86,7 @@ export class GltfScene {
       else if (component instanceof ModelRenderer) part = await this.modelOf(component);
       else if (component instanceof Light) part = this.lightOf(component);
       else if (component instanceof Camera) part = component.three.clone();
-      else
+      else if (!(component instanceof Animation || component instanceof Animator))
         this.leftOut.add(
           t('Components that glTF does not know are left out: {typeName}', { typeName: component.typeName }),
           component,
@@ -80,6 +97,7 @@ export class GltfScene {
     const node = isAlone ? parts[0] : new Object3D();
     if (!isAlone && parts.length > 0) node.add(...parts);
     node.name = object.name;
+    this.nodes.set(object, node);
     const { position, quaternion, scale } = object.object3D;
     node.position.copy(position);
     node.quaternion.copy(quaternion);
@@ -119,22 +137,29 @@ export class GltfScene {
       this.leftOut.add(t('Models that are not loaded are left out'), model);
       return null;
     }
-    if (model.animations.length > 0) this.leftOut.add(t('Animations are left out'), model.model);
     const copy = clone(three);
     const parts: Object3D[] = [];
+    const sources: Object3D[] = [];
     copy.traverse((part) => parts.push(part));
-    for (const part of parts) {
+    three.traverse((part) => sources.push(part));
+    for (const [i, part] of parts.entries()) {
       await breathe();
       part.userData = {};
-      if ('isLight' in part) this.replaceLight(part as never);
-      else if ('geometry' in part && !(await this.convert(part as Drawn, `'${gameObject.name}'`)))
+      this.nodes.set(sources[i], part);
+      if ('isLight' in part) {
+        const light = this.replaceLight(part as never);
+        if (light) this.nodes.set(sources[i], light);
+        else this.nodes.delete(sources[i]);
+      } else if ('geometry' in part && !(await this.convert(part as Drawn, `'${gameObject.name}'`))) {
         part.removeFromParent();
+        this.nodes.delete(sources[i]);
+      }
       if ('isSkinnedMesh' in part) this.skinned.push(part);
     }
     return copy;
   }
 
-  private replaceLight(source: Parameters<typeof gltfLight>[0]): void {
+  private replaceLight(source: Parameters<typeof gltfLight>[0]): Object3D | null {
     const { parent } = source;
     const copy = gltfLight(source, null);
     if (!copy) this.leftOut.add(t('Lights from all sides are left out'), source);
@@ -145,6 +170,7 @@ export class GltfScene {
       parent?.add(copy);
     }
     source.removeFromParent();
+    return copy;
   }
 
   private lightOf(light: Light): Object3D | null {

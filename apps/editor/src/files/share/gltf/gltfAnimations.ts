@@ -1,0 +1,130 @@
+import { t } from '@farol/editing';
+import {
+  Animation,
+  type ClipAsset,
+  type ClipKey,
+  type ClipTrack,
+  type GameObject,
+  modelBelow,
+  type ModelClip,
+  ModelRenderer,
+  objectsByName,
+  type Scene,
+  targetOfTrack,
+  trackTarget,
+  Transform,
+} from '@farol/engine';
+import type { EulerField, Vector3Field } from '@farol/engine/fields';
+import { AnimationClip, type KeyframeTrack, type Object3D } from 'three';
+import { splitName } from '../../../model/assetNames';
+import { gltfTrack } from './gltfTrack';
+import type { LeftOut } from './LeftOut';
+
+/** What stands for an object of the scene, or for a node of a model that is drawn, in what is exported. */
+export type ExportedNodes = ReadonlyMap<GameObject | Object3D, Object3D>;
+
+const properties: Readonly<Record<string, string>> = { position: 'position', rotation: 'quaternion', scale: 'scale' };
+
+/**
+ * The clips of a scene as three's, for GLTFExporter: those that Animations play, and all clips of the models that are drawn or
+ * whose objects are there.
+ */
+export function gltfAnimations(scene: Scene, nodes: ExportedNodes, leftOut: LeftOut): AnimationClip[] {
+  const made: AnimationClip[] = [];
+  const done = new Map<ModelClip | ClipAsset, Set<unknown>>();
+  const names = new Set<string>();
+
+  const add = (clip: ModelClip | ClipAsset, root: GameObject): void => {
+    const isModel = 'isModelClip' in clip;
+    const drawn = isModel ? modelBelow(root, clip.model) : null;
+    const owners = done.get(clip) ?? new Set();
+    done.set(clip, owners);
+    const owner = drawn ?? root;
+    if (owners.has(owner)) return;
+    owners.add(owner);
+    const tracks = isModel ? modelTracks(clip, root, nodes, leftOut) : ownTracks(clip, root, nodes, leftOut);
+    if (tracks.length === 0) return;
+    const wanted = isModel ? clip.name : splitName(clip.name).leaf;
+    let name = wanted;
+    for (let n = 1; names.has(name); n++) name = n === 1 ? `${wanted} (${root.name})` : `${wanted} (${root.name} ${n})`;
+    names.add(name);
+    made.push(new AnimationClip(name, -1, tracks));
+  };
+
+  const { assets } = scene;
+  for (const object of nodes.keys()) {
+    if (!('components' in object)) continue;
+    for (const component of object.components) {
+      if (!component.enabled) continue;
+      if (component instanceof ModelRenderer) component.drawnModel?.clips.forEach((clip) => add(clip, object));
+      if (!(component instanceof Animation) || component.clip === null) continue;
+      if (!assets.isReady('clip', component.clip)) continue;
+      const clip = assets.clip(component.clip);
+      if ('isModelClip' in clip) for (const each of clip.model.clips) add(each, object);
+      else add(clip, object);
+    }
+  }
+  for (const each of assets.fieldAssets('clip')) {
+    if (!done.has(each as ClipAsset)) leftOut.add(t('Clips that no Animation plays are left out'), each);
+  }
+  return made;
+}
+
+/** The tracks as they are, of the nodes that are exported. */
+function modelTracks(clip: ModelClip, root: GameObject, nodes: ExportedNodes, leftOut: LeftOut): KeyframeTrack[] {
+  const drawn = modelBelow(root, clip.model);
+  const objects = drawn ? null : objectsByName(root);
+  return clip.three.tracks.flatMap((track) => {
+    const target = targetOfTrack(clip, track);
+    const source = target && (drawn ? drawn.copyOf(target.node) : objects?.get(target.node.name || target.node.type));
+    const node = source && nodes.get(source);
+    const isMorph = target?.property === 'morphTargetInfluences';
+    if (!node || (isMorph && !('morphTargetInfluences' in node))) {
+      leftOut.add(t('Tracks of clips without a target are left out'), track);
+      return [];
+    }
+    const copy = track.clone();
+    copy.name = `${node.uuid}.${target!.property}`;
+    return copy;
+  });
+}
+
+/** A track that keeps its last value to a time. */
+function longer(track: ClipTrack, time: number): ClipTrack {
+  const last = track.keys.at(-1)!;
+  const held: ClipKey = { ...last, easing: track.keys.at(-2)?.easing === 'step' ? 'step' : 'linear' };
+  return { ...track, keys: [...track.keys.slice(0, -1), held, { time, value: last.value }] };
+}
+
+function ownTracks(clip: ClipAsset, root: GameObject, nodes: ExportedNodes, leftOut: LeftOut): KeyframeTrack[] {
+  const { tracks, events } = clip.clip;
+  // glTF knows no length but that of the longest track
+  let isShort = tracks.every(({ keys }) => keys.every(({ time }) => time < clip.duration));
+  if (events.length > 0) leftOut.add(t('Events of clips are left out'), clip);
+  return tracks.flatMap((track): KeyframeTrack[] => {
+    if (track.keys.length === 0) return [];
+    const { component } = trackTarget(root, track);
+    const node = component && nodes.get(component.gameObject);
+    if (!node) {
+      leftOut.add(t('Tracks of clips without a target are left out'), track);
+      return [];
+    }
+    const property = component instanceof Transform && properties[track.field];
+    if (!property) {
+      leftOut.add(
+        t('glTF animates places, turns, sizes and morph weights only: left out are tracks of {component}.{field}', {
+          component: track.component,
+          field: track.field,
+        }),
+        track,
+      );
+      return [];
+    }
+    const field = component.fields[track.field] as EulerField | Vector3Field;
+    const whole = isShort ? longer(track, clip.duration) : track;
+    isShort = false;
+    const made = gltfTrack(`${node.uuid}.${property}`, whole, field, clip.frameRate);
+    if (made.isBaked) leftOut.add(t('Curves and turns that glTF does not have are sampled at the frame rate'), track);
+    return [made.track];
+  });
+}

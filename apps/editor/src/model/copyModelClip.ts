@@ -1,0 +1,153 @@
+import { type Command, SetFields, t } from '@farol/editing';
+import {
+  type Animation,
+  type ClipData,
+  type ClipKey,
+  clipText,
+  type ClipTrack,
+  type ModelClip,
+  targetOfTrack,
+  whatKeepsTogether,
+} from '@farol/engine';
+import type { Vector3Tuple } from '@farol/engine/fields';
+import { Euler, type Interpolant, InterpolateDiscrete, type KeyframeTrack, type Object3D, Quaternion } from 'three';
+import { newFieldAsset } from './assetEdits';
+import { splitName } from './assetNames';
+import { AddAssets } from './commands/AddAssets';
+import { Sequence } from './commands/Sequence';
+
+/** A clip of a model with fields in place of nodes. */
+export interface CopiedClip {
+  readonly data: ClipData;
+  /** What cannot be copied: names of tracks of the model. */
+  readonly lost: readonly string[];
+}
+
+/** How far the copy may be from the model's clip between two keys: rad of turns, and a share of the largest value of others. */
+const ACCURACY = 1e-4;
+
+/** How often the time between two keys may be halved. */
+const MOST_HALVES = 6;
+
+const fields = { position: 'position', quaternion: 'rotation', scale: 'scale' } as const;
+
+const euler = new Euler();
+const quaternion = new Quaternion();
+const other = new Quaternion();
+
+/** Names from below the model's own top down, as `objectsOfModel` gives them. */
+function pathOf(node: Object3D, top: Object3D): string {
+  const names: string[] = [];
+  for (let each: Object3D | null = node; each && each !== top; each = each.parent)
+    names.unshift(each.name || each.type);
+  return names.join('/');
+}
+
+/** The angles of a turn that are nearest to others. */
+function nearestAngles(turn: Quaternion, near: Vector3Tuple): Vector3Tuple {
+  const { x, y, z } = euler.setFromQuaternion(turn, 'XYZ');
+  const rounds = (angle: number, to: number): number => angle + Math.round((to - angle) / (2 * Math.PI)) * 2 * Math.PI;
+  const same = [
+    [x, y, z],
+    [x + Math.PI, Math.PI - y, z + Math.PI],
+  ].map((angles) => angles.map((angle, i) => rounds(angle, near[i])) as unknown as Vector3Tuple);
+  const distance = (angles: Vector3Tuple): number => angles.reduce((sum, angle, i) => sum + (angle - near[i]) ** 2, 0);
+  return distance(same[0]) <= distance(same[1]) ? same[0] : same[1];
+}
+
+const mean = (a: Vector3Tuple, b: Vector3Tuple): Vector3Tuple => [
+  (a[0] + b[0]) / 2,
+  (a[1] + b[1]) / 2,
+  (a[2] + b[2]) / 2,
+];
+
+/** A track of a model's clip as keys; between them as many more as straight lines need to follow it. */
+function keysOf(track: KeyframeTrack, isTurn: boolean): ClipKey[] {
+  const create = (track as unknown as { createInterpolant(): Interpolant }).createInterpolant;
+  const interpolant = create.call(track);
+  const isStep = track.getInterpolation() === InterpolateDiscrete && !isCubic(track);
+  const times = [...track.times];
+  const largest = Math.max(1e-6, ...Array.from(track.values, Math.abs));
+  const valueAt = (time: number, near: Vector3Tuple): Vector3Tuple => {
+    const value = interpolant.evaluate(time) as ArrayLike<number>;
+    if (!isTurn) return [value[0], value[1], value[2]];
+    return nearestAngles(quaternion.set(value[0], value[1], value[2], value[3]).normalize(), near);
+  };
+  const distance = (a: Vector3Tuple, b: Vector3Tuple): number => {
+    if (!isTurn) return Math.max(...a.map((each, i) => Math.abs(each - b[i]))) / largest;
+    quaternion.setFromEuler(euler.set(a[0], a[1], a[2], 'XYZ'));
+    other.setFromEuler(euler.set(b[0], b[1], b[2], 'XYZ'));
+    return 2 * Math.acos(Math.min(1, Math.abs(quaternion.dot(other))));
+  };
+  const keys: ClipKey[] = [];
+  const add = (time: number, value: Vector3Tuple): void => {
+    keys.push(isStep ? { time, value, easing: 'step' } : { time, value });
+  };
+  const between = (from: ClipKey, time: number, value: Vector3Tuple, halves: number): void => {
+    const middle = (from.time + time) / 2;
+    const start = from.value as Vector3Tuple;
+    const wanted = valueAt(middle, mean(start, value));
+    if (halves === 0 || distance(wanted, mean(start, value)) <= ACCURACY) return;
+    between(from, middle, wanted, halves - 1);
+    add(middle, wanted);
+    between({ time: middle, value: wanted }, time, value, halves - 1);
+  };
+  times.forEach((time, i) => {
+    const last = keys.at(-1);
+    const value = valueAt(time, (last?.value as Vector3Tuple | undefined) ?? [0, 0, 0]);
+    if (i > 0 && last && !isStep) between(last, time, value, MOST_HALVES);
+    add(time, value);
+  });
+  return keys;
+}
+
+const isCubic = (track: KeyframeTrack): boolean =>
+  (track as { createInterpolant?: { isInterpolantFactoryMethodGLTFCubicSpline?: boolean } }).createInterpolant
+    ?.isInterpolantFactoryMethodGLTFCubicSpline === true;
+
+/** A clip of a model for the objects that the model is unpacked into: places, turns and sizes; no morph weights. */
+export function copyModelClip(clip: ModelClip): CopiedClip {
+  const tracks: ClipTrack[] = [];
+  const lost: string[] = [];
+  for (const track of clip.three.tracks) {
+    const target = targetOfTrack(clip, track);
+    if (!target || target.property === 'morphTargetInfluences') {
+      lost.push(track.name);
+      continue;
+    }
+    const path = pathOf(target.node, clip.model.scene);
+    const keys = keysOf(track, target.property === 'quaternion');
+    tracks.push({ path, component: 'Transform', field: fields[target.property], keys });
+  }
+  return { data: { tracks, events: [] }, lost };
+}
+
+/** Why a clip of a model has no copy that can be edited; null when it has. */
+export const whyNotCopy = (clip: ModelClip): string | null =>
+  whatKeepsTogether(clip.model) === null
+    ? null
+    : t('Clips of skeletons and morph targets play as they are: the model cannot be unpacked into objects.');
+
+/**
+ * Makes a clip of one's own of a clip of a model, and has components play it in its place: one step.
+ * @throws Error when it cannot be
+ */
+export function makeEditableCopy(
+  animations: readonly Animation[],
+  name: string,
+): { readonly command: Command; readonly name: string; readonly lost: readonly string[] } {
+  const { assets } = animations[0].scene!;
+  const clip = assets.clip(name);
+  if (!('isModelClip' in clip)) throw new Error(t('{name} can be edited as it is.', { name }));
+  const problem = whyNotCopy(clip);
+  if (problem !== null) throw new Error(problem);
+  const { data, lost } = copyModelClip(clip);
+  const { folder } = splitName(assets.modelOf(name) ?? '');
+  const own = clip.name.replaceAll('/', '-').trim() || t('Clip ## of an animation');
+  const values = { data: clipText(data), duration: clip.duration };
+  const made = newFieldAsset(assets, 'clip', folder === '' ? own : `${folder}/${own}`, values);
+  const label = t('Made clip {name}', { name: made.name });
+  const edits = animations.map((owner) => ({ owner, name: 'clip', value: made.name }));
+  const command = new Sequence(label, [() => new AddAssets(assets, [made]), () => new SetFields(label, edits)]);
+  return { command, name: made.name, lost };
+}

@@ -1,0 +1,46 @@
+import { t } from '@farol/editing';
+import { Animation, type Component } from '@farol/engine';
+import type { ReactNode } from 'react';
+import { makeEditableCopy, whyNotCopy } from '../../model/copyModelClip';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+import { useOwnersRevision } from '../../ui/useOwnersRevision';
+
+/** What can be done with a clip of a model that Animations play. @param props.components - Animations, memoised */
+export function AnimationBar({ components }: { components: readonly Component[] }): ReactNode {
+  const editor = useEditor();
+  const { document, commands, notices } = editor;
+  useSignal(document.assetsChanged);
+  useOwnersRevision(components);
+  const animations = components.filter((each) => each instanceof Animation);
+  const name = animations[0].getAuthored('clip') as string | null;
+  const { assets } = document;
+  if (name === null || !animations.every((each) => each.getAuthored('clip') === name)) return null;
+  if (!assets.isReady('clip', name)) return null;
+  const clip = assets.clip(name);
+  if (!('isModelClip' in clip)) return null;
+  const problem = whyNotCopy(clip);
+  const copy = (): void => {
+    const { command, lost } = makeEditableCopy(animations, name);
+    commands.run(command);
+    if (lost.length > 0)
+      notices.show('info', t('Left out, since no field holds it: {tracks}', { tracks: lost.join(', ') }));
+  };
+  return (
+    <div className="material-bar">
+      <button
+        type="button"
+        className="button framed"
+        disabled={problem !== null}
+        title={
+          problem ?? t('Makes a clip of your own of the clip of the model, for the objects that it is unpacked into')
+        }
+        onClick={() => editor.attempt(copy)}
+      >
+        <Icon name="copy" />
+        <span>{t('Make editable copy')}</span>
+      </button>
+      {problem !== null && <p className="model-problem">{problem}</p>}
+    </div>
+  );
+}

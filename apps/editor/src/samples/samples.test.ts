@@ -1,0 +1,136 @@
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import * as engine from '@farol/engine';
+import {
+  builtinComponents,
+  CharacterController,
+  ComponentRegistry,
+  type GameObject,
+  Light,
+  ObjectRenderer,
+  PhysicsSystem,
+  type Scene,
+} from '@farol/engine';
+import * as fields from '@farol/engine/fields';
+import { deserialize, readSceneFile, serialize, UnknownComponent } from '@farol/engine/files';
+import { compileScript, SceneScripts, takeGiven } from '@farol/engine/scripts';
+import { root } from '@farol/tools/root';
+import * as three from 'three';
+import { describe, expect, test } from 'vitest';
+import { samples } from '../api/Sample';
+import { makeSample, sampleMakers } from './makeSamples';
+
+const readPublic = async (path: string): Promise<Uint8Array<ArrayBuffer>> =>
+  new Uint8Array(await readFile(join(root, 'public', path)));
+
+/** As the editor opens it, and with its scripts running. */
+async function open(file: string): Promise<{ scene: Scene; scripts: SceneScripts }> {
+  const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
+  const { text, fileOf } = await readSceneFile(await readPublic(`scenes/${file}`));
+  const scene = await deserialize(text, { registry, fileOf });
+  const scripts = new SceneScripts(scene, registry, {
+    modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
+    compile: compileScript,
+    run: ({ name, code }) => {
+      // oxlint-disable-next-line no-eval -- in the page it is a script element that runs it
+      (0, eval)(code);
+      return takeGiven(name);
+    },
+  });
+  await scripts.settled();
+  return { scene, scripts };
+}
+
+const none = { repeat: false, shiftKey: false, ctrlKey: false, altKey: false, metaKey: false };
+
+/** Where everything is that is drawn. */
+const places = (scene: Scene): number[] => {
+  const numbers: number[] = [];
+  scene.three.updateMatrixWorld();
+  scene.traverse(({ object3D }) => numbers.push(...object3D.matrixWorld.elements.slice(12, 15)));
+  return numbers;
+};
+
+test('every sample that is a file is made by the script, and shown', () => {
+  const shown = Object.values(samples).flatMap(({ file }) => file ?? []);
+  expect(shown.toSorted()).toEqual(Object.keys(sampleMakers).toSorted());
+});
+
+describe.each(Object.keys(sampleMakers))('%s', (file) => {
+  test('is what node packages/tools/makeSamples.mjs writes', async () => {
+    const made = await makeSample(file, readPublic);
+    const kept = await readPublic(`scenes/${file}`);
+    expect(Buffer.from(made).equals(Buffer.from(kept))).toBe(true);
+  });
+
+  test('has a camera, shadows, and no component that is not known', async () => {
+    const { scene, scripts } = await open(file);
+    expect([...scripts.errors.values()].map(({ message }) => message)).toEqual([]);
+    const unknown: string[] = [];
+    scene.traverse(({ components }) => {
+      for (const each of components) if (each instanceof UnknownComponent) unknown.push(each.typeName);
+    });
+    expect(unknown).toEqual([]);
+    expect(scene.activeCamera).not.toBeNull();
+    expect(scene.componentsOf(Light).some(({ castShadow }) => castShadow)).toBe(true);
+    expect(scene.componentsOf(ObjectRenderer).some(({ receiveShadow }) => receiveShadow)).toBe(true);
+    scene.dispose();
+  });
+
+  test('moves when it plays, without a fault, and is bit-equal when it is reset', async () => {
+    const { scene } = await open(file);
+    const faults: string[] = [];
+    scene.onComponentError = (component, error) => void faults.push(`${component.typeName}: ${String(error)}`);
+    scene.setTime(0);
+    const [before, at] = [JSON.stringify(serialize(scene)), places(scene)];
+    for (const type of ['RigidBody', 'Collider'] as const) {
+      if (scene.componentsOf(type).length > 0) await scene.system(PhysicsSystem).prepare();
+    }
+    for (let i = 0; i < 120; i++) scene.update(1 / 60);
+    if (file !== 'prefabs.json') expect(places(scene)).not.toEqual(at);
+    scene.reset();
+    // compared as a whole: what differs would fill the page
+    expect(JSON.stringify(serialize(scene)) === before).toBe(true);
+    expect(places(scene)).toEqual(at);
+    expect(faults).toEqual([]);
+    scene.dispose();
+  });
+});
+
+test('Night in the temple: one walks up the steps, the door opens, lanterns swing, and crates fall', async () => {
+  const { scene } = await open('night-in-the-temple.farol');
+  await scene.system(PhysicsSystem).prepare();
+  const key = (type: 'down' | 'up', code: string): void => void scene.dispatchKey({ ...none, type, code, key: code });
+  const object = (name: string): GameObject => scene.find(name)!;
+  const run = (seconds: number): void => {
+    for (let i = 0; i < seconds * 60; i++) scene.update(1 / 60);
+  };
+  const player = object('Player').object3D.position;
+  const leaf = object('Left leaf').object3D.rotation;
+  const crates = (): string =>
+    object('Crates')
+      .children.map(({ object3D }) => object3D.position.y.toFixed(2))
+      .join();
+  run(2);
+  const [lantern, pile] = [object('Body').object3D, crates()];
+  const hung = lantern.position.x;
+  key('down', 'KeyW');
+  run(1);
+  expect(Math.abs(lantern.position.x - hung)).toBeGreaterThan(0.02);
+  expect(leaf.y).toBe(0);
+  run(4);
+  expect(player.y).toBeGreaterThan(0.9);
+  run(4.5);
+  expect(leaf.y).toBeCloseTo(1.75, 2);
+  expect(player.z).toBeLessThan(4);
+  key('up', 'KeyW');
+  expect(crates()).toBe(pile);
+  // beside the pile, and into it
+  const walker = object('Player').getComponent(CharacterController)!;
+  walker.teleport([5.2, 0, 18]);
+  run(0.2);
+  walker.walk([0, 0, -1]);
+  run(3);
+  expect(crates()).not.toBe(pile);
+  scene.dispose();
+});
