@@ -29,6 +29,7 @@ import { randomClipCommand } from './randomClipCommand';
 import { randomEdit } from './randomEdit';
 import { randomMaterialCommand } from './randomMaterialCommand';
 import { randomPrefabCommand } from './randomPrefabCommand';
+import { randomRunningScript } from './randomRunningScript';
 import { randomScriptCommand } from './randomScriptCommand';
 import { randomViewCommand } from './randomViewCommand';
 
@@ -53,7 +54,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 35);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 37);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -140,6 +141,9 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomScriptCommand(random, document, some(random, all));
     case 33:
       return randomClipCommand(random, document, pick(random, all));
+    case 34:
+    case 35:
+      return randomRunningScript(random, document) ?? randomEdit(random, document, scene.settings);
     default: {
       // components of scripts that do not run have no fields
       const owners = pick(random, all).components.filter(({ fields }) => Object.keys(fields).length > 0);
