@@ -118,7 +118,7 @@ test('a default export that is no class of components, a field that is none and 
   });
   expect(messages(made)).toEqual([
     'A, line 1: its default export is no class of components: write `export default class … extends component({ … })`.',
-    "B, line 3: its field 'rate' is not declared: write number(1), flag(true) or another field of '@farol/engine/fields'.",
+    "B, line 3: its field 'rate' is not declared: write number(1), boolean(true) or another field of '@farol/engine/fields'.",
     'C, line 3: no',
     "Light: there is a component 'Light' of Farol or a plugin already: give the script another name, or its class another typeName.",
     "y/Twice: there is a component 'Twice' of the script x/Twice already: give the script another name, or its class another typeName.",
