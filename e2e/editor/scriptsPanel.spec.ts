@@ -32,7 +32,7 @@ test('a script is made from the inspector, typed with completion, its error told
   // a field more, which the inspector has at once
   await goToEnd(page, "help: 'How fast it turns.'");
   await page.keyboard.press('Enter');
-  await page.keyboard.type("height: number(2, { unit: 'm', help: 'How high it jumps.' }),");
+  await page.keyboard.insertText("height: number(2, { unit: 'm', help: 'How high it jumps.' }),");
   await expect(inspector(page).getByRole('textbox', { name: 'Height' })).toHaveValue('2');
 
   // completion, chosen by a key

@@ -44,10 +44,10 @@ describe('a script', () => {
   it('is told errors of types and of syntax by line', () => {
     write(withLine("this.speed = 'fast';"));
     expect(service.diagnostics('Spin')).toMatchObject([
-      { kind: 'types', line: 15, message: "Type 'string' is not assignable to type 'number'." },
+      { kind: 'types', line: 13, message: "Type 'string' is not assignable to type 'number'." },
     ]);
     write(withLine('this.speed = ;'));
-    expect(service.diagnostics('Spin')).toMatchObject([{ kind: 'syntax', line: 15 }]);
+    expect(service.diagnostics('Spin')).toMatchObject([{ kind: 'syntax', line: 13 }]);
   });
 
   it('is told types and how functions are called', () => {
