@@ -49,7 +49,7 @@ test('a script is made from the inspector, typed with completion, its error told
   await page.keyboard.type(".position.y = 'high';");
   const errors = panel(page).getByRole('list', { name: 'Errors' });
   await expect(errors).toContainText("Type 'string' is not assignable to type 'number'.");
-  await expect(panel(page).getByRole('status')).toHaveText('1 error of types');
+  await expect(panel(page).getByRole('status')).toHaveText('1 error');
   for (let i = 0; i < "'high';".length; i++) await page.keyboard.press('Backspace');
   await page.keyboard.type('this.height;');
   await expect(errors).toHaveCount(0);

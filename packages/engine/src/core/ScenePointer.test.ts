@@ -131,8 +131,8 @@ test('a click is a press and a release over one object; of two parts it is the o
   surface.send('pointerup', 46, 50);
   expect(calls.splice(0).slice(2)).toEqual(['out Shade', 'release Lamp', 'click Lamp']);
   // drawn too far, and of another button
-  surface.send('pointerdown', 54, 46);
-  surface.send('pointerup', 64, 54);
+  surface.send('pointerdown', 53.5, 45.5);
+  surface.send('pointerup', 62, 55);
   surface.send('pointerdown', 60, 50, { button: 2 });
   surface.send('pointerup', 60, 50, { button: 2 });
   expect(calls.filter((call) => call.startsWith('click'))).toEqual([]);

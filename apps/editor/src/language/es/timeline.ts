@@ -100,6 +100,19 @@ export const timeline: Texts = {
   'Add an event': 'Añadir un evento',
   'Remove {name}': 'Quitar {name}',
   Tracks: 'Pistas',
+  'Choose another object': 'Elegir otro objeto',
+  'No object has this component.': 'Ningún objeto tiene este componente.',
+  'Gave the tracks of {name} to {object}': 'Pistas de {name} dadas a {object}',
+  '{name} plays {clip}, which came with a model and cannot be edited. A new clip is in the menu above.':
+    '{name} reproduce {clip}, que vino con un modelo y no se puede editar. En el menú de arriba se crea un clip nuevo.',
+  'Arrow keys in the Timeline': 'Flechas en la línea de tiempo',
+  'A frame; with Shift: ten, with Ctrl: the next key, with Alt: move keys':
+    'Un fotograma; con Mayús: diez, con Ctrl: la clave siguiente, con Alt: mover claves',
+  'Wheel in the Timeline': 'Rueda en la línea de tiempo',
+  'Nearer and farther; with Shift: scroll, or the values of curves':
+    'Acercar y alejar; con Mayús: desplazar, o los valores de las curvas',
+  'Alt while dragging keys': 'Alt al arrastrar claves',
+  'Between frames': 'Entre fotogramas',
   Events: 'Eventos',
   'This field cannot be animated.': 'Este campo no se puede animar.',
 };

@@ -5,7 +5,7 @@ import { findTrack, isSameTime, keyId, type TrackAddress, trackId } from './clip
 import { copyKeys, type CopiedKeys, pasteKeys } from './copyKeys';
 import type { CurveControl } from './easingCurve';
 import { addEvent, removeEvents } from './editEvents';
-import { deleteKeys, easeKeys, moveKeys, rangeOfKeys, removeTracks, setKey } from './editKeys';
+import { deleteKeys, easeKeys, moveKeys, rangeOfKeys, removeTracks, retargetTrack, setKey } from './editKeys';
 import { type KeyValue, withKeys } from './recordEdit';
 import type { Timeline } from './Timeline';
 import { type AnimatableField, addressOf, targetOf } from './trackTargets';
@@ -76,6 +76,13 @@ export function deleteTracks(timeline: Timeline, tracks: readonly ClipTrack[]): 
       ? t('Removed the track of {field} from {name}', { field: labelOfField(tracks[0].field, {}).toLowerCase(), name })
       : t('Removed {count} tracks from {name}', { count: tracks.length, name });
   timeline.edit(label, { data: removeTracks(timeline.data, new Set(tracks.map(trackId))), selected: new Set() });
+}
+
+/** Lets tracks, whose object or component is gone, be of another object below the animated one. @param path - of that one */
+export function retargetTracks(timeline: Timeline, tracks: readonly ClipTrack[], path: string, object: string): void {
+  const data = tracks.reduce((each, track) => retargetTrack(each, track, { ...track, path }), timeline.data);
+  const label = t('Gave the tracks of {name} to {object}', { name: nameOf(timeline), object });
+  if (data !== timeline.data) timeline.edit(label, { data, selected: new Set() });
 }
 
 /** Deletes what is selected: keys, or events. */

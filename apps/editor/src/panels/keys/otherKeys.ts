@@ -14,5 +14,8 @@ export const otherKeys = (): [string, string][] => [
   [t('Ctrl+Shift+D in the tree'), t('Move objects by the arrow keys; Enter: put them there')],
   [t('Arrow keys in a number'), t('Step; with Shift: ten times, with Alt: a tenth')],
   [t('Alt+Shift+arrow key on a tab'), t('Move the panel; Delete: close it')],
+  [t('Arrow keys in the Timeline'), t('A frame; with Shift: ten, with Ctrl: the next key, with Alt: move keys')],
+  [t('Wheel in the Timeline'), t('Nearer and farther; with Shift: scroll, or the values of curves')],
+  [t('Alt while dragging keys'), t('Between frames')],
   [t('Esc, then Tab, in the code'), t('Leave the code editor')],
 ];

@@ -5,6 +5,7 @@ import { isTriple, valueAt } from '../../model/timeline/clipTracks';
 import { addEventAt, addKeys, hasKeyAt } from '../../model/timeline/timelineEdits';
 import { useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { LostTracks } from './LostTracks';
 import type { TimelineRow, TrackRow } from './timelineRows';
 import type { TimelineView } from './TimelineView';
 
@@ -112,6 +113,7 @@ export function TrackLine(props: TrackLineProps): ReactNode {
         {track && !problem && (
           <CurrentValue view={view} row={track} channel={row.kind === 'channel' ? row.channel : null} />
         )}
+        {row.kind === 'group' && row.isLost && <LostTracks view={view} row={row} />}
         {row.kind === 'track' && !problem && <KeyButton view={view} row={row} />}
         {row.kind === 'events' && (
           <button

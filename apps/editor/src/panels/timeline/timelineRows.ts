@@ -12,6 +12,8 @@ export interface GroupRow {
   readonly label: string;
   readonly isOpen: boolean;
   readonly tracks: readonly ClipTrack[];
+  /** Whether any of them changes nothing, since what it is of is gone. */
+  readonly isLost: boolean;
 }
 
 export interface TrackRow {
@@ -95,7 +97,8 @@ export function timelineRows(root: GameObject | null, data: ClipData, folds: Row
     const [{ path, component }] = tracks;
     const isOpen = !folds.folded.has(id);
     const label = t('{object}: {component}', { object: objectLabel(root, path), component: componentName(component) });
-    rows.push({ kind: 'group', id, label, isOpen, tracks });
+    const isLost = root !== null && tracks.some((track) => trackTarget(root, track).problem !== null);
+    rows.push({ kind: 'group', id, label, isOpen, tracks, isLost });
     if (!isOpen) continue;
     for (const track of tracks) {
       const row = trackRow(root, track, folds);
