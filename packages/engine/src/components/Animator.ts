@@ -1,10 +1,10 @@
-import { AnimationMixer } from 'three';
+import { LoopedClip } from '../animation/LoopedClip';
 import type { Scene } from '../core/SceneGraph';
 import { component } from '../fields/component';
 import { asset, number, string } from '../fields/fields';
 
 /**
- * Plays a clip of a model on the objects below, which it finds by their names: those that a model was unpacked into. While
+ * Of older files; an `Animation` does what it does. Plays a clip of a model on the objects below, which it finds by their names: those that a model was unpacked into. While
  * the scene is at its beginning, they are where they were put.
  */
 export class Animator extends component({
@@ -20,7 +20,7 @@ export class Animator extends component({
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Plays a clip of a model on the objects below.';
 
-  private mixer: AnimationMixer | null = null;
+  private looped: LoopedClip | null = null;
 
   /** Names of the clips that the model has; empty before it is loaded. */
   get animations(): string[] {
@@ -51,23 +51,20 @@ export class Animator extends component({
 
   override update(_deltaSeconds: number, time: number): void {
     if (time === 0) this.stop();
-    else this.startMixer()?.setTime(time * this.animationSpeed);
+    else this.begin()?.show(time * this.animationSpeed);
   }
 
-  private startMixer(): AnimationMixer | null {
-    if (this.mixer) return this.mixer;
+  private begin(): LoopedClip | null {
+    if (this.looped) return this.looped;
     const { scene, model, animation } = this;
     if (!scene || model === null || animation === '' || !scene.assets.isReady('model', model)) return null;
-    const clip = scene.assets.model(model).animations.find(({ name }) => name === animation);
-    if (!clip) return null;
-    this.mixer = new AnimationMixer(this.gameObject.object3D);
-    this.mixer.clipAction(clip).play();
-    return this.mixer;
+    const clip = scene.assets.model(model).clips.find(({ name }) => name === animation);
+    if (clip) this.looped = new LoopedClip(clip, this.gameObject, null);
+    return this.looped;
   }
 
   private stop(): void {
-    this.mixer?.stopAllAction();
-    this.mixer?.uncacheRoot(this.mixer.getRoot());
-    this.mixer = null;
+    this.looped?.end();
+    this.looped = null;
   }
 }

@@ -1,5 +1,6 @@
-import { AnimationMixer, type Light as ThreeLight, type Object3D } from 'three';
+import type { Light as ThreeLight, Object3D } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
+import { LoopedClip } from '../animation/LoopedClip';
 import type { Model } from '../assets/Model';
 import type { Scene } from '../core/SceneGraph';
 import { component } from '../fields/component';
@@ -52,7 +53,7 @@ export class ModelRenderer extends component({
   private inUse: Model | null = null;
   private copies: ReadonlyMap<Object3D, Object3D> = new Map();
   private copy: Object3D | null = null;
-  private mixer: AnimationMixer | null = null;
+  private looped: LoopedClip | null = null;
 
   /** The tree that is drawn, below the GameObject's object3D; null outside a scene and before its asset is loaded. */
   get three(): Object3D | null {
@@ -94,7 +95,7 @@ export class ModelRenderer extends component({
   }
 
   override update(_deltaSeconds: number, time: number): void {
-    this.mixer?.setTime(time * this.animationSpeed);
+    this.looped?.show(time * this.animationSpeed);
   }
 
   private refresh(): void {
@@ -118,13 +119,12 @@ export class ModelRenderer extends component({
   }
 
   private startAnimation(): void {
-    this.mixer?.stopAllAction();
-    this.mixer = null;
-    const clip = this.inUse?.animations.find(({ name }) => name === this.animation);
+    this.looped?.end();
+    this.looped = null;
+    const clip = this.inUse?.clips.find(({ name }) => name === this.animation);
     if (!this.copy || !clip) return;
-    this.mixer = new AnimationMixer(this.copy);
-    this.mixer.clipAction(clip).play();
-    this.mixer.setTime((this.scene?.time ?? 0) * this.animationSpeed);
+    this.looped = new LoopedClip(clip, this.gameObject, this);
+    this.looped.show((this.scene?.time ?? 0) * this.animationSpeed);
   }
 
   private applyFlags(): void {
@@ -139,8 +139,7 @@ export class ModelRenderer extends component({
   }
 
   private clear(scene: Scene): void {
-    this.mixer?.stopAllAction();
-    this.mixer = null;
+    this.looped = null;
     this.copy?.removeFromParent();
     this.copy = null;
     this.copies = new Map();

@@ -1,0 +1,38 @@
+import type { ModelClip } from '../assets/Model';
+import type { GameObject } from '../core/SceneGraph';
+import { bindModelClip, type BoundClip } from './bindClip';
+import { FieldChannel, NodeChannel } from './Channel';
+import { wrapTime } from './clipEvents';
+import type { ModelInScene } from './modelsBelow';
+
+/** A clip of a model in an endless loop by itself: what ModelRenderer and Animator of older files play. */
+export class LoopedClip {
+  private readonly bound: BoundClip;
+
+  /** @param drawn - what draws the model; null where its objects are below `root` */
+  constructor(clip: ModelClip, root: GameObject, drawn: ModelInScene | null) {
+    this.bound = bindModelClip(clip, root, drawn, {
+      fieldChannel: (component, field) => new FieldChannel(component, field),
+      nodeChannel: (node, property) => new NodeChannel(node, property),
+    });
+  }
+
+  /** @param seconds - below 0 where it runs backwards */
+  show(seconds: number): void {
+    const { bindings, duration } = this.bound;
+    const at = wrapTime(seconds, duration, 'loop');
+    for (let i = 0; i < bindings.length; i++) {
+      const { channel, interpolant, isQuaternion } = bindings[i];
+      const values = interpolant!.evaluate(at) as ArrayLike<number>;
+      channel.begin();
+      if (isQuaternion) channel.addQuaternion(values, 1);
+      else channel.add(values, 1);
+      channel.apply();
+    }
+  }
+
+  /** Shows what was there before. */
+  end(): void {
+    for (const { channel } of this.bound.bindings) channel.release();
+  }
+}
