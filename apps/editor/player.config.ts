@@ -37,10 +37,17 @@ function withoutRapier(): Plugin {
   };
 }
 
+interface PlayerParts {
+  /** Whether it can read compressed models. */
+  readonly decoders?: boolean;
+  /** Whether it runs scripts, which may use all of three and of the engine. */
+  readonly scripts?: boolean;
+}
+
 /** The player as one classic script, with everything that it would load late inside: it runs without a server. */
-function buildPlayer(fromSource: boolean, decoders: boolean): Promise<string> {
+function buildPlayer(fromSource: boolean, { decoders = false, scripts = false }: PlayerParts = {}): Promise<string> {
   const plugins = [withoutRapier(), ...(decoders ? [] : [withoutDecoders()])];
-  return buildScript('src/player/main.ts', 'FarolPlayer', fromSource, plugins);
+  return buildScript(`src/player/${scripts ? 'mainWithScripts' : 'main'}.ts`, 'FarolPlayer', fromSource, plugins);
 }
 
 /** One classic script. @param name - of the global that it makes */
@@ -69,17 +76,24 @@ async function buildScript(entry: string, name: string, fromSource: boolean, plu
 
 const DRAGON = 'dragon.ply.gz';
 
-/** The page of embedded frames; it knows where the Stanford dragon is, when it is part of the build. */
-async function playerPage(hasDragon: boolean): Promise<string> {
+/**
+ * The page of embedded frames; it knows where the Stanford dragon is, when it is part of the build.
+ * @param runsScripts - of a scene in a link: it is shown in a sandboxed frame
+ */
+async function playerPage(hasDragon: boolean, runsScripts: boolean): Promise<string> {
   const text = await readFile(new URL('player.html', import.meta.url), 'utf8');
-  const page = text.replace('<head>', `$&\n    ${policyElement(contentSecurityPolicy())}`);
-  return hasDragon ? page.replace('src="./farol-player.js"', `$& data-dragon="./${DRAGON}"`) : page;
+  const script = runsScripts ? 'farol-player-scripts.js' : 'farol-player.js';
+  const page = text
+    .replace('<head>', `$&\n    ${policyElement(contentSecurityPolicy({ runsScripts }))}`)
+    .replace('./farol-player.js', `./${script}`);
+  return hasDragon ? page.replace(`src="./${script}"`, `$& data-dragon="./${DRAGON}"`) : page;
 }
 
 /**
- * Serves and builds `farol-player.js`, which exported pages hold and embedded frames run, `farol-player-decoders.js`, the
- * same with decoders of compressed models, `farol-player-physics.js`, which both need for scenes with physics, and
- * `player.html`, which embedded frames show.
+ * Serves and builds `farol-player.js`, which exported pages hold and embedded frames run, the same with decoders of
+ * compressed models, with scripts, and with both, `farol-player-physics.js`, which all need for scenes with physics,
+ * `farol-script-compiler.js`, which frames of scenes with scripts fetch, and `player.html` and `player-scripts.html`, which
+ * embedded frames show.
  */
 export function playerPlugin(): Plugin {
   const scripts = new Map<string, Promise<string | Uint8Array>>();
@@ -87,10 +101,14 @@ export function playerPlugin(): Plugin {
     const dragon = stanfordDragonFile('medium', command);
     const fromSource = command === 'serve';
     return {
-      'farol-player.js': () => buildPlayer(fromSource, false),
-      'farol-player-decoders.js': () => buildPlayer(fromSource, true),
+      'farol-player.js': () => buildPlayer(fromSource),
+      'farol-player-decoders.js': () => buildPlayer(fromSource, { decoders: true }),
+      'farol-player-scripts.js': () => buildPlayer(fromSource, { scripts: true }),
+      'farol-player-scripts-decoders.js': () => buildPlayer(fromSource, { scripts: true, decoders: true }),
+      'farol-script-compiler.js': () => buildScript('src/player/compiler.ts', 'FarolCompiler', fromSource, []),
       'farol-player-physics.js': () => buildScript('src/player/physics.ts', 'FarolPhysics', fromSource, []),
-      'player.html': () => playerPage(dragon !== null),
+      'player.html': () => playerPage(dragon !== null, false),
+      'player-scripts.html': () => playerPage(dragon !== null, true),
       ...(dragon ? { [DRAGON]: () => readFile(dragon) } : {}),
     };
   };

@@ -12,7 +12,15 @@ export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [react(), wholeThree(), playerPlugin(), stanfordDragon(), scriptDeclarations(), securePages({ runsScripts: true }), appAddresses()],
+  plugins: [
+    react(),
+    wholeThree(),
+    playerPlugin(),
+    stanfordDragon(),
+    scriptDeclarations(),
+    securePages({ runsScripts: true }),
+    appAddresses(),
+  ],
   server: { port: 5173, strictPort: true },
   // What is imported late must be known early, or the development server reloads the page when a file asks for it.
   optimizeDeps: {

@@ -1,4 +1,4 @@
-import type { GameObject, PictureRenderer, Scene } from '@farol/engine';
+import type { AssetLibrary, GameObject, PictureRenderer, Scene } from '@farol/engine';
 import type { FarolRenderer } from '@farol/renderer';
 import { expect, type Page } from '@playwright/test';
 import type { Camera, Material, Object3D, WebGLRenderer } from 'three';
@@ -26,10 +26,19 @@ export interface EditorHandle {
     readonly scene: Scene;
     readonly selectedObjects: GameObject[];
     readonly selection: { readonly ids: readonly string[]; set(ids: readonly string[]): void };
-    readonly simulation: { readonly state: string };
+    readonly simulation: { readonly state: string; step(): void; stop(): void };
+    readonly assets: AssetLibrary;
+    readonly scripts: { settled(): Promise<void>; classOf(script: string): object | null };
   };
-  /** The engine's scenes. */
-  readonly samples: Readonly<Record<string, { readonly parameters: object }>>;
+  /** Scenes of the engine's, and files. */
+  readonly samples: Readonly<
+    Record<
+      string,
+      { readonly label: string; readonly file: string | null; readonly scene: { readonly parameters: object } | null }
+    >
+  >;
+  openFileBytes(text: string, file: { name: string; handle: null }): Promise<boolean>;
+  openSample(name: string): Promise<void>;
   openScene(name: string, parameters?: Record<string, number>): Promise<void>;
   readonly microShaders: { textOf(name: string): string };
   readonly dialogs: { show(request: { kind: 'keys' | 'export' | 'welcome'; recovery: null }): Promise<boolean> };

@@ -113,10 +113,11 @@ test('a model is unpacked into objects that look the same, in one step; an FBX c
 
   await dropFiles(page, picture, [fbxSquare]);
   await expect(page.getByRole('treeitem', { name: 'square' })).toHaveAttribute('aria-selected', 'true');
-  expect(await fieldOf(page, 'square', 'ModelRenderer', 'animation')).toBe('Rise');
-  const clip = page.getByRole('combobox', { name: 'Clip' });
-  await clip.click();
-  await expect(page.getByRole('option')).toHaveText(['None', 'Rise']);
-  await page.getByRole('option', { name: 'None' }).click();
-  expect(await fieldOf(page, 'square', 'ModelRenderer', 'animation')).toBe('');
+  expect(await fieldOf(page, 'square', 'Animation', 'clip')).toBe('square.glb/clip-1-Rise');
+  await page.getByRole('button', { name: 'Clear Clip' }).click();
+  expect(await fieldOf(page, 'square', 'Animation', 'clip')).toBeNull();
+  await page.getByRole('combobox', { name: 'Clip' }).click();
+  await expect(page.getByRole('option')).toHaveText(['Rise (square.glb)']);
+  await page.getByRole('option').click();
+  expect(await fieldOf(page, 'square', 'Animation', 'clip')).toBe('square.glb/clip-1-Rise');
 });

@@ -44,7 +44,8 @@ export function securePages({ runsScripts = false } = {}) {
     transformIndexHtml: {
       order: 'post',
       // before anything that it is about
-      handler: (html) => html.replace('<head>', `<head>\n    ${policyElement(contentSecurityPolicy({ isServed, runsScripts }))}`),
+      handler: (html) =>
+        html.replace('<head>', `<head>\n    ${policyElement(contentSecurityPolicy({ isServed, runsScripts }))}`),
     },
   };
 }

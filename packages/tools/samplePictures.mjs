@@ -24,6 +24,7 @@ const server = await serveApps({ ports: { editor: 0 }, watch: false });
 const browser = await chromium.launch({ executablePath: ensureBrowser(), args: [...softwareFlags] });
 try {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  page.setDefaultTimeout(180_000);
   page.on('pageerror', (error) => console.log(`page error: ${error.message}`));
   // the Stanford dragon's terms are its own: see public/SOURCES.md
   await page.route(/stanford-dragon\/medium/, (route) =>

@@ -37,6 +37,7 @@ import { Tour } from './model/Tour';
 import { panels } from './panels';
 import { applyViews, type ViewChoice } from './viewport/panes/ViewChoice';
 import { Viewport } from './viewport/Viewport';
+import { guardScripts } from './scripts/guardScripts';
 import { Plugins } from './plugins/Plugins';
 import { unknownTypes } from './model/unknownTypes';
 import { withProgress } from './files/withProgress';
@@ -133,6 +134,7 @@ export class Editor implements EditorApi {
     this.watchPicture();
     this.watchPreferences();
     watchErrors(this);
+    guardScripts(this.document);
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
     this.viewport.shareMicroShaders = (registry) => this.microShaders.addRegistry(registry);
     // what the first frame may need is there before it
@@ -177,8 +179,8 @@ export class Editor implements EditorApi {
   }
 
   async openSample(name: string): Promise<void> {
-    const { file, parameters } = this.samples[name];
-    if (file === null) return this.openScene(name, parameters);
+    const { file, scene } = this.samples[name];
+    if (file === null) return this.openScene(name, scene?.sample);
     const { readSample } = await import('./files/readSample');
     this.show(await readSample(this, file), { name: null, handle: null });
   }
@@ -209,7 +211,7 @@ export class Editor implements EditorApi {
         (signal) =>
           deserialize(content.text, {
             assets,
-            registry: this.components,
+            registry: this.document.scripts.withoutScripts(this.components),
             fileOf: content.fileOf,
             mayFetch,
             signal,
@@ -221,7 +223,7 @@ export class Editor implements EditorApi {
         if (assets !== this.document.assets) assets.dispose();
         return false;
       }
-      this.show(scene, file);
+      this.show(scene, file, await this.mayRunScripts(scene));
       if (typeof bytes !== 'string') this.remember(bytes);
       return true;
     } catch (error) {
@@ -296,14 +298,25 @@ export class Editor implements EditorApi {
     this.layout.open('scripts');
   }
 
-  show(scene: Scene, file: OpenFile): void {
+  show(scene: Scene, file: OpenFile, runsScripts = true): void {
     this.tools.end();
-    this.document.open(scene);
+    this.document.open(scene, runsScripts);
     this.openFile = file;
     this.fileChanged.emit();
     this.viewport.renderNow();
+    void this.document.scripts.settled().then(() => this.document.scene === scene && this.tellOfUnknown());
+  }
+
+  private async mayRunScripts(scene: Scene): Promise<boolean> {
+    if (scene.assets.fieldAssets('script').length === 0) return true;
+    return (await import('./scripts/knownScripts')).mayRunScripts(scene);
+  }
+
+  private tellOfUnknown(): void {
+    const { scripts, scene } = this.document;
     const unknown = unknownTypes(scene);
-    if (unknown.length === 0) return;
+    // while scripts are off their components are data, as the bar says
+    if (unknown.length === 0 || (scripts.areThere && !scripts.isOn)) return;
     const text = t(
       'What brings these components is not here, so they are kept as data: {names}. Add the plugin that they belong to.',
       { names: unknown.join(', ') },

@@ -26,6 +26,17 @@ export function watchErrors(editor: EditorApi): void {
       t('{component} of {owner}: {reason}', { component: component.typeName, owner, reason: messageOf(error) }),
     );
   };
+  /** What is said of each script that is broken. */
+  const told = new Map<string, string>();
+  document.scripts.changed.subscribe(() => {
+    const { errors } = document.scripts;
+    for (const script of [...told.keys()]) if (!errors.has(script)) told.delete(script);
+    for (const [script, { message, line }] of errors) {
+      if (told.get(script) === message) continue;
+      told.set(script, message);
+      log.add('error', 'script', message, { script, line });
+    }
+  });
   viewport.webgl.debug.onShaderError = (gl, program, vertex, fragment) => {
     for (const shader of [vertex, fragment]) {
       if (gl.getShaderParameter(shader, gl.COMPILE_STATUS)) continue;

@@ -21,6 +21,7 @@ import { newScene, openExamples } from './newScene';
 import { open } from './open';
 import { muteSound, pause, play, playFromCamera, playFromHere, step, stop } from './play';
 import { makeMaterial, newMaterial, unpackModel } from './materials';
+import { physicsActions } from './physics';
 import { makePrefab, unpackPrefab } from './prefabs';
 import { recover } from './recover';
 import { toggleOrthographic, turns } from './projection';
@@ -44,7 +45,7 @@ import { themes } from './themes';
 import { addKeys, record } from './timeline';
 import { undo } from './undo';
 import { startTour, welcome } from './welcome';
-import { continuous, showGrid, showIcons, showPictureEffects, showRanges } from './viewportToggles';
+import { continuous, showColliders, showGrid, showIcons, showPictureEffects, showRanges } from './viewportToggles';
 
 /** Everything built in that the user can do by a key or a menu. A new action is a file and a line here. */
 export const actions: readonly Action[] = [
@@ -83,6 +84,7 @@ export const actions: readonly Action[] = [
   makeMaterial,
   unpackModel,
   newScript,
+  ...physicsActions,
   ...gizmoModes,
   gizmoSpace,
   snap,
@@ -94,6 +96,7 @@ export const actions: readonly Action[] = [
   showPictureEffects,
   showIcons,
   showRanges,
+  showColliders,
   continuous,
   showStatistics,
   ...lookFrom,

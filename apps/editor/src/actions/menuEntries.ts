@@ -10,7 +10,7 @@ export type MenuName = MenuPlace['menu'];
 const menus: Readonly<Record<MenuName, readonly string[]>> = {
   file: ['new', 'open', 'save', 'share', 'recover'],
   edit: ['history', 'clipboard', 'select', 'snapping', 'handles', 'play', 'animation', 'plugins'],
-  object: ['name', 'state', 'tree', 'duplicate', 'align', 'material', 'prefab'],
+  object: ['name', 'state', 'tree', 'duplicate', 'align', 'material', 'physics', 'prefab'],
   view: [
     ...['camera', 'side', 'bookmarks', 'views', 'shading', 'picture'],
     ...['show', 'measure', 'figures', 'panels', 'window'],

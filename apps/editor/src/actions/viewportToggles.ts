@@ -34,6 +34,18 @@ export const showRanges: Action = {
   checked: ({ viewport }) => viewport.showRanges,
 };
 
+/** Of all objects, or of those that are selected. */
+export const showColliders: Action = {
+  id: 'view.colliders',
+  label: 'Colliders and joints of all objects, not of selected ones alone',
+  icon: 'collider',
+  menu: { menu: 'view', group: 'show' },
+  run({ viewport }) {
+    viewport.showColliders = !viewport.showColliders;
+  },
+  checked: ({ viewport }) => viewport.showColliders,
+};
+
 /** They are in the way of work: what is out of focus cannot be seen. */
 export const showPictureEffects: Action = {
   id: 'view.pictureEffects',

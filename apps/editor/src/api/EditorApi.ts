@@ -150,6 +150,10 @@ export interface EditorApi {
   openMicroShader(chunk: string, line?: number): void;
   /** Shows a script of the scene in its panel, at a line (from 1) if one is given. */
   openScript(name: string, line?: number): void;
-  /** Edits another scene, with an empty history. */
-  show(scene: Scene, file: OpenFile): void;
+  /**
+   * Edits another scene, with an empty history.
+   * @param runsScripts - whether its scripts run, as they do when absent; those of a scene of somebody else's are off until
+   * the user says so
+   */
+  show(scene: Scene, file: OpenFile, runsScripts?: boolean): void;
 }

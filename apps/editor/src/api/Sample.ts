@@ -1,4 +1,4 @@
-import { type SceneParameters, scenes } from '@farol/engine/scenes';
+import { type SceneDefinition, scenes } from '@farol/engine/scenes';
 
 /** A scene to look at and to learn from. */
 export interface Sample {
@@ -10,13 +10,13 @@ export interface Sample {
   readonly help: string;
   /** Its file in `public/scenes`; null for a scene that the engine makes. */
   readonly file: string | null;
-  /** With what the engine makes it. */
-  readonly parameters: SceneParameters;
+  /** The engine's scene; null for a file. */
+  readonly scene: SceneDefinition | null;
 }
 
 const ofFile = (file: string, label: string, help: string): Sample => ({
   name: file.slice(0, file.lastIndexOf('.')),
-  ...{ label, help, file, parameters: {} },
+  ...{ label, help, file, scene: null },
 });
 
 /** Files that `packages/tools/makeSamples.mjs` writes. */
@@ -53,12 +53,9 @@ const ofFiles: readonly Sample[] = [
 export const samples: Readonly<Record<string, Sample>> = Object.fromEntries(
   [
     ...ofFiles,
-    ...Object.values(scenes).map(({ name, label, help, sample }): Sample => ({
-      name,
-      label,
-      help,
-      file: null,
-      parameters: sample,
-    })),
+    ...Object.values(scenes).map((scene): Sample => {
+      const { name, label, help } = scene;
+      return { name, label, help, file: null, scene };
+    }),
   ].map((sample) => [sample.name, sample]),
 );

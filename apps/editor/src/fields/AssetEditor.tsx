@@ -13,7 +13,12 @@ interface AssetOption extends SearchOption {
   readonly entry: AssetEntry;
 }
 
-const nameOf = ({ name, kind, label }: AssetEntry): string => (kind === 'prefab' ? label : name);
+/** What an asset is called in the list; of the clips of a model first what the model calls them. */
+function nameOf(assets: AssetLibrary, { name, kind, label }: AssetEntry): string {
+  const model = kind === 'clip' ? assets.modelOf(name) : null;
+  if (model !== null) return `${label.replace(/^clip-\d+-/, '')} (${model})`;
+  return kind === 'prefab' ? label : name;
+}
 
 const noneOf = (type: AssetField['assetType']): string =>
   ({
@@ -53,7 +58,7 @@ export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
     const rank = ({ entry }: AssetOption): number => rankOf(assets, entry, normals);
     return assetEntries(scene)
       .filter(({ kind }) => kind === assetType)
-      .map((entry) => ({ value: entry.name, label: nameOf(entry), entry }))
+      .map((entry) => ({ value: entry.name, label: nameOf(assets, entry), entry }))
       .toSorted((a, b) => rank(a) - rank(b));
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the library
   }, [scene, assets, assetType, name, revision]);

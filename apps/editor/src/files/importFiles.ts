@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import type { AssetLibrary } from '@farol/engine';
+import { AssetError, type AssetLibrary } from '@farol/engine';
 import { decodedUri, expandZips, packFbx, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { withProgress } from './withProgress';
@@ -111,7 +111,7 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
       problems.push(
         t('{path} cannot be imported: {reason}', {
           path,
-          reason: cause instanceof Error && assets.typeOf(name) !== 'sound' ? cause.message : String(error),
+          reason: error instanceof AssetError && cause instanceof Error ? cause.message : (error as Error).message,
         }),
       );
     }

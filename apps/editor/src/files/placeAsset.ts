@@ -4,7 +4,7 @@ import { instanceRootOf, instantiatePrefab } from '@farol/engine/prefabs';
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
 import { Sequence } from '../model/commands/Sequence';
-import { addObject } from '../model/edits';
+import { addComponent, addObject } from '../model/edits';
 import { canPlacePrefab } from '../model/prefabEdits';
 import { holdsNormals, isEnvironment } from './assetKinds';
 import type { DraggedAsset } from './dragAsset';
@@ -29,6 +29,8 @@ function makeObject(editor: EditorApi, { kind, name }: DraggedAsset): GameObject
     const [clip] = assets.model(name).clips;
     object.addComponent(ModelRenderer, { model: name });
     if (clip) object.addComponent(Animation, { clip: assets.nameOf(clip) });
+  } else if (kind === 'clip') {
+    object.addComponent(Animation, { clip: name });
   } else if (kind === 'sound') {
     object.addComponent(AudioSource, { sound: name });
   } else if (kind === 'mesh') {
@@ -59,6 +61,16 @@ export function useAsEnvironment(editor: EditorApi, name: string): void {
       { owner: settings, name: 'background', value: 'environment' },
     ]),
   );
+}
+
+/** Has the object under the pointer play a clip. */
+function animate(editor: EditorApi, clip: string, target: GameObject): void {
+  const { document, commands } = editor;
+  const owner = target.getComponent(Animation);
+  const label = t('Gave {asset} to {object}', { object: target.name, asset: clip });
+  if (owner) commands.run(new SetFields(label, [{ owner, name: 'clip', value: clip }]));
+  else commands.run(addComponent(document.scene, [target], Animation, { clip }));
+  document.selection.set([target.id]);
 }
 
 /** Gives the object under the pointer a material, shader or texture. @returns whether it could */
@@ -139,6 +151,7 @@ export async function placeAsset(
   }
   if (scene !== document.scene) return;
   if (asset.kind === 'texture' && isEnvironment(asset.name)) return useAsEnvironment(editor, asset.name);
+  if (asset.kind === 'clip' && place.target) return animate(editor, asset.name, place.target);
   const paints = asset.kind === 'material' || asset.kind === 'shader' || asset.kind === 'texture';
   if (paints && paint(editor, asset, place.target ?? null)) return;
   const object = makeObject(editor, asset);

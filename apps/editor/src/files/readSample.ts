@@ -11,5 +11,6 @@ export async function readSample(editor: EditorApi, file: string): Promise<Scene
     throw new Error(t('The sample {file} could not be read: the server answered {status}.', { file, status }));
   }
   const { text, fileOf } = await readSceneFile(new Uint8Array(await response.arrayBuffer()), editor.mayUnpack);
-  return deserialize(text, { assets: editor.libraryForNext(), registry: editor.components, fileOf });
+  const registry = editor.document.scripts.withoutScripts(editor.components);
+  return deserialize(text, { assets: editor.libraryForNext(), registry, fileOf });
 }

@@ -1,5 +1,5 @@
 import { Signal } from '@farol/editing';
-import type { Component, ComponentClass, ComponentRegistry, Scene } from '@farol/engine';
+import { type Component, type ComponentClass, ComponentRegistry, type Scene } from '@farol/engine';
 import {
   compileScript,
   runInPage,
@@ -18,6 +18,9 @@ export interface ScriptFailure extends ScriptPlace {
   readonly object: string;
 }
 
+/** Why scripts are off: they came from elsewhere, the page hung when they ran last, or the address says `?scripts=off`. */
+export type OffReason = 'foreign' | 'hung' | 'address';
+
 const NONE: ReadonlyMap<string, never> = new Map<string, never>();
 
 /** Modules that scripts can import, fetched when the first script comes. */
@@ -35,6 +38,10 @@ export class DocumentScripts {
   /** Emits when a script is compiled, fails or goes, when one throws, and when scripts are switched on or off. */
   readonly changed = new Signal();
 
+  /** Why scripts are off, until the user has answered whether they shall run; null when nothing is to be asked. */
+  question: OffReason | null = null;
+
+  private held: OffReason | null = null;
   private scene: Scene | null = null;
   private registry: ComponentRegistry | null = null;
   private current: SceneScripts | null = null;
@@ -55,9 +62,33 @@ export class DocumentScripts {
   set isOn(value: boolean) {
     if (value === this.isWanted) return;
     this.isWanted = value;
+    if (value) this.question = this.held = null;
     if (this.current) this.current.isOn = value;
     else this.begin();
     this.changed.emit();
+  }
+
+  /** Whether the scene has scripts. */
+  get areThere(): boolean {
+    return (this.scene?.assets.fieldAssets('script').length ?? 0) > 0;
+  }
+
+  /** Has scripts off in this scene and those that are opened next, until the user switches them on. */
+  hold(reason: OffReason): void {
+    this.held = this.question = reason;
+    this.isOn = false;
+  }
+
+  /** The user wants scripts to stay off: it is not asked again for this scene. */
+  keepOff(): void {
+    this.question = null;
+    this.changed.emit();
+  }
+
+  /** The types of a registry without those of scripts: scenes that are opened have scripts of their own. */
+  withoutScripts(registry: ComponentRegistry): ComponentRegistry {
+    const others = [...registry.types.values()].filter((type) => this.current?.scriptOf(type) == null);
+    return new ComponentRegistry(others, { keepUnknown: registry.keepsUnknown });
   }
 
   /** What cannot be compiled or run as a module, by the name of the script: syntax errors and others, with line and column. */
@@ -80,6 +111,11 @@ export class DocumentScripts {
     return this.current?.scriptOf(componentClass) ?? null;
   }
 
+  /** Whether a script is being compiled, or what scripts need is being fetched. */
+  get isCompiling(): boolean {
+    return this.starting !== null || (this.current?.isCompiling ?? false);
+  }
+
   /** Fulfilled when what there is of scripts is compiled and runs. */
   async settled(): Promise<void> {
     await this.starting;
@@ -91,7 +127,8 @@ export class DocumentScripts {
     this.close();
     this.scene = scene;
     this.registry = registry;
-    this.isWanted = isOn;
+    this.isWanted = isOn && this.held === null;
+    this.question = this.held ?? (isOn ? null : 'foreign');
     this.endWatch = scene.assets.onChange((change) => {
       if (change.kind === 'registered' && change.type === 'script') this.begin();
     });

@@ -1,5 +1,5 @@
 import { SetFields } from '@farol/editing';
-import { GameObject, Light } from '@farol/engine';
+import { EventTrigger, GameObject, Light } from '@farol/engine';
 import { scenes } from '@farol/engine/scenes';
 import { describe, expect, it } from 'vitest';
 import { copyObjects, pasteObjects } from './clip';
@@ -79,6 +79,26 @@ describe('EditorDocument', () => {
     expect(intensity).toBe(0.5);
     expect(transform.position).toEqual(authored);
     expect(light.intensity).not.toBe(0.5);
+  });
+
+  it('tells the scene when it is held, and switches that triggers turned are back when it stops', () => {
+    const { scene, simulation } = new EditorDocument();
+    const object = new GameObject('Lamp');
+    const light = object.addComponent(Light);
+    object.addComponent(EventTrigger, { event: 'start', method: 'Light.disable' });
+    object.addComponent(EventTrigger, { event: 'start', method: 'GameObject.deactivate', delay: 0.05 });
+    scene.add(object);
+    let held = 0;
+    scene.pause = () => held++;
+    simulation.play();
+    for (let i = 0; i < 3; i++) simulation.advance(0.1);
+    expect([light.enabled, object.active, held]).toEqual([false, false, 0]);
+    simulation.pause();
+    expect(held).toBe(1);
+    simulation.step();
+    expect(held).toBe(2);
+    simulation.stop();
+    expect([light.enabled, object.active]).toEqual([true, true]);
   });
 
   it('groups and ungroups objects where they are in the world', () => {

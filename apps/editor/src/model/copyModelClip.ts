@@ -26,8 +26,8 @@ export interface CopiedClip {
 /** How far the copy may be from the model's clip between two keys: rad of turns, and a share of the largest value of others. */
 const ACCURACY = 1e-4;
 
-/** How often the time between two keys may be halved. */
-const MOST_HALVES = 6;
+/** Places between two keys that are compared. */
+const SAMPLES = 64;
 
 const fields = { position: 'position', quaternion: 'rotation', scale: 'scale' } as const;
 
@@ -55,10 +55,10 @@ function nearestAngles(turn: Quaternion, near: Vector3Tuple): Vector3Tuple {
   return distance(same[0]) <= distance(same[1]) ? same[0] : same[1];
 }
 
-const mean = (a: Vector3Tuple, b: Vector3Tuple): Vector3Tuple => [
-  (a[0] + b[0]) / 2,
-  (a[1] + b[1]) / 2,
-  (a[2] + b[2]) / 2,
+const mix = (a: Vector3Tuple, b: Vector3Tuple, share: number): Vector3Tuple => [
+  a[0] + (b[0] - a[0]) * share,
+  a[1] + (b[1] - a[1]) * share,
+  a[2] + (b[2] - a[2]) * share,
 ];
 
 /** A track of a model's clip as keys; between them as many more as straight lines need to follow it. */
@@ -83,20 +83,37 @@ function keysOf(track: KeyframeTrack, isTurn: boolean): ClipKey[] {
   const add = (time: number, value: Vector3Tuple): void => {
     keys.push(isStep ? { time, value, easing: 'step' } : { time, value });
   };
-  const between = (from: ClipKey, time: number, value: Vector3Tuple, halves: number): void => {
-    const middle = (from.time + time) / 2;
-    const start = from.value as Vector3Tuple;
-    const wanted = valueAt(middle, mean(start, value));
-    if (halves === 0 || distance(wanted, mean(start, value)) <= ACCURACY) return;
-    between(from, middle, wanted, halves - 1);
-    add(middle, wanted);
-    between({ time: middle, value: wanted }, time, value, halves - 1);
+  /** Adds what a straight line between two samples is too far from, the farthest first. */
+  const refine = (samples: readonly ClipKey[], first: number, last: number): void => {
+    const from = samples[first].value as Vector3Tuple;
+    const to = samples[last].value as Vector3Tuple;
+    let farthest = first;
+    let most = ACCURACY;
+    for (let n = first + 1; n < last; n++) {
+      const far = distance(samples[n].value as Vector3Tuple, mix(from, to, (n - first) / (last - first)));
+      if (far <= most) continue;
+      most = far;
+      farthest = n;
+    }
+    if (farthest === first) return;
+    refine(samples, first, farthest);
+    add(samples[farthest].time, samples[farthest].value as Vector3Tuple);
+    refine(samples, farthest, last);
   };
   times.forEach((time, i) => {
     const last = keys.at(-1);
-    const value = valueAt(time, (last?.value as Vector3Tuple | undefined) ?? [0, 0, 0]);
-    if (i > 0 && last && !isStep) between(last, time, value, MOST_HALVES);
-    add(time, value);
+    if (!last || isStep) {
+      add(time, valueAt(time, (last?.value as Vector3Tuple | undefined) ?? [0, 0, 0]));
+      return;
+    }
+    // step by step, so that angles go on from where they were
+    const samples: ClipKey[] = [last];
+    for (let n = 1; n <= SAMPLES; n++) {
+      const at = n === SAMPLES ? time : times[i - 1] + ((time - times[i - 1]) * n) / SAMPLES;
+      samples.push({ time: at, value: valueAt(at, samples[n - 1].value as Vector3Tuple) });
+    }
+    refine(samples, 0, SAMPLES);
+    add(time, samples[SAMPLES].value as Vector3Tuple);
   });
   return keys;
 }

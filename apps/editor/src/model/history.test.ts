@@ -1,11 +1,15 @@
 import { builtinComponents, ComponentRegistry, createRandom } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
-import { expect, it } from 'vitest';
+import { beforeAll, expect, it } from 'vitest';
 import { EditorDocument } from './EditorDocument';
 import { randomCommand } from './testing/randomCommand';
 import { randomGesture } from './testing/randomGesture';
 import { randomScene } from './testing/randomScene';
+import { scriptsInNode } from './testing/scriptsInNode';
 import { randomKeep, randomSimulation } from './testing/randomSimulation';
+
+// what decals fetch is there, also after the last step
+beforeAll(() => import('@farol/renderer/decals'));
 
 /** What a document is: its scene as in a file, and the assets that it could use. */
 const stateOf = ({ scene, assets }: EditorDocument): string =>
@@ -16,13 +20,11 @@ const STEPS = 2500;
 
 it.each([1, 2, 3, 4])(
   'undoes and redoes random edits exactly, seed %i',
-  (seed) => {
+  async (seed) => {
     const random = createRandom(seed);
     const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
-    const document = new EditorDocument(undefined, registry);
-    // their components are data
-    document.scripts.isOn = false;
-    document.open(randomScene(random, document), false);
+    const document = new EditorDocument(undefined, registry, scriptsInNode());
+    document.open(randomScene(random, document));
     const { commands } = document;
     /** What the document was after each number of steps that the history still has. */
     const states = [stateOf(document)];
@@ -43,6 +45,7 @@ it.each([1, 2, 3, 4])(
         else if (act < 0.53) randomKeep(random, document);
         else commands.run(randomCommand(random, document));
         isEdit = commands.last !== last;
+        if (document.scripts.isCompiling) await document.scripts.settled();
       }
       const state = stateOf(document);
       if (isEdit) {

@@ -2,7 +2,7 @@ import type { Scene } from '@farol/engine';
 import { typeNameOf } from '@farol/engine/scripts';
 import { splitName } from './assetNames';
 
-/** A class of a name: 'Script 2' gives 'Script2', 'door opener.ts' 'DoorOpener'. */
+/** A class of a name: 'Script 2' gives 'Script2', 'door opener' 'DoorOpener'. */
 export function classNameOf(script: string): string {
   const words = splitName(script)
     .leaf.replace(/\.(m?js|ts)$/, '')

@@ -57,8 +57,9 @@ export class SampleScene {
   /** An object. @returns its id */
   object(name: string, place: Place, ...parts: readonly Part[]): string {
     const id = this.idOf(name);
-    const listed = [['Transform', transformOf(place)] as Part, ...parts].filter(([type]) => this.knows(type));
-    const components = listed.map(([type, values = {}], i) => component(`${id}-${i}`, type, values));
+    const components = [['Transform', transformOf(place)] as Part, ...parts].map(([type, values = {}], n) =>
+      component(`${id}-${n}`, type, values),
+    );
     const tags = place.tags ? { tags: [...place.tags] } : {};
     this.objects.push({ id, name, parent: place.parent ?? null, ...tags, components });
     return id;
@@ -139,12 +140,6 @@ export class SampleScene {
     // components of scripts are kept as data
     const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
     return deserialize(JSON.stringify(file), { registry, fileOf: (path) => this.files.get(path) ?? null });
-  }
-
-  private knows(type: string): boolean {
-    return (
-      builtinComponents.types.has(type) || this.assets.some((asset) => asset.type === 'script' && asset.name === type)
-    );
   }
 
   private idOf(name: string): string {

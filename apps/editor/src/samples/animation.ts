@@ -178,14 +178,14 @@ export async function animation(): Promise<SampleScene> {
       skyHorizon: [0.2, 0.11, 0.12],
       skyGround: [0.02, 0.02, 0.02],
     },
-    ...{ toneMapping: 'aces-filmic', exposure: 1.1, environmentIntensity: 0.8 },
+    ...{ toneMapping: 'aces-filmic', exposure: 1.15, environmentIntensity: 1 },
     ...{ bloom: true, bloomIntensity: 0.5, bloomThreshold: 1.2 },
   });
   addCamera(scene, [1.2, 3, 9.2], [-0.2, 1.2, -1], { fov: 0.95 });
   const paving = {
     map: 'tiles',
     normalMap: 'tiles-normal',
-    colour: [0.55, 0.53, 0.52],
+    colour: [0.75, 0.72, 0.7],
     repeat: 10,
     roughness: 0.5,
   } as const;
@@ -193,7 +193,7 @@ export async function animation(): Promise<SampleScene> {
   scene.object(
     'Moon',
     { position: [-7, 12, 8], target: [0, 0, 0] },
-    light('directional', { diffuse: [0.6, 0.68, 1], intensity: 0.6, shadowExtent: 10 }),
+    light('directional', { diffuse: [0.6, 0.68, 1], intensity: 1.6, shadowExtent: 10 }),
   );
   addCarousel(scene);
   addArm(scene);

@@ -5,7 +5,7 @@ import { light, marble, mesh, stone, wood } from './parts';
 import { addDoor } from './night/addDoor';
 import { lanternPrefab } from './night/lanternPrefab';
 import { addPlayer } from './night/addPlayer';
-import { type ReadPublic, SampleScene } from './SampleScene';
+import { type Overrides, type ReadPublic, SampleScene } from './SampleScene';
 
 const sources: Readonly<Record<string, string>> = import.meta.glob('./night/scripts/*.ts', {
   eager: true,
@@ -149,13 +149,18 @@ function addAltar(scene: SampleScene, temple: string): void {
 function addLanterns(scene: SampleScene): void {
   const lantern = lanternPrefab(scene);
   const lanterns = scene.object('Lanterns', {});
+  // no two swing alike
+  const random = createRandom(3);
+  const push = (): Overrides => ({
+    'Body/RigidBody.initialVelocity': [1.5 * (random() - 0.5), 0, 1.1 * (random() - 0.5)],
+  });
   for (const [i, x] of GAPS.entries()) {
     const place = { position: [x, BEAMS, 10.8], rotation: [0, i * 0.5, 0], parent: lanterns } as const;
-    scene.instance(lantern, place, { 'Flame/Light.castShadow': true });
+    scene.instance(lantern, place, { 'Flame/Light.castShadow': true, ...push() });
   }
   for (const z of [5.4, 0, -5.4]) {
     for (const x of [-6.75, 6.75]) {
-      scene.instance(lantern, { position: [x, BEAMS, z + 1.35], parent: lanterns });
+      scene.instance(lantern, { position: [x, BEAMS, z + 1.35], parent: lanterns }, push());
     }
   }
 }

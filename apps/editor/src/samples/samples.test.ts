@@ -1,7 +1,16 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import * as engine from '@farol/engine';
-import { builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
+import {
+  builtinComponents,
+  CharacterController,
+  ComponentRegistry,
+  type GameObject,
+  Light,
+  ObjectRenderer,
+  PhysicsSystem,
+  type Scene,
+} from '@farol/engine';
 import * as fields from '@farol/engine/fields';
 import { deserialize, readSceneFile, serialize, UnknownComponent } from '@farol/engine/files';
 import { compileScript, SceneScripts, takeGiven } from '@farol/engine/scripts';
@@ -32,6 +41,8 @@ async function open(file: string): Promise<{ scene: Scene; scripts: SceneScripts
   return { scene, scripts };
 }
 
+const none = { repeat: false, shiftKey: false, ctrlKey: false, altKey: false, metaKey: false };
+
 /** Where everything is that is drawn. */
 const places = (scene: Scene): number[] => {
   const numbers: number[] = [];
@@ -61,8 +72,8 @@ describe.each(Object.keys(sampleMakers))('%s', (file) => {
     });
     expect(unknown).toEqual([]);
     expect(scene.activeCamera).not.toBeNull();
-    expect(scene.componentsOf(engine.Light).some(({ castShadow }) => castShadow)).toBe(true);
-    expect(scene.componentsOf(engine.ObjectRenderer).some(({ receiveShadow }) => receiveShadow)).toBe(true);
+    expect(scene.componentsOf(Light).some(({ castShadow }) => castShadow)).toBe(true);
+    expect(scene.componentsOf(ObjectRenderer).some(({ receiveShadow }) => receiveShadow)).toBe(true);
     scene.dispose();
   });
 
@@ -73,7 +84,7 @@ describe.each(Object.keys(sampleMakers))('%s', (file) => {
     scene.setTime(0);
     const [before, at] = [JSON.stringify(serialize(scene)), places(scene)];
     for (const type of ['RigidBody', 'Collider'] as const) {
-      if (scene.componentsOf(type).length > 0) await scene.system(engine.PhysicsSystem).prepare();
+      if (scene.componentsOf(type).length > 0) await scene.system(PhysicsSystem).prepare();
     }
     for (let i = 0; i < 120; i++) scene.update(1 / 60);
     if (file !== 'prefabs.json') expect(places(scene)).not.toEqual(at);
@@ -84,4 +95,42 @@ describe.each(Object.keys(sampleMakers))('%s', (file) => {
     expect(faults).toEqual([]);
     scene.dispose();
   });
+});
+
+test('Night in the temple: one walks up the steps, the door opens, lanterns swing, and crates fall', async () => {
+  const { scene } = await open('night-in-the-temple.farol');
+  await scene.system(PhysicsSystem).prepare();
+  const key = (type: 'down' | 'up', code: string): void => void scene.dispatchKey({ ...none, type, code, key: code });
+  const object = (name: string): GameObject => scene.find(name)!;
+  const run = (seconds: number): void => {
+    for (let i = 0; i < seconds * 60; i++) scene.update(1 / 60);
+  };
+  const player = object('Player').object3D.position;
+  const leaf = object('Left leaf').object3D.rotation;
+  const crates = (): string =>
+    object('Crates')
+      .children.map(({ object3D }) => object3D.position.y.toFixed(2))
+      .join();
+  run(2);
+  const [lantern, pile] = [object('Body').object3D, crates()];
+  const hung = lantern.position.x;
+  key('down', 'KeyW');
+  run(1);
+  expect(Math.abs(lantern.position.x - hung)).toBeGreaterThan(0.02);
+  expect(leaf.y).toBe(0);
+  run(4);
+  expect(player.y).toBeGreaterThan(0.9);
+  run(4.5);
+  expect(leaf.y).toBeCloseTo(1.75, 2);
+  expect(player.z).toBeLessThan(4);
+  key('up', 'KeyW');
+  expect(crates()).toBe(pile);
+  // beside the pile, and into it
+  const walker = object('Player').getComponent(CharacterController)!;
+  walker.teleport([5.2, 0, 18]);
+  run(0.2);
+  walker.walk([0, 0, -1]);
+  run(3);
+  expect(crates()).not.toBe(pile);
+  scene.dispose();
 });

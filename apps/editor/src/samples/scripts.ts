@@ -1,4 +1,5 @@
 import type { Vector3Tuple } from '@farol/engine/fields';
+import { Color } from 'three';
 import { addCamera, light, mesh, stone } from './parts';
 import { SampleScene } from './SampleScene';
 
@@ -46,13 +47,18 @@ export async function scripts(): Promise<SampleScene> {
   const lights = scene.object('Lights', {});
   for (let i = 0; i < 12; i++) {
     const far = 1.6 + i * 0.28;
-    const position: Vector3Tuple = [far, 1.5 + (i % 3) * 0.35, 0];
+    const place = { position: [Math.cos(i * 1.7) * far, 1.5 + (i % 3) * 0.35, Math.sin(i * 1.7) * far] } as const;
+    const { r, g, b } = new Color().setHSL(i / 12, 1, 0.5);
+    const colour: Vector3Tuple = [r, g, b];
     scene.object(
       'Light',
-      { position, parent: lights },
-      ['Light', { intensity: 5, range: 3.5, ...(i % 6 === 0 && { castShadow: true, shadowMapSize: 512 }) }],
-      ['ObjectRenderer', { mesh: 'bulb', kind: 'basic', instanced: true }],
-      ['Orbit', { speed: (i % 2 === 0 ? 1 : -1) * (1.1 - i * 0.05), phase: i * 1.7 }],
+      { ...place, parent: lights },
+      [
+        'Light',
+        { diffuse: colour, intensity: 5, range: 3.5, ...(i % 6 === 0 && { castShadow: true, shadowMapSize: 512 }) },
+      ],
+      ['ObjectRenderer', { mesh: 'bulb', kind: 'basic', instanced: true, colour }],
+      ['Orbit', { speed: (i % 2 === 0 ? 1 : -1) * (1.1 - i * 0.05) }],
       ['Rainbow', { hue: i / 12 }],
     );
   }

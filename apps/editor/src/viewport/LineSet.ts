@@ -40,6 +40,11 @@ export class LineSet {
     }
   }
 
+  /** How many lines there are. */
+  get count(): number {
+    return this.vertices / 2;
+  }
+
   /** Begins anew. */
   begin(): void {
     this.vertices = 0;

@@ -22,6 +22,7 @@ import { Panes } from './panes/Panes';
 import { type Bounds, paneSurface } from './panes/paneSurface';
 import type { ViewPane } from './panes/ViewPane';
 import type { PickSurface } from './PickSurface';
+import { LatePhysicsOverlay } from './physics/LatePhysicsOverlay';
 import { PictureCamera } from './PictureCamera';
 import { PlayView } from './PlayView';
 import { PointerPicker } from './PointerPicker';
@@ -57,6 +58,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly panes: Panes;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
+  /** Lines and handles of colliders and joints. */
+  readonly physics: LatePhysicsOverlay;
   readonly picker: PointerPicker;
   readonly boxSelect: BoxSelect;
 
@@ -113,6 +116,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.place = new CanvasPlace(canvas, () => this.resize());
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);
+    this.physics = new LatePhysicsOverlay(this, this.helpers.scene, (error) => this.onError(error));
     this.boxSelect = new BoxSelect(this);
     this.picker = new PointerPicker(this);
     this.input = new SceneInput(
@@ -340,6 +344,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
     for (const end of this.endings) end();
     this.picker.dispose();
     this.boxSelect.dispose();
+    this.physics.dispose();
     this.preview?.dispose();
     this.ball?.dispose();
     this.input.dispose();
@@ -378,8 +383,10 @@ export class Viewport extends ViewportSettings implements PickSurface {
     lookThrough?.setViewport(width, height);
     this.drawScene(pane, camera, lookThrough);
     this.gizmo.update(this.raysOf(pane));
-    if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true))
+    if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true)) {
+      this.physics.update(webgl.getPixelRatio());
       this.helpers.render(webgl, camera, lookThrough, this.gizmo.isDragging);
+    }
   }
 
   private drawScene(pane: ViewPane, camera: Camera, lookThrough: CameraComponent | null): void {

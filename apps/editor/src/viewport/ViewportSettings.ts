@@ -20,6 +20,7 @@ export abstract class ViewportSettings {
   abstract readonly helpers: Helpers;
   protected abstract readonly loop: FrameLoop;
   private hasStatistics = false;
+  private hasColliders = false;
 
   get technique(): TechniqueName {
     return this.farol.technique;
@@ -141,6 +142,16 @@ export abstract class ViewportSettings {
 
   set showRanges(show: boolean) {
     this.helpers.showRanges = show;
+    this.changed.emit();
+  }
+
+  /** Whether colliders and joints of all objects are drawn; else those of selected ones. */
+  get showColliders(): boolean {
+    return this.hasColliders;
+  }
+
+  set showColliders(show: boolean) {
+    this.hasColliders = show;
     this.changed.emit();
   }
 

@@ -16,35 +16,40 @@ import type {
   Vector3Tuple,
 } from './Field';
 
-type Options<F> = Omit<F, 'kind' | 'default' | 'options' | 'assetType'>;
+/** What is said of a field beside its value; a line of help should be among it. */
+type Options<F> = Omit<F, 'kind' | 'default' | 'options' | 'assetType' | 'help'> & { readonly help?: string };
 type WithoutUnit<F> = Omit<F, 'unit'>;
 
 /** A number; `options` gives unit, min, max, step and integer. */
-export const number = (value: number, options: Options<NumberField>): NumberField => ({
+export const number = (value: number, options: Options<NumberField> = {}): NumberField => ({
   kind: 'number',
   default: value,
+  help: '',
   ...options,
 });
 
 /** An angle in radians. */
-export const angle = (radians: number, options: WithoutUnit<Options<AngleField>>): AngleField => ({
+export const angle = (radians: number, options: WithoutUnit<Options<AngleField>> = {}): AngleField => ({
   kind: 'angle',
   default: radians,
   unit: 'rad',
+  help: '',
   ...options,
 });
 
 /** True or false. */
-export const boolean = (value: boolean, options: Options<BooleanField>): BooleanField => ({
+export const boolean = (value: boolean, options: Options<BooleanField> = {}): BooleanField => ({
   kind: 'boolean',
   default: value,
+  help: '',
   ...options,
 });
 
 /** Free text. */
-export const string = (value: string, options: Options<StringField>): StringField => ({
+export const string = (value: string, options: Options<StringField> = {}): StringField => ({
   kind: 'string',
   default: value,
+  help: '',
   ...options,
 });
 
@@ -52,43 +57,48 @@ export const string = (value: string, options: Options<StringField>): StringFiel
 export const choice = <const Option extends string>(
   value: NoInfer<Option>,
   options: readonly Option[],
-  rest: Options<ChoiceField<Option>>,
-): ChoiceField<Option> => ({ kind: 'choice', default: value, options, ...rest });
+  rest: Options<ChoiceField<Option>> = {},
+): ChoiceField<Option> => ({ kind: 'choice', default: value, options, help: '', ...rest });
 
 /** Three coordinates. */
-export const vector3 = (value: Vector3Tuple, options: Options<Vector3Field>): Vector3Field => ({
+export const vector3 = (value: Vector3Tuple, options: Options<Vector3Field> = {}): Vector3Field => ({
   kind: 'vector3',
   default: value,
+  help: '',
   ...options,
 });
 
 /** Three angles in radians, order XYZ. */
-export const euler = (value: Vector3Tuple, options: WithoutUnit<Options<EulerField>>): EulerField => ({
+export const euler = (value: Vector3Tuple, options: WithoutUnit<Options<EulerField>> = {}): EulerField => ({
   kind: 'euler',
   default: value,
   unit: 'rad',
+  help: '',
   ...options,
 });
 
 /** A linear colour. */
-export const colour = (value: Vector3Tuple, options: Options<ColourField>): ColourField => ({
+export const colour = (value: Vector3Tuple, options: Options<ColourField> = {}): ColourField => ({
   kind: 'colour',
   default: value,
+  help: '',
   ...options,
 });
 
 /** The name of an asset, or null for none. */
-export const asset = (assetType: AssetType, value: string | null, options: Options<AssetField>): AssetField => ({
+export const asset = (assetType: AssetType, value: string | null, options: Options<AssetField> = {}): AssetField => ({
   kind: 'asset',
   default: value,
   assetType,
+  help: '',
   ...options,
 });
 
 /** The id of a GameObject of the scene, or null for none. */
-export const object = (value: string | null, options: Options<ObjectField>): ObjectField => ({
+export const object = (value: string | null, options: Options<ObjectField> = {}): ObjectField => ({
   kind: 'object',
   default: value,
+  help: '',
   ...options,
 });
 
@@ -96,5 +106,11 @@ export const object = (value: string | null, options: Options<ObjectField>): Obj
 export const custom = <const Value extends FieldValue>(
   type: FieldType,
   value: Value,
-  options: Options<Omit<CustomField, 'type'>>,
-): Omit<CustomField, 'default'> & { readonly default: Value } => ({ kind: 'custom', type, default: value, ...options });
+  options: Options<Omit<CustomField, 'type'>> = {},
+): Omit<CustomField, 'default'> & { readonly default: Value } => ({
+  kind: 'custom',
+  type,
+  default: value,
+  help: '',
+  ...options,
+});

@@ -37,15 +37,18 @@ export interface DeserializeOptions {
 /** Which foreign origins may be fetched from: all of those asked about, none, or these. */
 export type MayFetch = boolean | Iterable<string>;
 
-/** Registers the demo scenes' own meshes when a file names one, such as 'temple/column', that the library does not have. */
+/** Registers the demo scenes' own meshes when a file names one, such as 'temple/column', that the library does not have; their names in `registered`. */
 async function registerNamedSceneAssets(
   file: FarolFile,
   registry: ComponentRegistry,
   assets: AssetLibrary,
+  registered: string[],
 ): Promise<void> {
   if (!missingAssets(file, registry, assets).some(({ type, name }) => type === 'mesh' && name.includes('/'))) return;
   const { registerSceneAssets } = await import('../scenes/registerSceneAssets');
+  const before = new Set(assets.list());
   registerSceneAssets(assets);
+  registered.push(...assets.list().filter((name) => !before.has(name)));
 }
 
 /** Registers the file's own assets that the library does not have, their names in `registered`. */
@@ -159,7 +162,7 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
   try {
     const problems = new ProblemList();
     const checked = readFile(file, registry, problems);
-    await registerNamedSceneAssets(checked, registry, scene.assets);
+    await registerNamedSceneAssets(checked, registry, scene.assets, registered);
     checkAssets(checked, registry, scene.assets, problems);
     problems.throwIfAny();
     const origins = await allowedOrigins(checked, options);

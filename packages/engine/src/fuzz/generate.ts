@@ -25,7 +25,7 @@ const assetNames = {
   shader: [],
   model: ['model.glb'],
   script: [],
-  clip: [],
+  clip: ['Clip', 'model.glb/clip-1-Move'],
   sound: [],
 };
 
@@ -91,12 +91,28 @@ export function sceneCase(random: FuzzRandom): FarolFile {
     assets: [
       { name: 'own', type: 'mesh', url: `data:application/octet-stream;base64,${btoa(triangle)}` },
       { name: 'model.glb', type: 'model', url: `data:model/gltf-binary;base64,${base64(glbBytes(gltf()))}` },
+      { name: 'Clip', type: 'clip', values: { data: clipOf(random), duration: random.of([0, 0.01, 2]) } },
     ].filter(() => !random.once(9)) as FarolFile['assets'],
     ...(random.once(4) ? { microShaders: { 'own/tint': '// Tints.\n#include "other"\nvec3 tint;\n' } } : {}),
     ...(random.once(4) ? { views: [{ place: 4, name: 'Door', fov: 0.8, orthographic: true, ...looks }] } : {}),
     ...(prefabs.length > 0 ? { prefabs } : {}),
     objects,
   };
+}
+
+/** The text of a clip: most are well, some are not. */
+function clipOf(random: FuzzRandom): string {
+  const value = (): unknown => (random.once(9) ? hostileValue(random) : [random.next(), 1, -2]);
+  const track = (): unknown => ({
+    path: random.of(['', 'Lamp', 'Lamp/Lamp', '/']),
+    component: random.of(['Transform', 'Light', 'toString', '']),
+    field: random.of(['position', 'rotation', 'scale', 'constructor', 'diffuse']),
+    keys: [0, 0.5, 1].slice(random.below(3)).map((time) => ({ time, value: value(), easing: 'bezier' })),
+  });
+  const method = random.of(['onOpen', 'dispose', '__proto__', 'set']);
+  const clip = { tracks: [track(), track()], events: [{ time: 0, method, value: value() }] };
+  if (random.once(3)) mutate(clip, random);
+  return textOf(clip);
 }
 
 const looks = { position: [1, 2, 3], target: [0, -1, 0.5] } as const;

@@ -196,6 +196,7 @@ export class Body implements BodyControl {
     this.turnBefore.copy(this.turnNow);
     this.rapier.translation(this.now);
     this.rapier.rotation(this.turnNow);
+    this.turnNow.normalize();
   }
 
   /** Moves the object to between the last two steps. @param share - 0 is the one before, 1 the last */
@@ -204,8 +205,13 @@ export class Body implements BodyControl {
     const { parent } = object3D;
     const isTop = !parent?.parent;
     if (this.isSettled && isTop) return;
-    position.lerpVectors(this.before, this.now, share);
-    rotation.slerpQuaternions(this.turnBefore, this.turnNow, share);
+    if (share > 0) {
+      position.lerpVectors(this.before, this.now, share);
+      rotation.slerpQuaternions(this.turnBefore, this.turnNow, share);
+    } else {
+      position.copy(this.before);
+      rotation.copy(this.turnBefore);
+    }
     if (parent && !isTop) {
       parent.updateWorldMatrix(true, false);
       position.applyMatrix4(inverse.copy(parent.matrixWorld).invert());
@@ -215,8 +221,11 @@ export class Body implements BodyControl {
     object3D.position.copy(position);
     this.shownPosition.copy(position);
     if (this.type === 'character') return;
-    object3D.quaternion.copy(rotation);
-    this.shownTurn.copy(rotation);
+    // three computes angles anew with each rotation
+    if (!this.shownTurn.equals(rotation)) {
+      object3D.quaternion.copy(rotation);
+      this.shownTurn.copy(rotation);
+    }
     this.isSettled = this.wasSleeping && this.before.equals(this.now) && this.turnBefore.equals(this.turnNow);
   }
 

@@ -117,3 +117,14 @@ test('a script without a class any more leaves the one that there was', async ()
   ]);
   expect(component.componentClass).toBe(scripts.classOf('Spin'));
 });
+
+test('fields need no help; what they cannot begin with is told by the name of the field, and the class before runs on', async () => {
+  const { scene, scripts } = await make({ Spin: spin('rate: number(1), name: string("a")', '') });
+  const component = addSpin(scene, { rate: 3 });
+  expect(component.fields.rate).toEqual({ kind: 'number', default: 1, help: '' });
+  await edit(scene, scripts, 'Spin', spin('rate: number(), name: string("a")', ''));
+  expect(problems(scripts)).toEqual([
+    "Spin, line 3: what its field 'rate' is at first must be a finite number, not nothing.",
+  ]);
+  expect(component.get('rate')).toBe(3);
+});

@@ -3,6 +3,7 @@ import type { ComponentClass } from '../core/SceneGraph';
 import { scriptClasses } from '../core/scriptClasses';
 import type { ScriptModule } from './ScriptModules';
 import { asScriptError } from './ScriptModules';
+import { checkFieldValue } from '../fields/checkFieldValue';
 import { ScriptError } from './ScriptError';
 
 /** The name of components of a script whose class names none: that of the asset without folder and ending. */
@@ -34,8 +35,10 @@ export function scriptClass({ name, exports }: ScriptModule, source: string, had
   for (const [field, declared] of Object.entries(type.fields)) {
     if (typeof declared?.kind !== 'string')
       fail(
-        `its field '${field}' is not declared: write number(1), flag(true) or another field of '@farol/engine/fields'.`,
+        `its field '${field}' is not declared: write number(1), boolean(true) or another field of '@farol/engine/fields'.`,
       );
+    const problem = checkFieldValue(declared, declared.default);
+    if (problem !== null) fail(`what its field '${field}' is at first ${problem}.`);
   }
   if (!Object.hasOwn(type, 'typeName') || !type.typeName) {
     Object.defineProperty(type, 'typeName', { value: typeNameOf(name), configurable: true });

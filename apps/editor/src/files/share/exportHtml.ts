@@ -1,5 +1,6 @@
-import type { Scene } from '@farol/engine';
+import type { Scene, ScriptAsset } from '@farol/engine';
 import { assetUses, containerContent, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
+import { compileScript, ScriptError } from '@farol/engine/scripts';
 
 /** Bytes as base64. */
 function base64Of(bytes: Uint8Array): string {
@@ -31,8 +32,8 @@ async function fileBeside(name: string): Promise<Response> {
 }
 
 /** The script that shows a scene, as one text. @throws Error when it is not there */
-const playerScript = async (decoders: boolean): Promise<string> =>
-  (await fileBeside(decoders ? 'farol-player-decoders.js' : 'farol-player.js')).text();
+const playerScript = async (decoders: boolean, scripts: boolean): Promise<string> =>
+  (await fileBeside(`farol-player${scripts ? '-scripts' : ''}${decoders ? '-decoders' : ''}.js`)).text();
 
 /** Names that a scene with physics has in its components or scripts. */
 const physicsNames = /\b(RigidBody|Collider|CharacterController|Joint)\b/;
@@ -51,6 +52,20 @@ async function dragonOf(scene: Scene, uses: boolean): Promise<string> {
   const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer());
   return ` data-dragon="data:application/octet-stream;base64,${base64Of(bytes)}#.ply.gz"`;
 }
+
+/** The scripts of a scene, compiled. @throws ScriptError naming the first that cannot be */
+async function compiledScripts(scene: Scene): Promise<string[]> {
+  const scripts = scene.assets.fieldAssets('script') as ScriptAsset[];
+  if (scripts.length === 0) return [];
+  const results = await Promise.all(scripts.map(({ name, source }) => compileScript(name, source)));
+  return results.map((result) => {
+    if (result instanceof ScriptError) throw result;
+    return result.code;
+  });
+}
+
+/** JavaScript that may stand in an element of HTML. */
+const inElement = (code: string): string => code.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
 
 /** Letters that nobody can guess. */
 const makeNonce = (): string => base64Of(crypto.getRandomValues(new Uint8Array(18)));
@@ -75,13 +90,15 @@ function policyOf(hosts: Iterable<string>, nonce: string): string {
 
 /**
  * A web page that shows the scene by itself: script, scene and assets are in the one file, which runs from a disk too.
- * @throws Error when the player cannot be read
+ * Its scripts are in it compiled.
+ * @throws Error when the player cannot be read; ScriptError for a script that is broken
  */
 export async function exportHtml(scene: Scene): Promise<Blob> {
   const content = containerContent(scene);
   const usesDragon = assetUses(content.file, scene.registry).some(({ name }) => name === 'dragon');
+  const scripts = await compiledScripts(scene);
   const [script, bytes, dragon, physics] = await Promise.all([
-    needsDecoders(content.files.values(), scene).then(playerScript),
+    needsDecoders(content.files.values(), scene).then((decoders) => playerScript(decoders, scripts.length > 0)),
     writeContainer(content),
     dragonOf(scene, usesDragon),
     physicsOf(content.file),
@@ -100,7 +117,7 @@ export async function exportHtml(scene: Scene): Promise<Blob> {
 </head>
 <body>
 <script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>${physics}
-<script nonce="${nonce}">${script.replaceAll('</script', '<\\/script')}</script>
+${scripts.map((code) => `<script nonce="${nonce}">${inElement(code)}</script>\n`).join('')}<script nonce="${nonce}">${script.replaceAll('</script', '<\\/script')}</script>
 </body>
 </html>
 `;

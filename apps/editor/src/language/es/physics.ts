@@ -107,7 +107,7 @@ export const physics: Texts = {
   Dragging: 'Arrastrando',
   Moving: 'Moviendo',
   Look: 'Mirar',
-  Height: 'Altura',
+  Height: 'Alto',
   'Not at all': 'De ningún modo',
   'Look speed': 'Velocidad al mirar',
   'Greatest angle of the view above or below the horizon.': 'Mayor ángulo de la vista sobre el horizonte o bajo él.',
@@ -153,4 +153,13 @@ export const physics: Texts = {
   'Force for each metre that it is stretched or pressed.': 'Fuerza por cada metro que se estira o se comprime.',
   Stiffness: 'Rigidez',
   'Force against each metre a second of its motion.': 'Fuerza contra cada metro por segundo de su movimiento.',
+  'Added physics to': 'Añadir física a',
+  'Sized the collider of {name}': 'Cambiar el tamaño del colisionador de {name}',
+  'Moved the anchor of {name}': 'Mover el anclaje de {name}',
+  'Add dynamic body and collider': 'Añadir cuerpo dinámico y colisionador',
+  'Add kinematic body and collider': 'Añadir cuerpo cinemático y colisionador',
+  'Add fixed collider': 'Añadir colisionador fijo',
+  'Add character controller': 'Añadir controlador de personaje',
+  'Colliders and joints of all objects, not of selected ones alone':
+    'Colisionadores y articulaciones de todos los objetos, no solo de los elegidos',
 };

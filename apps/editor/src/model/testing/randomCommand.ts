@@ -1,5 +1,6 @@
 import type { Command } from '@farol/editing';
 import { builtinComponents, Camera, GameObject } from '@farol/engine';
+import { addPhysics, type PhysicsKind } from '../addPhysics';
 import { copyObjects, pasteObjects } from '../clip';
 import type { Container } from '../commands/Placement';
 import { SetMicroShaders } from '../commands/SetMicroShaders';
@@ -29,6 +30,7 @@ import { randomClipCommand } from './randomClipCommand';
 import { randomEdit } from './randomEdit';
 import { randomMaterialCommand } from './randomMaterialCommand';
 import { randomPrefabCommand } from './randomPrefabCommand';
+import { randomRunningScript } from './randomRunningScript';
 import { randomScriptCommand } from './randomScriptCommand';
 import { randomViewCommand } from './randomViewCommand';
 
@@ -53,7 +55,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 35);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 38);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
@@ -140,6 +142,13 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomScriptCommand(random, document, some(random, all));
     case 33:
       return randomClipCommand(random, document, pick(random, all));
+    case 34:
+    case 35:
+      return randomRunningScript(random, document) ?? randomEdit(random, document, scene.settings);
+    case 36: {
+      const kinds: readonly PhysicsKind[] = ['dynamic', 'kinematic', 'fixed', 'character'];
+      return addPhysics(scene, some(random, all), pick(random, kinds));
+    }
     default: {
       // components of scripts that do not run have no fields
       const owners = pick(random, all).components.filter(({ fields }) => Object.keys(fields).length > 0);

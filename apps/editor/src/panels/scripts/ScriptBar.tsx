@@ -16,7 +16,7 @@ interface ScriptBarProps {
 
 function stateOf({ isBroken, problems, isReady, failure }: ScriptBarProps): string {
   if (isBroken) return t('Cannot be read yet: the last good text runs');
-  if (problems > 0) return tCount(problems, '{count} error of types', '{count} errors of types');
+  if (problems > 0) return tCount(problems, '{count} error', '{count} errors');
   if (failure !== null) return t('No completion: {reason}', { reason: failure });
   return isReady ? '' : t('Completion is being fetched…');
 }

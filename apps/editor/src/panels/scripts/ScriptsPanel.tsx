@@ -4,12 +4,13 @@ import { isJavaScript } from '../../model/scriptNames';
 import { typescriptSupport } from '../../scripts/language/typescriptSupport';
 import { CodeEditor } from '../../ui/code/CodeEditor';
 import '../../ui/code/code.css';
-import { useEditor } from '../../ui/EditorContext';
+import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { newScript } from './scriptActions';
 import { ScriptBar } from './ScriptBar';
 import { ScriptList } from './ScriptList';
-import { ScriptProblems } from './ScriptProblems';
+import { ProblemList } from './ProblemList';
+import { problemsOf } from './scriptProblems';
 import './scripts.css';
 import { useScriptEditing } from './useScriptEditing';
 import { useDiagnostics, useScriptLanguage } from './useScriptLanguage';
@@ -33,8 +34,13 @@ export function ScriptsPanel(): ReactNode {
   const language = useScriptLanguage(editing);
   const { texts } = editing;
   const found = useDiagnostics(language, name, [...texts].join('\0'));
-  const problems = useMemo(() => found.filter(({ severity }) => severity !== 'hint'), [found]);
-  const errors = problems.filter(({ severity }) => severity === 'error').length;
+  const { scripts } = editor.document;
+  useSignal(scripts.changed);
+  const { errors, failures } = scripts;
+  const problems = useMemo(
+    () => (name === null ? [] : problemsOf(name, { errors, failures }, found)),
+    [name, errors, failures, found],
+  );
 
   return (
     <section className="panel scripts" aria-label={t('Scripts')}>
@@ -52,7 +58,7 @@ export function ScriptsPanel(): ReactNode {
           <ScriptBar
             name={name}
             isBroken={editing.isBroken(name)}
-            problems={errors}
+            problems={problems.length}
             isReady={language.isReady}
             failure={language.failure}
           />
@@ -60,7 +66,7 @@ export function ScriptsPanel(): ReactNode {
             name={name}
             text={editing.textOf(name)}
             label={t('Text of the script')}
-            problems={found}
+            problems={problems}
             goTo={place?.name === name && place.line > 0 ? place : null}
             language={() =>
               typescriptSupport(language, name, !isJavaScript(name), (script, line) => editor.openScript(script, line))
@@ -68,7 +74,7 @@ export function ScriptsPanel(): ReactNode {
             onInput={(text) => editing.edit(name, text)}
             onLeave={() => editing.finish()}
           />
-          {problems.length > 0 && <ScriptProblems name={name} list={problems} />}
+          {problems.length > 0 && <ProblemList name={name} list={problems} />}
         </div>
       )}
     </section>

@@ -10,6 +10,7 @@ import { ViewportToolbar } from './ViewportToolbar';
 
 const PainterOverlay = lazy(async () => ({ default: (await import('../frame/PainterOverlay')).PainterOverlay }));
 const PlayFrame = lazy(async () => ({ default: (await import('../play/PlayFrame')).PlayFrame }));
+const ScriptsBar = lazy(async () => ({ default: (await import('../play/ScriptsBar')).ScriptsBar }));
 const QuadOverlay = lazy(async () => ({ default: (await import('./QuadOverlay')).QuadOverlay }));
 const ToolBox = lazy(async () => ({ default: (await import('./tools/ToolBox')).ToolBox }));
 const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
@@ -22,8 +23,9 @@ export function ViewportPanel(): ReactNode {
   const { viewport, document, tools } = useEditor();
   useSignal(viewport.changed);
   useSignal(tools.changed);
-  const { simulation } = document;
+  const { simulation, scripts } = document;
   useSignal(simulation.changed);
+  useSignal(scripts.changed);
   const place = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     viewport.canvas.ariaLabel = t('Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
@@ -44,6 +46,7 @@ export function ViewportPanel(): ReactNode {
         {tools.current && <ToolBox key={tools.current.id} tool={tools.current} />}
         {viewport.painter && <PainterOverlay />}
         {simulation.state !== 'stopped' && <PlayFrame />}
+        {scripts.question && scripts.areThere && <ScriptsBar />}
         {counts.has(viewport.view) && !viewport.painter && <HeatScale />}
       </Suspense>
     </section>

@@ -6,7 +6,7 @@ import { gizmoSpace } from '../../actions/gizmoSpace';
 import { quadView } from '../../actions/quadView';
 import { snap } from '../../actions/snap';
 import { showStatistics } from '../../actions/statistics';
-import { continuous, showGrid, showIcons, showRanges } from '../../actions/viewportToggles';
+import { continuous, showColliders, showGrid, showIcons, showRanges } from '../../actions/viewportToggles';
 import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
 import { ActionButton } from '../../ui/ActionButton';
 import { MenuButton } from '../../ui/MenuButton';
@@ -22,7 +22,7 @@ import { LateSelectBox as SelectBox } from '../../ui/LateSelectBox';
 const EDITOR_CAMERA = '/';
 
 /** What is drawn over the picture, and how many views there are. */
-const display = [showGrid, showIcons, showRanges, continuous, showStatistics, quadView];
+const display = [showGrid, showIcons, showRanges, showColliders, continuous, showStatistics, quadView];
 
 /** @param id - of a camera of the scene; anything else stands for the editor's own */
 function lookThrough(viewport: Viewport, id: string): void {

@@ -10,7 +10,7 @@ export function lanternPrefab(scene: SampleScene): string {
     const body = scene.object(
       'Body',
       { position: [0, -2.3, 0], parent: lantern },
-      ['RigidBody', { mass: 4, angularDamping: 0, initialAngularVelocity: [0.35, 0, 0.25] }],
+      ['RigidBody', { mass: 4, angularDamping: 0, initialVelocity: [0.7, 0, 0.4] }],
       ['Collider', { shape: 'cylinder', fit: false, size: [0.4, 0.66, 0.4] }],
       ['Joint', { type: 'ball', anchor: [0, 2.3, 0] }],
     );

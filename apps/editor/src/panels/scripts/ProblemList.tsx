@@ -1,18 +1,18 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
-import type { ScriptDiagnostic } from '../../scripts/language/LanguageAnswers';
 import { useEditor } from '../../ui/EditorContext';
+import type { ScriptProblem } from './scriptProblems';
 
 /** Problems that are listed; more are counted. */
 const MOST = 50;
 
 /** What is wrong with a script, by line; a click goes there. */
-export function ScriptProblems({ name, list }: { name: string; list: readonly ScriptDiagnostic[] }): ReactNode {
+export function ProblemList({ name, list }: { name: string; list: readonly ScriptProblem[] }): ReactNode {
   const editor = useEditor();
   return (
     <ul className="chunk-errors" aria-label={t('Errors')}>
       {list.slice(0, MOST).map(({ line, from, message }) => (
-        <li key={`${from}:${message}`}>
+        <li key={`${line}:${from}:${message}`}>
           <button type="button" onClick={() => editor.openScript(name, line)}>
             {name}:{line}
           </button>

@@ -1,0 +1,37 @@
+import { t } from '@farol/editing';
+import type { ReactNode } from 'react';
+import type { OffReason } from '../../model/DocumentScripts';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import './scriptsBar.css';
+
+const textOf = (reason: OffReason): string =>
+  ({
+    foreign: t('The scripts of this scene are off, since it comes from elsewhere. Run them only if you trust it.'),
+    hung: t('Scripts are off: the page ended while they ran. Mend the one that has no end, then run them.'),
+    address: t('Scripts are off, as the address of the page says.'),
+  })[reason];
+
+/** Over the picture while scripts of the scene are off: why, and whether they shall run. */
+export function ScriptsBar(): ReactNode {
+  const editor = useEditor();
+  const { scripts } = editor.document;
+  useSignal(scripts.changed);
+  const { question } = scripts;
+  if (!question) return null;
+  return (
+    <section className="scripts-bar" role="alert" aria-label={t('Scripts are off')}>
+      <p>{textOf(question)}</p>
+      <div className="scripts-bar-buttons">
+        <button type="button" className="button framed" onClick={() => editor.layout.open('scripts')}>
+          {t('Look at them')}
+        </button>
+        <button type="button" className="button framed" onClick={() => scripts.keepOff()}>
+          {t('Keep them off')}
+        </button>
+        <button type="button" className="button primary" onClick={() => (scripts.isOn = true)}>
+          {t('Run them')}
+        </button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,4 @@
+import { play } from './play';
+import { runScripts } from './runScripts';
+
+play(runScripts);

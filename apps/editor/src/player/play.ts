@@ -1,0 +1,179 @@
+import { setTexts, t } from '@farol/editing';
+import {
+  App,
+  AssetLibrary,
+  audioOutput,
+  builtinComponents,
+  ComponentRegistry,
+  type ComponentRegistryType,
+  KeyController,
+  MouseController,
+  type Scene,
+} from '@farol/engine';
+import { deserialize, FileError, type ForeignAddress, readSceneFile } from '@farol/engine/files';
+import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { decodeLink } from '../files/share/linkText';
+import { player } from '../language/es/player';
+import { firstLanguage } from '../language/languages';
+import { askForHosts, keepToHosts } from './askForHosts';
+import { hasScripts, isSandboxed, showSandboxed } from './sandbox';
+
+/**
+ * Shows a scene on a page of its own: what standalone pages and embedded frames hold. The scene is in the element
+ * `farol-scene` (base64 of a `.farol` file), or in the address (`#scene=…`).
+ */
+
+/** The element that this script came by: known only while it runs first. */
+const ownScript = document.currentScript;
+
+const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+
+/** What plugins of the editor brought is not here, nor are scripts that do not run: the rest of the scene plays. */
+const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
+
+/** Runs the scripts of a scene; fulfilled when its components are of their classes. */
+export type RunScripts = (scene: Scene, registry: ComponentRegistryType) => Promise<void>;
+
+/** @param runScripts - null for the player without @returns null when another frame shows the scene */
+async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null): Promise<Scene | null> {
+  const element = document.getElementById('farol-scene');
+  const dragon = (element ?? ownScript)?.dataset.dragon;
+  const assets = new AssetLibrary({ renderer, ...(dragon ? { urls: { dragon } } : {}) });
+  if (element) {
+    const { text, fileOf } = await readSceneFile(bytesOf(element.textContent.trim()));
+    // the page's own policy names the hosts that its author was content with
+    return deserialize(text, { assets, registry, fileOf, mayFetch: () => true });
+  }
+  const mayFetch = async (addresses: readonly ForeignAddress[]): Promise<readonly string[]> => {
+    const hosts = await askForHosts(addresses);
+    keepToHosts(hosts);
+    return hosts;
+  };
+  assets.onChange((change) => change.error && say(change.error.message));
+  const text = await decodeLink(location.hash);
+  // whoever wrote the link wrote the scripts: they run where they reach nothing of this host
+  if (hasScripts(text) && (!runScripts || !isSandboxed())) {
+    showSandboxed();
+    return null;
+  }
+  return deserialize(text, { assets, registry, mayFetch });
+}
+
+/** Shows a message over the picture, below those that are there. */
+function say(text: string): void {
+  let place = document.querySelector('[role=alert]');
+  if (!place) {
+    place = document.createElement('p');
+    place.setAttribute('role', 'alert');
+    document.body.prepend(place);
+  }
+  place.textContent = [place.textContent, text].filter(Boolean).join('\n');
+}
+
+/** Says that there would be sound, until the user has pressed something. */
+function sayWhenMuted(): void {
+  const line = document.createElement('p');
+  line.setAttribute('role', 'status');
+  const update = (): void => {
+    line.textContent = audioOutput.isWaiting ? t('Click for sound') : '';
+    line.hidden = !audioOutput.isWaiting;
+  };
+  audioOutput.onChange(update);
+  update();
+  document.body.append(line);
+}
+
+/** A camera of the viewer's own, where the scene's cannot be moved by the user. */
+function orbit(app: App, scene: Scene): (width: number, height: number) => void {
+  const camera = new PerspectiveCamera(50, 1, 0.05, 2000);
+  const controls = new OrbitControls(camera, app.canvas);
+  scene.three.updateMatrixWorld();
+  const box = new Box3().setFromObject(scene.three);
+  const middle = box.isEmpty() ? new Vector3() : box.getCenter(new Vector3());
+  const active = scene.activeCamera?.three;
+  if (active) {
+    active.updateWorldMatrix(true, false);
+    active.matrixWorld.decompose(camera.position, camera.quaternion, new Vector3());
+    if (active instanceof PerspectiveCamera) camera.fov = active.fov;
+    // what it looks at is as far ahead as the middle of the scene
+    const ahead = new Vector3(0, 0, -1).applyQuaternion(camera.quaternion);
+    const distance = Math.max(1, middle.clone().sub(camera.position).dot(ahead));
+    controls.target.copy(camera.position).addScaledVector(ahead, distance);
+  } else {
+    const size = box.isEmpty() ? 4 : box.getSize(new Vector3()).length();
+    camera.position.copy(middle).add(new Vector3(0.5, 0.4, 0.8).multiplyScalar(size));
+    controls.target.copy(middle);
+  }
+  controls.enableDamping = true;
+  scene.pointerCamera = camera;
+  let last = 0;
+  const frame = (now: number): void => {
+    scene.update(last === 0 ? 0 : Math.min((now - last) / 1000, 0.1));
+    last = now;
+    controls.update();
+    app.picture.render(scene, camera, scene.activeCamera);
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+  return (width, height) => {
+    camera.aspect = width / height;
+    camera.updateProjectionMatrix();
+  };
+}
+
+function listens(scene: Scene): boolean {
+  let found = scene.componentsOf('CharacterController').length > 0;
+  scene.traverse((object) => {
+    found ||= object.getComponent(KeyController) !== null || object.getComponent(MouseController) !== null;
+  });
+  return found;
+}
+
+/** Shows and plays the scene of the page. @param runScripts - null for the player without */
+async function start(runScripts: RunScripts | null): Promise<void> {
+  if (firstLanguage(null, navigator.languages) === 'es') {
+    setTexts(player, 'es');
+    document.documentElement.lang = 'es';
+  }
+  const app = new App({ parent: document.body, renderer: { antialias: true } });
+  const scene = await readScene(app.webgl, runScripts);
+  if (!scene) {
+    app.dispose();
+    return;
+  }
+  const told = new Set<string>();
+  scene.onComponentError = (component, error) => {
+    const owner = component.isAttached ? component.gameObject.name : '';
+    const text = `${component.typeName} of ${owner}: ${error instanceof Error ? error.message : String(error)}`;
+    if (!told.has(text)) console.error(text, error);
+    told.add(text);
+  };
+  const scripted = scene.assets.fieldAssets('script').length > 0 && runScripts !== null;
+  if (scripted) await runScripts(scene, registry);
+  app.scene = scene;
+  sayWhenMuted();
+  document.title = scene.name;
+  app.canvas.setAttribute('role', 'img');
+  app.canvas.setAttribute('aria-label', scene.name);
+  app.webgl.setPixelRatio(Math.min(devicePixelRatio, 2));
+  let resized: (width: number, height: number) => void = () => {};
+  if ((scripted || listens(scene)) && scene.activeCamera) app.start();
+  else resized = orbit(app, scene);
+  const resize = (): void => {
+    const { innerWidth: width, innerHeight: height } = window;
+    app.resize(Math.max(1, width), Math.max(1, height));
+    resized(Math.max(1, width), Math.max(1, height));
+  };
+  addEventListener('resize', resize);
+  resize();
+}
+
+/** Shows and plays the scene of the page, and says what goes wrong. @param runScripts - null for the player without */
+export function play(runScripts: RunScripts | null): void {
+  start(runScripts).catch((error: unknown) => {
+    const text = error instanceof FileError || error instanceof Error ? error.message : String(error);
+    say(text);
+    throw error;
+  });
+}

@@ -1,0 +1,50 @@
+import * as engine from '@farol/engine';
+import * as fields from '@farol/engine/fields';
+import {
+  type CompiledScript,
+  givenScripts,
+  runInPage,
+  SceneScripts,
+  ScriptError,
+  takeGiven,
+} from '@farol/engine/scripts';
+import * as three from 'three';
+import type { RunScripts } from './play';
+
+type Compile = (name: string, source: string) => CompiledScript | ScriptError;
+
+/** The compiler's file, for scenes that come in a link: it puts itself into `globalThis.farolCompile`. */
+const COMPILER = './farol-script-compiler.js';
+
+function loadCompiler(): Promise<Compile> {
+  const element = document.createElement('script');
+  element.src = COMPILER;
+  return new Promise((resolve, reject) => {
+    element.addEventListener('load', () => resolve((globalThis as unknown as { farolCompile: Compile }).farolCompile));
+    element.addEventListener('error', () =>
+      reject(new Error(`The compiler of scripts could not be read: ${element.src}`)),
+    );
+    document.head.append(element);
+  });
+}
+
+/** Runs the scripts of a scene: those that the page holds compiled, or by the compiler where the scene came in a link. */
+export const runScripts: RunScripts = async (scene, registry) => {
+  // scripts of an exported page have run before this
+  const isCompiled = document.getElementById('farol-scene') !== null;
+  const compile = isCompiled ? null : await loadCompiler();
+  const scripts = new SceneScripts(scene, registry, {
+    modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
+    compile: (name, source) =>
+      Promise.resolve(
+        compile
+          ? compile(name, source)
+          : givenScripts()[name]
+            ? { name, source, code: '' }
+            : new ScriptError(name, 'it is not in this page: export the scene again.'),
+      ),
+    run: (script) => (compile ? runInPage(script) : takeGiven(script.name)),
+  });
+  await scripts.settled();
+  for (const { message } of scripts.errors.values()) console.error(message);
+};

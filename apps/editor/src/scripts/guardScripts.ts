@@ -1,0 +1,45 @@
+import type { EditorDocument } from '../model/EditorDocument';
+
+/** Where a tab notes that scripts run. */
+const KEY = 'farol-scripts-run';
+
+/** How long scripts have been as they are before they are remembered (ms). */
+const DELAY = 500;
+
+/**
+ * Notes in the tab while scripts run, so that a page that hung, and was reloaded, opens with scripts off; `?scripts=off` in the
+ * address has them off too. Scripts that run are remembered: a file with the same ones runs them without a question.
+ */
+export function guardScripts(document: EditorDocument): void {
+  const { scripts } = document;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const store = storeOfTab();
+  const hung = store?.getItem(KEY) === 'yes';
+  const note = (): void => {
+    clearTimeout(timer);
+    if (!scripts.isOn || !scripts.areThere) return store?.removeItem(KEY);
+    store?.setItem(KEY, 'yes');
+    timer = setTimeout(() => void remember(document), DELAY);
+  };
+  if (new URLSearchParams(location.search).get('scripts') === 'off') scripts.hold('address');
+  else if (hung) scripts.hold('hung');
+  scripts.changed.subscribe(note);
+  // a page that hangs, and is ended, does not come here
+  addEventListener('pagehide', () => store?.removeItem(KEY));
+  addEventListener('pageshow', note);
+}
+
+async function remember({ scene }: EditorDocument): Promise<void> {
+  // without a network it is asked again
+  const code = await import('./knownScripts').catch(() => null);
+  await code?.rememberScripts(scene);
+}
+
+/** The tab's storage; null where the browser gives none. */
+function storeOfTab(): Storage | null {
+  try {
+    return sessionStorage;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,38 @@
+import type { Scene } from 'three';
+import type { OverlayHost, PhysicsOverlay } from './PhysicsOverlay';
+
+const types = ['Collider', 'Joint', 'CharacterController'];
+
+/** The lines and handles of the physics, fetched once a scene has any. */
+export class LatePhysicsOverlay {
+  /** Null until it was fetched. */
+  overlay: PhysicsOverlay | null = null;
+
+  private isAsked = false;
+  private isDisposed = false;
+
+  /** @param helpers - what is drawn over the picture */
+  constructor(
+    private readonly host: OverlayHost,
+    private readonly helpers: Scene,
+    private readonly failed: (error: unknown) => void,
+  ) {}
+
+  /** Called before each picture. */
+  update(pixelRatio: number): void {
+    this.overlay?.update(pixelRatio);
+    if (this.isAsked || !types.some((type) => this.host.document.scene.componentsOf(type).length > 0)) return;
+    this.isAsked = true;
+    import('./PhysicsOverlay').then(({ PhysicsOverlay: Overlay }) => {
+      if (this.isDisposed) return;
+      this.overlay = new Overlay(this.host);
+      this.helpers.add(this.overlay.three);
+      this.host.invalidate();
+    }, this.failed);
+  }
+
+  dispose(): void {
+    this.isDisposed = true;
+    this.overlay?.dispose();
+  }
+}

@@ -1,0 +1,56 @@
+import { expect, test } from '../support/test';
+import { openEditor } from './editor';
+
+test.use({ viewport: { width: 460, height: 340 } });
+
+/** What a sample may take to open here, on a machine that does other things (ms); see README for what it takes on an idle one. */
+const PATIENCE = 20_000;
+
+test('each sample that is a file opens, plays 20 steps, and is as it was once it is stopped', async ({
+  page,
+}, info) => {
+  await openEditor(page, 'empty');
+  const names = await page.evaluate(() =>
+    Object.keys(window.editor.samples).filter((name) => window.editor.samples[name].file !== null),
+  );
+  expect(names).toHaveLength(6);
+  for (const name of names) {
+    const seen = await page.evaluate(
+      async ({ name, mayMove }) => {
+        const { editor } = window;
+        const begun = performance.now();
+        await editor.openSample(name);
+        editor.viewport.renderNow();
+        const opened = performance.now() - begun;
+        const { document } = editor;
+        const { simulation, scene } = document;
+        await document.scripts.settled();
+        const before = editor.serialize();
+        const places = (): string => {
+          const list: number[] = [];
+          scene.traverse(({ object3D: { position, quaternion } }) => list.push(...position, ...quaternion));
+          for (const light of scene.componentsOf('Light')) list.push(light.get('intensity') as number);
+          return list.join();
+        };
+        const still = places();
+        simulation.step();
+        // physics begin once their code is there
+        for (let tries = mayMove ? 1000 : 0; tries > 0 && places() === still; tries--) {
+          await new Promise(requestAnimationFrame);
+          simulation.step();
+        }
+        for (let i = 0; i < 20; i++) simulation.step();
+        const moved = places() !== still;
+        simulation.stop();
+        const { visible } = editor.viewport.farol.info.lights;
+        return { opened, moved, lights: visible, same: editor.serialize() === before, back: places() === still };
+      },
+      { name, mayMove: name !== 'prefabs' },
+    );
+    info.annotations.push({ type: name, description: `opened in ${Math.round(seen.opened)} ms` });
+    expect(seen.opened, name).toBeLessThan(PATIENCE);
+    expect(seen, name).toMatchObject({ moved: name !== 'prefabs', same: true, back: true });
+    expect(seen.lights, name).toBeGreaterThan(1);
+    expect(await page.getByRole('alert').count(), name).toBe(0);
+  }
+});
