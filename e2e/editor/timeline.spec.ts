@@ -3,7 +3,7 @@ import { axeProblems } from '../support/axeProblems';
 import { expect, test } from '../support/test';
 import { addObject, fieldOf, history, openEditor, serialized } from './editor';
 
-test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1100, height: 640 }, reducedMotion: 'reduce' });
 
 /** Where the box is along x: as it is seen, not as it was authored. */
 const shownX = (page: Page): Promise<number> =>

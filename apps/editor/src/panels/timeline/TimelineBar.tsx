@@ -52,7 +52,15 @@ export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
     timeline.setTime(time);
     view.reveal(time);
   };
-  const isNone = clip === null;
+  const clips = (
+    <MenuButton
+      label={clip ? clipName(clip) : t('Clips')}
+      icon="timeline"
+      className="button timeline-clip"
+      entries={() => clipEntries(editor, timeline)}
+    />
+  );
+  if (!clip) return <div className="panel-bar">{clips}</div>;
   return (
     <div className="panel-bar timeline-bar" role="toolbar" aria-label={t('Timeline tools')}>
       <Tool
@@ -65,12 +73,12 @@ export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
         onClick={() => timeline.setRecording(!isRecording)}
       />
       <span className="bar-line" />
-      <Tool label={t('To the beginning')} icon="first" keys="Home" disabled={isNone} onClick={() => goTo(0)} />
+      <Tool label={t('To the beginning')} icon="first" keys="Home" onClick={() => goTo(0)} />
       <Tool
         label={t('Previous key')}
         icon="previousKey"
         keys="Ctrl+←"
-        disabled={isNone}
+
         onClick={() => goTo(nextKeyTime(data, timeline.time, -1))}
       />
       <Tool
@@ -84,17 +92,12 @@ export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
         label={t('Next key')}
         icon="nextKey"
         keys="Ctrl+→"
-        disabled={isNone}
+
         onClick={() => goTo(nextKeyTime(data, timeline.time, 1))}
       />
-      <Tool label={t('To the end')} icon="last" keys="End" disabled={isNone} onClick={() => goTo(timeline.duration)} />
+      <Tool label={t('To the end')} icon="last" keys="End" onClick={() => goTo(timeline.duration)} />
       <span className="bar-line" />
-      <MenuButton
-        label={clip ? clipName(clip) : t('Clips')}
-        icon="timeline"
-        className="button timeline-clip"
-        entries={() => clipEntries(editor, timeline)}
-      />
+      {clips}
       <Tool
         label={t('Add keys')}
         icon="key"
@@ -106,14 +109,14 @@ export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
           label={t('Dope sheet')}
           icon="timeline"
           pressed={view.mode === 'keys'}
-          disabled={isNone}
+
           onClick={() => view.set('mode', 'keys')}
         />
         <Tool
           label={t('Curves')}
           icon="curve"
           pressed={view.mode === 'curves'}
-          disabled={isNone}
+
           onClick={() => view.set('mode', 'curves')}
         />
       </div>
