@@ -43,6 +43,7 @@ export class CharacterController extends component(characterFields) {
   static override readonly typeName: string = 'CharacterController';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Walks by keys, gamepad or touch: steps, slopes, jumps.';
+  static override readonly callable: readonly string[] = ['jump', 'teleport'];
 
   /** @internal Read and written by the physics. */
   readonly control: CharacterControl = {

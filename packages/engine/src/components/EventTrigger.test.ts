@@ -238,6 +238,19 @@ test('what cannot be called is told once, with object, trigger and mend; what th
   expect(tellOf({ method: 'Door.speed', valueType: 'text' })[0]).toMatch(/Door\.speed must be/);
 });
 
+test('built-in components offer what they name, and each name is a method of theirs', () => {
+  for (const type of builtinComponents.types.values())
+    for (const name of type.callable ?? [])
+      expect(typeof (type.prototype as Record<string, unknown>)[name], `${type.typeName}.${name}`).toBe('function');
+  const other = new GameObject('Player');
+  other.addComponent('Animation');
+  other.addComponent('AudioSource');
+  scene.add(other);
+  const on = trigger({ target: other.id });
+  expect(on.methods).toEqual(expect.arrayContaining(['Animation.play', 'Animation.stop', 'AudioSource.pause']));
+  expect(on.methods).not.toContain('Animation.evaluate');
+});
+
 test('a class with methods of its own is offered those, and those it inherits from another such class', () => {
   class Gate extends Door {
     static override readonly typeName: string = 'Gate';

@@ -16,6 +16,13 @@ export class RigidBody extends component(rigidBodyFields) {
   static override readonly typeName: string = 'RigidBody';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A body that falls, is pushed, or pushes others.';
+  static override readonly callable: readonly string[] = [
+    'applyImpulse',
+    'applyForce',
+    'applyTorque',
+    'teleport',
+    'wakeUp',
+  ];
 
   private control: BodyControl | null = null;
   /** What was asked before the body was there. */
