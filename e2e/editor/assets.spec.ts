@@ -88,7 +88,7 @@ test('files that cannot be read are named with the mend, and nothing changes', a
   await page.getByRole('button', { name: 'Close', exact: true }).click();
   const newer = JSON.stringify({ ...JSON.parse(before), version: 99 });
   await dropFiles(page, picture, [{ name: 'newer.json', bytes: Buffer.from(newer) }]);
-  await expect(page.getByRole('dialog')).toContainText('version is 99, but this Farol reads files up to version 2');
+  await expect(page.getByRole('dialog')).toContainText('version is 99, but this Farol reads files up to version 3');
   await page.getByRole('button', { name: 'Close', exact: true }).click();
   expect(await serialized(page)).toBe(before);
 });

@@ -8,7 +8,7 @@ import {
   type Scene,
 } from '@farol/engine';
 import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
-import { registerSceneAssets, type SceneParameters, scenes } from '@farol/engine/scenes';
+import { type SceneParameters, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
 import { actions } from './actions';
 import { allActions } from './actions/allActions';
@@ -53,7 +53,8 @@ const RECOVERED = 1000;
 function makeLibrary(options: AssetLibraryOptions): AssetLibrary {
   const library = new AssetLibrary(options);
   library.allowedOrigins = new Set();
-  registerSceneAssets(library);
+  // the meshes of the samples are offered in every scene; a sample, or a file that names some, brings its own by itself
+  void import('./files/sampleMeshes').then(({ registerSceneAssets }) => registerSceneAssets(library));
   return library;
 }
 
