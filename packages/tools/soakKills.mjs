@@ -89,6 +89,7 @@ async function openEditor(context, url) {
   const page = await context.newPage();
   await page.goto(`${url}?scene=empty`);
   await page.waitForFunction(() => Boolean(/** @type {any} */ (window).editor?.autosave));
+  await page.evaluate(() => /** @type {any} */ (window).editor.ready);
   return page;
 }
 
