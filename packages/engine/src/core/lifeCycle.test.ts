@@ -1,6 +1,8 @@
 import { expect, test } from 'vitest';
 import '../components/index';
 import { Light } from '../components/Light';
+import { component } from '../fields/component';
+import { number } from '../fields/fields';
 import { serialize } from '../files/serialize';
 import { Component } from './Component';
 import { GameObject } from './GameObject';
@@ -83,6 +85,12 @@ test('what starts may bring others, which start in the same frame; inactive ones
   sleeper.active = true;
   scene.update(0.1);
   expect(calls.filter((call) => call === 'start')).toHaveLength(2);
+});
+
+test('a field cannot have the name of a method that the engine calls', () => {
+  for (const name of ['start', 'lateUpdate', 'onPointerClick', 'onCollisionEnter'])
+    expect(() => component({ [name]: number(1, { help: 'x' }) })).toThrow(`The field '${name}'`);
+  expect(() => component({ startTime: number(1, { help: 'x' }), one: number(1, { help: 'x' }) })).not.toThrow();
 });
 
 test('a simulated value is shown and drawn, and neither saved nor told; a reset takes it back', () => {
