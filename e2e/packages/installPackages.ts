@@ -1,4 +1,4 @@
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { publishedPackages } from '@farol/tools/publishedPackages';
@@ -20,9 +20,11 @@ export default function installPackages(): () => void {
   npm(['pack', ...folders, '--json', '--pack-destination', tarballs]);
   const files = publishedPackages().map(({ manifest }) => join(tarballs, tarballName(manifest)));
 
-  // without a network npm could not look three up: three is copied, and npm says whether all peers are as they are asked for
+  // without a network npm could not look anything up: what the packages depend on is given from the repository's folders, three
+  // is copied, and npm says whether all are as they are asked for
   writeFileSync(join(host, 'package.json'), JSON.stringify({ name: 'host', private: true, type: 'module' }));
-  npm(['install', '--offline', '--legacy-peer-deps', '--ignore-scripts', '--no-audit', '--no-fund', ...files], host);
+  const quick = ['--offline', '--legacy-peer-deps', '--ignore-scripts', '--no-audit', '--no-fund', '--install-links'];
+  npm(['install', ...quick, ...files, ...foldersOfDependencies()], host);
   copyInstalled(['three', '@types/three'], host);
   const manifest = readManifest(host);
   const names = [...Object.keys(manifest.dependencies ?? {}), 'three', '@types/three'];
@@ -38,18 +40,42 @@ export default function installPackages(): () => void {
   return () => rmSync(folder, { recursive: true, force: true });
 }
 
+/** Folders of all that the published packages depend on besides each other, and of what that depends on. */
+function foldersOfDependencies(): string[] {
+  const own = new Set(publishedPackages().map(({ manifest }) => manifest.name));
+  const found = new Map<string, string>();
+  const visit = (names: readonly string[], within: string): void => {
+    for (const name of names) {
+      if (own.has(name) || found.has(name)) continue;
+      const [nested, shared] = [within, installed().repositoryModules].map((folder) => join(folder, name));
+      const folder = existsSync(nested) ? nested : shared;
+      found.set(name, folder);
+      visit(Object.keys(readManifest(folder).dependencies ?? {}), join(folder, 'node_modules'));
+    }
+  };
+  for (const { manifest, path } of publishedPackages())
+    visit(Object.keys(manifest.dependencies ?? {}), join(path, 'node_modules'));
+  return [...found.values()];
+}
+
 /** File that `npm pack` makes of a package. */
 const tarballName = ({ name, version }: { name: string; version: string }): string =>
   `${name.replace(/^@/, '').replace('/', '-')}-${version}.tgz`;
 
-/** Copies packages of the repository's node_modules, and what they depend on. */
+/** Copies packages of the repository's node_modules, and what they depend on: within them where another version is there. */
 function copyInstalled(names: readonly string[], to: string): void {
-  const all = new Set(names);
-  for (const name of all) {
-    const from = join(installed().repositoryModules, name);
-    cpSync(from, join(to, 'node_modules', name), { recursive: true });
-    for (const dependency of Object.keys(readManifest(from).dependencies ?? {})) all.add(dependency);
-  }
+  const { repositoryModules } = installed();
+  const copy = (name: string, folder: string): void => {
+    const from = join(repositoryModules, name);
+    const { version, dependencies = {} } = readManifest(from);
+    const shared = join(to, 'node_modules', name);
+    const isTaken = existsSync(shared) && readManifest(shared).version !== version;
+    const place = isTaken ? join(folder, 'node_modules', name) : shared;
+    if (existsSync(place)) return;
+    cpSync(from, place, { recursive: true });
+    for (const dependency of Object.keys(dependencies)) copy(dependency, place);
+  };
+  for (const name of names) copy(name, to);
 }
 
 function readManifest(folder: string): { version: string; dependencies?: Record<string, string> } {

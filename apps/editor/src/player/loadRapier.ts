@@ -1,21 +1,20 @@
 import { t } from '@farol/editing';
-import type { Rapier } from '@farol/engine/physics';
 
 /** The element that the player came by: known only while it runs first. */
 const ownScript = document.currentScript as HTMLScriptElement | null;
 
 /** In the player it stands for the engine's file of this name: Rapier is in the page, packed, or in a script beside the player. */
-export function loadRapier(): Promise<Rapier> {
+export function loadRapier(): Promise<object> {
   loading ??= load();
   return loading;
 }
 
-let loading: Promise<Rapier> | null = null;
+let loading: Promise<object> | null = null;
 
-async function load(): Promise<Rapier> {
+async function load(): Promise<object> {
   const packed = document.getElementById('farol-physics');
   await (packed ? runPacked(packed.textContent) : runBeside());
-  const { farolLoadRapier } = globalThis as { farolLoadRapier?: () => Promise<Rapier> };
+  const { farolLoadRapier } = globalThis as { farolLoadRapier?: () => Promise<object> };
   if (!farolLoadRapier) throw new Error(t('The page has no physics: export the scene anew.'));
   return farolLoadRapier();
 }
