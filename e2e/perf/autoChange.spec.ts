@@ -117,9 +117,9 @@ test("'auto' changes technique without a wait: programs are linked while the old
       await steps('10 lights added', 'clustered-forward', () => add(10, 0.9));
       await steps('30 large lights added', 'clustered-deferred', () => add(30, 8));
       if (canvas) return result;
-      await steps('600 lights added', 'tiled-deferred', () => {
+      await steps('900 small lights added', 'tiled-deferred', () => {
         for (const mesh of meshes.slice(2)) mesh.visible = false;
-        add(600, 3);
+        add(900, 0.6);
       });
       return result;
     }
