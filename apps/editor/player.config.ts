@@ -37,16 +37,43 @@ function withoutRapier(): Plugin {
   };
 }
 
+/** In the place of the renderer's particles, so that pages without particles stay small. */
+const noParticles = `export const ParticleEmitter = null, Particles = null, particlePresets = null;
+throw new Error('The page has no particles: export the scene anew.');`;
+
+/** Leaves the renderer's particles out, and tells the player so. */
+function withoutParticles(): Plugin {
+  const code: Readonly<Record<string, string>> = {
+    '\0no-particles': noParticles,
+    '\0has-no-particles': 'export const hasParticles = false;',
+  };
+  return {
+    name: 'farol-no-particles',
+    enforce: 'pre',
+    resolveId(source) {
+      if (source === '@farol/renderer/particles') return '\0no-particles';
+      return source.endsWith('/hasParticles') ? '\0has-no-particles' : null;
+    },
+    load: (loaded) => code[loaded] ?? null,
+  };
+}
+
 interface PlayerParts {
   /** Whether it can read compressed models. */
   readonly decoders?: boolean;
-  /** Whether it runs scripts, which may use all of three and of the engine. */
+  /** Whether it runs scripts, which may use all of three and of the engine: it has particles too. */
   readonly scripts?: boolean;
+  readonly particles?: boolean;
 }
 
 /** The player as one classic script, with everything that it would load late inside: it runs without a server. */
-function buildPlayer(fromSource: boolean, { decoders = false, scripts = false }: PlayerParts = {}): Promise<string> {
-  const plugins = [withoutRapier(), ...(decoders ? [] : [withoutDecoders()])];
+function buildPlayer(
+  fromSource: boolean,
+  { decoders = false, scripts = false, particles = scripts }: PlayerParts = {},
+): Promise<string> {
+  const plugins = [withoutRapier()];
+  if (!decoders) plugins.push(withoutDecoders());
+  if (!particles) plugins.push(withoutParticles());
   return buildScript(`src/player/${scripts ? 'mainWithScripts' : 'main'}.ts`, 'FarolPlayer', fromSource, plugins);
 }
 
@@ -91,7 +118,7 @@ async function playerPage(hasDragon: boolean, runsScripts: boolean): Promise<str
 
 /**
  * Serves and builds `farol-player.js`, which exported pages hold and embedded frames run, the same with decoders of
- * compressed models, with scripts, and with both, `farol-player-physics.js`, which all need for scenes with physics,
+ * compressed models, with particles, with scripts, and with several of them, `farol-player-physics.js`, which all need for scenes with physics,
  * `farol-script-compiler.js`, which frames of scenes with scripts fetch, and `player.html` and `player-scripts.html`, which
  * embedded frames show.
  */
@@ -103,6 +130,8 @@ export function playerPlugin(): Plugin {
     return {
       'farol-player.js': () => buildPlayer(fromSource),
       'farol-player-decoders.js': () => buildPlayer(fromSource, { decoders: true }),
+      'farol-player-particles.js': () => buildPlayer(fromSource, { particles: true }),
+      'farol-player-particles-decoders.js': () => buildPlayer(fromSource, { particles: true, decoders: true }),
       'farol-player-scripts.js': () => buildPlayer(fromSource, { scripts: true }),
       'farol-player-scripts-decoders.js': () => buildPlayer(fromSource, { scripts: true, decoders: true }),
       'farol-script-compiler.js': () => buildScript('src/player/compiler.ts', 'FarolCompiler', fromSource, []),

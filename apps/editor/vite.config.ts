@@ -29,6 +29,7 @@ export default defineConfig(({ command }) => ({
       'three/addons/libs/fflate.module.js',
       'three/addons/libs/meshopt_decoder.module.js',
       'three/addons/loaders/DRACOLoader.js',
+      'three/addons/lights/RectAreaLightTexturesLib.js',
       'three/addons/loaders/EXRLoader.js',
       'three/addons/loaders/GLTFLoader.js',
       'three/addons/loaders/HDRLoader.js',
@@ -37,7 +38,9 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/STLLoader.js',
       'three/addons/loaders/TGALoader.js',
       'postprocessing',
+      'three-mesh-bvh',
       'typescript-in-browser',
+      'xatlas-wasm',
     ],
   },
   resolve: {

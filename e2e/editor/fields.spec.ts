@@ -75,7 +75,10 @@ test('numbers take what people type, say why they do not, and give the keys back
   // labels and sliders are dragged, one step each; Escape takes a drag back
   const light = page.getByRole('region', { name: 'Light', exact: true });
   await light.getByRole('combobox', { name: 'Type' }).click();
-  await page.getByRole('option', { name: 'spot' }).click();
+  const ofIntensity = light.locator('[data-field="intensity"]');
+  await expect(ofIntensity, 'a sun is in lux').toContainText(/lx$/);
+  await page.getByRole('option', { name: 'Spot' }).click();
+  await expect(ofIntensity, 'a lamp in candela').toContainText(/cd$/);
   const before = await history(page);
   const intensity = light.locator('[data-field="intensity"] .field-name');
   await drag(page, intensity, 0.5, 30);

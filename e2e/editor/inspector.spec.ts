@@ -24,7 +24,7 @@ test('components are found by typing, ordered, copied and pasted; fields are res
     await expect(page.getByRole('listbox')).toHaveCount(0);
   };
   await add('random');
-  await add('light');
+  await add('hemisphere');
   const components = (): Promise<string[]> =>
     page.evaluate(() => window.editor.document.scene.find('Box')!.components.map(({ typeName }) => typeName));
   expect(await components()).toEqual(['Transform', 'ObjectRenderer', 'RandomMovement', 'Light']);

@@ -448,6 +448,6 @@ test('enables, resets and removes components', async ({ page }) => {
   await expect(light).toHaveCount(0);
   expect(await history(page)).toEqual(['Switched off Light of Sun', 'Reset Light of Sun', 'Removed Light from Sun']);
   for (let i = 0; i < 3; i++) await page.keyboard.press('Control+z');
-  await expect(light.getByRole('combobox', { name: 'Type' })).toHaveText('directional');
+  await expect(light.getByRole('combobox', { name: 'Type' })).toHaveText('Directional');
   expect(await serialized(page)).toBe(before);
 });

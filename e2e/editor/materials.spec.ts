@@ -103,6 +103,9 @@ test('a model is unpacked into objects that look the same, in one step; an FBX c
     })
     .toBe(true);
   const text = await serialized(page);
+  // its objects can be looked at before
+  await page.getByRole('button', { name: 'Look inside' }).click();
+  await expect(page.locator('.model-tree').getByText('Box', { exact: true })).toBeVisible();
   await page.getByRole('button', { name: 'Unpack' }).click();
   await expect.poll(() => history(page)).toContain('Unpacked box');
   expect(await fieldOf(page, 'Box', 'ObjectRenderer', 'material')).toBe('box/Red');

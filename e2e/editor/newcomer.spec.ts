@@ -237,7 +237,7 @@ test('a newcomer makes a lit room with a door and a lamp', async ({ page }, info
   await newcomer.fillEach(inspector.getByLabel('Scale x'), 6, 3, 6);
   await newcomer.click(inspector.getByRole('button', { name: 'Make material asset' }));
   await newcomer.click(inspector.getByRole('button', { name: 'Opacity', exact: true }));
-  await newcomer.pick(inspector.getByRole('combobox', { name: 'Side' }), 'back');
+  await newcomer.pick(inspector.getByRole('combobox', { name: 'Side' }), 'Back');
   await newcomer.add('Mesh', 'Box');
   await newcomer.fillEach(inspector.getByLabel('Position y'), 1, -4.15);
   await newcomer.fillEach(inspector.getByLabel('Scale y'), 2, 0.1);
@@ -251,4 +251,24 @@ test('a newcomer makes a lit room with a door and a lamp', async ({ page }, info
   await newcomer.chooseColour(inspector.getByLabel('Emissive', { exact: true }), 0.2, 0.1);
   await expect.poll(wall, 'the wall is lit by the lamp').toBeGreaterThan(1.5 * unlit);
   await page.screenshot({ path: info.outputPath('lamp.png') });
+});
+
+test('a newcomer adds a room, moves its door and measures it by its fields', async ({ page }) => {
+  const newcomer = new Newcomer(page);
+  await newcomer.beginWithEmptyScene();
+  await newcomer.choose('Add', 'Room');
+  await expect(page.getByRole('treeitem', { name: 'Room', selected: true })).toBeVisible();
+  const room = newcomer.inspector.getByRole('region', { name: 'Room', exact: true });
+  await newcomer.fill(room.getByLabel('Width', { exact: true }), '6');
+  await newcomer.press('Enter');
+  await newcomer.pick(room.getByRole('combobox', { name: 'Wall with the door' }), 'Left');
+  expect(await fieldOf(page, 'Room', 'Room', 'door')).toBe('left');
+  const width = await page.evaluate(() => {
+    const renderer = window.editor.document.scene.find('Room')!.getComponent('ObjectRenderer') as ObjectRenderer;
+    const { geometry } = renderer.three!;
+    geometry.computeBoundingBox();
+    return geometry.boundingBox!.max.x - geometry.boundingBox!.min.x;
+  });
+  // and two walls
+  expect(width).toBeCloseTo(6.3, 5);
 });

@@ -47,12 +47,13 @@ test('a box with a body falls on a plane and is put back; its collider is seen, 
   await page.keyboard.press('Enter');
   expect(await greenPixels(page)).toBe(0);
   await makePhysics(page, 'Add fixed collider');
+  await expect.poll(async () => (await history(page)).at(-1)).toBe('Added physics to Plane');
   expect(await fieldOf(page, 'Plane', 'Collider', 'shape')).toBe('box');
   await addObject(page, 'Mesh', 'Box');
   await page.getByRole('region', { name: 'Transform', exact: true }).getByLabel('Position y').fill('3');
   await page.keyboard.press('Enter');
   await makePhysics(page, 'Add dynamic body and collider');
-  expect((await history(page)).at(-1)).toBe('Added physics to Box');
+  await expect.poll(async () => (await history(page)).at(-1)).toBe('Added physics to Box');
   await expect.poll(() => greenPixels(page)).toBeGreaterThan(200);
   const selected = await greenPixels(page);
   await page.getByRole('button', { name: /^Colliders and joints of all objects/ }).click();

@@ -24,6 +24,15 @@ test('a ring of coloured lights over a floor; a box is moved by a typed number, 
   await page.mouse.move(middle.x + 30, middle.y - 10, { steps: 2 });
   const readout = page.locator('.drag-readout');
   await expect(readout).toContainText(/X [+−]\d+\.\d\d+ m/);
+  // along one axis by its letter, and with the letter again as before
+  await page.keyboard.press('y');
+  await expect(readout).toHaveText(/^Y [+−]\d+\.\d\d+ m$/);
+  expect((await placeOf('Box 2')).map((value, i) => value === from[i])).toEqual([true, false, true]);
+  await page.keyboard.press('Shift+Y');
+  await expect(readout).toHaveText(/^X .*Z [^Y]*m$/);
+  expect((await placeOf('Box 2'))[1]).toBe(from[1]);
+  await page.keyboard.press('Shift+Y');
+  await expect(readout).toContainText(/X .*Y .*Z /);
   for (const key of ['1', '/', '4', 'Tab', '6']) await page.keyboard.press(key);
   await expect(readout).toContainText('X 1/4 m');
   await page.keyboard.press('Enter');

@@ -13,7 +13,7 @@ test('each sample that is a file opens, plays 20 steps, and is as it was once it
   const names = await page.evaluate(() =>
     Object.keys(window.editor.samples).filter((name) => window.editor.samples[name].file !== null),
   );
-  expect(names).toHaveLength(6);
+  expect(names).toHaveLength(10);
   for (const name of names) {
     const seen = await page.evaluate(async (name) => {
       const { editor } = window;

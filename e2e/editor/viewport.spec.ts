@@ -1,7 +1,7 @@
 import { expect, test } from '../support/test';
 import { addObject, openEditor, pointOf } from './editor';
 
-test.use({ viewport: { width: 900, height: 640 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1120, height: 640 }, reducedMotion: 'reduce' });
 
 test('selects by a box, from a side, without what is locked; shows what a camera sees', async ({ page }) => {
   await openEditor(page, 'empty');

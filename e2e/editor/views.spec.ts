@@ -141,3 +141,46 @@ test('four views draw four pictures, each is worked in; keys go to the scene tha
   expect(await place()).toEqual(from);
   expect(await page.evaluate(() => window.editor.viewport.lookThrough)).toBeNull();
 });
+
+test('the lines between four views are dragged, moved by keys, and remembered', async ({ page }) => {
+  await openEditor(page, 'empty');
+  await page.keyboard.press('Control+Alt+q');
+  const sizes = (): Promise<Record<string, [number, number]>> =>
+    page.evaluate(() => {
+      const list = window.editor.viewport.panes.list.map(({ name, rectangle: { width, height } }) => [
+        name,
+        [width, height],
+      ]);
+      return Object.fromEntries(list) as Record<string, [number, number]>;
+    });
+  const edge = page.getByRole('separator', { name: 'Edge between the views at the left and at the right' });
+  await expect(edge).toHaveAttribute('aria-valuenow', '50');
+  const before = await sizes();
+  expect(before.top).toEqual(before.main);
+
+  const corner = page.getByRole('separator', { name: 'Corner between the four views' });
+  const box = (await corner.boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 60, y + 40, { steps: 3 });
+  await page.mouse.up();
+  const dragged = await sizes();
+  expect(Math.abs(dragged.top[0] - (before.top[0] - 60))).toBeLessThanOrEqual(2);
+  expect(Math.abs(dragged.main[0] - (before.main[0] + 60))).toBeLessThanOrEqual(2);
+  expect(Math.abs(dragged.front[1] - (before.front[1] - 40))).toBeLessThanOrEqual(2);
+  expect(await page.evaluate(() => window.editor.document.selectedObjects.length)).toBe(0);
+
+  const part = Number(await edge.getAttribute('aria-valuenow'));
+  await edge.focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(edge).toHaveAttribute('aria-valuenow', String(part + 2));
+  await page.keyboard.press('ArrowUp');
+  await expect(edge).toHaveAttribute('aria-valuenow', String(part + 2));
+  const kept = await sizes();
+  await page.reload();
+  await page.evaluate(() => window.editor.ready);
+  await expect.poll(sizes).toEqual(kept);
+  await edge.dblclick();
+  await expect(edge).toHaveAttribute('aria-valuenow', '50');
+});

@@ -119,6 +119,70 @@ test('on a page that knows nothing of Farol: select, edit, undo', async ({ page 
   await expect(page.getByRole('button', { name: 'Undo' })).toBeVisible();
 });
 
+test('sliders, labels that are dragged, a filter for fields, and the keys of the gizmo', async ({ page }) => {
+  await open(page, 'attach');
+  const steps = () => page.evaluate(() => window.example.editor!.commands.history.length);
+  await row(page, 'chest').click();
+  const roughness = () =>
+    page.evaluate(
+      () => ((window.example.scene!.getObjectByName('chest') as Mesh).material as MeshStandardMaterial).roughness,
+    );
+  const number = page.getByRole('spinbutton', { name: 'Roughness', exact: true });
+  const field = page.locator('.field').filter({ has: number });
+
+  // a filter leaves what it finds
+  const filter = page.getByRole('searchbox', { name: 'Find a field' });
+  await filter.fill('rough');
+  await expect(page.getByRole('spinbutton', { name: 'Position x' })).toBeHidden();
+  await expect(number).toBeVisible();
+
+  // a slider previews, and is one step
+  const slider = field.locator('input[type="range"]');
+  const before = await steps();
+  await slider.fill('0.25');
+  expect(await roughness()).toBe(0.25);
+  await expect(number).toHaveValue('0.25');
+  expect(await steps()).toBe(before + 1);
+
+  // so is a drag of the label, which Escape takes back
+  const label = (await field.locator('.label').boundingBox())!;
+  const [x, y] = [label.x + 8, label.y + label.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y, { steps: 4 });
+  await expect(number).toHaveValue('0.45');
+  expect(await roughness()).toBe(0.45);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  expect([await roughness(), await steps()]).toEqual([0.25, before + 1]);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 10, y, { steps: 2 });
+  await page.mouse.up();
+  expect([await roughness(), await steps()]).toEqual([0.15, before + 2]);
+
+  await filter.fill('no such field');
+  await expect(page.getByText('No field here is called that.')).toBeVisible();
+  await filter.press('Escape');
+  await expect(page.getByRole('spinbutton', { name: 'Position x' })).toBeVisible();
+
+  // the keys of Farol's own editor, and not while one types
+  for (const [key, name] of [
+    ['e', 'Rotate'],
+    ['r', 'Scale'],
+    ['w', 'Move'],
+  ]) {
+    await page.keyboard.press(key);
+    await expect(page.getByRole('button', { name, exact: true })).toHaveAttribute('aria-pressed', 'true');
+  }
+  const space = page.getByRole('button', { name: "Handles along the object's axes, not the world's" });
+  const isLocal = await space.getAttribute('aria-pressed');
+  await page.keyboard.press('x');
+  await expect(space).not.toHaveAttribute('aria-pressed', isLocal!);
+  await filter.fill('e');
+  await expect(page.getByRole('button', { name: 'Move', exact: true })).toHaveAttribute('aria-pressed', 'true');
+});
+
 test('several objects at once: shared and mixed values, copies, deletion; drawn by Farol', async ({ page }) => {
   await open(page, 'attach');
   await page.getByRole('searchbox', { name: 'Search objects' }).fill('lantern');

@@ -8,7 +8,15 @@ interface Changes {
 
 /** A run as another machine's Lab exports it: the atrium under 10 and 100 lights, by two competitors. */
 export function labRun({ id, name, device, factor }: Changes) {
-  const size = { shadows: 0, overdraw: 0, width: 640, height: 360 };
+  const size = {
+    shadows: 0,
+    overdraw: 0,
+    width: 640,
+    height: 360,
+    lightKind: 'points',
+    lightRange: null,
+    shading: 'own',
+  };
   const spread = (median: number) => ({ median, low: median * 0.9, high: median * 1.1, samples: 30 });
   const row = (competitor: string, index: number, ms: number) => ({
     ...{ competitor, series: 'sponza-lights', index, frame: spread(ms * factor), cpu: spread(0.4), gpu: null },

@@ -72,6 +72,10 @@ async function checkPage(page: Page, url: string): Promise<void> {
   const engine = await call((host) => host.byEngine());
   expect(engine).toEqual({ drawCalls: expect.any(Number), isOneRenderer: true });
   expect(engine.drawCalls).toBeGreaterThan(0);
+  const baked = await call((host) => host.byBake());
+  expect(baked.corners).toBe(4);
+  // right below the lamp, 1 m away
+  expect(Math.abs(baked.brightest - 3)).toBeLessThan(0.2);
   const editor = await call((host) => host.byEditor());
   expect(editor).toEqual({ panels: 1, isOneRenderer: true, technique: 'deferred', left: 0 });
 }

@@ -5,7 +5,11 @@ import * as antialiasing from '@farol/renderer/antialiasing';
 import * as three from 'three';
 import { CSM } from 'three/addons/csm/CSM.js';
 import { ShadowMapViewer } from 'three/addons/utils/ShadowMapViewer.js';
+import * as lightFields from '@farol/renderer/light-field';
 import * as decals from '@farol/renderer/decals';
+import * as particles from '@farol/renderer/particles';
+import * as lightProfiles from '@farol/renderer/light-profiles';
+import * as surfaces from '@farol/renderer/surfaces';
 import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
 import { DistanceFade } from './authoring/DistanceFade';
@@ -20,7 +24,9 @@ import { chunkScene } from './chunkScene';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { materialScene } from './materialScene';
+import { readTexels } from './readTexels';
 import { supersampled } from './supersampled';
+import { SURFACE, surfaceScene } from './surfaceScene';
 import { shadowScene } from './shadowScene';
 import { runSettings } from './matrix/runSettings';
 import { drawn, runSheet } from './matrix/runSheet';
@@ -31,8 +37,11 @@ export interface TestPage {
   three: typeof three;
   farol: typeof farol;
   authoring: typeof authoring;
+  surfaces: typeof surfaces;
   /** The effects, from their own entries. */
-  effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency & typeof decals;
+  effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency & typeof decals & typeof particles;
+  lightProfiles: typeof lightProfiles;
+  lightFields: typeof lightFields;
   /** three's own. */
   addons: { CSM: typeof CSM; ShadowMapViewer: typeof ShadowMapViewer };
   /** A technique and an effect as somebody outside writes them. */
@@ -41,6 +50,8 @@ export interface TestPage {
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
   supersampled: typeof supersampled;
+  surfaceScene: typeof surfaceScene;
+  SURFACE: typeof SURFACE;
   shadowScene: typeof shadowScene;
   brokenScene: typeof brokenScene;
   faultsOf: typeof faultsOf;
@@ -48,6 +59,8 @@ export interface TestPage {
   messageOf: typeof messageOf;
   /** Fetched by the tests that need it: it brings three's other renderer. */
   nodeScene(): Promise<typeof import('./nodeScene')>;
+  /** Fetched by the tests that need it. */
+  bake(): Promise<typeof import('@farol/bake')>;
   hostSnapshot: typeof hostSnapshot;
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
@@ -57,6 +70,7 @@ export interface TestPage {
   Bench: typeof Bench;
   devices: typeof devices;
   drawDevice: typeof drawDevice;
+  readTexels: typeof readTexels;
   countGpuObjects: typeof countGpuObjects;
   loseContexts: typeof loseContexts;
   compareImages: typeof compareImages;
@@ -76,19 +90,25 @@ window.testPage = {
   three,
   farol,
   authoring,
-  effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals },
+  surfaces,
+  effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals, ...particles },
+  lightProfiles,
+  lightFields,
   addons: { CSM, ShadowMapViewer },
   outside: { nearFirst, DistanceFade },
   materialScene,
   chunkScene,
   edgeScene,
   supersampled,
+  surfaceScene,
+  SURFACE,
   shadowScene,
   brokenScene,
   faultsOf,
   breakFrames,
   messageOf,
   nodeScene: () => import('./nodeScene'),
+  bake: () => import('@farol/bake'),
   hostSnapshot,
   runSheet,
   runSettings,
@@ -97,6 +117,7 @@ window.testPage = {
   Bench,
   devices,
   drawDevice,
+  readTexels,
   countGpuObjects,
   loseContexts,
   compareImages,

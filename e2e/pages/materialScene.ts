@@ -1,4 +1,5 @@
 import * as THREE from 'three';
+import { RectAreaLightUniformsLib } from 'three/addons/lights/RectAreaLightUniformsLib.js';
 
 /** A scene with its camera, ready to draw. */
 export interface TestScene {
@@ -99,7 +100,7 @@ export function batched(material: THREE.Material): THREE.BatchedMesh {
 }
 
 /** Which lights a scene has. */
-export type LightMix = 'mixed' | 'point' | 'spot' | 'directional' | 'hemisphere' | 'unbounded';
+export type LightMix = 'mixed' | 'point' | 'spot' | 'directional' | 'hemisphere' | 'unbounded' | 'area';
 
 function addLights(scene: THREE.Scene, mix: LightMix, count: number, penumbra?: number): THREE.Light[] {
   const next = random(42);
@@ -125,6 +126,9 @@ function addLights(scene: THREE.Scene, mix: LightMix, count: number, penumbra?: 
       spot.target.position.set(place.x + next() - 0.5, place.y - next(), -1);
       scene.add(spot.target);
       light = spot;
+    } else if (kind === 'area') {
+      light = new THREE.RectAreaLight(colour, power * 0.3, 0.2 + next(), 0.2 + next() * 2);
+      light.rotation.set(next() * 2 - 1, next() * 2 - 1, next() * 6);
     } else if (kind === 'directional') light = new THREE.DirectionalLight(colour, 0.2);
     else light = new THREE.HemisphereLight(colour, new THREE.Color().setHSL(next(), 0.6, 0.3), 0.1);
     light.position.copy(place);
@@ -228,6 +232,7 @@ export function materialScene(width: number, height: number, options: MaterialSc
   floor.position.y = -3.2;
   scene.add(floor);
   scene.add(new THREE.AmbientLight(0x404050, 0.5));
+  if (mix === 'area') RectAreaLightUniformsLib.init();
   const lights = addLights(scene, mix, count, options.penumbra);
   const camera = options.orthographic
     ? new THREE.OrthographicCamera((-4 * width) / height, (4 * width) / height, 4, -4, 0.1, 60)

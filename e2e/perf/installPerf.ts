@@ -1,5 +1,6 @@
 import type { Counters, FrameCounts } from '@farol/tools/benchCounters';
 import type { FarolRenderer, TechniqueName } from '@farol/renderer';
+import type { LightField } from '@farol/renderer/light-field';
 import type { Camera, Light, Mesh, Scene } from 'three';
 
 export interface WorldOptions {
@@ -9,6 +10,8 @@ export interface WorldOptions {
   lights?: number;
   /** Of which so many are spot lights; default 0. */
   spots?: number;
+  /** Point lights of one LightField, at the same places; default 0: there is no field. */
+  fieldLights?: number;
   /** Directional lights besides; default 1. */
   directional?: number;
   /** Pixels; default 64 × 48. */
@@ -24,6 +27,8 @@ export interface World {
   readonly objects: Mesh[];
   /** The lights with a range. */
   readonly lights: Light[];
+  /** The LightField, if one was asked for. */
+  readonly field: LightField | null;
   draw(): void;
   count(): FrameCounts;
   setSize(width: number, height: number): void;
@@ -118,8 +123,17 @@ export function installPerf(): void {
       return Object.keys(window.testPage.farol.techniques) as TechniqueName[];
     },
 
-    world(technique, { objects = 9, lights = 10, spots = 0, directional = 1, width = 64, height = 48 } = {}) {
-      const { farol: package_, three } = window.testPage;
+    world(technique, options = {}) {
+      const {
+        objects = 9,
+        lights = 10,
+        spots = 0,
+        fieldLights = 0,
+        directional = 1,
+        width = 64,
+        height = 48,
+      } = options;
+      const { farol: package_, lightFields, three } = window.testPage;
       const webgl = (shared ??= new three.WebGLRenderer({ antialias: false }));
       webgl.setSize(width, height, false);
       const side = Math.ceil(Math.sqrt(objects));
@@ -146,15 +160,20 @@ export function installPerf(): void {
         scene.add(light);
         return light;
       });
+      const field = fieldLights > 0 ? new lightFields.LightField(fieldLights) : null;
+      if (field !== null) scene.add(field);
+      for (let i = 0; i < fieldLights; i++)
+        field!.setPoint(i, ...at(i % objects), 1 + (0.1 * i) / fieldLights, 0.8, 1, 1, 1);
       for (let i = 0; i < directional; i++) scene.add(new three.DirectionalLight(0xffffff, 0.1));
       const farol = new package_.FarolRenderer(webgl, { technique });
       const draw = () => farol.render(scene, camera);
       return {
-        ...{ farol, scene, camera, objects: meshes, lights: found, draw },
+        ...{ farol, scene, camera, objects: meshes, lights: found, field, draw },
         count: () => window.farolCounters.count(draw),
         setSize: (width, height) => webgl.setSize(width, height, false),
         dispose() {
           farol.dispose();
+          field?.dispose();
           geometry.dispose();
           material.dispose();
         },

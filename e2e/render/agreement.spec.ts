@@ -66,6 +66,8 @@ test('all lit materials and meshes, as in stock three', async ({ page, pagesURL 
   });
   await test.step('under lights of one kind', async () => {
     for (const mix of mixes) for (const pair of await drawAll(page, { mix }, false)) check(pair, mix);
+    // few: stock three has each in the text of its shaders
+    for (const pair of await drawAll(page, { mix: 'area', count: 4 }, false)) check(pair, 'area');
     // only the edge may differ where a position is rebuilt
     for (const pair of await drawAll(page, { mix: 'spot', penumbra: 0 }, false)) check(pair, 'hard edges', true);
   });

@@ -58,6 +58,16 @@ test('attenuations, cutoff exponent and separate colours of the thesis, by every
       lamp.userData.farol = { specular: [0, 0.5, 0], attenuation: { kind: 'near-far', near: 3, far: 5 } };
       shiny.add(lamp);
       seen.specular = pixel(bench.byTechnique(technique, shiny, camera).data, 0);
+      const tinted = new three.Scene();
+      const factor = new three.MeshPhongMaterial({ specular: 0x000000 });
+      factor.onBeforeCompile = (shader) => {
+        shader.fragmentShader = `#define FAROL_AMBIENT_FACTOR vec3(0.0, 0.5, 2.0)\n${shader.fragmentShader}`;
+      };
+      const fill = new three.PointLight(0x000000, 1, 6);
+      fill.position.z = 2;
+      fill.userData.farol = { ambient: [0.5, 0.5, 0.25], attenuation: { kind: 'near-far', near: 3, far: 5 } };
+      tinted.add(new three.Mesh(new three.PlaneGeometry(4, 4), factor), fill);
+      seen["material's ambient factor"] = pixel(bench.byTechnique(technique, tinted, camera).data, 0);
       return { technique, seen };
     });
   });
@@ -72,6 +82,7 @@ test('attenuations, cutoff exponent and separate colours of the thesis, by every
     'spot, on its axis': [1, 1, 1],
     'spot, off its axis': [cosine ** 9, cosine ** 9, cosine ** 9],
     ambient: [1.25, 1, 1],
+    "material's ambient factor": [0, 0.25, 0.5],
     // Blinn-Phong right below: F = 1, G = 1/4, D = (10 / 2 + 1) / π
     specular: [0, 0.5 * 1.5, 0],
   };

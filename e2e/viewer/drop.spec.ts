@@ -126,7 +126,10 @@ test('the number of lights round a model follows the menu', async ({ page }) => 
       () => window.viewer.engineScene.componentsOf<Light>('Light').filter((l) => l.type === 'point').length,
     );
   expect(await points()).toBe(5);
-  const input = page.locator('.lil-controller', { hasText: 'lights' }).locator('input[type=text]').first();
+  const input = page
+    .locator('.lil-controller', { hasText: /^lights$/i })
+    .locator('input[type=text]')
+    .first();
   await input.fill('9');
   await input.press('Enter');
   await expect.poll(points).toBe(9);

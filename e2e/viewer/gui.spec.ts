@@ -67,7 +67,7 @@ test('a number of lights set in the menu is in the scene and the address, and th
     return object3D.position.toArray();
   });
   const input = page
-    .locator('.lil-controller', { hasText: /lights/i })
+    .locator('.lil-controller', { hasText: /^lights$/i })
     .locator('input[type=text]')
     .first();
   await input.fill('7');

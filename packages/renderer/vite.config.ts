@@ -5,10 +5,26 @@ import { libraryConfig } from '../tools/libraryConfig.mjs';
 const source = fileURLToPath(new URL('src/', import.meta.url));
 /** What the main entry does not need at start: other entries, code that is fetched on demand, and files of these alone. */
 const apart = [
-  ...['adapters/', 'authoring/', 'effects/', 'lazy/', 'microshaders/xml/', 'index.ts'],
-  ...['frame/RecentlyUsed.ts', 'materials/overdrawTwin.ts', 'microshaders/formatMicroShader.ts', 'three/readPixels.ts'],
-  ...['three/WaitingPrograms.ts', 'three/batchTextures.ts', 'three/contextLists.ts', 'three/drawnAsCanvas.ts'],
-  ...['three/shadowFrustum.ts', 'lighting/recordGetters.ts', 'lights/recordLayout.ts'],
+  'adapters/',
+  'authoring/',
+  'effects/',
+  'lazy/',
+  'light-field/',
+  'light-profiles/',
+  'microshaders/xml/',
+  'surfaces/',
+  'frame/RecentlyUsed.ts',
+  'index.ts',
+  'lighting/recordGetters.ts',
+  'lights/recordLayout.ts',
+  'materials/overdrawTwin.ts',
+  'microshaders/formatMicroShader.ts',
+  'three/WaitingPrograms.ts',
+  'three/batchTextures.ts',
+  'three/contextLists.ts',
+  'three/drawnAsCanvas.ts',
+  'three/readPixels.ts',
+  'three/shadowFrustum.ts',
 ];
 
 function isCore(id: string): boolean {

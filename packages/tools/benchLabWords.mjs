@@ -5,17 +5,20 @@ import { digits } from './benchTable.mjs';
 /**
  * A case that is over, on one line, the fastest first.
  *
- * @param {{ label: string, axis: string, values: number[] }} series
+ * @param {{ label: string, axis: string, values: number[], cases: object[] }} series
  * @param {number} index of the case
  * @param {readonly LabRow[]} rows of the case
  */
-export function runLine({ label, axis, values }, index, rows) {
+export function runLine({ label, axis, values, cases }, index, rows) {
   const there = rows.flatMap(({ competitor, frame }) => (frame ? [{ competitor, ms: frame.median }] : []));
   const figures = there.sort((a, b) => a.ms - b.ms).map(({ competitor, ms }) => `${competitor} ${digits(ms)}`);
   const without = rows.filter(({ frame }) => frame === null).map(({ competitor }) => competitor);
   const missing = without.length > 0 ? `; no figure: ${without.join(', ')}` : '';
+  const { lightKind, shading } = /** @type {{ lightKind?: string, shading?: string }} */ (cases[index]);
+  // along these the values are places in lists of names
+  const name = axis === 'kind' ? lightKind : axis === 'shading' ? shading : undefined;
   const unit = values[index] === 1 ? axis.replace(/s$/, '') : axis;
-  return `${label}, ${values[index].toLocaleString('en')} ${unit}: ${figures.length > 0 ? `${figures.join(', ')} ms` : 'nothing'}${missing}`;
+  return `${label}, ${name ?? `${values[index].toLocaleString('en')} ${unit}`}: ${figures.length > 0 ? `${figures.join(', ')} ms` : 'nothing'}${missing}`;
 }
 
 /** Time left, with a comma before it; nothing when it is unknown. @param {number | null} ms */

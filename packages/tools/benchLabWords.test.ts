@@ -7,7 +7,7 @@ const row = (competitor: string, median: number | null) => ({
 });
 
 it('tells a case that is over, the fastest first, and who has no figure', () => {
-  const series = { label: 'Atrium over point lights', axis: 'lights', values: [10, 1000] };
+  const series = { label: 'Atrium over point lights', axis: 'lights', values: [10, 1000], cases: [{}, {}] };
   const rows = [row('forward', 90.4), row('three-webgpu', null), row('auto', 2.104)];
   expect(runLine(series, 1, rows)).toBe(
     'Atrium over point lights, 1,000 lights: auto 2.10, forward 90.4 ms; no figure: three-webgpu',
@@ -15,6 +15,13 @@ it('tells a case that is over, the fastest first, and who has no figure', () => 
   expect(runLine({ ...series, values: [1] }, 0, [row('stock', null)])).toBe(
     'Atrium over point lights, 1 light: nothing; no figure: stock',
   );
+});
+
+it('tells a kind of lights and a shading by their names', () => {
+  const cases = [{ lightKind: 'rectangles', shading: 'flat' }];
+  const series = { label: 'Atrium', values: [2], cases };
+  expect(runLine({ ...series, axis: 'kind' }, 0, [row('forward', 1)])).toBe('Atrium, rectangles: forward 1 ms');
+  expect(runLine({ ...series, axis: 'shading' }, 0, [row('forward', 1)])).toBe('Atrium, flat: forward 1 ms');
 });
 
 it('tells the time left in seconds, then in minutes', () => {

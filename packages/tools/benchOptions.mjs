@@ -5,8 +5,8 @@ export const benchHelp = `npm run bench -- --preset NAME [options]
 Measures a preset of the Lab headless, by the Lab's own code, and writes bench.json (which the Lab opens), bench.md and a
 drawing (SVG) of each chart.
 
-  --preset NAME       thesis, quick, lights, objects, resolution, overdraw, shadows, changes. quick ends after 80 s, and
-                      is a smaller one without --gpu, unless options say more of it
+  --preset NAME       thesis, quick, lights, objects, resolution, overdraw, shadows, matter, changes. quick ends after
+                      80 s, and is a smaller one without --gpu, unless options say more of it
   --link FRAGMENT     in place of --preset: what the Lab's "Copy link" gives, from its # on, in quotes
   --techniques a,b    competitors: the techniques, auto, stock, multipass, three-webgpu, playcanvas, babylon
   --rivals            the other engines too (npm run rivals installs them)

@@ -7,6 +7,8 @@ const aroundTheCore = [
   'packages/renderer/src/adapters',
   'packages/renderer/src/effects',
   'packages/renderer/src/authoring',
+  'packages/renderer/src/light-profiles',
+  'packages/renderer/src/surfaces',
 ];
 
 /** Folders of the editor's sources, each after those that it may import. */
@@ -40,7 +42,7 @@ const editorRules = editorFolders.map((folder, i) => ({
  * may be imported, `fetches` folders that `import()` alone may fetch, `ofThree` the only names of three's. Packages must
  * also be declared by the file's workspace, and their exports name what may be imported of them.
  *
- * microshaders <- the rest of renderer; renderer, engine and editing speak plain three; engine -> renderer; attach -> all
+ * microshaders <- the rest of renderer; renderer, engine, editing and bake speak plain three; engine -> renderer; attach -> all
  * three; apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder
  * knows those before it: style, language, model <- microshaders <- scripts <- viewport; model <- layout; all of these <- api <- files <- actions
  * <- ui <- fields <- panels <- plugins <- Editor.ts. The renderer's other entries plug it into one library each, are
@@ -53,13 +55,15 @@ export const importRules = [
     // maths only: no WebGL, no textures, no renderers
     from: 'packages/renderer/src/lights',
     may: ['packages/renderer/src/lights', 'three'],
-    ofThree: /^((Ambient|Directional|Hemisphere|Point|Spot)?Light|\w*Camera|Vector\d|Matrix\d)$/,
+    ofThree: /^((Ambient|Directional|Hemisphere|Point|RectArea|Spot)?Light|\w*Camera|Vector\d|Matrix\d)$/,
   },
   { from: 'packages/renderer/src/lazy', may: ['packages/renderer', 'three'], not: aroundTheCore },
   { from: 'packages/renderer/src/effects', may: ['packages/renderer', 'three'], types: [lazyFolder] },
   { from: 'packages/renderer/src/adapters/three-pass', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
+  { from: 'packages/renderer/src/light-profiles', may: ['packages/renderer/src/light-profiles', 'three'] },
   { from: 'packages/renderer/src/authoring', may: ['packages/renderer', 'three'] },
+  { from: 'packages/renderer/src/surfaces', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/intercept', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/r3f', may: ['packages/renderer', 'three', 'react', '@react-three/fiber'] },
   {
@@ -93,6 +97,10 @@ export const importRules = [
   },
   { from: 'packages/engine/src/scripts', may: ['packages/engine', 'three', '@farol/renderer', 'sucrase'] },
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
+  {
+    from: 'packages/bake',
+    may: ['packages/bake', 'three', 'three-mesh-bvh', 'xatlas-wasm'],
+  },
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine', '@farol/editing'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },

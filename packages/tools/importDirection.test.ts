@@ -9,6 +9,7 @@ const workspaces = [
   'packages/renderer',
   'packages/engine',
   'packages/editing',
+  'packages/bake',
   'packages/attach',
   'packages/tools',
   'apps/viewer',

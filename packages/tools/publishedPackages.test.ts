@@ -10,7 +10,7 @@ const read = (...path: string[]): string => readFileSync(join(...path), 'utf8');
 it('finds the packages that are not private', () => {
   const names = packages.map(({ manifest }) => manifest.name);
   expect(names).toEqual(
-    expect.arrayContaining(['@farol/attach', '@farol/editing', '@farol/engine', '@farol/renderer']),
+    expect.arrayContaining(['@farol/attach', '@farol/bake', '@farol/editing', '@farol/engine', '@farol/renderer']),
   );
   expect(names).not.toContain('@farol/tools');
 });

@@ -27,6 +27,8 @@ const ofFields = (fields: FieldTable): string[] =>
   Object.entries(fields).flatMap(([name, field]) => [
     englishLabelOfField(name, field),
     field.help,
+    field.group ?? '',
+    ...Object.values(field.variants?.of ?? {}).flatMap(({ label }) => label ?? []),
     // signs of units, such as 'm/s', are the same everywhere
     ...('unit' in field && field.unit && /\p{L}{4}| /u.test(field.unit) ? [field.unit] : []),
     ...(field.kind === 'choice' ? choicesOf(field) : []),

@@ -7,6 +7,8 @@ import { type EffectName, effects } from '@farol/renderer/effects';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
+import { setDemoParticles } from './demoParticles';
+import { setDemoRectangles } from './demoRectangles';
 import { dragonUrls } from './dragonUrls';
 import { measureScene } from './measure/measureScene';
 import { loadModel, type LoadedModel } from './model/loadModel';
@@ -38,6 +40,8 @@ export const known: KnownNames = {
       ao: false,
       oit: false,
       decals: false,
+      particles: 0,
+      rectangles: 0,
     },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
@@ -172,6 +176,16 @@ export class Viewer {
   /** Throws decals on the scene, or takes them away. */
   setDecals(on: boolean): void {
     this.changed({ decals: on });
+  }
+
+  /** Fills the scene with so many particles that are lights; 0 for none. */
+  setParticles(count: number): void {
+    this.changed({ particles: count });
+  }
+
+  /** Fills the scene with so many rectangle lights; 0 for none. */
+  setRectangles(count: number): void {
+    this.changed({ rectangles: count });
   }
 
   /** Chooses the resolution of the Stanford dragon, a key of `known.dragons`, and builds the scene on show anew. */
@@ -361,6 +375,8 @@ export class Viewer {
     if (pose) camera.transform.modelMatrix = pose.matrixWorld;
     if (this.state.time !== null) scene.setTime(this.state.time);
     setDemoDecals(scene, this.state.decals);
+    setDemoParticles(scene, this.state.particles);
+    setDemoRectangles(scene, this.state.rectangles);
     this.app.scene = scene;
     before.dispose();
   }
@@ -387,6 +403,8 @@ export class Viewer {
   private changed(changes: Partial<ViewerState>): void {
     Object.assign(this.state, changes);
     setDemoDecals(this.app.scene, this.state.decals);
+    setDemoParticles(this.app.scene, this.state.particles);
+    setDemoRectangles(this.app.scene, this.state.rectangles);
     this.setEffects();
     // Timer queries cannot be nested: without the menu they are left to whoever measures.
     this.farol.timing = this.state.gui;

@@ -1,7 +1,19 @@
 import { attachEditor } from '@farol/attach';
+import { bakeLightmaps } from '@farol/bake';
 import { App, GameObject, Light, ObjectRenderer } from '@farol/engine';
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
-import { FloatType, PerspectiveCamera, WebGLRenderer, WebGLRenderTarget } from 'three';
+import {
+  DataUtils,
+  FloatType,
+  Mesh,
+  MeshLambertMaterial,
+  PerspectiveCamera,
+  PlaneGeometry,
+  PointLight,
+  Scene,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
 import { litScene } from './litScene';
 
 const WIDTH = 160;
@@ -58,6 +70,19 @@ const page = {
     const isOneRenderer = app.renderer instanceof FarolRenderer;
     app.dispose();
     return { drawCalls, isOneRenderer };
+  },
+
+  /** Bakes a floor, with the worker that unwraps it. */
+  async byBake() {
+    const room = new Scene();
+    const floor = new Mesh(new PlaneGeometry(2, 2), new MeshLambertMaterial());
+    const lamp = new PointLight(0xffffff, 3);
+    lamp.position.z = 1;
+    room.add(floor, lamp);
+    const bake = await bakeLightmaps(webgl, room, { size: 16, bounces: 0, showProgress: false });
+    const brightest = Math.max(...Array.from(bake.lightmaps[0].data, DataUtils.fromHalfFloat));
+    bake.dispose();
+    return { brightest, corners: bake.meshes[0].uv1.length / 2 };
   },
 
   /** Attaches the editor, has Farol draw the page, and takes the editor away. */

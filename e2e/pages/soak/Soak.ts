@@ -141,14 +141,15 @@ export class Soak {
   }
 
   /**
-   * Frees what three itself keeps of lost contexts: its look-up table of reflectance, one texture for all renderers, holds
-   * the state of each context that ever sent it to a device until it is disposed. It is sent once more at once.
+   * Frees what three itself keeps of lost contexts: its look-up table of reflectance and its empty map of depths, one texture
+   * each for all renderers, hold the state of each context that ever sent them to a device until they are disposed. They are
+   * sent once more at once.
    */
   private freeLostContexts(): void {
-    for (const webgl of [this.webgl, this.calm]) {
-      const table = drawLit(webgl);
-      this.objects.forgiveLost(() => table.dispose());
-    }
+    const kept = new Set([this.webgl, this.calm].flatMap(drawLit));
+    this.objects.forgiveLost(() => {
+      for (const texture of kept) texture.dispose();
+    });
     for (const webgl of [this.webgl, this.calm]) drawLit(webgl);
   }
 
@@ -293,9 +294,9 @@ export class Soak {
 /**
  * Has stock three make what it keeps for good once something is lit or looks up a depth that is not there, and frees the
  * rest.
- * @returns three's look-up table of reflectance
+ * @returns textures that three has one of for all renderers: its look-up table of reflectance, and the empty map of depths
  */
-function drawLit(webgl: THREE.WebGLRenderer): THREE.Texture {
+function drawLit(webgl: THREE.WebGLRenderer): THREE.Texture[] {
   const geometry = new THREE.PlaneGeometry();
   const comparing = new THREE.ShaderMaterial({
     uniforms: { depths: { value: null } },
@@ -312,7 +313,27 @@ function drawLit(webgl: THREE.WebGLRenderer): THREE.Texture {
   camera.position.z = 2;
   webgl.render(scene, camera);
   const { uniforms } = webgl.properties.get(lit) as { uniforms: Record<string, THREE.IUniform<THREE.Texture>> };
-  const table = uniforms.dfgLUT.value;
+  const kept = [uniforms.dfgLUT.value, emptyDepths(webgl, comparing)];
   disposeScene(scene);
-  return table;
+  return kept;
+}
+
+/** A uniform of a program of three's, which asks for a texture unit and binds to it what its value is. */
+interface SamplerUniform {
+  readonly cache: readonly number[];
+  setValue(gl: unknown, value: null, textures: object): void;
+}
+
+/** What three binds where a material of `uniform sampler2DShadow depths` has none. */
+function emptyDepths(webgl: THREE.WebGLRenderer, material: THREE.Material): THREE.Texture {
+  const { currentProgram } = webgl.properties.get(material) as {
+    currentProgram: { getUniforms(): { map: { depths: SamplerUniform } } };
+  };
+  const { depths } = currentProgram.getUniforms().map;
+  const bound: THREE.Texture[] = [];
+  depths.setValue(webgl.getContext(), null, {
+    allocateTextureUnit: () => depths.cache[0],
+    setTexture2D: (texture: THREE.Texture) => bound.push(texture),
+  });
+  return bound[0];
 }

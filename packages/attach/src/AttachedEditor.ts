@@ -7,6 +7,7 @@ import { duplicateSelected } from './model/duplicateSelected';
 import { removeSelected } from './model/removeSelected';
 import { type AttachLanguage, browserLanguage, speak } from './language/languages';
 import { Session } from './model/Session';
+import { gizmoKey } from './panels/Bar';
 import { Panels } from './panels/Panels';
 import style from './style.css?inline';
 import { element } from './ui/element';
@@ -182,7 +183,8 @@ export class AttachedEditor {
     const key = event.key.toLowerCase();
     if (!event.ctrlKey && !event.metaKey) {
       const isTyped = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
-      return key === 'delete' && !isTyped ? () => removeSelected(session) : null;
+      if (isTyped) return null;
+      return key === 'delete' ? () => removeSelected(session) : gizmoKey(this.gizmo, key);
     }
     if (key === 'd') return () => duplicateSelected(session);
     if (key === 'y' || (key === 'z' && event.shiftKey)) return () => commands.redo();

@@ -8,12 +8,22 @@ export { CommandStack } from './history/CommandStack';
 export type { EditRecorder } from './history/EditRecorder';
 export { Gesture } from './history/Gesture';
 
-export { type FieldDescription, type FieldTarget, type FieldValue, sameValue, type Triple } from './fields/FieldTarget';
+export {
+  type FieldDescription,
+  type FieldTarget,
+  type FieldValue,
+  type Keys,
+  sameValue,
+  type Triple,
+} from './fields/FieldTarget';
 export { FieldGesture, type FieldUpdate } from './fields/FieldGesture';
 export { type FieldEdit, SetFields } from './fields/SetFields';
 export { sharedValue, type SharedValue, withCoordinate } from './fields/sharedValue';
 export { toDegrees, toRadians } from './fields/angles';
 export { describeField } from './fields/describeField';
+export { addToNumber, type SteppedRange, stepFactor, suitsSlider, valueOnSlider } from './fields/drag';
+export { matchesFilter, wordsOfFilter } from './fields/matchesFilter';
+export { fieldInUnit } from './fields/fieldInUnit';
 export { formatNumber, shownDecimals } from './fields/formatNumber';
 export { englishLabelOfField, labelOfField } from './fields/labelOfField';
 export { type NumberDisplay, numberDisplay } from './fields/NumberDisplay';

@@ -14,6 +14,7 @@ const names = {
   scene: [
     'Scene',
     'FieldAsset',
+    'sourceOfMaterial',
     'GameObject',
     'ClipAsset',
     'Component',
@@ -21,6 +22,7 @@ const names = {
     'gameObjectOf',
     'hitPoint',
     'rayHits',
+    'shapeOf',
   ],
   components: [
     ...[
@@ -33,10 +35,22 @@ const names = {
       'ModelRenderer',
       'MouseController',
       'ObjectRenderer',
+      'ParticleEmitter',
+      'particlePreset',
     ],
     ...['CharacterController', 'Collider', 'Joint', 'PhysicsSystem', 'RigidBody'],
     ...['lightShadows', 'meshShadows'],
-    ...['RandomMovement', 'ScriptAsset', 'Sound', 'Transform', 'ComponentRegistry', 'builtinComponents'],
+    ...[
+      'RandomMovement',
+      'Room',
+      'ScriptAsset',
+      'Sound',
+      'SurfaceAsset',
+      'Transform',
+      'Wall',
+      'ComponentRegistry',
+      'builtinComponents',
+    ],
     ...['AudioListener', 'AudioSource', 'EventTrigger', 'audioOutput'],
   ],
   animation: [

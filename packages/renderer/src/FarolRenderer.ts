@@ -10,7 +10,7 @@ import type { FarolInfo } from './frame/FarolInfo';
 import type { FarolOptions } from './FarolOptions';
 import { Frame } from './frame/Frame';
 import { InfoRecorder } from './frame/InfoRecorder';
-import { lazyCode, lazyShaders, shadowCode, warmUpCode } from './frame/lazyCode';
+import { gouraudCode, lazyCode, lazyShaders, lightFieldCode, shadowCode, warmUpCode } from './frame/lazyCode';
 import { LazyViews } from './frame/LazyViews';
 import { LightFinder } from './frame/LightFinder';
 import { FrameLights } from './lighting/FrameLights';
@@ -71,6 +71,11 @@ export class FarolRenderer {
    * lights reach all objects.
    */
   lightLayers: boolean;
+  /**
+   * Irradiance at which a RectAreaLight without `userData.farol.range` ends, in a surface that faces it: where it ends, lists
+   * leave it out. Up to half of that distance it gives what three has it give. Above 0; 0: no such light ends. Default 0.0002.
+   */
+  areaLightThreshold = 2e-4;
   private readonly frame: Frame;
   private readonly lights = new FrameLights();
   private readonly twins: TwinCache;
@@ -106,18 +111,25 @@ export class FarolRenderer {
     this.effectList = new EffectList(webgl);
     this.microshaders = createRegistry(webgl);
     this.views = new LazyViews(this.microshaders);
-    this.finder = new LightFinder(webgl, (code) => this.makeShadows(code));
     const uniforms = this.lights.uniforms.values;
+    this.finder = new LightFinder(
+      webgl,
+      (code) => this.makeShadows(code),
+      (code) => code.makeAreaLights(webgl, this.microshaders, uniforms.farol_ltc),
+    );
     this.set = new TechniqueSet(this.microshaders);
     this.picker = new TechniquePicker(webgl, this.set);
     this.twins = new TwinCache({
       uniforms,
-      header: (chunks) => this.microshaders.header(chunks),
-      revision: (chunks) => this.microshaders.revision(chunks),
-      textKey: (chunks) => this.microshaders.textKey(chunks),
+      microshaders: this.microshaders,
       refuse: (source) => this.frame.queue.refused.refuse(source),
     });
     this.frame = new Frame(webgl, this.lights.table, this.twins, uniforms, this.microshaders);
+    this.frame.gouraudTwins = () =>
+      gouraudCode.use((code) => {
+        addMicroShaders(this.microshaders, 'gouraud', code.microShaders);
+        return code.gouraudTwins(this.frame.view);
+      });
     this.recorder = new InfoRecorder(webgl);
     const { frame, recorder, views, set, picker } = this;
     this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
@@ -298,8 +310,9 @@ export class FarolRenderer {
   /**
    * Fetches all code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
-   * itself, more go without, and layers are not looked at), the views of surfaces and overdraw (the final picture is shown),
-   * 'light-prepass' and 'inferred' ('deferred' draws), GPU times, warming programs up ('auto' changes unprepared).
+   * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
+   * light nothing), the views of surfaces and overdraw (the final picture is shown),
+   * 'forward', 'light-prepass' and 'inferred' ('deferred' draws), GPU times, warming programs up ('auto' changes unprepared).
    * @throws Error when the code cannot be fetched
    */
   static async preload(): Promise<void> {
@@ -327,6 +340,7 @@ export class FarolRenderer {
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
     this.finder.find(scene, camera, this.lightLayers);
     if (this.finder.asksForShadows) await shadowCode.load();
+    if (this.finder.found.all.some((light) => 'isLightField' in light)) await lightFieldCode.load();
     await this.set.get(this.technique).lazy?.load();
     const { compileByDrawing } = await warmUpCode.load();
     await compileByDrawing(this, scene, camera);
@@ -391,7 +405,12 @@ export class FarolRenderer {
   }
 
   private targetBytes(): number {
-    let bytes = this.lights.table.bytes + (this.finder.shadows?.bytes ?? 0) + this.views.bytes + this.set.bytes;
+    let bytes =
+      this.lights.table.bytes +
+      (this.finder.shadows?.bytes ?? 0) +
+      (this.frame.fields?.bytes ?? 0) +
+      this.views.bytes +
+      this.set.bytes;
     for (const effect of this.effects) bytes += effect.bytes;
     return bytes;
   }

@@ -30,6 +30,8 @@ export class SceneDraws {
     private readonly background: Vector4,
   ) {}
 
+  private readonly drawFields = () => this.frame.fields!.render();
+
   /** Begins a frame with these effects. */
   begin(sceneView: SceneView, effects: ActiveEffects): void {
     this.sceneView = sceneView;
@@ -40,6 +42,13 @@ export class SceneDraws {
 
   /** Called by the scene's view: for three's transmission target if something transmits, then for the host's target. */
   readonly draw: DrawScene = (backs) => {
+    for (const effect of this.effects.all) {
+      if (effect.compute === undefined) continue;
+      this.recorder.beginPass(effect.name);
+      effect.compute(this.frame);
+      this.recorder.endPass();
+    }
+    if (this.frame.fields?.isDrawn === false) this.run('light fields', this.drawFields);
     if (backs) this.drawTransmittedBacks();
     else if (this.frame.webgl.getRenderTarget() !== this.frame.target) this.drawTransmitted();
     else this.drawFrame();

@@ -25,7 +25,8 @@ export async function addCreation(
 ): Promise<void> {
   const { document, commands } = editor;
   const { scene, selection } = document;
-  const object = creation.make();
+  const object = await creation.make();
+  if (scene !== document.scene) return;
   if (!parent) {
     const { landInPicture } = await import('../files/landInPicture');
     await landInPicture(editor, [object], at);
@@ -51,7 +52,8 @@ export function addEntries(editor: EditorApi, parent: GameObject | null = null, 
         icon: iconOf(creation.kind),
         run: () => editor.attempt(() => addCreation(editor, creation, parent, at)),
       }));
-  const folders = [...new Set(all.flatMap(({ folder }) => folder ?? []))];
+  const meshFolders = all.filter(({ group }) => group === 'mesh').flatMap(({ folder }) => folder ?? []);
+  const folders = [...new Set(meshFolders)];
   const parts = folders.map((folder): MenuEntry => ({ label: folder, entries: entries('mesh', folder) }));
   const meshes = entries('mesh');
   return [
@@ -59,7 +61,9 @@ export function addEntries(editor: EditorApi, parent: GameObject | null = null, 
     ...entries('camera'),
     ...entries('sound'),
     'separator',
+    ...entries('building'),
     { label: t('Mesh'), icon: 'mesh', entries: parts.length > 0 ? [...meshes, 'separator', ...parts] : meshes },
     { label: t('Light'), icon: 'point', entries: entries('light') },
+    { label: t('Particles'), icon: 'particles', entries: entries('particles', t('Particles')) },
   ];
 }

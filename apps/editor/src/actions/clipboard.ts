@@ -1,13 +1,49 @@
-import type { GameObject } from '@farol/engine';
+import type { Scene } from '@farol/engine';
+import type { FileAsset } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
-import { copyObjects, isClip, pasteObjects } from '../model/clip';
+import { nameInScene } from '../model/bringAssets';
+import { assetsOfClip, copyObjects, isClip, pasteObjects, type PasteOptions } from '../model/clip';
+import type { Container } from '../model/commands/Placement';
+import type { EditorDocument } from '../model/EditorDocument';
 import { deleteObjects } from '../model/edits';
 import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
 const copySelection = ({ document, clipboard }: EditorApi): void => {
-  clipboard.text = copyObjects(document.scene, document.selectedObjects);
+  const { text, files } = copyObjects(document.scene, document.selectedObjects);
+  clipboard.put(text, files);
 };
+
+/**
+ * Puts what was copied below a parent; what it needs of files and scripts is read first, where the scene does not have it.
+ * @param where - called once all is read
+ */
+function pasteClip(
+  editor: EditorApi,
+  where: (document: EditorDocument) => { readonly parent: Container; readonly place?: PasteOptions['place'] },
+): unknown {
+  const { document, commands, clipboard } = editor;
+  const { scene } = document;
+  const { text } = clipboard;
+  if (!isClip(text)) return undefined;
+  const run = (read?: PasteOptions['read']): void => {
+    const { parent, place } = where(document);
+    commands.run(pasteObjects(scene, text, parent, document.selection.ids, { read, place }));
+  };
+  const assets = assetsOfClip(text);
+  if (assets.every((each) => isThere(scene, each))) return run();
+  return import('../files/readClipAssets').then(async ({ readClipAssets }) => {
+    const read = await readClipAssets(editor, assets);
+    if (scene === document.scene) run(read);
+  });
+}
+
+/** Whether a scene can have an asset at once: it has the same one, or one of fields comes, which is no script. */
+function isThere(scene: Scene, asset: FileAsset): boolean {
+  const { name, type, values } = asset;
+  if (values === undefined) return nameInScene(scene, asset) !== null;
+  return type !== 'script' || scene.assets.fieldAsset(name)?.get('source') === values.source;
+}
 
 export const copy: Action = {
   id: 'edit.copy',
@@ -39,11 +75,8 @@ export const paste: Action = {
   keys: ['Ctrl+V'],
   icon: 'paste',
   menu: { menu: 'edit', group: 'clipboard' },
-  run({ document, commands, clipboard }) {
-    const { scene, selection, selectedObjects } = document;
-    const { text } = clipboard;
-    if (isClip(text)) commands.run(pasteObjects(scene, text, selectedObjects.at(-1)?.parent ?? scene, selection.ids));
-  },
+  run: (editor) =>
+    pasteClip(editor, ({ scene, selectedObjects }) => ({ parent: selectedObjects.at(-1)?.parent ?? scene })),
   enabled: ({ clipboard }) => isClip(clipboard.text),
 };
 
@@ -51,13 +84,11 @@ export const paste: Action = {
 export async function pasteAt(editor: EditorApi, at: { readonly x: number; readonly y: number }): Promise<void> {
   const { landingView, pointInPicture } = await import('../files/landInPicture');
   const { land } = await import('../viewport/placing/land');
-  const { document, commands, clipboard } = editor;
-  const { scene, selection } = document;
-  const { text } = clipboard;
-  if (!isClip(text)) return;
   const point = pointInPicture(editor, at);
-  const place = (copies: readonly GameObject[]): void => land(landingView(editor), copies, point);
-  commands.run(pasteObjects(scene, text, scene, selection.ids, place));
+  await pasteClip(editor, ({ scene }) => ({
+    parent: scene,
+    place: (copies) => land(landingView(editor), copies, point),
+  }));
 }
 
 /** Below what is selected. */
@@ -67,10 +98,6 @@ export const pasteBelow: Action = {
   keys: ['Ctrl+Shift+V'],
   icon: 'paste',
   menu: { menu: 'edit', group: 'clipboard' },
-  run({ document, commands, clipboard }) {
-    const { scene, selection, selectedObjects } = document;
-    const { text } = clipboard;
-    if (isClip(text)) commands.run(pasteObjects(scene, text, selectedObjects.at(-1) ?? scene, selection.ids));
-  },
+  run: (editor) => pasteClip(editor, ({ scene, selectedObjects }) => ({ parent: selectedObjects.at(-1) ?? scene })),
   enabled: (editor) => isClip(editor.clipboard.text) && hasSelection(editor),
 };

@@ -3,6 +3,7 @@ import { align, distribute, drop } from './arrange';
 import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import type { Action } from '../api/Action';
+import { bakeLight, toggleStatic } from './bake';
 import { deselect } from './deselect';
 import { duplicate } from './duplicate';
 import { duplicateMany } from './duplicateMany';
@@ -32,6 +33,7 @@ import { rename } from './rename';
 import { exportScene } from './exportScene';
 import { save, saveAs } from './save';
 import { newScript } from './scripts';
+import { newSurfaces } from './surfaces';
 import { selectAll } from './selectAll';
 import { shadings, showShadings } from './shadings';
 import { showKeys } from './showKeys';
@@ -76,15 +78,18 @@ export const actions: readonly Action[] = [
   rename,
   hide,
   lock,
+  toggleStatic,
   selectAll,
   deselect,
   makePrefab,
   unpackPrefab,
   newMaterial,
   makeMaterial,
+  ...newSurfaces,
   unpackModel,
   newScript,
   ...physicsActions,
+  bakeLight,
   ...gizmoModes,
   gizmoSpace,
   snap,

@@ -27,6 +27,16 @@ const ofFiles: readonly Sample[] = [
     'Play, then walk up the steps. The door opens when you come near; push the crates.',
   ),
   ofFile(
+    'fire.json',
+    'Fire and sparks',
+    'Every spark is a light. Select “Sparks” and watch; change its rate, its curves, and what it lights.',
+  ),
+  ofFile(
+    'baked-room.farol',
+    'Baked room',
+    'Light that was baked, and a ball that moves through it. Play; then change a lamp, and bake again.',
+  ),
+  ofFile(
     'animation.json',
     'Animation',
     'A fairground of clips. Open the Timeline, move keys of “Arm reaches”, and play.',
@@ -46,6 +56,16 @@ const ofFiles: readonly Sample[] = [
     'microshaders.json',
     'Microshaders',
     'Light in bands and rings. Edit “lightAttenuation” in the Microshaders panel.',
+  ),
+  ofFile(
+    'shading.json',
+    'Shading models',
+    'Flat, Gouraud and Phong side by side. Move the lamp, and choose another in the field “Shading” of a ball.',
+  ),
+  ofFile(
+    'surfaces.json',
+    'Surfaces',
+    'Play: waves, embers, rust and a hologram. Select a material in Assets, and move its values.',
   ),
 ];
 

@@ -5,6 +5,7 @@ import { type ReactNode, useMemo, useState } from 'react';
 import { assetEntries, type AssetEntry, holdsNormals } from '../files/assetKinds';
 import { draggedAsset, isAssetDrag } from '../files/dragAsset';
 import { useEditor, useSignal } from '../ui/EditorContext';
+import { LatePolarCurve } from '../ui/LatePolarCurve';
 import { type SearchOption, SearchSelect } from '../ui/SearchSelect';
 import { Thumbnail } from '../ui/Thumbnail';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
@@ -30,6 +31,9 @@ const noneOf = (type: AssetField['assetType']): string =>
     script: t('No script'),
     clip: t('No clip'),
     sound: t('No sound'),
+    profile: t('No profile'),
+    surface: t('No surface'),
+    bake: t('No baked light'),
   })[type];
 
 /** What fits first: to a map of normals what holds normals, to others what does not; other sizes of a texture last. */
@@ -90,6 +94,7 @@ export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
       }}
     >
       <SearchSelect {...{ value, options, label, description, disabled, placeholder, pictureOf }} onChange={onCommit} />
+      {assetType === 'profile' && value !== null && <LatePolarCurve name={value} />}
     </div>
   );
 }

@@ -3,9 +3,11 @@ import type { ComponentType } from 'react';
 import { AssetEditor } from './AssetEditor';
 import { BooleanEditor } from './BooleanEditor';
 import { ChoiceEditor } from './ChoiceEditor';
-import { CustomEditor } from './CustomEditor';
 import { ColourEditor } from './ColourEditor';
+import { CurveEditor } from './CurveEditor';
+import { CustomEditor } from './CustomEditor';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
+import { GradientEditor } from './GradientEditor';
 import { NumberEditor } from './NumberEditor';
 import { ObjectEditor } from './ObjectEditor';
 import { StringEditor } from './StringEditor';
@@ -23,6 +25,8 @@ export const fieldEditors: { readonly [K in FieldKind]: ComponentType<FieldEdito
   angle: NumberEditor,
   euler: TripleEditor,
   colour: ColourEditor,
+  curve: CurveEditor,
+  gradient: GradientEditor,
   asset: AssetEditor,
   object: ObjectEditor,
   custom: CustomEditor,

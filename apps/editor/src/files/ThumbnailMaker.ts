@@ -22,10 +22,12 @@ import {
 } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { drawsFloats } from '../viewport/drawsFloats';
+import { renderSmall } from '../viewport/renderSmall';
 import type { Viewport } from '../viewport/Viewport';
 import { whenLost } from '../viewport/whenLost';
 import { whenRestored } from '../viewport/whenRestored';
 import type { AssetEntry } from './assetKinds';
+import { profilePicture } from './profilePicture';
 import { soundPicture } from './soundPicture';
 
 /** Side of a thumbnail (pixels). */
@@ -54,7 +56,7 @@ export class ThumbnailMaker {
   /** An address of a picture of an asset; null when none can be drawn now. It is drawn once for each state of the asset. */
   pictureOf(entry: AssetEntry): Promise<string | null> {
     const { scene, assets } = this.viewport.document;
-    if (entry.kind === 'script' || entry.kind === 'clip') return Promise.resolve(null);
+    if (entry.kind === 'script' || entry.kind === 'clip' || entry.kind === 'surface') return Promise.resolve(null);
     const prefab = entry.kind === 'prefab' ? scene.prefabs.get(entry.name) : null;
     const material = entry.kind === 'material' ? assets.materialAsset(entry.name) : null;
     const owner: object = prefab ?? material ?? assets;
@@ -118,6 +120,7 @@ export class ThumbnailMaker {
       }
       if (entry.kind === 'prefab' || !assets.isReady(entry.kind, entry.name)) return null;
       if (entry.kind === 'sound') return await soundPicture(assets.sound(entry.name));
+      if (entry.kind === 'profile') return await profilePicture(assets.profile(entry.name));
       if (entry.kind === 'mesh') await assets.prepareMesh(entry.name);
       const { subject, dispose } = this.subjectOf(entry);
       release = dispose;
@@ -169,7 +172,7 @@ export class ThumbnailMaker {
     webgl.setClearAlpha(0);
     webgl.autoClear = true;
     try {
-      webgl.render(stage, camera);
+      renderSmall(webgl, stage, camera);
     } finally {
       webgl.setRenderTarget(before.target);
       webgl.setClearAlpha(before.alpha);

@@ -36,6 +36,9 @@ export const kindLabel = (kind: AssetKind, isMany = false): string =>
     script: isMany ? t('Scripts') : t('Script'),
     clip: isMany ? t('Clips') : t('Clip ## of an animation'),
     sound: isMany ? t('Sounds') : t('Sound'),
+    profile: isMany ? t('Light profiles') : t('Light profile'),
+    surface: isMany ? t('Surfaces') : t('Surface'),
+    bake: t('Baked light'),
   })[kind];
 
 /** A card of the Assets panel; null where nothing is of that name. @param name - of an asset, or id of a prefab */
@@ -43,7 +46,10 @@ export function assetEntry(scene: Scene, name: string): AssetEntry | null {
   const { assets } = scene;
   const prefab = scene.prefabs.get(name);
   const shared = { name, folder: '', isVariant: false, isBuiltin: false };
-  if (prefab) return { ...shared, kind: 'prefab', label: prefab.name };
+  if (prefab) {
+    const place = splitName(prefab.name);
+    return { ...shared, kind: 'prefab', folder: place.folder, label: place.leaf };
+  }
   const kind = assets.typeOf(name);
   if (!kind) return null;
   const { folder, leaf } = canRename(assets, name) ? splitName(name) : { folder: '', leaf: name };

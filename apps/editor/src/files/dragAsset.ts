@@ -1,4 +1,3 @@
-import { t } from '@farol/editing';
 import type { AssetKind } from './assetKinds';
 
 /** What is dragged from the Assets panel. */
@@ -33,7 +32,7 @@ export const isAssetDrag = (transfer: DataTransfer, kind?: AssetKind): boolean =
   transfer.types.includes(kind ? typeOf(kind) : TYPE);
 
 /** Whether files are dragged from outside. */
-export const isFileDrag = (transfer: DataTransfer): boolean => transfer.types.includes(t('Files'));
+export const isFileDrag = (transfer: DataTransfer): boolean => transfer.types.includes('Files');
 
 /** What is dropped; null when it is no asset of the editor's. */
 export function draggedAsset(transfer: DataTransfer): DraggedAsset | null {

@@ -1,7 +1,17 @@
 import { t } from '@farol/editing';
-import { AssetError, type AssetLibrary } from '@farol/engine';
-import { decodedUri, expandZips, packFbx, packGltf, packObj, readableEndings, typeOfUrl } from '@farol/engine/files';
+import { AssetError } from '@farol/engine';
+import {
+  decodedUri,
+  expandZips,
+  packFbx,
+  packGltf,
+  packIES,
+  packObj,
+  readableEndings,
+  typeOfUrl,
+} from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
+import { knownAs } from './knownAs';
 import { withProgress } from './withProgress';
 import { freeAssetName } from '../model/assetNames';
 import { AddAssets } from '../model/commands/AddAssets';
@@ -11,19 +21,6 @@ import type { FileMap } from '@farol/engine/files';
 const importable = readableEndings.replace('.gltf,', '.gltf, .fbx, .obj, .stl, .zip,');
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
-
-async function sameBytes(a: Blob, b: Blob): Promise<boolean> {
-  if (a.size !== b.size) return false;
-  const [one, two] = await Promise.all([a.arrayBuffer(), b.arrayBuffer()]);
-  const [left, right] = [new Uint8Array(one), new Uint8Array(two)];
-  return left.every((byte, i) => byte === right[i]);
-}
-
-/** The asset that has these very bytes already; null when there is none. */
-async function knownAs(assets: AssetLibrary, blob: Blob): Promise<string | null> {
-  for (const file of assets.files) if (await sameBytes(file.blob, blob)) return file.name;
-  return null;
-}
 
 function find(files: FileMap, model: string, uri: string): [string, File] | null {
   const parts = model.split('/').slice(0, -1);
@@ -46,6 +43,27 @@ async function packed(files: FileMap, path: string, left: Set<string>): Promise<
     return found[1].arrayBuffer();
   });
   return new Blob([bytes], { type: 'model/gltf-binary' });
+}
+
+/** A photometric file with the tilt of its lamps, whose file, if it has one, is taken out of `left`. */
+async function packedProfile(files: FileMap, path: string, left: Set<string>): Promise<Blob> {
+  const file = files.get(path)!;
+  const bytes = await file.arrayBuffer();
+  const packed = await packIES(bytes, async (name) => {
+    const found = find(files, path, name) ?? findAnyCase(files, path, name);
+    if (!found) return null;
+    left.delete(found[0]);
+    return found[1].arrayBuffer();
+  });
+  return packed === bytes ? file : new Blob([packed]);
+}
+
+/** The same whether letters are small or capital, as DOS has names: beside the file, or one chosen by itself. */
+function findAnyCase(files: FileMap, path: string, name: string): [string, File] | null {
+  const wanted = nameIn(name.replaceAll('\\', '/')).toLowerCase();
+  const folder = path.slice(0, path.lastIndexOf('/') + 1);
+  const found = [...files].filter(([each]) => each !== path && nameIn(each).toLowerCase() === wanted);
+  return found.find(([each]) => each.startsWith(folder)) ?? found[0] ?? null;
 }
 
 /** One GLB of an FBX, OBJ or STL, its materials and textures, which are taken out of `left`. @param notes - gets what is missing */
@@ -136,6 +154,10 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
           }),
         );
       }
+    }
+    for (const path of [...left].filter((each) => typeOfUrl(each) === 'profile')) {
+      left.delete(path);
+      await take(path, await packedProfile(files, path, left), nameIn(path));
     }
     for (const path of left) if (typeOfUrl(path)) await take(path, files.get(path)!, nameIn(path));
   };

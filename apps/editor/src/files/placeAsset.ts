@@ -1,5 +1,14 @@
 import { type Command, SetFields, t } from '@farol/editing';
-import { Animation, AudioSource, GameObject, meshShadows, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import {
+  Animation,
+  AudioSource,
+  GameObject,
+  Light,
+  lightShadows,
+  meshShadows,
+  ModelRenderer,
+  ObjectRenderer,
+} from '@farol/engine';
 import { instanceRootOf, instantiatePrefab } from '@farol/engine/prefabs';
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
@@ -33,6 +42,8 @@ function makeObject(editor: EditorApi, { kind, name }: DraggedAsset): GameObject
     object.addComponent(Animation, { clip: name });
   } else if (kind === 'sound') {
     object.addComponent(AudioSource, { sound: name });
+  } else if (kind === 'profile') {
+    object.addComponent(Light, { type: 'point', intensity: 12, range: 10, ...lightShadows.point, profile: name });
   } else if (kind === 'mesh') {
     object.addComponent(ObjectRenderer, { mesh: name, ...meshShadows });
   } else if (kind === 'texture') {
@@ -99,6 +110,16 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
   return true;
 }
 
+/** Gives the point or spot light under the pointer a photometric profile. @returns whether there is one */
+function shape(editor: EditorApi, profile: string, target: GameObject | null): boolean {
+  const owner = target?.getComponent(Light);
+  if (!owner || (owner.type !== 'point' && owner.type !== 'spot')) return false;
+  const label = t('Gave {asset} to {object}', { object: target!.name, asset: profile });
+  editor.commands.run(new SetFields(label, [{ owner, name: 'profile', value: profile }]));
+  editor.document.selection.set([target!.id]);
+  return true;
+}
+
 /** Gives the object under the pointer a component of a script; without a place the script is shown. */
 async function useScript(editor: EditorApi, script: string, place: DropPlace): Promise<void> {
   if (place.target === undefined) return editor.openScript(script);
@@ -110,10 +131,22 @@ async function useScript(editor: EditorApi, script: string, place: DropPlace): P
   document.selection.set([place.target.id]);
 }
 
+/** Has the object under the pointer wear a surface; without a place its text is shown. */
+async function useSurface(editor: EditorApi, surface: string, place: DropPlace): Promise<void> {
+  if (place.target === undefined) return editor.openMicroShader(`surface:${surface}`);
+  const { surfaceWearers, wearSurface } = await import('../model/surfaceEdits');
+  const users = surfaceWearers(place.target ? [place.target] : []);
+  if (users.length === 0)
+    throw new Error(t('Drop {name} on an object with a mesh, which wears it.', { name: surface }));
+  const { document, commands } = editor;
+  commands.run(wearSurface(surface, users));
+  document.selection.set([place.target!.id]);
+}
+
 /**
  * Brings an asset into the scene: models, meshes and prefabs are placed; environments light the scene; materials, shaders
  * and textures go onto the object under the pointer, or else onto something new; a script becomes a component of the object
- * under the pointer, or else is shown.
+ * under the pointer, or else is shown; a photometric profile goes to the light under the pointer, or else to a new one.
  * @param then - part of the same step: what becomes of the object that was made
  * @throws Error when a prefab would be placed within itself
  */
@@ -126,6 +159,7 @@ export async function placeAsset(
   const { document, commands } = editor;
   const { scene, selection } = document;
   if (asset.kind === 'script') return useScript(editor, asset.name, place);
+  if (asset.kind === 'surface') return useSurface(editor, asset.name, place);
   const parent = place.parent ?? scene;
   if (asset.kind === 'prefab') {
     const prefab = scene.prefabs.get(asset.name);
@@ -152,6 +186,7 @@ export async function placeAsset(
   if (scene !== document.scene) return;
   if (asset.kind === 'texture' && isEnvironment(asset.name)) return useAsEnvironment(editor, asset.name);
   if (asset.kind === 'clip' && place.target) return animate(editor, asset.name, place.target);
+  if (asset.kind === 'profile' && shape(editor, asset.name, place.target ?? null)) return;
   const paints = asset.kind === 'material' || asset.kind === 'shader' || asset.kind === 'texture';
   if (paints && paint(editor, asset, place.target ?? null)) return;
   const object = makeObject(editor, asset);

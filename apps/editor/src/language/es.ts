@@ -1,19 +1,25 @@
 import type { Texts } from '@farol/editing';
 import { actions } from './es/actions';
 import { animation } from './es/animation';
+import { areaLights } from './es/areaLights';
 import { arrange } from './es/arrange';
+import { bake } from './es/bake';
+import { buildings } from './es/buildings';
 import { components } from './es/components';
 import { edits } from './es/edits';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { numbers } from './es/numbers';
 import { panels } from './es/panels';
+import { particles } from './es/particles';
 import { physics } from './es/physics';
 import { picture } from './es/picture';
 import { player } from './es/player';
+import { profiles } from './es/profiles';
 import { rendering } from './es/rendering';
 import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
+import { surfaces } from './es/surfaces';
 import { samples } from './es/samples';
 import { scriptRuns } from './es/scriptRuns';
 import { timeline } from './es/timeline';
@@ -24,20 +30,26 @@ import { welcome } from './es/welcome';
 export const es: Texts = {
   ...actions,
   ...animation,
+  ...areaLights,
   ...arrange,
+  ...bake,
+  ...buildings,
   ...components,
   ...edits,
   ...materials,
   ...messages,
   ...numbers,
   ...panels,
+  ...particles,
   ...physics,
   ...picture,
   ...player,
+  ...profiles,
   ...rendering,
   ...triggers,
   ...scripts,
   ...samples,
+  ...surfaces,
   ...scriptRuns,
   ...timeline,
   ...views,

@@ -1,30 +1,11 @@
-import { type Gesture, Signal, t } from '@farol/editing';
+import { t } from '@farol/editing';
 import { MicroShaderOverrides } from '@farol/engine';
-import {
-  type MicroShader,
-  MicroShaderCompileError,
-  type MicroShaderCompileEntry,
-  type MicroShaderRegistry,
-} from '@farol/renderer';
+import type { MicroShader, MicroShaderCompileEntry, MicroShaderRegistry } from '@farol/renderer';
 import { formatMicroShader, parseMicroShaderXML } from '@farol/renderer/authoring';
 import { type MicroShaderEdit, SetMicroShaders } from '../model/commands/SetMicroShaders';
 import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';
-
-/** How long after the last key a text is compiled (ms). */
-const DELAY = 180;
-
-/** Why a text is not in use. */
-export interface MicroShaderProblemText {
-  readonly message: string;
-  /** By chunk and line; none where the text cannot even be read. */
-  readonly entries: readonly MicroShaderCompileEntry[];
-}
-
-function problemOf(error: unknown): MicroShaderProblemText {
-  const message = error instanceof Error ? error.message : String(error);
-  return { message, entries: error instanceof MicroShaderCompileError ? error.entries : [] };
-}
+import { type MicroShaderProblemText, problemOf, TextDrafts } from './TextDrafts';
 
 /** Takes chunks out of a registry; one may have to wait for another that depends on it. @returns those that are needed */
 function takeOut(registry: MicroShaderRegistry, names: readonly string[]): string[] {
@@ -43,6 +24,9 @@ function takeOut(registry: MicroShaderRegistry, names: readonly string[]): strin
   return left;
 }
 
+/** Whether a chunk of a registry is of a surface. */
+export const isOfSurface = (name: string): boolean => /^surface\/\d+(\/vertex)?$/.test(name);
+
 /** What a new chunk begins with. */
 const TEMPLATE = `// What it is for.
 // Where it comes from.
@@ -52,26 +36,21 @@ const TEMPLATE = `// What it is for.
  * The microshaders of the document as texts that are edited: what compiles is drawn with at once and becomes a step of
  * history; what does not stays a draft, and the picture keeps the last good text.
  */
-export class MicroShaderEditing {
-  /** Emits when a text, a draft or a problem changes. */
-  readonly changed = new Signal();
+export class MicroShaderEditing extends TextDrafts<string> {
   /** Texts of the built-in chunks as they were written; what is drawn with may have lost its comments. */
   sources: Readonly<Record<string, string>> = {};
 
   /** Chunks of plugins. */
   private readonly added: Readonly<Record<string, string>>[] = [];
   private readonly overrides: MicroShaderOverrides[];
-  private readonly drafts = new Map<string, string>();
-  private readonly problems = new Map<string, MicroShaderProblemText>();
-  private gesture: Gesture | null = null;
-  private waiting: { readonly name: string; readonly timer: ReturnType<typeof setTimeout> } | null = null;
 
   /** @param registry - of the renderer of the picture */
   constructor(
     private readonly document: EditorDocument,
     readonly registry: MicroShaderRegistry,
-    private readonly log: ConsoleLog,
+    log: ConsoleLog,
   ) {
+    super(() => document.commands, log);
     this.overrides = [new MicroShaderOverrides(registry)];
     document.microShaders.subscribe(() => this.apply());
     document.opened.subscribe(() => this.forget());
@@ -79,7 +58,9 @@ export class MicroShaderEditing {
 
   /** Names of all chunks: the built-in ones, then the scene's own. */
   get names(): string[] {
-    return [...new Set([...this.registry.names(), ...this.document.scene.microShaders.texts.keys()])];
+    // surfaces are assets, see SurfaceEditing
+    const all = [...this.registry.names(), ...this.document.scene.microShaders.texts.keys()];
+    return [...new Set(all)].filter((name) => !isOfSurface(name));
   }
 
   /** Whether a chunk is the scene's own, not one that it replaces. */
@@ -111,40 +92,13 @@ export class MicroShaderEditing {
 
   /** A key was pressed: compiles the text once no more follow. */
   edit(name: string, text: string): void {
-    if (this.waiting && this.waiting.name !== name) this.flush();
-    if (this.waiting) clearTimeout(this.waiting.timer);
-    this.drafts.set(name, text);
-    this.waiting = { name, timer: setTimeout(() => this.flush(), DELAY) };
-  }
-
-  /** Compiles what waits to be. */
-  flush(): void {
-    if (!this.waiting) return;
-    const { name, timer } = this.waiting;
-    clearTimeout(timer);
-    this.waiting = null;
-    this.compile(name, this.drafts.get(name)!);
-    this.changed.emit();
-  }
-
-  /** The user turned elsewhere: what was edited is one step of history, and what is broken is told. */
-  finish(): void {
-    this.flush();
-    this.gesture?.commit();
-    this.gesture = null;
-    for (const [name, { message, entries }] of this.problems) {
-      if (entries.length === 0) this.log.add('error', 'shader', message, { chunk: name, line: 1 });
-      for (const { chunk, line, message: text } of entries) {
-        this.log.add('error', 'shader', text, { chunk: chunk ?? name, line });
-      }
-    }
+    this.type(name, text);
   }
 
   /** Drops a draft that does not compile. */
   discardDraft(name: string): void {
     this.flush();
-    this.drafts.delete(name);
-    this.problems.delete(name);
+    this.drop(name);
     this.changed.emit();
   }
 
@@ -228,25 +182,19 @@ export class MicroShaderEditing {
     this.document.commands.run(new SetMicroShaders(label, this.document.scene, edits));
   }
 
-  /** Tries a text; one that compiles is shown, and kept as a step once `finish` is called. */
-  private compile(name: string, text: string): void {
-    try {
-      const isOriginal = !this.isOwn(name) && text === this.originalOf(name);
-      if (!isOriginal) {
-        this.overrides[0].replace(name, text);
-      }
-      this.drafts.delete(name);
-      this.problems.delete(name);
-      this.preview(name, isOriginal ? null : text);
-    } catch (error) {
-      this.problems.set(name, problemOf(error));
-    }
+  protected override compile(name: string, text: string): SetMicroShaders {
+    const isOriginal = !this.isOwn(name) && text === this.originalOf(name);
+    if (!isOriginal) this.overrides[0].replace(name, text);
+    const label = t('Edited microshader {name}', { name });
+    return new SetMicroShaders(label, this.document.scene, [{ name, text: isOriginal ? null : text }]);
   }
 
-  private preview(name: string, text: string | null): void {
-    const { commands, scene } = this.document;
-    if (!this.gesture?.isOpen) this.gesture = commands.begin();
-    this.gesture.preview(new SetMicroShaders(t('Edited microshader {name}', { name }), scene, [{ name, text }]));
+  protected override chunkOf(name: string): string {
+    return name;
+  }
+
+  protected override chunkAt(name: string, { chunk }: MicroShaderCompileEntry): string {
+    return chunk ?? name;
   }
 
   /** Brings the scene's texts into the renderers: after an edit, an undo, or when another scene was opened. */
@@ -259,17 +207,9 @@ export class MicroShaderEditing {
     }
     // a draft of a text that came from elsewhere is out of date
     for (const name of this.drafts.keys())
-      if (this.waiting?.name !== name && !this.problems.has(name)) this.drafts.delete(name);
+      if (!this.isWaiting(name) && !this.problems.has(name)) this.drafts.delete(name);
     for (const name of this.problems.keys())
       if (!this.registry.has(name) && !texts.has(name)) this.problems.delete(name);
     this.changed.emit();
-  }
-
-  private forget(): void {
-    if (this.waiting) clearTimeout(this.waiting.timer);
-    this.waiting = null;
-    this.gesture = null;
-    this.drafts.clear();
-    this.problems.clear();
   }
 }

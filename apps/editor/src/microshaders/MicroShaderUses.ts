@@ -2,6 +2,7 @@ import { Signal } from '@farol/editing';
 import type { FarolRenderer, TechniqueName, View } from '@farol/renderer';
 import { formatMicroShader } from '@farol/renderer/authoring';
 import { chunksOf, dryRun } from './dryRun';
+import { isOfSurface } from './MicroShaderEditing';
 import { probeMicroShader } from './probeMicroShader';
 
 /** Views that draw with chunks of their own. */
@@ -31,7 +32,10 @@ export class MicroShaderUses {
     private readonly getTexts: () => ReadonlyMap<string, string>,
   ) {
     // a chunk that is in no program would be seen broken only when somebody draws with it
-    farol.microshaders.addCheck((names) => {
+    farol.microshaders.addCheck((all) => {
+      // surfaces have a check of their own
+      const names = all.filter((name) => !isOfSurface(name));
+      if (names.length === 0) return;
       const live = this.liveChunks();
       if (!names.some((name) => live.has(name))) this.probe(names);
     });

@@ -79,6 +79,13 @@ export class DocumentScripts {
     this.isOn = false;
   }
 
+  /** Scripts come from elsewhere into this scene: all of its are off until the user has said whether they shall run. */
+  ask(): void {
+    if (!this.isWanted) return;
+    this.question = 'foreign';
+    this.isOn = false;
+  }
+
   /** The user wants scripts to stay off: it is not asked again for this scene. */
   keepOff(): void {
     this.question = null;
@@ -130,7 +137,10 @@ export class DocumentScripts {
     this.isWanted = isOn && this.held === null;
     this.question = this.held ?? (isOn ? null : 'foreign');
     this.endWatch = scene.assets.onChange((change) => {
-      if (change.kind === 'registered' && change.type === 'script') this.begin();
+      if ((change.kind !== 'registered' && change.kind !== 'removed') || change.type !== 'script') return;
+      if (change.kind === 'registered') this.begin();
+      // what runs tells of it; while scripts are off, whether there are some may have changed
+      if (!this.isWanted) this.changed.emit();
     });
     this.begin();
     this.changed.emit();

@@ -140,7 +140,7 @@ describe('EditorDocument', () => {
     parent.transform.rotation = [0, 1, 0];
     for (const object of [source, parent, outside]) scene.add(object);
     source.add(child);
-    const text = copyObjects(scene, [source]);
+    const text = copyObjects(scene, [source]).text;
     commands.run(pasteObjects(scene, text, parent, []));
     const [copy] = parent.children;
     expect(copy.id).not.toBe(source.id);

@@ -5,6 +5,7 @@ import { serialize } from '@farol/engine/files';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { addObject, deleteObjects, moveObjects } from './edits';
 import { EditorDocument } from './EditorDocument';
+import { addScript } from './scriptEdits';
 import { scriptsInNode } from './testing/scriptsInNode';
 
 /** Writes a field of its own and one of another component while it is simulated. */
@@ -36,6 +37,44 @@ const set = (owner: Component, name: string, value: FieldValue): void =>
   document.commands.run(new SetFields(`Set ${name}`, [{ owner, name, value }]));
 
 describe('edits while playing', () => {
+  it('leave no asset that a script has registered', async () => {
+    const scripted = new EditorDocument(
+      undefined,
+      new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true }),
+      scriptsInNode(),
+    );
+    const { assets, scene, simulation, scripts } = scripted;
+    const source = `import { component } from '@farol/engine/fields';
+import { BoxGeometry, MeshBasicMaterial } from 'three';
+export default class Maker extends component({}) {
+  start(): void {
+    const { assets } = this.scene;
+    assets.register('made', new BoxGeometry());
+    assets.registerMaker('made late', 'material', () => new MeshBasicMaterial());
+    assets.addMaterial('made of fields');
+  }
+}`;
+    assets.addFieldAsset('script', 'Maker', { source });
+    await scripts.settled();
+    const maker = new GameObject('Maker');
+    scene.add(maker);
+    maker.addComponent('Maker');
+    const before = assets.list();
+    // twice: what was made must not be in the way of what is made again
+    for (let i = 0; i < 2; i++) {
+      simulation.play();
+      simulation.advance(0.05);
+      expect(assets.list()).toEqual([...before, 'made', 'made late', 'made of fields']);
+      let isDisposed = false;
+      assets.mesh('made').addEventListener('dispose', () => (isDisposed = true));
+      scripted.commands.run(addScript(scene, 'Kept').command);
+      simulation.stop();
+      expect(isDisposed).toBe(true);
+      before.push(i === 0 ? 'Kept' : 'Kept 2');
+      expect(assets.list()).toEqual(before);
+    }
+  });
+
   it('are taken back by stopping, with what components wrote, and kept one by one', () => {
     lamp.addComponent(Flicker);
     set(light, 'range', 3);

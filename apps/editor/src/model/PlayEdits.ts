@@ -1,8 +1,17 @@
 import { type Command, type CommandStack, labelOfField, SetFields, Signal, t } from '@farol/editing';
-import { type Component, type FieldAsset, type Scene, ScriptAsset, type SceneSettings } from '@farol/engine';
-import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
+import {
+  type Component,
+  type FieldAsset,
+  type Scene,
+  ScriptAsset,
+  type SceneSettings,
+  SurfaceAsset,
+  type TakenAsset,
+} from '@farol/engine';
+import { checkFieldValue, type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { AddAssets, RemoveAsset } from './commands/AddAssets';
 import { CommandList } from './commands/CommandList';
+import { Sequence } from './commands/Sequence';
 
 /** A value that was edited while the scene played. */
 export interface PlayChange {
@@ -30,12 +39,14 @@ export class PlayEdits {
   /** All edits as they were done, while none of them was kept. */
   private all: readonly Command[] = [];
   private last: Command | null = null;
+  /** Names of the assets that there were when the scene began to play. */
+  private assetsBefore: ReadonlySet<string> = new Set();
 
   constructor(private readonly document: { readonly commands: CommandStack; readonly scene: Scene }) {}
 
-  /** Values that can be kept. */
+  /** Values that can be kept: of fields that are there, since a script's text may have changed after the scene stopped. */
   get changes(): readonly PlayChange[] {
-    return this.values;
+    return this.values.filter(({ owner, name }) => Object.hasOwn(owner.fields, name));
   }
 
   /** Labels of edits that are no values, such as an object that was added; they can be kept only with all others. */
@@ -51,7 +62,9 @@ export class PlayEdits {
   /** The scene begins to play. */
   begin(): void {
     this.dismiss();
-    this.document.scene.keepAuthored();
+    const { scene } = this.document;
+    scene.keepAuthored();
+    this.assetsBefore = new Set(scene.assets.list());
     this.document.commands.hold();
   }
 
@@ -65,6 +78,7 @@ export class PlayEdits {
     // of what a component has removed a step cannot be undone; the scene takes back what is left of it
     const taken = commands.release(() => (isWhole = false));
     reset();
+    this.takeAssets();
     const others = taken.filter((command) => !isOfScripts(command));
     for (const command of taken) if (isOfScripts(command)) commands.run(command);
     this.all = isWhole ? others : [];
@@ -95,8 +109,8 @@ export class PlayEdits {
       this.document.commands.run(new CommandList(t('Kept the edits made while playing'), this.all));
       this.all = [];
     } else {
-      for (const change of this.values) this.check(change);
-      const edits = this.values.map(({ owner, name, to }) => ({ owner, name, value: to }));
+      for (const change of this.changes) this.check(change);
+      const edits = this.changes.map(({ owner, name, to }) => ({ owner, name, value: to }));
       this.document.commands.run(new SetFields(t('Kept the edits made while playing'), edits));
     }
     this.dismiss();
@@ -107,6 +121,16 @@ export class PlayEdits {
     this.dropAll();
     this.values = [];
     this.changed.emit();
+  }
+
+  /** Takes out the assets that components and scripts have registered while the scene played; all steps are taken back. */
+  private takeAssets(): void {
+    const { assets } = this.document.scene;
+    for (const name of assets.list()) {
+      // parts of a model go with it; of one that was loaded meanwhile they are new, and stay
+      if (this.assetsBefore.has(name) || assets.modelOf(name) !== null) continue;
+      for (const each of withParts(assets.take(name))) each.value?.dispose();
+    }
   }
 
   private check(change: PlayChange): void {
@@ -125,11 +149,15 @@ export class PlayEdits {
   }
 }
 
-/** Whether a step makes, deletes or edits scripts alone. */
-const isOfScripts = (command: Command): boolean =>
-  command instanceof SetFields
-    ? command.edits.every(({ owner }) => owner instanceof ScriptAsset)
+const withParts = (taken: TakenAsset): TakenAsset[] => [taken, ...taken.parts.flatMap(withParts)];
+
+/** Whether a step makes, deletes or edits scripts, or texts of surfaces, alone. */
+function isOfScripts(command: Command): boolean {
+  if (command instanceof Sequence) return command.parts.length > 0 && command.parts.every(isOfScripts);
+  return command instanceof SetFields
+    ? command.edits.every(({ owner }) => owner instanceof ScriptAsset || owner instanceof SurfaceAsset)
     : (command instanceof AddAssets || command instanceof RemoveAsset) && command.isOfScripts;
+}
 
 /** What a change is of, such as 'intensity of Lamp'. */
 export function nameOf({ owner, name }: PlayChange): string {
@@ -140,7 +168,7 @@ export function nameOf({ owner, name }: PlayChange): string {
   });
 }
 
-/** The values that commands, which are undone, have set. */
+/** The values that commands, which are undone, have set, of fields that are there without them. */
 function changesOf(commands: readonly Command[]): PlayChange[] {
   const changes: PlayChange[] = [];
   for (const command of commands) {
@@ -148,6 +176,8 @@ function changesOf(commands: readonly Command[]): PlayChange[] {
     for (const { owner, name, value } of command.edits) {
       const at = changes.findIndex((each) => sameField(each, { owner, name }));
       if (at >= 0) changes.splice(at, 1);
+      // a uniform of a surface that was worn, or typed, while it played
+      if (!Object.hasOwn(owner.fields, name) || checkFieldValue(owner.fields[name], value) !== null) continue;
       const change = { owner: owner as PlayChange['owner'], name, from: owner.getAuthored(name), to: value };
       if (!sameValue(change.from, value)) changes.push(change);
     }

@@ -84,10 +84,10 @@ describe('a material', () => {
     run(document, renameAsset(scene, 'Wall', 'House/Wall of brick'));
     expect(renderers[1].material).toBe('House/Wall of brick');
     expect(JSON.stringify(scene.prefabs.list)).toContain('House/Wall of brick');
-    expect(foldersOf(scene.assets)).toEqual(['House']);
+    expect(foldersOf(scene)).toEqual(['House']);
     run(document, renameFolder(scene, 'House', 'Town/House'));
     run(document, addFolder(scene, 'Town/Empty'));
-    expect(foldersOf(scene.assets)).toEqual(['Town', 'Town/Empty', 'Town/House']);
+    expect(foldersOf(scene)).toEqual(['Town', 'Town/Empty', 'Town/House']);
     expect(() => removeFolder(scene, 'Town')).toThrow("'Town' holds an asset: move or delete it first.");
     run(document, moveAssets(scene, ['Town/House/Wall of brick'], ''));
     expect(renderers[0].material).toBe('Wall of brick');
@@ -96,10 +96,32 @@ describe('a material', () => {
     expect(() => renameAsset(scene, 'Wall of brick', 'a//b')).toThrow('needs a name');
   });
 
+  it('stands in folders beside prefabs, which are moved, renamed and kept with them', () => {
+    const { document, scene, renderers } = walls();
+    const { prefab } = makePrefab(renderers[0].gameObject);
+    scene.prefabs.set(prefab);
+    document.commands.run(addMaterial(scene, 'Wall', {}, []).command);
+    const names = (): unknown[] => [
+      scene.prefabs.get(prefab.id)!.name,
+      ...scene.assets.materialAssets.map(({ name }) => name),
+    ];
+    run(document, moveAssets(scene, [prefab.id, 'Wall'], 'House'));
+    expect(foldersOf(scene)).toEqual(['House']);
+    expect(names()).toEqual(['House/One', 'House/Wall']);
+    run(document, renameFolder(scene, 'House', 'Town'));
+    expect(names()).toEqual(['Town/One', 'Town/Wall']);
+    run(document, moveAssets(scene, ['Town/Wall'], ''));
+    expect(() => removeFolder(scene, 'Town')).toThrow("'Town' holds an asset: move or delete it first.");
+    document.commands.undo();
+    document.commands.undo();
+    document.commands.undo();
+    expect(scene.prefabs.get(prefab.id)!.name).toBe('One');
+  });
+
   it('comes along with what is pasted, once', () => {
     const { scene, renderers, document } = walls();
     document.commands.run(addMaterial(scene, 'Wall', { roughness: 0.9 }, renderers).command);
-    const clip = copyObjects(scene, [renderers[0].gameObject]);
+    const clip = copyObjects(scene, [renderers[0].gameObject]).text;
     const other = new EditorDocument();
     run(other, pasteObjects(other.scene, clip, other.scene, []));
     expect(other.assets.materialAsset('Wall')!.get('roughness')).toBe(0.9);

@@ -8,11 +8,13 @@ import {
   type TakenAsset,
 } from '@farol/engine';
 import { type FieldValue, materialAssetFields, sameValue } from '@farol/engine/fields';
-import { canRename, endingOf, freeAssetName, joinName, splitName } from './assetNames';
+import { canRename, endingOf, freeAssetName, freeNameAmong, joinName, splitName } from './assetNames';
 import { AddAssets } from './commands/AddAssets';
 import { RenameAsset } from './commands/RenameAsset';
 import { Sequence } from './commands/Sequence';
 import { SetFolder } from './commands/SetFolder';
+import { SetPrefab } from './commands/SetPrefab';
+import { setSources, sourcesAfterRename } from './scriptImports';
 
 /** Commands for what a user does with assets. Each captures what the scene is like when it is made. */
 
@@ -98,41 +100,75 @@ export function renameAsset(scene: Scene, from: string, to: string): Command {
   return new RenameAsset(label, scene, from, name);
 }
 
-/** Puts assets into a folder, '' for none. A name that is taken there gets a number. */
+/** The name that tells the folder of an asset, or of a prefab by its id. */
+const placedName = (scene: Scene, name: string): string => scene.prefabs.get(name)?.name ?? name;
+
+/** Whether an asset, or a prefab by its id, can be put into a folder. */
+export const canMove = (scene: Scene, name: string): boolean =>
+  scene.prefabs.get(name) !== null || canRename(scene.assets, name);
+
+/** Puts assets, and prefabs by their ids, into a folder, '' for none. A name of an asset that is taken there gets a number. */
 export function moveAssets(scene: Scene, names: readonly string[], folder: string): Command {
-  const moved = names.filter((name) => splitName(name).folder !== folder);
+  const moved = names.filter((name) => splitName(placedName(scene, name)).folder !== folder);
   const label = tCount(moved.length, 'Move {count} asset to {folder}', 'Move {count} assets to {folder}', {
     folder: folder || t('the top'),
   });
-  return new Sequence(
-    label,
-    moved.map((name) => () => {
-      const to = freeAssetName(scene.assets, joinName(folder, splitName(name).leaf));
-      return new RenameAsset(label, scene, name, to);
-    }),
-  );
+  const renames = new Map<string, string>();
+  for (const name of moved) {
+    const leaf = splitName(placedName(scene, name)).leaf;
+    if (scene.prefabs.get(name)) {
+      renames.set(name, joinName(folder, leaf));
+      continue;
+    }
+    const taken = (wanted: string): boolean => scene.assets.has(wanted) || [...renames.values()].includes(wanted);
+    renames.set(name, freeNameAmong(taken, joinName(folder, leaf)));
+  }
+  return renameAll(scene, label, renames);
 }
 
-/** Every folder: those of assets, those that were made, and those above them. */
-export function foldersOf(assets: AssetLibrary): string[] {
+/** Gives assets, and prefabs by their ids, other names, which are free; imports of scripts lead where they did. */
+function renameAll(scene: Scene, label: string, renames: ReadonlyMap<string, string>): Command {
+  const ofAssets = new Map([...renames].filter(([name]) => !scene.prefabs.get(name)));
+  const ofPrefabs = [...renames].filter(([name]) => scene.prefabs.get(name));
+  return new Sequence(label, [
+    ...[...ofAssets].map(
+      ([from, to]) =>
+        () =>
+          new RenameAsset(label, scene, from, to),
+    ),
+    // read when its turn has come: it may name an asset that got another name
+    ...ofPrefabs.map(
+      ([id, name]) =>
+        () =>
+          new SetPrefab(scene, id, { ...scene.prefabs.get(id)!, name }),
+    ),
+    ...setSources(scene, label, sourcesAfterRename(scene, ofAssets)),
+  ]);
+}
+
+/** Every folder: those of assets and prefabs, those that were made, and those above them. */
+export function foldersOf({ assets, prefabs }: Scene): string[] {
   const folders = new Set<string>();
   const add = (path: string): void => {
     for (let folder = path; folder !== ''; folder = splitName(folder).folder) folders.add(folder);
   };
   for (const path of assets.folders) add(path);
   for (const name of assets.list()) if (canRename(assets, name)) add(splitName(name).folder);
+  for (const { name } of prefabs.list) add(splitName(name).folder);
   return [...folders].toSorted();
 }
 
-/** The assets in a folder, and in those below it. */
-export const assetsBelow = (assets: AssetLibrary, folder: string): string[] =>
-  assets.list().filter((name) => name.startsWith(`${folder}/`) && canRename(assets, name));
+/** The assets in a folder, and in those below it; prefabs by their ids. */
+export const assetsBelow = ({ assets, prefabs }: Scene, folder: string): string[] => [
+  ...assets.list().filter((name) => name.startsWith(`${folder}/`) && canRename(assets, name)),
+  ...prefabs.list.filter(({ name }) => name.startsWith(`${folder}/`)).map(({ id }) => id),
+];
 
 /** @throws AssetError for a path that is none, or that is there */
 export function addFolder(scene: Scene, path: string): Command {
   const { assets } = scene;
   const name = checkedName(assets, path, path);
-  if (foldersOf(assets).includes(name) || assets.has(name))
+  if (foldersOf(scene).includes(name) || assets.has(name))
     throw new AssetError(name, t('is there already: choose another name.'));
   return new SetFolder(t('Made folder {name}', { name }), assets, name, true);
 }
@@ -141,14 +177,15 @@ export function addFolder(scene: Scene, path: string): Command {
 export function renameFolder(scene: Scene, from: string, to: string): Command {
   const { assets } = scene;
   const path = checkedName(assets, from, to);
-  if (foldersOf(assets).includes(path) || assets.has(path))
+  if (foldersOf(scene).includes(path) || assets.has(path))
     throw new AssetError(path, t('is there already: choose another name.'));
   if (path.startsWith(`${from}/`)) throw new AssetError(from, t('cannot be put into itself: choose another folder.'));
   const next = (name: string): string => path + name.slice(from.length);
   const label = t('Renamed {name} to {next}', { name: from, next: path });
   const made = assets.folders.filter((folder) => folder === from || folder.startsWith(`${from}/`));
   return new Sequence(label, [
-    ...assetsBelow(assets, from).map((name) => () => new RenameAsset(label, scene, name, next(name))),
+    () =>
+      renameAll(scene, label, new Map(assetsBelow(scene, from).map((name) => [name, next(placedName(scene, name))]))),
     ...made.flatMap((folder) => [
       () => new SetFolder(label, assets, next(folder), true),
       () => new SetFolder(label, assets, folder, false),
@@ -159,7 +196,7 @@ export function renameFolder(scene: Scene, from: string, to: string): Command {
 /** Takes an empty folder out, with those below it. @throws AssetError when something is in it */
 export function removeFolder(scene: Scene, path: string): Command {
   const { assets } = scene;
-  const count = assetsBelow(assets, path).length;
+  const count = assetsBelow(scene, path).length;
   if (count > 0) {
     throw new AssetError(
       path,

@@ -24,7 +24,9 @@ const isOne = (names: ReadonlySet<string>, value: FieldValue | undefined): boole
 function editsOf(scene: Scene, names: ReadonlySet<string>): (FieldEdit & AssetOwner)[] {
   return assetOwners(scene).flatMap((each) =>
     Object.entries(each.owner.fields).flatMap(([name, field]) =>
-      field.kind === 'asset' && isOne(names, each.owner.getAuthored(name)) ? [{ ...each, name, value: null }] : [],
+      field.kind === 'asset' && field.viewOf === undefined && isOne(names, each.owner.getAuthored(name))
+        ? [{ ...each, name, value: null }]
+        : [],
     ),
   );
 }

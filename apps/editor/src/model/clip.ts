@@ -1,22 +1,26 @@
 import { type Command, countLabel, t } from '@farol/editing';
-import { type FieldAssetType, GameObject, type Scene, type TakenAsset } from '@farol/engine';
-import { type FieldValue, sameValue } from '@farol/engine/fields';
+import { ComponentRegistry, GameObject, type Scene } from '@farol/engine';
+import type { FieldValue } from '@farol/engine/fields';
 import {
-  assetInFile,
   FILE_VERSION,
+  type FarolFile,
   type FileAsset,
   FileError,
   type FileObject,
   makeObjects,
   parseFile,
+  type ParseOptions,
   serializeObject,
 } from '@farol/engine/files';
+import type { Prefab } from '@farol/engine/prefabs';
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { freeAssetName } from './assetNames';
+import { bringAssets, type ReadAsset, renamedObjects } from './bringAssets';
 import { AddAssets } from './commands/AddAssets';
 import { childrenOf, type Container, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';
 import { Sequence } from './commands/Sequence';
+import { cloneTogether } from './cloneTogether';
+import { copiedAssets, type NamingFields } from './copiedAssets';
 import { nameUniquely } from './UniqueNames';
 
 /** Copied GameObjects as JSON data: what the clipboard holds. */
@@ -24,7 +28,10 @@ export interface Clip {
   readonly format: 'farol-objects';
   /** In tree order; those that were copied have no parent. */
   readonly objects: readonly FileObject[];
+  /** Each after those that it needs; a file is one of the clipboard. */
   readonly assets: readonly FileAsset[];
+  /** Of types of components that scripts make: which of their fields name assets and objects. */
+  readonly naming: Readonly<Record<string, NamingFields>>;
   /** Where each of those without a parent was in the world: 16 numbers, column by column. */
   readonly worlds: readonly (readonly number[])[];
 }
@@ -34,8 +41,14 @@ const position = new Vector3();
 const rotation = new Quaternion();
 const scale = new Vector3();
 
-/** Copies objects with all below them, as they are authored. */
-export function copyObjects(scene: Scene, objects: readonly GameObject[]): string {
+/** Copied objects as text, and the files that it names. */
+export interface CopiedObjects {
+  readonly text: string;
+  readonly files: ReadonlyMap<string, Blob>;
+}
+
+/** Copies objects with all below them, as they are authored, and the assets that they use. */
+export function copyObjects(scene: Scene, objects: readonly GameObject[]): CopiedObjects {
   const tops = topmost(objects, scene);
   const list: FileObject[] = [];
   for (const top of tops) {
@@ -43,24 +56,10 @@ export function copyObjects(scene: Scene, objects: readonly GameObject[]): strin
       list.push(object === top ? { ...serializeObject(object), parent: null } : serializeObject(object)),
     );
   }
-  const names = new Set<string>();
-  for (const { components } of list) {
-    for (const { type, values } of components) {
-      const fields = scene.registry.fieldsOf(type);
-      for (const [name, value] of Object.entries(values)) {
-        if (fields[name]?.kind === 'asset' && typeof value === 'string') names.add(value);
-      }
-    }
-  }
-  const assets = [...names].flatMap((name): FileAsset[] => {
-    const url = scene.assets.urlOf(name);
-    const type = scene.assets.typeOf(name);
-    const asset = scene.assets.fieldAsset(name);
-    if (asset) return [assetInFile(asset)];
-    return url && type ? [{ name, type, url }] : [];
-  });
+  const { assets, files, naming } = copiedAssets(scene, tops, list);
   const worlds = tops.map(({ transform }) => transform.modelMatrix.toArray());
-  return JSON.stringify({ format: 'farol-objects', objects: list, assets, worlds } satisfies Clip);
+  const text = JSON.stringify({ format: 'farol-objects', objects: list, assets, naming, worlds } satisfies Clip);
+  return { text, files };
 }
 
 /** Whether a text may be copied GameObjects. */
@@ -68,14 +67,19 @@ export const isClip = (text: string | null): text is string =>
   text !== null && text.startsWith('{"format":"farol-objects"');
 
 /** References to objects that are not among those copied, which are taken out: object, component, field and value. */
-function takeOuterReferences(objects: FileObject[], scene: Scene): [string, number, string, FieldValue][] {
+function takeOuterReferences(
+  objects: FileObject[],
+  scene: Scene,
+  naming: Readonly<Record<string, NamingFields>>,
+): [string, number, string, FieldValue][] {
   const ids = new Set(objects.map(({ id }) => id));
   const taken: [string, number, string, FieldValue][] = [];
   for (const { id, components } of objects) {
     components.forEach(({ type, values }, i) => {
       const fields = scene.registry.types.get(type)?.fields ?? {};
       for (const [name, value] of Object.entries(values)) {
-        if (fields[name]?.kind !== 'object' || typeof value !== 'string' || ids.has(value)) continue;
+        const isReference = fields[name]?.kind === 'object' || naming[type]?.objects.includes(name);
+        if (!isReference || typeof value !== 'string' || ids.has(value)) continue;
         if (scene.findById(value)) taken.push([id, i, name, value]);
         delete values[name];
       }
@@ -83,38 +87,6 @@ function takeOuterReferences(objects: FileObject[], scene: Scene): [string, numb
   }
   return taken;
 }
-
-/**
- * The assets made of fields of a clip that the scene does not have, ready to be added. One whose name the scene has for another
- * one gets a name of its own, which the objects are told.
- */
-function takeFieldAssets(scene: Scene, list: readonly FileAsset[], objects: readonly FileObject[]): TakenAsset[] {
-  const { assets } = scene;
-  const names = new Map<string, string>();
-  const taken = list.flatMap(({ name, type, values }): TakenAsset[] => {
-    if (!values) return [];
-    const known = assets.fieldAsset(name);
-    if (known && sameValues(known.changedValues(), values)) return [];
-    const free = freeAssetName(assets, name);
-    names.set(name, free);
-    assets.addFieldAsset(type as FieldAssetType, free, values);
-    return [assets.take(free)];
-  });
-  for (const { components } of names.size > 0 ? objects : []) {
-    for (const { type, values } of components) {
-      const fields = scene.registry.fieldsOf(type);
-      for (const [field, value] of Object.entries(values)) {
-        const isMaterial = fields[field]?.kind === 'asset' && typeof value === 'string';
-        if (isMaterial && names.has(value)) values[field] = names.get(value)!;
-      }
-    }
-  }
-  return taken;
-}
-
-const sameValues = (a: Readonly<Record<string, FieldValue>>, b: Readonly<Record<string, FieldValue>>): boolean =>
-  Object.keys(a).length === Object.keys(b).length &&
-  Object.keys(a).every((name) => name in b && sameValue(a[name], b[name]));
 
 /** Gives an object the place in the world that it had, as seen from a parent. */
 function placeInWorld(object: GameObject, world: readonly number[], parent: Container): void {
@@ -126,11 +98,47 @@ function placeInWorld(object: GameObject, world: readonly number[], parent: Cont
   object.transform.scale = scale.toArray();
 }
 
+/** Copied objects that were read from text, not checked yet. */
+type RawClip = { -readonly [K in keyof Clip]?: Clip[K] };
+
+function readClip(text: string): RawClip & { objects: FileObject[] } {
+  try {
+    const clip = JSON.parse(text) as RawClip;
+    const objects = Array.isArray(clip.objects) ? clip.objects.filter((each) => Array.isArray(each?.components)) : [];
+    return { ...clip, objects };
+  } catch (cause) {
+    throw new FileError([{ path: '', problem: t('The clipboard holds no objects: copy some first.') }], { cause });
+  }
+}
+
+/** The assets that come with copied objects, each after those that it needs. @throws FileError for what is no such text */
+export const assetsOfClip = (text: string): readonly FileAsset[] =>
+  checked({ ...readClip(text), objects: [] }, { registry: new ComponentRegistry() }).assets;
+
+const checked = (
+  { assets = [], objects }: RawClip,
+  options: ParseOptions,
+  prefabs: readonly Prefab[] = [],
+): FarolFile =>
+  parseFile(
+    { format: 'farol-scene', version: FILE_VERSION, name: 'Clipboard', activeCamera: null, assets, prefabs, objects },
+    options,
+  );
+
+/** What a paste may be told besides. */
+export interface PasteOptions {
+  /** Moves the copies, which are in no scene yet, to another place. */
+  readonly place?: (copies: readonly GameObject[]) => void;
+  /** Files and addresses that were read for the scene, by their names in the clip; those that the scene has may be left out. */
+  readonly read?: ReadonlyMap<string, ReadAsset>;
+}
+
+const NOTHING_READ: ReadonlyMap<string, ReadAsset> = new Map();
+
 /**
- * Puts copied objects below a parent, where they were in the world, with ids and names of their own, and selects them. All of the
- * text is checked first.
+ * Puts copied objects below a parent, where they were in the world, with ids and names of their own, and selects them. Assets
+ * that they use, and the scene does not have, come along in the same step. All of the text is checked first.
  * @param parent - for objects whose parent is still the same, their authored values stay to the last digit
- * @param place - moves the copies, which are in no scene yet, to another place
  * @throws FileError listing what is wrong with the text; nothing has changed then
  */
 export function pasteObjects(
@@ -138,40 +146,21 @@ export function pasteObjects(
   text: string,
   parent: Container,
   selected: readonly string[],
-  place: (copies: readonly GameObject[]) => void = () => {},
+  { place = () => {}, read = NOTHING_READ }: PasteOptions = {},
 ): Command {
-  let clip: { objects?: FileObject[]; assets?: FileAsset[]; worlds?: number[][] };
-  try {
-    clip = JSON.parse(text) as typeof clip;
-  } catch (cause) {
-    throw new FileError([{ path: '', problem: t('The clipboard holds no objects: copy some first.') }], { cause });
-  }
-  const objects = Array.isArray(clip.objects) ? clip.objects.filter((each) => Array.isArray(each?.components)) : [];
-  const outer = takeOuterReferences(objects, scene);
+  const clip = readClip(text);
+  const { objects, naming = {} } = clip;
+  const outer = takeOuterReferences(objects, scene, naming);
   // of a prefab that this scene does not have, there is the copy alone
   const prefabs = new Set(scene.prefabs.list.map(({ id }) => id));
   for (const object of objects) if (object.prefab && !prefabs.has(object.prefab.prefab)) delete object.prefab;
-  const file = parseFile(
-    {
-      format: 'farol-scene',
-      version: FILE_VERSION,
-      name: 'Clipboard',
-      activeCamera: null,
-      assets: clip.assets ?? [],
-      prefabs: scene.prefabs.list,
-      objects,
-    },
-    { registry: scene.registry, assets: scene.assets },
-  );
-  for (const { name, url, type } of file.assets) {
-    if (url !== undefined && !scene.assets.has(name)) scene.assets.registerUrl(name, url, type);
-  }
-  const materials = takeFieldAssets(scene, file.assets, file.objects);
-  const made = makeObjects(file.objects, scene.registry);
+  const file = checked(clip, { registry: scene.registry, assets: scene.assets }, scene.prefabs.list);
+  const brought = bringAssets(scene, file.assets, read);
+  const made = makeObjects(renamedObjects(scene, file.objects, brought, naming), scene.registry);
   for (const [id, component, name, value] of outer) {
     for (const root of made) root.find(id)?.components[component]?.set(name, value);
   }
-  const copies = made.map((root) => root.clone());
+  const copies = cloneTogether(made);
   copies.forEach((copy, i) => {
     const world = clip.worlds?.[i];
     const before = scene.findById(made[i].id);
@@ -186,6 +175,6 @@ export function pasteObjects(
   const placements = copies.map((object, i) => ({ object, parent, index: end + i }));
   const selection = { done: copies.map(({ id }) => id), undone: selected };
   const add = new PlaceObjects(label, scene, 'add', placements, selection);
-  if (materials.length === 0) return add;
-  return new Sequence(label, [() => new AddAssets(scene.assets, materials), () => add], selection);
+  if (brought.taken.length === 0) return add;
+  return new Sequence(label, [() => new AddAssets(scene.assets, brought.taken), () => add], selection);
 }

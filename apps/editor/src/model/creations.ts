@@ -9,7 +9,11 @@ import {
   lightShadows,
   meshShadows,
   ObjectRenderer,
+  ParticleEmitter,
+  particlePreset,
+  Room,
   type Scene,
+  Wall,
 } from '@farol/engine';
 import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
 
@@ -18,12 +22,12 @@ type Values = Readonly<Record<string, FieldValue>>;
 /** Something that can be added to a scene. */
 export interface Creation {
   readonly label: string;
-  readonly group: 'object' | 'mesh' | 'light' | 'camera' | 'sound';
+  readonly group: 'object' | 'building' | 'mesh' | 'light' | 'camera' | 'sound' | 'particles';
   /** Of a mesh: the scene that it is a part of; null for others. */
   readonly folder: string | null;
-  /** What its icon stands for: 'mesh', 'camera', 'decal', 'sound', or the type of a light. */
+  /** What its icon stands for: 'mesh', 'wall', 'room', 'camera', 'decal', 'sound', 'particles', or the type of a light. */
   readonly kind: string;
-  make(): GameObject;
+  make(): GameObject | Promise<GameObject>;
 }
 
 /** Sizes of meshes that would be too small at 1 m. */
@@ -36,6 +40,9 @@ const lightValues: Readonly<Record<string, Values>> = {
   directional: { intensity: 1.5, ...lightShadows.directional },
   point: { intensity: 12, range: 10, ...lightShadows.point },
   spot: { intensity: 30, range: 15, ...lightShadows.spot },
+  rectangle: { intensity: 12, width: 1, height: 1 },
+  disc: { intensity: 12, width: 1, height: 1 },
+  tube: { intensity: 60, width: 1.2, height: 0.04 },
 };
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
@@ -51,7 +58,7 @@ const lightLabel = (type: string): string => t(`${capital(type)} light`);
 function makeLight(type: string): GameObject {
   const object = withComponent(lightLabel(type), Light, { type, ...lightValues[type] });
   // along its front, -Z: down, and for a sun aslant
-  if (type === 'spot') object.transform.rotation = [-Math.PI / 2, 0, 0];
+  if (type === 'spot' || type === 'rectangle' || type === 'disc') object.transform.rotation = [-Math.PI / 2, 0, 0];
   if (type === 'directional') object.transform.rotation = [-0.9, 0.6, 0];
   return object;
 }
@@ -59,6 +66,29 @@ function makeLight(type: string): GameObject {
 function makeDecal(): GameObject {
   const object = withComponent(t('Decal'), Decal);
   object.transform.rotation = [-Math.PI / 2, 0, 0]; // thrown down
+  return object;
+}
+
+/** Particles to begin from; those of the renderer's presets are fetched when they are added. */
+const particleCreations = (): Creation[] => {
+  const creation = (label: string, make: Creation['make']): Creation => ({
+    ...{ label, group: 'particles', folder: t('Particles'), kind: 'particles', make },
+  });
+  const preset = (label: string, name: Parameters<typeof particlePreset>[0]): Creation =>
+    creation(label, async () => withComponent(label, ParticleEmitter, await particlePreset(name)));
+  return [
+    creation(t('Emitter'), () => withComponent(t('Particles'), ParticleEmitter)),
+    preset(t('Fire'), 'fire'),
+    preset(t('Smoke'), 'smoke'),
+    preset(t('Sparks'), 'sparks'),
+    preset(t('Fireflies'), 'fireflies'),
+  ];
+};
+
+/** A wall or a room, whose measures are its fields. */
+function makeBuilding(name: string, type: ComponentClass): GameObject {
+  const object = withComponent(name, type);
+  object.addComponent(ObjectRenderer, { mesh: null, ...meshShadows });
   return object;
 }
 
@@ -96,6 +126,21 @@ export function creations(scene: Scene): Creation[] {
       make: () => new GameObject(t('Object')),
     },
     { label: t('Decal'), group: 'object', folder: null, kind: 'decal', make: makeDecal },
+    {
+      label: t('Room'),
+      group: 'building',
+      folder: null,
+      kind: 'room',
+      make: () => makeBuilding(t('Room'), Room),
+    },
+    {
+      label: t('Wall'),
+      group: 'building',
+      folder: null,
+      kind: 'wall',
+      make: () => makeBuilding(t('Wall'), Wall),
+    },
+    ...particleCreations(),
     ...scene.assets.list('mesh').map(meshCreation),
     ...lights,
     {

@@ -1,6 +1,7 @@
 import { type Command, countLabel, namesOf, SetFields, t } from '@farol/editing';
 import { type Component, type ComponentClass, GameObject, type Scene } from '@farol/engine';
 import type { FieldOwner, FieldValue } from '@farol/engine/fields';
+import { cloneTogether } from './cloneTogether';
 import { componentName } from './componentName';
 import { MoveComponents } from './commands/MoveComponents';
 import { MoveObjects } from './commands/MoveObjects';
@@ -47,13 +48,13 @@ export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Com
 export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const shift = new Map<Container, number>();
-  const placements = tops.map((source) => {
+  const copies = cloneTogether(tops);
+  const placements = tops.map((source, i) => {
     const { parent, index } = placementOf(source, scene);
     const earlier = shift.get(parent) ?? 0;
     shift.set(parent, earlier + 1);
-    return { object: source.clone(), parent, index: index + 1 + earlier };
+    return { object: copies[i], parent, index: index + 1 + earlier };
   });
-  const copies = placements.map(({ object }) => object);
   nameUniquely(scene, copies);
   return new PlaceObjects(countLabel(t('Duplicated'), tops), scene, 'add', placements, {
     done: ids(copies),
@@ -98,6 +99,12 @@ export function setActive(objects: readonly GameObject[], active: boolean): Comm
 /** Locks objects, with all below them, against being picked in the picture; or unlocks them. */
 export function setLocked(objects: readonly GameObject[], locked: boolean): Command {
   return new SetProperty(countLabel(locked ? t('Locked') : t('Unlocked'), objects), objects, 'locked', locked);
+}
+
+/** Makes objects static or moving; what is below them stays what it is. */
+export function setStatic(objects: readonly GameObject[], isStatic: boolean): Command {
+  const label = countLabel(isStatic ? t('Made static:') : t('Made moving:'), objects);
+  return new SetProperty(label, objects, 'isStatic', isStatic);
 }
 
 export function setEnabled(components: readonly Component[], enabled: boolean): Command {
@@ -173,7 +180,11 @@ export function setValues(
 /** Gives fields their defaults: those named, or all. */
 export function resetFields(label: string, owners: readonly FieldOwner[], names?: readonly string[]): Command {
   const edits = owners.flatMap((owner) =>
-    (names ?? Object.keys(owner.fields)).map((name) => ({ owner, name, value: owner.fields[name].default })),
+    (names ?? Object.keys(owner.fields).filter((name) => owner.fields[name].viewOf === undefined)).map((name) => ({
+      owner,
+      name,
+      value: owner.fields[name].default,
+    })),
   );
   return new SetFields(label, edits);
 }

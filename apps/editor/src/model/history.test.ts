@@ -1,19 +1,24 @@
 import { builtinComponents, ComponentRegistry, createRandom } from '@farol/engine';
+import { loadBakeCode } from '@farol/engine/bake';
 import { serialize } from '@farol/engine/files';
 import { beforeAll, expect, it } from 'vitest';
 import { EditorDocument } from './EditorDocument';
+import { litBy } from './testing/randomBakeCommand';
 import { randomCommand } from './testing/randomCommand';
 import { randomGesture } from './testing/randomGesture';
 import { randomScene } from './testing/randomScene';
+import { loadSurfaces } from './testing/randomSurfaceCommand';
 import { scriptsInNode } from './testing/scriptsInNode';
 import { randomKeep, randomSimulation } from './testing/randomSimulation';
 
 // what decals fetch is there, also after the last step
 beforeAll(() => import('@farol/renderer/decals'));
+beforeAll(loadBakeCode);
+beforeAll(loadSurfaces);
 
-/** What a document is: its scene as in a file, and the assets that it could use. */
+/** What a document is: its scene as in a file, the assets that it could use, and what baked light makes of it. */
 const stateOf = ({ scene, assets }: EditorDocument): string =>
-  `${JSON.stringify(serialize(scene))} ${assets.list().toSorted().join()}`;
+  `${JSON.stringify(serialize(scene))} ${assets.list().toSorted().join()} ${litBy(scene)}`;
 
 /** Steps of each seed: 10,000 in all. */
 const STEPS = 2500;

@@ -1,9 +1,12 @@
 import { t } from '@farol/editing';
 import { type AssetLibrary, Camera, GameObject, Light, lightShadows, Scene } from '@farol/engine';
 
-/** A scene to begin with: a camera, a sun and a sky. */
+/** A scene to begin with: a camera, a sun and a sky; bright surfaces near lamps do not burn out. */
 export function makeEmptyScene(assets: AssetLibrary): Scene {
   const scene = new Scene({ name: t('Untitled'), assets });
+  scene.settings.toneMapping = 'neutral';
+  // seen as [0.02, 0.025, 0.036]: the tone mapping makes dark colours darker
+  scene.settings.backgroundColour = [0.057, 0.062, 0.072];
   const camera = new GameObject(t('Camera'));
   camera.addComponent(Camera);
   camera.transform.lookAt([4, 3, 6], [0, 0.5, 0]);
@@ -12,7 +15,7 @@ export function makeEmptyScene(assets: AssetLibrary): Scene {
   sun.transform.lookAt([6, 8, 4], [0, 0, 0]);
   const sky = new GameObject(t('Sky'));
   sky.addComponent(Light, { type: 'hemisphere', intensity: 0.4 });
-  sky.transform.position = [0, 5, 0];
+  sky.transform.position = [0, 4, 0];
   for (const object of [camera, sun, sky]) scene.add(object);
   return scene;
 }

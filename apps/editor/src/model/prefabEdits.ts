@@ -39,6 +39,8 @@ function commandOf(scene: Scene, edit: PrefabEdit): Command {
       return new SetProperty('Rename', [edit.object], 'name', edit.value);
     case 'active':
       return new SetProperty('Show', [edit.object], 'active', edit.value);
+    case 'static':
+      return new SetProperty('Static', [edit.object], 'isStatic', edit.value);
     case 'tags':
       return new SetProperty('Tag', [edit.object], 'tags', edit.value);
     case 'link':
@@ -84,7 +86,9 @@ const fieldWords = (component: Component, field: string): { field: string; name:
 
 /** Makes a prefab of an object with all below it, which becomes its first instance. @throws PrefabError for a part of an instance */
 export function createPrefab(scene: Scene, object: GameObject, selected: readonly string[]): Command {
-  const { prefab, links } = makePrefab(object);
+  const { prefab: made, links } = makePrefab(object);
+  // a stroke would make a folder of the assets
+  const prefab = { ...made, name: made.name.replaceAll('/', '-') };
   const edits = [...links].map(([each, value]): PrefabEdit => ({ kind: 'link', object: each, value }));
   return planned(t('Made prefab {name}', { name: prefab.name }), scene, { prefabs: [prefab], edits }, selected);
 }

@@ -3,6 +3,7 @@ import { builtinComponents, ComponentRegistry, GameObject } from '@farol/engine'
 import { serialize, UnknownComponent } from '@farol/engine/files';
 import { makePrefab } from '@farol/engine/prefabs';
 import { expect, it } from 'vitest';
+import { moveAssets, renameFolder } from './assetEdits';
 import { deleteAsset, usagesOf } from './assetUsages';
 import { EditorDocument } from './EditorDocument';
 import { addScript, addScriptComponent, duplicateScript, renameAnyAsset, renameScript } from './scriptEdits';
@@ -135,4 +136,28 @@ it('adds components of a script, and keeps them when the script is deleted', () 
   expect(typesOf(objects[0])).toEqual(['Transform', 'Spin']);
   scene.assets.addFieldAsset('script', 'helpers', { source: 'export const one = 1;' });
   expect(() => addScriptComponent(scene, objects, 'helpers')).toThrow('has no component');
+});
+
+it('keeps imports where they lead when scripts are renamed and moved, and what else the text says', () => {
+  const { document } = quietDocument();
+  const { assets } = document;
+  const add = (name: string, source: string): unknown => assets.addFieldAsset('script', name, { source });
+  add('Tools/ease.ts', 'export const ease = 1;');
+  add('Tools/wave', "import { ease } from './ease';\nexport const wave = ease;");
+  add(
+    'Door',
+    `import { ease } from "./Tools/ease.ts";\nexport * from './Tools/wave'; // './Tools/other'\nimport './gone';`,
+  );
+  run(document, renameScript(document.scene, 'Tools/ease.ts', 'Math/Curves/easing.ts'));
+  expect(sourceOf(document, 'Tools/wave')).toContain("from '../Math/Curves/easing'");
+  expect(sourceOf(document, 'Door')).toBe(
+    `import { ease } from "./Math/Curves/easing.ts";\nexport * from './Tools/wave'; // './Tools/other'\nimport './gone';`,
+  );
+  run(document, moveAssets(document.scene, ['Door', 'Tools/wave'], 'Math'));
+  expect(sourceOf(document, 'Math/wave')).toContain("from './Curves/easing'");
+  expect(sourceOf(document, 'Math/Door')).toContain(`from "./Curves/easing.ts";\nexport * from './wave'`);
+  run(document, renameFolder(document.scene, 'Math/Curves', 'Curves'));
+  expect(sourceOf(document, 'Math/wave')).toContain("from '../Curves/easing'");
+  run(document, renameFolder(document.scene, 'Math', 'Curves/Deep'));
+  expect(sourceOf(document, 'Curves/Deep/Door')).toContain(`from "../easing.ts";\nexport * from './wave'`);
 });

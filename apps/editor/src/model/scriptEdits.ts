@@ -1,4 +1,4 @@
-import { type Command, namesOf, SetFields, t } from '@farol/editing';
+import { type Command, namesOf, t } from '@farol/editing';
 import { AssetError, type Component, type FieldAsset, type GameObject, type Scene } from '@farol/engine';
 import { makeUnknownComponent, UnknownComponent } from '@farol/engine/files';
 import type { Prefab } from '@farol/engine/prefabs';
@@ -10,6 +10,7 @@ import { Sequence } from './commands/Sequence';
 import { SetPrefab } from './commands/SetPrefab';
 import { componentName } from './componentName';
 import { addComponent } from './edits';
+import { setSources, sourcesAfterRename } from './scriptImports';
 import { componentTypeOf, scriptOfType, sourceForName } from './scriptNames';
 import { scriptTemplate } from './scriptTemplate';
 
@@ -68,8 +69,9 @@ export function duplicateScript(scene: Scene, from: string): MadeScript {
 }
 
 /**
- * Gives a script another name, its folder in it. Its class gets the name where it is called after the script, and its
- * components follow in prefabs and where they are kept as data; those that run follow by themselves.
+ * Gives a script another name, its folder in it. Its class gets the name where it is called after the script, imports of it
+ * and its own lead where they did, and its components follow in prefabs and where they are kept as data; those that run
+ * follow by themselves.
  * @throws AssetError when the name is taken
  */
 export function renameScript(scene: Scene, from: string, to: string): Command {
@@ -80,10 +82,11 @@ export function renameScript(scene: Scene, from: string, to: string): Command {
   const source = sourceForName(before, from, to);
   const typeBefore = componentTypeOf(from, before);
   const typeAfter = componentTypeOf(to, source);
+  const sources = sourcesAfterRename(scene, new Map([[from, to]]), new Map([[from, source]]));
   const isSame = typeBefore === null || typeAfter === null || typeBefore === typeAfter;
   return new Sequence(label, [
     () => rename,
-    ...(source === before ? [] : [() => new SetFields(label, [{ owner: script, name: 'source', value: source }])]),
+    ...setSources(scene, label, sources),
     ...(isSame ? [] : retype(scene, label, typeBefore, typeAfter)),
   ]);
 }

@@ -17,9 +17,11 @@ export function classNameOf(script: string): string {
 /** Whether the text of a script is JavaScript, by its name; else it is TypeScript. */
 export const isJavaScript = (script: string): boolean => /\.m?js$/.test(script);
 
+const DECLARED = /\bstatic\b[^;={]*\btypeName\b[^;={]*=\s*(['"`])([^'"`\n]+)\1/;
+
 /** The type that the text of a script declares for its components; null where they are called after the script. */
 function declaredType(source: string): string | null {
-  return /\bstatic\b[^;={]*\btypeName\b[^;={]*=\s*(['"`])([^'"`\n]+)\1/.exec(source)?.[2] ?? null;
+  return DECLARED.exec(source)?.[2] ?? null;
 }
 
 /** The type of the components of a script; null where it is no class of components, but something that others import. */
@@ -34,6 +36,13 @@ export function sourceForName(source: string, from: string, to: string): string 
   const pattern = new RegExp(String.raw`(\bexport\s+default\s+class\s+)${word}(?![\w$])`);
   return source.replace(pattern, (_all, start: string) => start + classNameOf(to));
 }
+
+/** The text of a script whose components get another type where it declares one: 'Spin' becomes 'Spin 2'. */
+export const sourceForType = (source: string, number: number): string =>
+  source.replace(DECLARED, (all, quote: string, type: string) => {
+    const end = all.length - type.length - quote.length;
+    return `${all.slice(0, end)}${type} ${number}${quote}`;
+  });
 
 /** The script that components of a type are of; null for types that come from elsewhere. */
 export function scriptOfType(scene: Scene, typeName: string): string | null {

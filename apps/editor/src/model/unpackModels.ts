@@ -7,8 +7,10 @@ import {
   objectsOfModel,
   type Scene,
   type TakenAsset,
+  type UnpackOptions,
   whatKeepsTogether,
 } from '@farol/engine';
+import { surfaceValueFields } from '@farol/engine/fields';
 import { endingOf, splitName } from './assetNames';
 import { AddAssets } from './commands/AddAssets';
 import { PlaceComponents } from './commands/PlaceComponents';
@@ -64,7 +66,8 @@ function unpackOne(scene: Scene, renderer: ModelRenderer): Command {
   const { gameObject: parent, castShadow, receiveShadow } = renderer;
   const name = renderer.model!;
   const model = assets.model(name);
-  const options = { materialFolder: materialFolder(name), castShadow, receiveShadow };
+  const wears = surfaceOf(renderer);
+  const options = { materialFolder: materialFolder(name), castShadow, receiveShadow, wears };
   const { objects, materials } = objectsOfModel(model, assets, name, options);
   const taken = materials.map((each): TakenAsset => {
     assets.addMaterial(each.name, each.values);
@@ -87,6 +90,16 @@ function unpackOne(scene: Scene, renderer: ModelRenderer): Command {
     ],
     stay,
   );
+}
+
+/** What its parts wear. */
+function surfaceOf(renderer: ModelRenderer): UnpackOptions['wears'] {
+  if (renderer.surface === null) return undefined;
+  const names = ['surface', ...Object.keys(surfaceValueFields)];
+  return {
+    material: renderer.surfaceMaterial,
+    values: Object.fromEntries(names.map((name) => [name, renderer.getAuthored(name)])),
+  };
 }
 
 function addAnimation(scene: Scene, renderer: ModelRenderer, object: GameObject): Command {

@@ -45,6 +45,14 @@ export const panels: readonly Panel[] = [
     load: () => import('./frame/FramePanel').then(({ FramePanel }) => FramePanel),
   },
   {
+    id: 'bake',
+    title: 'Baked light',
+    icon: 'lamp',
+    place: 'right',
+    isOpen: false,
+    load: () => import('./bake/BakePanel').then(({ BakePanel }) => BakePanel),
+  },
+  {
     id: 'console',
     title: 'Console',
     icon: 'console',

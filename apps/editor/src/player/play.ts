@@ -17,7 +17,10 @@ import { decodeLink } from '../files/share/linkText';
 import { player } from '../language/es/player';
 import { firstLanguage } from '../language/languages';
 import { askForHosts, keepToHosts } from './askForHosts';
+import { hasParticles } from './hasParticles';
+import { needsParticles } from '../files/share/needsParticles';
 import { hasScripts, isSandboxed, showSandboxed } from './sandbox';
+import { playWithParticles } from './withParticles';
 
 /**
  * Shows a scene on a page of its own: what standalone pages and embedded frames hold. The scene is in the element
@@ -35,7 +38,7 @@ const registry = new ComponentRegistry(builtinComponents.types.values(), { keepU
 /** Runs the scripts of a scene; fulfilled when its components are of their classes. */
 export type RunScripts = (scene: Scene, registry: ComponentRegistryType) => Promise<void>;
 
-/** @param runScripts - null for the player without @returns null when another frame shows the scene */
+/** @param runScripts - null for the player without @returns null when another frame or player shows the scene */
 async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null): Promise<Scene | null> {
   const element = document.getElementById('farol-scene');
   const dragon = (element ?? ownScript)?.dataset.dragon;
@@ -55,6 +58,10 @@ async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null)
   // whoever wrote the link wrote the scripts: they run where they reach nothing of this host
   if (hasScripts(text) && (!runScripts || !isSandboxed())) {
     showSandboxed();
+    return null;
+  }
+  if (!hasParticles && needsParticles(text)) {
+    playWithParticles();
     return null;
   }
   return deserialize(text, { assets, registry, mayFetch });

@@ -26,6 +26,8 @@ export interface Place {
   /** What its front looks at, in the space of its parent; in place of `rotation`. */
   readonly target?: Vector3Tuple;
   readonly tags?: readonly string[];
+  /** Whether it stays where it is, and light is baked on it. */
+  readonly static?: boolean;
   /** Id of the object above; at the top when absent. */
   readonly parent?: string;
 }
@@ -61,12 +63,13 @@ export class SampleScene {
       component(`${id}-${n}`, type, values),
     );
     const tags = place.tags ? { tags: [...place.tags] } : {};
-    this.objects.push({ id, name, parent: place.parent ?? null, ...tags, components });
+    const still = place.static ? { static: true } : {};
+    this.objects.push({ id, name, parent: place.parent ?? null, ...still, ...tags, components });
     return id;
   }
 
   /** An asset that is made of fields: a material, script or clip. @returns its name */
-  asset(type: 'material' | 'script' | 'clip', name: string, values: Record<string, FieldValue>): string {
+  asset(type: 'material' | 'script' | 'clip' | 'surface', name: string, values: Record<string, FieldValue>): string {
     this.assets.push({ name, type, values });
     return name;
   }

@@ -1,20 +1,28 @@
 import { containerContent, writeContainer } from '@farol/engine/files';
 import { animation } from './animation';
+import { fire } from './fire';
+import { bakedRoom } from './bakedRoom';
 import { microshaders } from './microshaders';
 import { nightInTheTemple } from './nightInTheTemple';
 import { physics } from './physics';
 import { prefabs } from './prefabs';
 import { scripts } from './scripts';
+import { shading } from './shading';
+import { surfaces } from './surfaces';
 import type { ReadPublic, SampleScene } from './SampleScene';
 
 /** What makes each sample, by the name of its file in `public/scenes`. */
 export const sampleMakers: Readonly<Record<string, (readPublic: ReadPublic) => Promise<SampleScene>>> = {
   'night-in-the-temple.farol': nightInTheTemple,
+  'fire.json': fire,
+  'baked-room.farol': bakedRoom,
   'animation.json': animation,
   'physics.json': physics,
   'scripts.json': scripts,
   'prefabs.json': prefabs,
   'microshaders.json': microshaders,
+  'shading.json': shading,
+  'surfaces.json': surfaces,
 };
 
 /**

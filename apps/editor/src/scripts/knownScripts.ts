@@ -1,16 +1,22 @@
 import type { Scene, ScriptAsset } from '@farol/engine';
 
-/** Where the browser keeps which scripts may run: hashes of all texts of a scene, the last ones. */
+/** Where the browser keeps which scripts may run: hashes of all texts of a scene, and of each, the last ones. */
 const KEY = 'farol-known-scripts';
-const MOST = 200;
+const MOST = 400;
 
-/** A hash of the texts of all scripts of a scene; null for one without, and where the browser cannot make one. */
-async function hashOf({ assets }: Scene): Promise<string | null> {
-  const scripts = assets.fieldAssets('script') as ScriptAsset[];
-  if (scripts.length === 0 || !globalThis.crypto?.subtle) return null;
-  const texts = scripts.map(({ name, source }) => [name, source]).toSorted((a, b) => (a[0] < b[0] ? -1 : 1));
-  const bytes = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(JSON.stringify(texts)));
+/** A hash of data; null where the browser cannot make one. */
+async function hashOf(data: unknown): Promise<string | null> {
+  if (!globalThis.crypto?.subtle) return null;
+  const bytes = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(JSON.stringify(data)));
   return Array.from(new Uint8Array(bytes), (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+const scriptsOf = ({ assets }: Scene): ScriptAsset[] => assets.fieldAssets('script') as ScriptAsset[];
+
+/** A hash of the texts of all scripts of a scene, with their names. */
+function hashOfAll(scene: Scene): Promise<string | null> {
+  const texts = scriptsOf(scene).map(({ name, source }) => [name, source]);
+  return hashOf(texts.toSorted((a, b) => (a[0] < b[0] ? -1 : 1)));
 }
 
 function known(): string[] {
@@ -24,18 +30,29 @@ function known(): string[] {
 
 /** Whether the scripts of a scene that was opened may run: it has none, or the user has run or written the same ones before. */
 export async function mayRunScripts(scene: Scene): Promise<boolean> {
-  if (scene.assets.fieldAssets('script').length === 0) return true;
-  const hash = await hashOf(scene);
+  if (scriptsOf(scene).length === 0) return true;
+  const hash = await hashOfAll(scene);
   return hash !== null && known().includes(hash);
+}
+
+/** Whether texts of scripts may run: the user has run or written each of them before, in whatever scene. */
+export async function mayRunTexts(texts: readonly string[]): Promise<boolean> {
+  const hashes = await Promise.all(texts.map(hashOf));
+  const list = new Set(known());
+  return hashes.every((hash) => hash !== null && list.has(hash));
 }
 
 /** Remembers that scripts as those of a scene may run. */
 export async function rememberScripts(scene: Scene): Promise<void> {
-  const hash = await hashOf(scene);
-  if (hash === null) return;
+  const scripts = scriptsOf(scene);
+  if (scripts.length === 0) return;
+  const texts = scripts.map(({ source }) => source);
+  const hashes = await Promise.all([hashOfAll(scene), ...texts.map(hashOf)]);
+  const found = new Set(hashes.filter((hash) => hash !== null));
+  if (found.size === 0) return;
   try {
-    const others = known().filter((each) => each !== hash);
-    localStorage.setItem(KEY, JSON.stringify([hash, ...others].slice(0, MOST)));
+    const others = known().filter((each) => !found.has(each));
+    localStorage.setItem(KEY, JSON.stringify([...found, ...others].slice(0, MOST)));
   } catch {
     // without storage it is asked again
   }

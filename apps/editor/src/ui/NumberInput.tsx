@@ -1,4 +1,4 @@
-import { formatNumber, readNumberInRange, roundToStep, t } from '@farol/editing';
+import { addToNumber, formatNumber, readNumberInRange, stepFactor, t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useId, useRef, useState } from 'react';
 import { leaveField } from './leaveField';
 import { Slider } from './Slider';
@@ -67,14 +67,13 @@ export function NumberInput(props: NumberInputProps): ReactNode {
     showDraft(next);
   };
   const begin = (): { value: number | null } => (start.current ??= { value });
-  const limited = (next: number): number => Math.min(Math.max(next, min ?? -Infinity), max ?? Infinity);
   const preview = (update: (before: number) => number, isRelative: boolean): void => {
     const { value: before } = begin();
     if (isRelative && props.onPreviewEach) props.onPreviewEach(update);
     else if (before !== null || !isRelative) props.onPreview(update(before ?? 0));
   };
   const add = (amount: number): void => {
-    preview((before) => limited(roundToStep(before + amount, Math.min(step, Math.abs(amount) || step))), true);
+    preview((before) => addToNumber(before, amount, { min, max, step }), true);
   };
   const commit = (): void => {
     if (!start.current) return;
@@ -130,8 +129,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
       event.preventDefault();
       if (!takeOver()) return;
       begin();
-      const factor = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
-      scrubbed.current += (key === 'ArrowUp' ? step : -step) * factor;
+      scrubbed.current += (key === 'ArrowUp' ? step : -step) * stepFactor(event);
       add(scrubbed.current);
     }
   };

@@ -1,4 +1,4 @@
-import { roundToStep } from '@farol/editing';
+import { valueOnSlider } from '@farol/editing';
 import { type PointerEvent, type ReactNode, useRef } from 'react';
 
 interface SliderProps {
@@ -21,11 +21,7 @@ export function Slider({ value, min, max, step, disabled, onSlide, onEnd }: Slid
 
   const slide = (event: PointerEvent<HTMLDivElement>): void => {
     const { left, width } = event.currentTarget.getBoundingClientRect();
-    const at = min + Math.min(Math.max((event.clientX - left) / width, 0), 1) * (max - min);
-    const by = event.altKey ? step / 10 : step;
-    // the ends are reached although no whole number of steps may lead there
-    const next = at <= min || at >= max ? at : Math.min(Math.max(roundToStep(Math.round(at / by) * by, by), min), max);
-    onSlide(next);
+    onSlide(valueOnSlider((event.clientX - left) / width, { min, max, step }, event.altKey));
   };
   const end = (keeps: boolean) => (): void => {
     if (!isDown.current) return;

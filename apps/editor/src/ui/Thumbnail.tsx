@@ -15,6 +15,9 @@ export const assetIcons: Readonly<Record<AssetKind, IconName>> = {
   script: 'code',
   clip: 'motion',
   sound: 'sound',
+  profile: 'spot',
+  surface: 'code',
+  bake: 'lamp',
 };
 
 /** A small picture of an asset, drawn once it comes into sight; an icon until then. */

@@ -1,3 +1,4 @@
+import { stepFactor } from '@farol/editing';
 import { type RefObject, useEffect, useRef } from 'react';
 
 /** What a drag to the left or right does. */
@@ -14,8 +15,6 @@ export interface Scrub {
 
 /** A press that moves by fewer pixels is a click. */
 const SLOP = 3;
-
-const factorOf = ({ shiftKey, altKey }: PointerEvent): number => (shiftKey ? 10 : altKey ? 0.1 : 1);
 
 /**
  * Lets elements be dragged to the left and right. A mouse is held in its place, so that the edge of the screen is no end;
@@ -67,14 +66,14 @@ function press(target: HTMLElement, down: PointerEvent, scrub: RefObject<Scrub>)
       lastX = event.clientX;
       total += pixels;
       if (hasBegun) {
-        scrub.current.move(pixels, factorOf(event));
+        scrub.current.move(pixels, stepFactor(event));
         return;
       }
       if (Math.abs(total) < SLOP) return;
       hasBegun = true;
       if (down.pointerType === 'mouse') lock(target, over.signal);
       scrub.current.begin();
-      scrub.current.move(total, factorOf(event));
+      scrub.current.move(total, stepFactor(event));
     },
     options,
   );

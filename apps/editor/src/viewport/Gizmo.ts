@@ -73,6 +73,9 @@ export class Gizmo {
   private targetList: GameObject[] = [];
   private targetsRevision = -1;
   private gesture: Gesture | null = null;
+  /** The handle that the drag began with. */
+  private grabbed = '';
+  private isRegrabbing = false;
   private currentMode: GizmoMode = 'translate';
   private ctrl = false;
   private isSnapping = false;
@@ -224,6 +227,7 @@ export class Gizmo {
           this.release();
         }
       },
+      (axis) => this.changeAxis(axis),
     );
     const controls = new TransformControls(new PerspectiveCamera(), this.canvas);
     // a finger is wider than a pointer
@@ -232,10 +236,10 @@ export class Gizmo {
     controls.space = this.ownSpace;
     if (this.currentMode !== 'select') controls.mode = this.currentMode;
     this.three.add(controls.getHelper());
-    controls.addEventListener('mouseDown', () => this.begin());
+    controls.addEventListener('mouseDown', () => this.isRegrabbing || this.begin());
     controls.addEventListener('objectChange', () => this.drag());
     controls.addEventListener('mouseUp', () => this.end());
-    controls.addEventListener('dragging-changed', ({ value }) => this.onDrag(value as boolean));
+    controls.addEventListener('dragging-changed', ({ value }) => this.isRegrabbing || this.onDrag(value as boolean));
     controls.addEventListener('change', this.onChange);
     this.controls = controls;
     this.applySnapping();
@@ -295,7 +299,23 @@ export class Gizmo {
     if (!controls || mode === 'select') return;
     const { camera, axis, space } = controls;
     const { scene } = this.document;
-    this.assist?.begin({ scene, camera, mode, axis: axis ?? '', space, dragged: objects, pivot });
+    this.grabbed = axis ?? '';
+    this.assist?.begin({ scene, camera, mode, axis: this.grabbed, space, dragged: objects, pivot });
+  }
+
+  /** Goes on with the drag by another handle; by the one that it began with where it goes by that other already. */
+  private changeAxis(axis: string): void {
+    const { controls, assist } = this;
+    if (!controls || !assist || !this.gesture) return;
+    const next = (controls.axis === axis ? this.grabbed : axis) as TransformControls['axis'];
+    const { x, y } = assist.regrab(next ?? '');
+    this.isRegrabbing = true;
+    controls.dragging = false;
+    controls.axis = next;
+    controls.getHelper().updateMatrixWorld(true);
+    controls.pointerDown({ x, y, button: 0 } as PointerEvent);
+    this.isRegrabbing = false;
+    controls.pointerMove({ x: assist.place.x, y: assist.place.y, button: -1 } as PointerEvent);
   }
 
   private drag(): void {

@@ -1,4 +1,14 @@
-import { AudioSource, Camera, type Component, Decal, type GameObject, Light, type Scene } from '@farol/engine';
+import {
+  AudioSource,
+  Camera,
+  type Component,
+  type ComponentClass,
+  Decal,
+  type GameObject,
+  Light,
+  ParticleEmitter,
+  type Scene,
+} from '@farol/engine';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -23,9 +33,17 @@ const MANY = 60;
 const LEAST = 8;
 
 const kindOf: Readonly<Record<string, number>> = Object.fromEntries(iconKinds.map((kind, i) => [kind, i]));
+const types: readonly ComponentClass[] = [Light, Camera, Decal, AudioSource, ParticleEmitter];
+/** Icons of components that are not lights. */
+const kinds: Readonly<Record<string, string>> = {
+  Camera: 'camera',
+  Decal: 'decal',
+  AudioSource: 'sound',
+  ParticleEmitter: 'particles',
+};
 const place = new Vector3();
 
-/** Icons for the lights, cameras, decals and sounds of a scene, which can be picked though there is nothing to see of them: one draw. */
+/** Icons for lights and other things of a scene that can be picked though there is nothing to see of them: one draw. */
 export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   private readonly shown: GameObject[] = [];
   /** Size of an icon (CSS pixels). */
@@ -48,21 +66,18 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     this.grow(64);
   }
 
-  /** Takes over where lights, cameras, decals and sounds are now. @param without - a camera that is looked through */
+  /** Takes over where all of them are now. @param without - a camera that is looked through */
   refresh(scene: Scene, isSelected: (object: GameObject) => boolean, pixelRatio: number, without: Camera | null): void {
     this.shown.length = 0;
-    const lights = scene.componentsOf(Light);
-    const cameras = scene.componentsOf(Camera);
-    const decals = scene.componentsOf(Decal);
-    const sounds = scene.componentsOf(AudioSource);
-    const count = lights.length + cameras.length + decals.length + sounds.length;
+    let count = 0;
+    for (const type of types) count += scene.componentsOf(type).length;
     this.size = Math.max(LEAST, SIZE * Math.min(1, Math.sqrt(MANY / Math.max(count, 1))));
     this.material.uniforms.size.value = this.size * pixelRatio;
     this.grow(count);
-    for (const light of lights) if (light.isActive) this.addIcon(light, isSelected);
-    for (const camera of cameras) if (camera.isActive && camera !== without) this.addIcon(camera, isSelected);
-    for (const decal of decals) if (decal.isActive) this.addIcon(decal, isSelected);
-    for (const sound of sounds) if (sound.isActive) this.addIcon(sound, isSelected);
+    for (const type of types) {
+      for (const each of scene.componentsOf(type))
+        if (each.isActive && each !== without) this.addIcon(each, isSelected);
+    }
     this.geometry.setDrawRange(0, this.shown.length);
     for (const name in this.geometry.attributes) this.geometry.attributes[name].needsUpdate = true;
   }
@@ -107,10 +122,7 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     geometry.attributes.position.setXYZ(i, elements[12], elements[13], elements[14]);
     geometry.attributes.selected.setX(i, isSelected(gameObject) ? 1 : 0);
     const isDecal = component instanceof Decal;
-    geometry.attributes.kind.setX(
-      i,
-      component instanceof Light ? kindOf[component.type] : (kindOf[component.typeName.toLowerCase()] ?? kindOf.sound),
-    );
+    geometry.attributes.kind.setX(i, kindOf[component instanceof Light ? component.type : kinds[component.typeName]]);
     if (component instanceof Light || isDecal) {
       const [r, g, b] = isDecal ? component.colour : component.diffuse;
       const largest = Math.max(r, g, b, 1e-6);

@@ -16,6 +16,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
+import { renderSmall } from './renderSmall';
 import { whenLost } from './whenLost';
 import { whenRestored } from './whenRestored';
 
@@ -24,7 +25,7 @@ export type BallTurn = readonly [right: number, up: number];
 
 /**
  * Draws a ball of a material on a canvas of the page, without waiting for the GPU. The material is the scene's own: it is
- * drawn by three itself, under lights of its own.
+ * drawn under lights of its own.
  */
 export class MaterialBall {
   private readonly scene = new Scene();
@@ -112,7 +113,7 @@ export class MaterialBall {
     const { autoClear } = webgl;
     webgl.autoClear = true;
     webgl.setRenderTarget(target);
-    webgl.render(this.scene, this.camera);
+    renderSmall(webgl, this.scene, this.camera);
     webgl.setRenderTarget(before);
     webgl.autoClear = autoClear;
     this.scene.environment = null;

@@ -20,8 +20,11 @@ import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
 import { Panes } from './panes/Panes';
 import { type Bounds, paneSurface } from './panes/paneSurface';
+import { limitShare, type PaneShare } from './panes/PaneShare';
 import type { ViewPane } from './panes/ViewPane';
 import type { PickSurface } from './PickSurface';
+import { LateParticlePreview } from './particles/LateParticlePreview';
+import { LateLightHandles } from './lights/LateLightHandles';
 import { LatePhysicsOverlay } from './physics/LatePhysicsOverlay';
 import { PictureCamera } from './PictureCamera';
 import { PlayView } from './PlayView';
@@ -60,6 +63,10 @@ export class Viewport extends ViewportSettings implements PickSurface {
   readonly helpers: Helpers;
   /** Lines and handles of colliders and joints. */
   readonly physics: LatePhysicsOverlay;
+  /** Handles of lights with a shape. */
+  readonly lightHandles: LateLightHandles;
+  /** Selected emitters, which play while the scene is stopped. */
+  readonly particles: LateParticlePreview;
   readonly picker: PointerPicker;
   readonly boxSelect: BoxSelect;
 
@@ -117,6 +124,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.helpers = new Helpers(document);
     this.helpers.scene.add(this.gizmo.three);
     this.physics = new LatePhysicsOverlay(this, this.helpers.scene, (error) => this.onError(error));
+    this.lightHandles = new LateLightHandles(this, this.helpers.scene, (error) => this.onError(error));
+    this.particles = new LateParticlePreview(this, this.helpers.scene, (error) => this.onError(error));
     this.boxSelect = new BoxSelect(this);
     this.picker = new PointerPicker(this);
     this.input = new SceneInput(
@@ -223,6 +232,14 @@ export class Viewport extends ViewportSettings implements PickSurface {
     if (isQuad) this.painter = null;
     this.panes.isQuad = isQuad;
     this.changed.emit();
+  }
+
+  /** Says how four views share the picture. */
+  shareViews(share: PaneShare): void {
+    const { x, y } = limitShare(share);
+    if (x === this.panes.share.x && y === this.panes.share.y) return;
+    this.panes.share = share;
+    this.invalidate();
   }
 
   /** How the active view shows the scene. */
@@ -345,6 +362,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.picker.dispose();
     this.boxSelect.dispose();
     this.physics.dispose();
+    this.lightHandles.dispose();
+    this.particles.dispose();
     this.preview?.dispose();
     this.ball?.dispose();
     this.input.dispose();
@@ -385,6 +404,8 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.gizmo.update(this.raysOf(pane));
     if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true)) {
       this.physics.update(webgl.getPixelRatio());
+      this.lightHandles.update(webgl.getPixelRatio());
+      this.particles.update();
       this.helpers.render(webgl, camera, lookThrough, this.gizmo.isDragging);
     }
   }
@@ -475,6 +496,6 @@ export class Viewport extends ViewportSettings implements PickSurface {
     const step = Math.min(seconds, 0.1);
     const moved = this.pictureCamera.update(step);
     if (this.panes.update(step) || moved) this.invalidate();
-    return simulation.isPlaying;
+    return this.particles.advance(seconds) || simulation.isPlaying;
   }
 }

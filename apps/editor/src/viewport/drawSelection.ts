@@ -11,6 +11,8 @@ const y = new Vector3();
 const z = new Vector3();
 const from = new Vector3();
 const to = new Vector3();
+const start = new Vector3();
+const end = new Vector3();
 
 /** Three circles about `centre`. */
 function drawSphere(lines: LineSet, radius: number, segments = 64): void {
@@ -30,7 +32,51 @@ function drawSound(lines: LineSet, source: AudioSource): void {
   if (source.falloff === 'linear') drawSphere(lines, source.maxDistance);
 }
 
-/** Sphere of a point light, cone of a spot light, arrow of a directional light. @param segments - of each circle */
+/**
+ * The shape of an area light, and an arrow the way it shines; a cylinder for a tube. `x` and `y` are its axes, `z` its front,
+ * all of unit length.
+ */
+function drawShape(lines: LineSet, { type, width, height }: Light, segments: number): void {
+  if (type === 'tube') {
+    const radius = height / 2;
+    from.copy(centre).addScaledVector(x, width / -2);
+    to.copy(centre).addScaledVector(x, width / 2);
+    y.multiplyScalar(radius);
+    z.multiplyScalar(radius);
+    lines.circle(from, y, z, segments);
+    lines.circle(to, y, z, segments);
+    for (const side of [y, z]) {
+      for (const sense of [1, -1]) {
+        lines.line(start.copy(from).addScaledVector(side, sense), end.copy(to).addScaledVector(side, sense));
+      }
+    }
+    return;
+  }
+  to.copy(centre).addScaledVector(z, Math.max(0.25, 0.5 * Math.max(width, height)));
+  lines.line(centre, to);
+  x.multiplyScalar(width / 2);
+  y.multiplyScalar(height / 2);
+  if (type === 'disc') {
+    lines.circle(centre, x, y, segments);
+    return;
+  }
+  start.copy(centre).add(x).add(y);
+  for (const [right, up] of [
+    [-1, 1],
+    [-1, -1],
+    [1, -1],
+    [1, 1],
+  ]) {
+    end.copy(centre).addScaledVector(x, right).addScaledVector(y, up);
+    lines.line(start, end);
+    start.copy(end);
+  }
+}
+
+/**
+ * Sphere of a point light, cone of a spot light, arrow of a directional light, shape of an area light and where it ends.
+ * @param segments - of each circle
+ */
 function drawLight(lines: LineSet, light: Light, segments = 64): void {
   const { matrixWorld } = light.gameObject.object3D;
   centre.setFromMatrixPosition(matrixWorld);
@@ -38,7 +84,10 @@ function drawLight(lines: LineSet, light: Light, segments = 64): void {
   y.setFromMatrixColumn(matrixWorld, 1).normalize();
   z.setFromMatrixColumn(matrixWorld, 2).normalize().negate();
   const reach = Math.min(light.reach, 1000);
-  if (light.type === 'point' && Number.isFinite(light.reach)) drawSphere(lines, reach, segments);
+  if (light.isArea) {
+    drawShape(lines, light, segments);
+    if (Number.isFinite(light.reach)) drawSphere(lines, reach + Math.hypot(light.width, light.height) / 2, segments);
+  } else if (light.type === 'point' && Number.isFinite(light.reach)) drawSphere(lines, reach, segments);
   else if (light.type === 'spot') {
     const length = Number.isFinite(light.reach) ? reach : 5;
     const radius = Math.min(length * Math.tan(Math.min(light.cutoff, 1.5)), length * 4);

@@ -2,7 +2,20 @@ import { CanvasTexture, LinearFilter } from 'three';
 import { iconPaths } from '../style/iconPaths';
 
 /** Icons of the viewport in the order of the atlas. */
-export const iconKinds = ['point', 'spot', 'directional', 'ambient', 'hemisphere', 'camera', 'decal', 'sound'] as const;
+export const iconKinds = [
+  'point',
+  'spot',
+  'directional',
+  'ambient',
+  'hemisphere',
+  'rectangle',
+  'disc',
+  'tube',
+  'camera',
+  'decal',
+  'sound',
+  'particles',
+] as const;
 
 const CELL = 64;
 

@@ -1,5 +1,7 @@
 import type { LabSeries } from '../plan/LabPlan';
+import { shadingNames, shadings } from '../plan/lightKinds';
 import { formatNumber } from '../words/format';
+import { namedValue } from '../words/names';
 
 /** Ticks at 1, 2 and 5 of each power of ten within bounds, fewer where there are many powers. */
 export function logTicks(low: number, high: number, most = 10): number[] {
@@ -32,6 +34,8 @@ export function ticksWithRoom(values: readonly number[], place: (value: number) 
 
 /** Text of a tick of a series: short, without the unit. */
 export function valueTick(series: LabSeries, value: number): string {
+  if (series.axis === 'shading') return shadings[shadingNames[value]]?.label ?? String(value);
+  if (series.axis === 'kind') return namedValue('kind', value);
   if (series.axis === 'pixels') return `${formatNumber(value / 1e6, 2)} M`;
   if (value >= 1e6) return `${formatNumber(value / 1e6)} M`;
   return value >= 10_000 ? `${formatNumber(value / 1000)}k` : formatNumber(value, 6);

@@ -1,5 +1,5 @@
-import type { LabSeries } from '../plan/LabPlan';
-import { axisWords } from '../plan/sceneWords';
+import { isNamed, type LabSeries } from '../plan/LabPlan';
+import { axisLabel } from '../plan/sceneWords';
 import type { LabRow, LabRun, Metric } from '../results/LabRun';
 import { boundsOf, timeOf } from '../words/compareSpreads';
 import { curveWords, sizeText } from '../words/curveWords';
@@ -21,13 +21,16 @@ export function curveChart(runs: readonly LabRun[], series: LabSeries, settings:
   const planned = runs.flatMap(({ plan }) => plan.series.find(({ name }) => name === series.name) ?? []);
   const size = listOf([...new Set(planned.map(({ cases }) => sizeText(cases)))].filter(Boolean));
   const kind = settings.scale === 'log' ? 'logarithmic axes' : 'linear axes';
-  const along = axisWords[series.axis].label.toLowerCase();
+  const along = axisLabel(series).toLowerCase();
+  const how = isNamed(series.axis)
+    ? `by ${along}, a column a case, a symbol a competitor; its line runs`
+    : `over ${along}, ${kind}, a line a competitor; bands run`;
   return {
     key: `curve-${series.name}`,
     title: `${isOneCase(curves) ? caseText(series) : series.label}${size ? `, ${size}` : ''}`,
     description: isOneCase(curves)
       ? `${metricWords[metric].label} times in milliseconds, a bar a competitor, the shortest first.`
-      : `${metricWords[metric].label} times in milliseconds over ${along}, ${kind}, a line a competitor; bands run from the 10th to the 90th percentile.`,
+      : `${metricWords[metric].label} times in milliseconds ${how} from the 10th to the 90th percentile.`,
     sentences: runs.flatMap((run, i) => {
       const own = run.plan.series.find(({ name }) => name === series.name);
       const sentences = own ? curveWords(run, own, metric) : [];

@@ -1,6 +1,19 @@
-import { areaY, axisX, axisY, dot, gridX, gridY, lineY, type Markish, plot, scale, text } from '@observablehq/plot';
-import type { LabSeries } from '../plan/LabPlan';
-import { axisWords } from '../plan/sceneWords';
+import {
+  areaY,
+  axisX,
+  axisY,
+  dot,
+  gridX,
+  gridY,
+  lineY,
+  type Markish,
+  plot,
+  ruleX,
+  scale,
+  text,
+} from '@observablehq/plot';
+import { isNamed, type LabSeries } from '../plan/LabPlan';
+import { axisLabel } from '../plan/sceneWords';
 import { formatNumber } from '../words/format';
 import { competitorWord, metricWords } from '../words/names';
 import { logTicks, ticksWithRoom, valueTick } from './axisTicks';
@@ -48,7 +61,7 @@ export function drawCurves(
     gridY({ ticks: ticksY, stroke: paint.grid, strokeOpacity: 1 }),
     gridX(ticksX, { stroke: paint.grid, strokeOpacity: 1 }),
     axisX(ticksX, {
-      label: `${axisWords[series.axis].label} →`,
+      label: isNamed(series.axis) ? axisLabel(series) : `${axisLabel(series)} →`,
       text: (value: number) => valueTick(series, value),
       color: paint.dim,
       tickSize: 4,
@@ -67,7 +80,16 @@ export function drawCurves(
   curves.forEach((curve, i) => {
     const colour = paint.competitor(curve.competitor);
     const className = `group group-${i}`;
-    for (const piece of curve.pieces) {
+    if (isNamed(series.axis)) {
+      // names have no order: nothing leads from one to the next
+      lines.push(
+        ruleX(curve.points, {
+          ...{ x: 'value', y1: (p: CurvePoint) => atLeast(p.low, low), y2: 'high', stroke: colour, strokeOpacity: 0.5 },
+          ...{ strokeWidth: 3, className, ariaHidden: 'true' },
+        }),
+      );
+    }
+    for (const piece of isNamed(series.axis) ? [] : curve.pieces) {
       marks.push(
         areaY(piece as CurvePoint[], {
           ...{ x: 'value', y1: (p: CurvePoint) => atLeast(p.low, low), y2: 'high', fill: colour, fillOpacity: 0.13 },
@@ -86,7 +108,7 @@ export function drawCurves(
     const doubtful = curve.points.filter(({ row }) => row.warnings.length > 0);
     const ring = { r: 7.5, stroke: colour, strokeDasharray: '2 2', fill: 'none', ariaHidden: 'true' };
     lines.push(dot(doubtful, { ...at, ...ring }));
-    if (curve.end !== null) {
+    if (curve.end !== null && !isNamed(series.axis)) {
       lines.push(
         text(curve.points.slice(-1), {
           ...{ ...at, text: () => '⊣', dx: 11, fill: colour, fontSize: 15, fontWeight: 'bold', ariaHidden: 'true' },
@@ -172,9 +194,16 @@ function scalesOf(
   const values = valuesOf(series, curves);
   const [from, to] = [values[0], values.at(-1)!];
   const single = from === to;
-  const logarithmic = kind === 'log' && from > 0;
-  const type = logarithmic ? 'log' : kind === 'log' ? 'symlog' : 'linear';
-  const domain = !single ? [from, to] : logarithmic ? [from / 2, to * 2] : [from - 1, to + 1];
+  const isList = isNamed(series.axis);
+  const logarithmic = kind === 'log' && from > 0 && !isList;
+  const type = logarithmic ? 'log' : kind === 'log' && !isList ? 'symlog' : 'linear';
+  const domain = isList
+    ? [from - 0.4, to + 0.4]
+    : !single
+      ? [from, to]
+      : logarithmic
+        ? [from / 2, to * 2]
+        : [from - 1, to + 1];
   const x = { type, domain, range: [margins.marginLeft + 10, width - margins.marginRight - 6] };
   const y = {
     ...{ type: kind, domain: [low, high], clamp: true },

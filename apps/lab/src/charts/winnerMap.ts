@@ -1,8 +1,8 @@
-import type { LabSeries } from '../plan/LabPlan';
-import { axisWords } from '../plan/sceneWords';
+import { type Axis, isNamed, type LabSeries } from '../plan/LabPlan';
+import { axisLabel } from '../plan/sceneWords';
 import type { LabRun, Metric } from '../results/LabRun';
 import { casesOf, seriesWord, type SeriesCase } from '../words/seriesCases';
-import { valueText } from '../words/names';
+import { namedValue, valueText } from '../words/names';
 import { type Winners, winnersOf } from '../words/winners';
 import { formatNumber } from '../words/format';
 
@@ -44,7 +44,7 @@ export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
       rows: pixels.map(size),
       columns: lights.map((count) => valueText('lights', count)),
       rowTitle: `${group[0].label.split(',')[0]}: pixels`,
-      columnTitle: 'Point lights',
+      columnTitle: axisLabel({ axis: 'lights', cases: group.map(({ labCase }) => labCase) }),
       cells: group.map((of) => ({
         row: pixels.indexOf(of.labCase.width * of.labCase.height),
         column: lights.indexOf(of.labCase.lights ?? 0),
@@ -65,9 +65,9 @@ function bySeries(run: LabRun, group: readonly SeriesCase[], metric: Metric): Wi
   const list: LabSeries[] = [...new Set(group.map(({ series }) => series))];
   return {
     rows: list.map(seriesWord),
-    columns: values.map((value) => (axis === 'pixels' ? `${formatNumber(value / 1e6, 2)} M` : formatNumber(value, 6))),
+    columns: values.map((value) => columnText(axis, value)),
     rowTitle: 'Series',
-    columnTitle: axisWords[axis].label,
+    columnTitle: axisLabel({ axis, cases: list.flatMap(({ cases }) => cases) }),
     cells: group.map((of) => ({
       row: list.indexOf(of.series),
       column: values.indexOf(of.series.values[of.index]),
@@ -76,9 +76,15 @@ function bySeries(run: LabRun, group: readonly SeriesCase[], metric: Metric): Wi
   };
 }
 
+function columnText(axis: Axis, value: number): string {
+  if (isNamed(axis)) return namedValue(axis, value);
+  return axis === 'pixels' ? `${formatNumber(value / 1e6, 2)} M` : formatNumber(value, 6);
+}
+
 /** What cases share that may stand in one map of lights by pixels. */
-function sceneKey({ labCase: { scene, shadows, overdraw } }: SeriesCase): string {
-  return JSON.stringify([scene.name, scene.parameters, shadows, overdraw]);
+function sceneKey({ labCase }: SeriesCase): string {
+  const { scene, shadows, lightKind, lightRange, shading, overdraw } = labCase;
+  return JSON.stringify([scene.name, scene.parameters, shadows, lightKind, lightRange, shading, overdraw]);
 }
 
 function groupBy<T>(items: readonly T[], key: (item: T) => string): Map<string, T[]> {

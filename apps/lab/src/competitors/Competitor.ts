@@ -1,3 +1,4 @@
+import type { LightKind, Shading } from '../plan/lightKinds';
 import type { StageScene } from '../stage/StageScene';
 
 /** A competitor as it draws one case. */
@@ -37,6 +38,16 @@ export interface Drawing {
   dispose(): void;
 }
 
+/** What of a case a competitor may be unable to draw. */
+export interface RefusableScene {
+  /** Lights that are objects of their own. */
+  readonly lights: number;
+  readonly shadows: number;
+  /** What the moving lights are. */
+  readonly kind: LightKind;
+  readonly shading: Shading;
+}
+
 /** Who can draw a case. */
 export interface Competitor {
   /** Key, also in files and links. */
@@ -49,9 +60,10 @@ export interface Competitor {
   /** Why it cannot draw here, as a sentence; null when it can. */
   unavailable(): Promise<string | null>;
   /**
-   * Why it cannot draw a case, as a sentence (too many lights for its uniforms, shadows it has not); null when it can.
+   * Why it cannot draw a case, as a sentence (too many lights for its uniforms, shadows or kinds of lights it has not);
+   * null when it can.
    */
-  refuses(scene: { lights: number; shadows: number }): string | null;
+  refuses(scene: RefusableScene): string | null;
   /**
    * @param longest time that a first frame may take (ms)
    * @throws Error that names what failed

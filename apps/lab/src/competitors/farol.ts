@@ -16,10 +16,12 @@ export function farol(name: TechniqueName): Competitor {
     refuses: () => null,
     async open(canvas, scene, signal): Promise<Drawing> {
       await FarolRenderer.preload();
+      const particles = scene.emitter ? await import('@farol/renderer/particles') : null;
       signal.throwIfAborted();
       const { renderer, gl, check, dispose } = createWebGL(canvas, scene);
       const { three, camera } = scene;
       const drawn = new FarolRenderer(renderer, { technique: name });
+      if (particles) drawn.effects = [new particles.Particles()];
       let last = '';
       let same = 0;
       const isSettled = (): boolean => {

@@ -21,6 +21,7 @@ import type { StageScene } from '../stage/StageScene';
 import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
+import { lackingInThree, pointsAlone, refuseMatter } from './refuseMatter';
 
 /**
  * three's renderer as one would first think of many lights: all but the moving lights in a base pass, then the whole scene
@@ -30,10 +31,11 @@ export const multipass: Competitor = {
   name: 'multipass',
   ...competitorNames.multipass,
   unavailable: async () => webglProblem(),
-  refuses: () => null,
+  refuses: (scene) => refuseMatter(scene, { ...lackingInThree, kinds: pointsAlone('The naive multipass is') }),
   async open(canvas, scene): Promise<Drawing> {
     const { renderer, gl, check, dispose } = createWebGL(canvas, scene);
-    const { three, camera, lights, width, height } = scene;
+    const { three, camera, width, height } = scene;
+    const lights = scene.lights as readonly PointLight[];
     const filter = { minFilter: NearestFilter, magFilter: NearestFilter };
     const target = new WebGLRenderTarget(width, height, { type: HalfFloatType, ...filter });
     const added = new AddedLights(scene);
@@ -81,7 +83,7 @@ class AddedLights {
   constructor({ three, lights }: StageScene) {
     this.scene.add(this.lamp, this.caster);
     this.caster.castShadow = true;
-    const casting = lights.find(({ castShadow }) => castShadow);
+    const casting = (lights as readonly PointLight[]).find(({ castShadow }) => castShadow);
     if (casting) this.caster.shadow.copy(casting.shadow);
     if (three.fog) {
       this.scene.fog = three.fog.clone();

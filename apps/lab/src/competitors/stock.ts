@@ -3,10 +3,12 @@ import type { Competitor, Drawing } from './Competitor';
 import { compileForecast } from './compileForecast';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
+import { lackingInThree, refuseMatter } from './refuseMatter';
 import { refuseTextures } from './refuseTextures';
 
-/** Uniform vectors of a point light: position and distance, colour and decay; and of its shadow. */
+/** Uniform vectors of a point light: position and distance, colour and decay; of a spot light; and of a point's shadow. */
 const LIGHT = 2;
+const SPOT = 4;
 const SHADOW = 3;
 /** Uniform vectors that a material needs besides. */
 const OTHERS = 16;
@@ -20,10 +22,14 @@ export const stock: Competitor = {
   name: 'stock',
   ...competitorNames.stock,
   unavailable: async () => webglProblem(),
-  refuses({ lights, shadows }) {
+  refuses(scene) {
+    const { lights, shadows, kind } = scene;
+    const lacking = refuseMatter(scene, lackingInThree);
+    if (lacking !== null) return lacking;
+    const vectors = kind === 'spots' ? SPOT : LIGHT;
     const { fragmentUniforms } = deviceLimits();
-    if (lights * LIGHT + shadows * SHADOW + OTHERS <= fragmentUniforms) return null;
-    const most = Math.max(0, Math.floor((fragmentUniforms - OTHERS - shadows * SHADOW) / LIGHT));
+    if (lights * vectors + shadows * SHADOW + OTHERS <= fragmentUniforms) return null;
+    const most = Math.max(0, Math.floor((fragmentUniforms - OTHERS - shadows * SHADOW) / vectors));
     return `Its shader holds ${most} lights at most on this device (${fragmentUniforms} uniform vectors), not ${lights}.`;
   },
   async open(canvas, scene, signal, longest): Promise<Drawing> {

@@ -6,6 +6,7 @@ import { webgpuName } from '../stage/webgpuName';
 import { clusterFill, type Reach } from './clusterFill';
 import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
+import { lackingInThree, refuseMatter } from './refuseMatter';
 import { refuseTextures } from './refuseTextures';
 import { type CopyingDevice, readWebGPU } from './readWebGPU';
 
@@ -40,7 +41,7 @@ export const threeWebGPU: Competitor = {
     if (!('gpu' in navigator)) return 'This browser has no WebGPU: use a newer one, over https or on this machine.';
     return (await webgpuName()) === null ? 'This browser has WebGPU, but no device for it here.' : null;
   },
-  refuses: () => null,
+  refuses: (scene) => refuseMatter(scene, lackingInThree),
   async open(canvas, scene, signal): Promise<Drawing> {
     const { three, camera, width, height } = scene;
     const renderer = new WebGPURenderer({

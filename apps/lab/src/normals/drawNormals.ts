@@ -1,6 +1,7 @@
 import { AssetLibrary } from '@farol/engine';
 import type { BufferGeometry, Mesh, MeshStandardMaterial, PerspectiveCamera } from 'three';
 import { loadCompetitor } from '../competitors';
+import { plainCase } from '../plan/LabPlan';
 import { readPicture } from '../measure/readPicture';
 import { loseContext } from '../stage/loseContext';
 import { type OwnedScene, StageScenes } from '../stage/StageScenes';
@@ -65,7 +66,8 @@ function aim(camera: PerspectiveCamera): void {
  */
 export async function drawNormals(way: NormalsWay, size: { width: number; height: number }): Promise<NormalsPicture> {
   const parameters = {};
-  const labCase = { scene: { name: 'sponza', parameters }, lights: LIGHTS, shadows: 0, overdraw: 0, ...size };
+  const scenery = { scene: { name: 'sponza', parameters }, lights: LIGHTS, shadows: 0, overdraw: 0 };
+  const labCase = { ...plainCase, ...scenery, ...size };
   const scene = await new StageScenes().build(labCase);
   const assets = new AssetLibrary();
   const canvas = document.createElement('canvas');

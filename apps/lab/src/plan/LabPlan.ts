@@ -1,3 +1,5 @@
+import type { LightKind, Shading } from './lightKinds';
+
 /** Scene of a case: one of `scenes` of `@farol/engine/scenes`, or `own`, the scene that another app handed over. */
 export interface SceneChoice {
   /** Key in `scenes`, or `own`. */
@@ -9,10 +11,15 @@ export interface SceneChoice {
 /** One picture to be drawn by every competitor. */
 export interface LabCase {
   readonly scene: SceneChoice;
-  /** Point lights; null where the scene fixes them (`own`). */
+  /** Moving lights; null where the scene fixes them (`own`). */
   readonly lights: number | null;
   /** Of them, how many cast shadows (maps of 512 texels a side). */
   readonly shadows: number;
+  /** What the moving lights are. */
+  readonly lightKind: LightKind;
+  /** How far each of them reaches (m); null for what the scene gives so many lights. */
+  readonly lightRange: number | null;
+  readonly shading: Shading;
   /** Layers of quads that cover the picture one behind the other; 0 for the scene as it is. */
   readonly overdraw: number;
   /** Size of the picture (pixels). */
@@ -20,8 +27,14 @@ export interface LabCase {
   readonly height: number;
 }
 
+/** Fields of a case as they are in runs and callers that do not know them yet. */
+export const plainCase = { lightKind: 'points', lightRange: null, shading: 'own' } as const satisfies Partial<LabCase>;
+
 /** What the curves of a run have along their x axis. */
-export type Axis = 'lights' | 'objects' | 'pixels' | 'overdraw' | 'shadows';
+export type Axis = 'lights' | 'objects' | 'pixels' | 'overdraw' | 'shadows' | 'kind' | 'shading';
+
+/** Whether the values of an axis are places in a list of names: `lightKindNames`, `shadingNames`. */
+export const isNamed = (axis: Axis): axis is 'kind' | 'shading' => axis === 'kind' || axis === 'shading';
 
 /** A chart of its own: cases that differ along one axis, in ascending order of it. */
 export interface LabSeries {

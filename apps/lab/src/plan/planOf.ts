@@ -1,7 +1,8 @@
 import type { Configuration, SeriesChoice } from './Configuration';
-import type { LabCase, LabPlan, LabSeries } from './LabPlan';
+import { isNamed, type LabCase, type LabPlan, type LabSeries, plainCase } from './LabPlan';
+import { lightKindNames, lightKinds, shadingNames, shadings } from './lightKinds';
 import { presets } from './presets';
-import { axisWords, sceneWords } from './sceneWords';
+import { axisLabel, sceneWords } from './sceneWords';
 
 /** Most competitors' contexts that a browser keeps alive at once; it ends the oldest beyond 16, phones beyond 8. */
 export const MOST_CONTEXTS = { desktop: 15, phone: 6 };
@@ -13,7 +14,7 @@ const CHANGES = 150;
 /**
  * The cases of a configuration.
  *
- * @throws Error that names a scene, an axis or values that are unknown or out of bounds
+ * @throws Error that names a scene, an axis, a kind of lights or values that are unknown or out of bounds
  */
 export function planOf(configuration: Configuration): LabPlan {
   const { preset, competitors, effort } = configuration;
@@ -46,11 +47,24 @@ function seriesOf(choice: SeriesChoice, size: { width: number; height: number })
   }
   const made = [...choice.values].sort((a, b) => a - b).map((value) => caseOf(choice, size, value));
   if (made.length === 0) throw new Error(`${words.label}: give a value at least, as in 10, 100, 1000.`);
+  const cases = made.map((each) => each.labCase);
   const fixed = axis === 'lights' || scene === 'own' ? '' : `, ${lightsText(choice)}`;
   const planes = scene === 'benchmarkLights' && axis !== 'objects' ? ` ${choice.n} × ${choice.n}` : '';
-  const label = `${words.label}${planes} over ${axisWords[axis].label.toLowerCase()}${fixed}`;
-  const name = `${scene === 'benchmarkLights' ? 'planes' : scene}-${axis}`;
-  return { name, label, axis, cases: made.map((each) => each.labCase), values: made.map((each) => each.value) };
+  const along = axisLabel({ axis, cases }).toLowerCase();
+  const label = `${words.label}${planes}${matterText(choice)} over ${along}${fixed}`;
+  const parts = [scene === 'benchmarkLights' ? 'planes' : scene, axis];
+  if (axis !== 'kind' && cases[0].lightKind !== 'points') parts.push(cases[0].lightKind);
+  if (axis !== 'shading' && cases[0].shading !== 'own') parts.push(cases[0].shading);
+  return { name: parts.join('-'), label, axis, cases, values: made.map((each) => each.value) };
+}
+
+/** What sets the lights and the shading of all cases apart, in brackets: ` (a LightField of 1 m; flat shading)`. */
+function matterText({ axis, lightKind = 'points', lightRange = null, shading = 'own' }: SeriesChoice): string {
+  const kind = axis === 'kind' || lightKind === 'points' ? '' : lightKinds[lightKind].word;
+  const reach = lightRange === null ? '' : `reach ${lightRange} m`;
+  const shaded = axis === 'shading' || shading === 'own' ? '' : shadings[shading].word;
+  const parts = [kind, reach, shaded].filter(Boolean);
+  return parts.length === 0 ? '' : ` (${parts.join('; ')})`;
 }
 
 function lightsText({ lights }: SeriesChoice): string {
@@ -60,6 +74,7 @@ function lightsText({ lights }: SeriesChoice): string {
 /** One case and its value along the axis: planes and their lights come in squares, pixels by the sides' ratio. */
 function caseOf(choice: SeriesChoice, size: { width: number; height: number }, value: number) {
   const { scene, axis } = choice;
+  checkMatter(choice, value);
   if (!Number.isFinite(value) || value < 0 || value > 1e6) {
     throw new Error(`${value} is no value for ${axis}: numbers from 0 to 1,000,000 are.`);
   }
@@ -76,6 +91,9 @@ function caseOf(choice: SeriesChoice, size: { width: number; height: number }, v
     scene: { name: scene, parameters: square ? { n } : {} },
     lights: scene === 'own' ? null : lights,
     shadows: axis === 'shadows' ? Math.min(Math.round(value), lights) : 0,
+    lightKind: axis === 'kind' ? lightKindNames[value] : (choice.lightKind ?? plainCase.lightKind),
+    lightRange: choice.lightRange ?? null,
+    shading: axis === 'shading' ? shadingNames[value] : (choice.shading ?? plainCase.shading),
     overdraw: axis === 'overdraw' ? Math.round(value) : 0,
     width,
     height,
@@ -86,6 +104,34 @@ function caseOf(choice: SeriesChoice, size: { width: number; height: number }, v
     pixels: width * height,
     overdraw: labCase.overdraw,
     shadows: labCase.shadows,
+    kind: value,
+    shading: value,
   };
   return { labCase, value: along[axis] };
+}
+
+/** @throws Error that names a kind of lights, a reach or a shading that cannot be */
+function checkMatter(
+  { scene, axis, lightKind = 'points', lightRange = null, shading = 'own' }: SeriesChoice,
+  value: number,
+) {
+  if (isNamed(axis)) {
+    const names = axis === 'kind' ? lightKindNames : shadingNames;
+    if (names[value] === undefined) throw new Error(`${value} is no ${axis}: known are ${names.join(', ')}.`);
+  }
+  if (!lightKindNames.includes(lightKind)) {
+    throw new Error(`There are no lights of the kind ${lightKind}: known are ${lightKindNames.join(', ')}.`);
+  }
+  if (!shadingNames.includes(shading)) {
+    throw new Error(`There is no shading ${shading}: known are ${shadingNames.join(', ')}.`);
+  }
+  if (lightRange !== null && !(lightRange >= 0.1 && lightRange <= 100)) {
+    throw new Error(`Lights cannot reach ${lightRange} m: 0.1 to 100 m are measured.`);
+  }
+  if (scene === 'own' && (lightKind !== 'points' || lightRange !== null)) {
+    throw new Error('A scene that was handed over has lights of its own: leave their kind and reach as they are.');
+  }
+  if (axis === 'shadows' && lightKind !== 'points') {
+    throw new Error('Shadows are measured with point lights alone: choose these, or another axis.');
+  }
 }

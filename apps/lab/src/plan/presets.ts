@@ -1,6 +1,7 @@
 import { competitorNames } from '../competitors/competitorNames';
 import type { Configuration, SeriesChoice } from './Configuration';
 import type { Effort } from './LabPlan';
+import { type LightKind, lightKindNames, type Shading, shadingNames } from './lightKinds';
 
 /** A configuration to begin with. */
 export interface Preset {
@@ -19,6 +20,15 @@ const thorough: Effort = { rounds: 3, turn: 400, changes: false, longestFrame: 1
 /** Series over lights in a scene. */
 const overLights = (scene: string, values: readonly number[], n = 1): SeriesChoice => ({
   ...{ scene, n, axis: 'lights', values, lights: 0 },
+});
+
+/** Series of an axis of names in the atrium. */
+const overKinds = (kinds: readonly LightKind[], lights: number, lightRange: number): SeriesChoice => ({
+  ...{ scene: 'sponza', n: 1, axis: 'kind', values: kinds.map((kind) => lightKindNames.indexOf(kind)) },
+  ...{ lights, lightRange },
+});
+const overShadings = (names: readonly Shading[], lights: number): SeriesChoice => ({
+  ...{ scene: 'sponza', n: 1, axis: 'shading', values: names.map((name) => shadingNames.indexOf(name)), lights },
 });
 
 function preset(label: string, help: string, series: readonly SeriesChoice[], changes: Partial<Configuration> = {}) {
@@ -60,6 +70,17 @@ const recipes: Record<string, (name: string) => Preset> = {
   shadows: preset('Shadows', 'The atrium with 64 lights, of which more and more cast shadows.', [
     { scene: 'sponza', n: 1, axis: 'shadows', values: [0, 1, 4, 16, 64], lights: 64 },
   ]),
+  matter: preset(
+    'Light and matter',
+    'In the atrium: particles and fields of thousands of lights, rectangles beside points, flat, Gouraud and Phong shading.',
+    [
+      { ...overLights('sponza', [20_000]), lightKind: 'particles' },
+      { ...overLights('sponza', [10_000, 20_000]), lightKind: 'field', lightRange: 1 },
+      overKinds(['points', 'field'], 5000, 2),
+      overKinds(['points', 'rectangles'], 1000, 2),
+      overShadings(['flat', 'gouraud', 'phong'], 100),
+    ],
+  ),
   changes: preset(
     'What a change costs',
     'First frames, ten lights more, another technique: the longest frame, and what is compiled in it.',

@@ -1,4 +1,4 @@
-import type { Axis } from './LabPlan';
+import type { Axis, LabSeries } from './LabPlan';
 
 /** A scene that the builder offers. */
 export interface SceneWords {
@@ -7,14 +7,14 @@ export interface SceneWords {
   readonly axes: readonly Axis[];
 }
 
-const lit = ['lights', 'pixels', 'overdraw', 'shadows'] as const;
+const lit = ['lights', 'pixels', 'overdraw', 'shadows', 'kind', 'shading'] as const;
 
 /** Scenes by key in `@farol/engine/scenes`; `own` is the scene that the editor or the viewer handed over. */
 export const sceneWords: Readonly<Record<string, SceneWords>> = {
   benchmarkLights: {
     label: 'Planes',
     help: 'N × N planes that make a floor of 30 m × 30 m, lights just above it.',
-    axes: ['lights', 'objects', 'pixels', 'overdraw'],
+    axes: ['lights', 'objects', 'pixels', 'overdraw', 'kind', 'shading'],
   },
   sponza: {
     label: 'Atrium',
@@ -26,7 +26,11 @@ export const sceneWords: Readonly<Record<string, SceneWords>> = {
     help: 'A Doric temple on a green plane, with six spot lights beside the moving lights.',
     axes: lit,
   },
-  own: { label: 'Your scene', help: 'The scene that the editor or the viewer handed over.', axes: ['pixels'] },
+  own: {
+    label: 'Your scene',
+    help: 'The scene that the editor or the viewer handed over.',
+    axes: ['pixels', 'shading'],
+  },
 };
 
 /** What stands under the x axis of a chart. */
@@ -36,4 +40,12 @@ export const axisWords: Readonly<Record<Axis, { label: string; unit: string }>> 
   pixels: { label: 'Pixels of the picture', unit: 'pixels' },
   overdraw: { label: 'Layers one behind the other', unit: 'layers' },
   shadows: { label: 'Lights that cast shadows', unit: 'shadowed lights' },
+  kind: { label: 'Kind of lights', unit: 'kind of lights' },
+  shading: { label: 'Shading', unit: 'shading' },
 };
+
+/** The same for one series: its lights need not be point lights. */
+export function axisLabel({ axis, cases }: Pick<LabSeries, 'axis' | 'cases'>): string {
+  const others = axis === 'lights' && cases.some(({ lightKind }) => lightKind !== 'points');
+  return others ? 'Lights' : axisWords[axis].label;
+}

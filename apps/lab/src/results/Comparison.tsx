@@ -1,8 +1,9 @@
 import { useMemo, useState } from 'preact/hooks';
-import { axisWords } from '../plan/sceneWords';
+import { isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
+import { axisLabel } from '../plan/sceneWords';
 import { compareRuns, type ComparedRow } from './compareRuns';
 import { formatDate, formatNumber } from '../words/format';
-import { competitorLabel } from '../words/names';
+import { competitorLabel, namedValue } from '../words/names';
 import type { LabRun, Metric } from './LabRun';
 import './results.css';
 
@@ -88,14 +89,14 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
 }
 
 function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
-  const { label, axis } = rows[0].series;
+  const { label } = rows[0].series;
   return (
     <div class="table-scroll" tabIndex={0} role="region" aria-label={label}>
       <table class="rows">
         <caption>{label}</caption>
         <thead>
           <tr>
-            <th scope="col">{axisWords[axis].label}</th>
+            <th scope="col">{axisLabel(rows[0].series)}</th>
             <th scope="col" class="text">
               Competitor
             </th>
@@ -110,7 +111,7 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
         <tbody>
           {rows.map(({ competitor, labCase, value, a, b, ratio }) => (
             <tr key={`${value} ${competitor}`}>
-              <th scope="row">{axis === 'pixels' ? `${labCase.width} × ${labCase.height}` : digits(value)}</th>
+              <th scope="row">{caseWord(rows[0].series, labCase, value)}</th>
               <td class="text">{competitorLabel(competitor)}</td>
               <td>{digits(a)}</td>
               <td>{digits(b)}</td>
@@ -122,6 +123,12 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
       </table>
     </div>
   );
+}
+
+/** What of a case stands before its figures. */
+function caseWord({ axis }: LabSeries, { width, height }: LabCase, value: number): string {
+  if (isNamed(axis)) return namedValue(axis, value);
+  return axis === 'pixels' ? `${width} × ${height}` : digits(value);
 }
 
 /** What the second run is to the first. */

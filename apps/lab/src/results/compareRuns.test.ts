@@ -31,6 +31,21 @@ describe('compareRuns', () => {
     expect(differences).toEqual([]);
   });
 
+  it('takes cases of other lights or another shading for other cases', () => {
+    const b = elsewhere();
+    const [planes, atrium] = b.plan.series;
+    const cases = planes.cases.map((each) => ({ ...each, lightKind: 'field' as const }));
+    const flat = atrium.cases.map((each) => ({ ...each, shading: 'flat' as const }));
+    const plan = {
+      ...b.plan,
+      series: [
+        { ...planes, cases },
+        { ...atrium, cases: flat },
+      ],
+    };
+    expect(compareRuns(testRun(), { ...b, plan }).rows).toEqual([]);
+  });
+
   it('takes the mean of the logarithms: twice and half make one', () => {
     const b = elsewhere();
     b.rows[0].gpu!.median = 4; // 0.5 / 4

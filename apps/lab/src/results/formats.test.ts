@@ -1,5 +1,7 @@
 import readme from '../../README.md?raw';
 import { describe, expect, it } from 'vitest';
+import { planOf } from '../plan/planOf';
+import { presets } from '../plan/presets';
 import { csvColumns, runCSV } from './runCSV';
 import { runMarkdown } from './runMarkdown';
 import { testRow, testRun } from './testRun';
@@ -51,6 +53,31 @@ describe('runCSV', () => {
     const row = { ...testRow('forward', 'planes-lights', 0, 1), likeness };
     const [heading, cells] = readCSV(runCSV(testRun({ rows: [row] })));
     expect(cells[heading.indexOf('psnr_db')]).toBe('inf');
+  });
+});
+
+describe('kinds of lights and shadings', () => {
+  const { series } = planOf(presets.matter.configuration);
+  const plan = { ...testRun().plan, series: series.slice(3), competitors: ['forward'] };
+  const rows = [testRow('forward', 'sponza-kind-2', 1, 3), testRow('forward', 'sponza-shading', 1, 4)];
+  const run = testRun({ plan, rows });
+
+  it('are columns of the CSV', () => {
+    const [heading, ...cells] = readCSV(runCSV(run));
+    const values = cells.map((row) =>
+      ['light_kind', 'light_range_m', 'shading', 'axis'].map((name) => row[heading.indexOf(name)]),
+    );
+    expect(values).toEqual([
+      ['rectangles', '2', 'own', 'kind'],
+      ['points', '', 'gouraud', 'shading'],
+    ]);
+  });
+
+  it('are names in Markdown', () => {
+    const markdown = runMarkdown(run);
+    expect(markdown).toContain('## Atrium (reach 2 m) over kind of lights, 1000 lights');
+    expect(markdown).toMatch(/\| Kind of lights \| Farol: forward \|\n.*\n.*\n\| rectangles \| 3 \|/);
+    expect(markdown).toContain('| Gouraud shading | 4 |');
   });
 });
 

@@ -1,6 +1,7 @@
 import { competitorNames } from '../competitors/competitorNames';
 import type { Configuration, SeriesChoice } from '../plan/Configuration';
-import type { Axis } from '../plan/LabPlan';
+import { type Axis, isNamed } from '../plan/LabPlan';
+import { type LightKind, lightKindNames, type Shading, shadingNames } from '../plan/lightKinds';
 import { planOf } from '../plan/planOf';
 import { presets } from '../plan/presets';
 
@@ -83,29 +84,38 @@ function presetOf(values: URLSearchParams, problems: string[]): string {
   return 'quick';
 }
 
-/** `scene:axis:values`, then `n=` and `lights=` where they say anything. */
-function seriesText({ scene, axis, values, n, lights }: SeriesChoice): string {
+/** `scene:axis:values`, then `n=`, `lights=`, `kind=`, `range=` and `shading=` where they say anything. */
+function seriesText({ scene, axis, values, n, lights, lightKind, lightRange, shading }: SeriesChoice): string {
   const planes = scene === 'benchmarkLights' && axis !== 'objects' ? [`n=${n}`] : [];
   const lit = axis === 'lights' || scene === 'own' ? [] : [`lights=${lights}`];
-  return [encodeURIComponent(scene), axis, values.join(','), ...planes, ...lit].join(':');
+  const along = isNamed(axis) ? values.map((value) => namesOf(axis)[value]) : values;
+  const kind = axis !== 'kind' && (lightKind ?? 'points') !== 'points' ? [`kind=${lightKind}`] : [];
+  const range = (lightRange ?? null) === null ? [] : [`range=${lightRange}`];
+  const shaded = axis !== 'shading' && (shading ?? 'own') !== 'own' ? [`shading=${shading}`] : [];
+  return [encodeURIComponent(scene), axis, along.join(','), ...planes, ...lit, ...kind, ...range, ...shaded].join(':');
 }
+
+const namesOf = (axis: 'kind' | 'shading'): readonly string[] => (axis === 'kind' ? lightKindNames : shadingNames);
 
 function readSeries(text: string, base: Configuration, problems: string[]): SeriesChoice[] {
   const [scene, axis, values = '', ...settings] = text.split(':');
-  const choice = {
+  const choice: Writable<SeriesChoice> = {
     scene,
     axis: axis as Axis,
-    values: values.split(',').map(numberOf),
+    values: values.split(',').map((value) => valueOf(axis as Axis, value)),
     n: 1,
-    lights: 0 as number | 'objects',
+    lights: 0,
   };
-  let problem: string | null = choice.values.some(Number.isNaN) ? 'its values are no numbers' : null;
+  let problem: string | null = choice.values.some(Number.isNaN) ? valuesProblem(choice.axis) : null;
   for (const setting of settings) {
     const [name, value] = setting.split('=');
     const number = numberOf(value ?? '');
     if (name === 'n' && Number.isInteger(number) && number >= 1 && number <= 100) choice.n = number;
     else if (name === 'lights' && value === 'objects') choice.lights = value;
     else if (name === 'lights' && number >= 0 && number <= 1e6) choice.lights = number;
+    else if (name === 'kind') choice.lightKind = value as LightKind;
+    else if (name === 'range') choice.lightRange = number;
+    else if (name === 'shading') choice.shading = value as Shading;
     else problem ??= `${setting} is unknown`;
   }
   try {
@@ -116,6 +126,17 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
   if (problem === null) return [choice];
   problems.push(`series=${text} is left out: ${problem}. A series is scene:axis:values, as in sponza:lights:10,100.`);
   return [];
+}
+
+/** A value of an axis as a number: that of a name is its place, and none for an unknown one. */
+function valueOf(axis: Axis, text: string): number {
+  if (!isNamed(axis)) return numberOf(text);
+  const at = namesOf(axis).indexOf(text);
+  return at < 0 ? Number.NaN : at;
+}
+
+function valuesProblem(axis: Axis): string {
+  return isNamed(axis) ? `its values are not all among ${namesOf(axis).join(', ')}` : 'its values are no numbers';
 }
 
 const sizeText = ({ width, height }: { width: number; height: number }): string => `${width}x${height}`;
@@ -143,7 +164,8 @@ function readCompetitors(text: string | null, base: Configuration, problems: str
   return base.competitors;
 }
 
-type Effort = { -readonly [Key in keyof Configuration['effort']]: Configuration['effort'][Key] };
+type Writable<T> = { -readonly [Key in keyof T]: T[Key] };
+type Effort = Writable<Configuration['effort']>;
 
 interface EffortField {
   write(effort: Configuration['effort']): string;

@@ -2,9 +2,11 @@ import type { LabCase, LabPlan } from '../plan/LabPlan';
 import type { LabRow, LabRun } from './LabRun';
 
 /** The same for cases that draw the same picture. */
-export function caseKey({ scene, lights, shadows, overdraw, width, height }: LabCase): string {
+export function caseKey(labCase: LabCase): string {
+  const { scene, lights, shadows, lightKind, lightRange, shading, overdraw, width, height } = labCase;
   const parameters = Object.entries(scene.parameters).sort(([a], [b]) => (a < b ? -1 : 1));
-  return JSON.stringify([scene.name, parameters, lights, shadows, overdraw, width, height]);
+  const matter = [lightKind, lightRange, shading];
+  return JSON.stringify([scene.name, parameters, lights, shadows, matter, overdraw, width, height]);
 }
 
 /** Problems of rows that a run gives when it is cancelled or its time is over: the case is to be measured yet. */

@@ -18,6 +18,16 @@ describe('parseRun', () => {
     expect(parseRun(JSON.stringify(testRun()))).toEqual(testRun());
   });
 
+  it('takes the cases of an older run for points of the scene’s own reach and materials as they are', () => {
+    const older = JSON.parse(JSON.stringify(testRun()));
+    for (const { cases } of older.plan.series)
+      for (const each of cases) for (const field of ['lightKind', 'lightRange', 'shading']) delete each[field];
+    expect(parseRun(JSON.stringify(older))).toEqual(testRun());
+    const [lasers, far] = ['lightKind', 'lightRange'].map((field) => ['plan', 'series', 0, 'cases', 0, field]);
+    expect(() => parseRun(changed(lasers, 'lasers'))).toThrow(/lightKind is "lasers": give "points" or "spots" or /);
+    expect(() => parseRun(changed(far, 0))).toThrow(/lightRange is 0: give a number from 0.1 to 100 \(m\)/);
+  });
+
   it('reads a row that has no figure but a problem', () => {
     const row = {
       ...{ competitor: 'forward', series: 'planes-lights', index: 0, frame: null, cpu: null, gpu: null, firstMs: null },

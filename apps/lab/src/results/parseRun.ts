@@ -1,4 +1,5 @@
-import type { LabCase, LabPlan, LabSeries } from '../plan/LabPlan';
+import { type LabCase, type LabPlan, type LabSeries, plainCase } from '../plan/LabPlan';
+import { lightKindNames, shadingNames } from '../plan/lightKinds';
 import {
   fields,
   FormatError,
@@ -48,6 +49,10 @@ const labCase = fields<LabCase>({
   scene: fields({ name: key, parameters: record(parameter, 50) }),
   lights: orNull(whole(0, 1e7)),
   shadows: whole(0, 1e6),
+  // runs that are older have none of the three
+  lightKind: orMissing(oneOf(...lightKindNames), plainCase.lightKind),
+  lightRange: orMissing(orNull(number(0.1, 100, 'm')), plainCase.lightRange),
+  shading: orMissing(oneOf(...shadingNames), plainCase.shading),
   overdraw: whole(0, 1e4),
   width: pixels,
   height: pixels,
@@ -56,7 +61,7 @@ const labCase = fields<LabCase>({
 const series = fields<LabSeries>({
   name: key,
   label: text(200),
-  axis: oneOf('lights', 'objects', 'pixels', 'overdraw', 'shadows'),
+  axis: oneOf('lights', 'objects', 'pixels', 'overdraw', 'shadows', 'kind', 'shading'),
   cases: listOf(labCase, MOST.cases),
   values: listOf(number(0, 1e12), MOST.cases),
 });

@@ -1,7 +1,7 @@
-import type { LabCase, LabSeries } from '../plan/LabPlan';
-import { axisWords } from '../plan/sceneWords';
+import { isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
+import { axisLabel, axisWords } from '../plan/sceneWords';
 import { formatNumber } from '../words/format';
-import { competitorLabel } from '../words/names';
+import { competitorLabel, namedValue } from '../words/names';
 import type { LabRow, LabRun } from './LabRun';
 
 /** A table of a series: what its cells say of a row, and which of them are numbers that compete. */
@@ -113,7 +113,8 @@ function table(series: LabSeries, competitors: readonly string[], rows: LabRow[]
 }
 
 /** What stands before the figures of a case: N and M for planes, as in the thesis; else its value along the axis. */
-function headings({ axis, cases }: LabSeries): { title: string; of: (labCase: LabCase, value: number) => string }[] {
+function headings(series: LabSeries): { title: string; of: (labCase: LabCase, value: number) => string }[] {
+  const { axis, cases } = series;
   const squares = cases.every(
     ({ scene, lights }) => scene.name === 'benchmarkLights' && Number.isInteger(Math.sqrt(lights ?? 0.5)),
   );
@@ -124,13 +125,14 @@ function headings({ axis, cases }: LabSeries): { title: string; of: (labCase: La
     ];
   }
   if (axis === 'pixels') return [{ title: 'Pixels', of: ({ width, height }) => `${width} × ${height}` }];
-  return [{ title: axisWords[axis].label, of: (_, value) => digits(value) }];
+  if (isNamed(axis)) return [{ title: axisWords[axis].label, of: (_, value) => namedValue(axis, value) }];
+  return [{ title: axisLabel(series), of: (_, value) => digits(value) }];
 }
 
 /** Problems, warnings and lights left out, each with its case. */
 function remarks(series: LabSeries, rows: LabRow[]): string[] {
   const found = rows.flatMap(({ competitor, index, problem, warnings, dropped }) => {
-    const where = `${escaped(competitorLabel(competitor))}, ${digits(series.values[index])} ${axisWords[series.axis].unit}`;
+    const where = `${escaped(competitorLabel(competitor))}, ${whereText(series, index)}`;
     const dropping = dropped > 0 ? [`${digits(dropped)} lights are left out.`] : [];
     return [...(problem === null ? [] : [problem]), ...dropping, ...warnings].map(
       (each) => `- ${where}: ${escaped(each)}`,
@@ -138,6 +140,9 @@ function remarks(series: LabSeries, rows: LabRow[]): string[] {
   });
   return found.length === 0 ? [] : ['', 'Problems and warnings:', '', ...found];
 }
+
+const whereText = ({ axis, values }: LabSeries, index: number): string =>
+  isNamed(axis) ? namedValue(axis, values[index]) : `${digits(values[index])} ${axisWords[axis].unit}`;
 
 /** A number, or a dash for none. */
 const digits = (value: number | null | undefined): string => formatNumber(value ?? Number.NaN);

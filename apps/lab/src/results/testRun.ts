@@ -1,4 +1,4 @@
-import type { LabPlan } from '../plan/LabPlan';
+import { type LabPlan, plainCase } from '../plan/LabPlan';
 import type { LabRow, LabRun } from './LabRun';
 
 const spread = (median: number) => ({ median, low: median * 0.9, high: median * 1.2, samples: 30 });
@@ -20,7 +20,7 @@ export function testRow(competitor: string, series: string, index: number, media
 
 /** A run of two series, planes over lights and the atrium over pixels, by two competitors. */
 export function testRun(changes: Partial<LabRun> = {}): LabRun {
-  const size = { shadows: 0, overdraw: 0, width: 1280, height: 720 };
+  const size = { ...plainCase, shadows: 0, overdraw: 0, width: 1280, height: 720 };
   const planes = { name: 'benchmarkLights', parameters: { n: 1 } };
   const atrium = { name: 'sponza', parameters: {} };
   const plan: LabPlan = {

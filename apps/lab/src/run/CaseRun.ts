@@ -1,6 +1,6 @@
 import { psnr } from '../measure/likeness';
 import { spreadOf } from '../measure/spread';
-import type { LabCase, LabPlan, LabSeries } from '../plan/LabPlan';
+import { isNamed, type LabCase, type LabPlan, type LabSeries } from '../plan/LabPlan';
 import type { LabRow } from '../results/LabRun';
 import type { Stage, Turn } from '../stage/Stage';
 import type { Forecast } from './Forecast';
@@ -129,13 +129,19 @@ export class CaseRun {
     each.over = true;
   }
 
+  /** Cases among which times are foretold by growth: none along an axis of names. */
+  private get line(): string {
+    const { series, index } = this.world;
+    return isNamed(series.axis) ? `${series.name} ${index}` : series.name;
+  }
+
   private async open(name: string): Promise<Open | null> {
     const { series, labCase, index, frames, forecast, signal, plan } = this.world;
     const row = this.addRow(name);
     this.world.step(name);
     try {
       const value = series.values[index];
-      row.problem = forecast.refuses(series.name, name, value);
+      row.problem = forecast.refuses(this.line, name, value);
       if (row.problem !== null) return null;
       const stage = await frames.stageOf(name);
       row.problem = await stage.unavailable(name);
@@ -145,7 +151,7 @@ export class CaseRun {
         signal,
         longestFrame,
       });
-      forecast.note(series.name, name, 'first', value, firstMs);
+      forecast.note(this.line, name, 'first', value, firstMs);
       Object.assign(row, { firstMs, dropped, technique, reason });
       if (dropped > 0) row.warnings.push(`${dropped} lights are left out of its picture.`);
       this.pictures.set(name, picture);
@@ -176,7 +182,7 @@ export class CaseRun {
       );
     }
     if ((last || each.over) && row.frame) {
-      forecast.note(series.name, name, 'frame', series.values[index], row.frame.median);
+      forecast.note(this.line, name, 'frame', series.values[index], row.frame.median);
       row.warnings.push(...spoiled(each));
     }
   }
@@ -188,7 +194,9 @@ export class CaseRun {
     const { index, plan } = this.world;
     const { changes, limit } = plan.effort;
     if (!changes || (limit !== null && index > 0) || this.world.isLate()) return;
-    if (this.world.labCase.lights !== null) row.added = await stage.addLights(name);
+    const { lights, lightKind } = this.world.labCase;
+    // another number of particles begins them anew
+    if (lights !== null && lightKind !== 'particles') row.added = await stage.addLights(name);
     row.changed = await stage.changeTechnique(name);
   }
 

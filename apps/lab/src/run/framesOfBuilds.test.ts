@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import type { LabCase } from '../plan/LabPlan';
+import { type LabCase, plainCase } from '../plan/LabPlan';
 import type { Stage } from '../stage/Stage';
 import { framesOfBuilds } from './framesOfBuilds';
 import type { StageFrames } from './StageFrames';
@@ -17,6 +17,7 @@ it('asks the other build for competitors whose key ends in @against, by their ow
   });
   const labCase: LabCase = {
     ...{ scene: { name: 'sponza', parameters: {} }, lights: 10, shadows: 0, overdraw: 0, width: 64, height: 36 },
+    ...plainCase,
   };
   const crashes = [{ competitor: 'stock', labCase }];
   const frames = framesOfBuilds({} as HTMLElement, crashes, make);

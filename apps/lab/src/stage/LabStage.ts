@@ -3,7 +3,7 @@ import { loadCompetitor } from '../competitors';
 import { smallFirstFrame } from '../competitors/smallFirstFrame';
 import { saltShaders } from '../measure/saltShaders';
 import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
-import type { LabCase } from '../plan/LabPlan';
+import { type LabCase, plainCase } from '../plan/LabPlan';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
 import { deviceLimits, isSoftware, webglProblem } from './deviceLimits';
 import { loseContext } from './loseContext';
@@ -27,9 +27,11 @@ export class LabStage implements Stage {
 
   async open(
     name: string,
-    labCase: LabCase,
+    asked: LabCase,
     { signal, longestFrame }: { signal: AbortSignal; longestFrame: number },
   ): Promise<Opened> {
+    // an older build's page, with which this one is compared, does not say what its lights are
+    const labCase = { ...plainCase, ...asked };
     this.close(name);
     const competitor = await loadCompetitor(name);
     const problem = await competitor.unavailable();
@@ -48,6 +50,8 @@ export class LabStage implements Stage {
       const refused = competitor.refuses({
         lights: all.length,
         shadows: all.filter(({ castShadow }) => castShadow).length,
+        kind: scene.kind,
+        shading: scene.shading,
       });
       if (refused !== null) throw new Error(refused);
       signal.throwIfAborted();

@@ -1,3 +1,4 @@
+import { setShading, type ShadingName } from '@farol/renderer';
 import {
   BufferGeometry,
   type Color,
@@ -47,6 +48,14 @@ export class SceneCopier {
   background(source: Color | Texture | null): Color | Texture | null {
     if (source instanceof Texture) return this.texture(source);
     return source ? source.clone() : null;
+  }
+
+  /** Shades all materials that were copied: for Farol by name, for three's own renderers flat or not. */
+  shade(shading: ShadingName): void {
+    for (const material of this.materials.values()) {
+      setShading(material, shading);
+      if ('flatShading' in material) material.flatShading = shading === 'flat';
+    }
   }
 
   /** Gives back what the copies hold on the GPU. */

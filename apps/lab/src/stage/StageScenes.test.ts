@@ -8,14 +8,26 @@ import {
   Scene,
 } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
-import { InstancedMesh, Mesh, type Object3D, PointLight, Vector3 } from 'three';
+import { LightField } from '@farol/renderer/light-field';
+import {
+  InstancedMesh,
+  Mesh,
+  type MeshStandardMaterial,
+  type Object3D,
+  PointLight,
+  type RectAreaLight,
+  SpotLight,
+  type Texture,
+  Vector3,
+} from 'three';
 import { describe, expect, it } from 'vitest';
-import type { LabCase } from '../plan/LabPlan';
+import { type LabCase, plainCase } from '../plan/LabPlan';
 import { type OwnedScene, StageScenes } from './StageScenes';
 
 const scenes = new StageScenes();
 
 const planes = (changes: Partial<LabCase> = {}): LabCase => ({
+  ...plainCase,
   ...{ scene: { name: 'benchmarkLights', parameters: { n: 3 } }, lights: 9, shadows: 0, overdraw: 0 },
   ...{ width: 160, height: 90 },
   ...changes,
@@ -73,7 +85,7 @@ describe('StageScenes', () => {
   it('has the first lights cast shadows, all meshes taking part', async () => {
     const scene = await scenes.build(named('sponza', { lights: 5, shadows: 2 }));
     expect(scene.lights.map(({ castShadow }) => castShadow)).toEqual([true, true, false, false, false]);
-    expect(scene.lights[0].shadow.mapSize.toArray()).toEqual([512, 512]);
+    expect((scene.lights[0] as PointLight).shadow.mapSize.toArray()).toEqual([512, 512]);
     expect(meshesOf(scene).every(({ castShadow, receiveShadow }) => castShadow && receiveShadow)).toBe(true);
   });
 
@@ -141,7 +153,7 @@ describe('StageScenes', () => {
     own.setOwn(bytesOf(made));
     const scene = await own.build(named('own', { lights: null }));
     expect(scene.lights).toHaveLength(2);
-    expect(scene.lights[0].shadow.mapSize.x).toBe(256);
+    expect((scene.lights[0] as PointLight).shadow.mapSize.x).toBe(256);
     expect(scene.lights[1].userData.farol).toBeUndefined();
     scene.setTime(1.5);
     scene.three.updateMatrixWorld();
@@ -154,6 +166,104 @@ describe('StageScenes', () => {
     // what stands still costs nothing
     scene.setTime(2);
     expect(meshesOf(scene).map(({ matrixWorldNeedsUpdate }) => matrixWorldNeedsUpdate)).toEqual([true, false]);
+  });
+
+  it('makes of the point lights spots and rectangles that shine down from the same places', async () => {
+    const points = await scenes.build(planes({ lightRange: 2 }));
+    expect(points.lights.map((light) => (light as PointLight).distance)).toEqual(Array(9).fill(2));
+    for (const kind of ['spots', 'rectangles'] as const) {
+      const scene = await scenes.build(planes({ lightKind: kind, lightRange: 2 }));
+      for (const each of [points, scene]) each.setTime(1.7);
+      expect(places(scene)).toEqual(places(points));
+      scene.three.updateMatrixWorld();
+      for (const [i, light] of scene.lights.entries()) {
+        const { intensity } = points.lights[i];
+        if (light instanceof SpotLight) {
+          const target = new Vector3().setFromMatrixPosition(light.target.matrixWorld);
+          expect(target.sub(light.position).toArray()).toEqual([0, -1, 0].map((part) => expect.closeTo(part)));
+          expect([light.intensity, light.distance]).toEqual([intensity, 2]);
+        } else {
+          const { width, height, userData } = light as RectAreaLight;
+          const ahead = new Vector3(0, 0, -1).transformDirection(light.matrixWorld);
+          expect(ahead.toArray()).toEqual([0, -1, 0].map((part) => expect.closeTo(part)));
+          expect(light.intensity * width * height).toBeCloseTo(intensity);
+          expect(userData.farol).toEqual({ range: 2 });
+        }
+      }
+      const remove = scene.addLights(10);
+      expect(scene.lights.map(({ type }) => type)).toEqual(Array(19).fill(scene.lights[0].type));
+      remove();
+      expect(scene.lights).toHaveLength(9);
+    }
+  });
+
+  it('gives points the three profiles in turns, each scene its own copies', async () => {
+    const [a, b] = [
+      await scenes.build(planes({ lightKind: 'profiles' })),
+      await scenes.build(planes({ lightKind: 'profiles' })),
+    ];
+    const profilesOf = ({ lights }: OwnedScene) => lights.map(({ userData }) => userData.farolProfile as Texture);
+    const own = profilesOf(a);
+    expect(new Set(own).size).toBe(3);
+    expect(own[3]).toBe(own[0]);
+    expect(profilesOf(b)).not.toContain(own[0]);
+  });
+
+  it('has the same lights as a LightField: colours, reaches and places at any time', async () => {
+    const points = await scenes.build(planes({ lightRange: 3 }));
+    const scene = await scenes.build(planes({ lightKind: 'field', lightRange: 3 }));
+    expect(scene.lights).toEqual([]);
+    const field = scene.three.children.find((child) => child instanceof LightField)!;
+    const check = () => {
+      expect(field.count).toBe(points.lights.length);
+      points.lights.forEach((light, i) => {
+        const { position, color, intensity, decay } = light as PointLight;
+        const sphere = [...position.toArray(), 3].map((part) => expect.closeTo(part, 4));
+        expect([...field.spheres.array.slice(i * 4, i * 4 + 4)]).toEqual(sphere);
+        const emission = [...color.toArray().map((part) => part * intensity), decay].map((part) =>
+          expect.closeTo(part, 4),
+        );
+        expect([...field.emissions.array.slice(i * 4, i * 4 + 4)]).toEqual(emission);
+      });
+    };
+    for (const each of [points, scene]) each.setTime(2.3);
+    check();
+    const removes = [points, scene].map((each) => each.addLights(10));
+    for (const each of [points, scene]) each.setTime(0.7);
+    check();
+    removes.forEach((remove) => remove());
+    check();
+  });
+
+  it('has as many particles as lights, none of which is ever missing', async () => {
+    const scene = await scenes.build(named('sponza', { lights: 40, lightKind: 'particles', lightRange: 2 }));
+    expect(scene.lights).toEqual([]);
+    const { emitter } = scene;
+    expect(emitter!.parent).toBe(scene.three);
+    const { capacity, lightEvery, lightRange, rate, life, prewarm } = emitter!.settings;
+    expect({ capacity, lightEvery, lightRange }).toEqual({ capacity: 40, lightEvery: 1, lightRange: 2 });
+    expect(rate * life[0]).toBe(40);
+    expect(prewarm).toBe(life[0]);
+    scene.setTime(0.5);
+    expect(emitter!.time).toBeCloseTo(0.5);
+    // the stage puts its clock back once the picture is drawn
+    scene.setTime(0.1);
+    scene.setTime(0.2);
+    expect(emitter!.time).toBeCloseTo(0.6);
+  });
+
+  it('shades all materials by name, flat for three too', async () => {
+    const shaded = async (shading: LabCase['shading']) =>
+      meshesOf(await scenes.build(named('sponza', { lights: 1, shading }))).map(({ material }) => {
+        const { flatShading, userData } = material as MeshStandardMaterial;
+        return [flatShading, (userData.farol as { shading?: string } | undefined)?.shading];
+      });
+    const [[isFlat, own]] = await shaded('own');
+    expect([isFlat, own]).toEqual([false, undefined]);
+    for (const shading of ['flat', 'gouraud', 'phong'] as const) {
+      const all = await shaded(shading);
+      expect(all).toEqual(all.map(() => [shading === 'flat', shading]));
+    }
   });
 
   it('says what is wrong', async () => {

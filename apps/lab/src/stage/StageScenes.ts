@@ -1,7 +1,7 @@
 import { AssetLibrary, builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
 import { deserialize, readSceneFile } from '@farol/engine/files';
 import { scenes } from '@farol/engine/scenes';
-import { WebGLRenderer } from 'three';
+import { type Texture, WebGLRenderer } from 'three';
 import type { LabCase } from '../plan/LabPlan';
 import { buildStageScene } from './buildStageScene';
 import { lightParameters } from './lightChoice';
@@ -44,11 +44,23 @@ export class StageScenes {
    * @throws Error (as a rejection) that names an unknown scene, a parameter out of range, or what is wrong with `own`
    */
   async build(labCase: LabCase): Promise<OwnedScene> {
-    return buildStageScene(labCase, await this.templateOf(labCase));
+    const profiles = labCase.lightKind === 'profiles' ? await this.profiles() : [];
+    return buildStageScene(labCase, await this.templateOf(labCase), profiles);
+  }
+
+  private profiles(): Promise<Texture[]> {
+    const names = ['profile/downlight', 'profile/wall-washer', 'profile/street-light'];
+    return Promise.all(
+      names.map(async (name) => {
+        await this.assets.load(name);
+        return this.assets.profile(name).texture;
+      }),
+    );
   }
 
   private templateOf(labCase: LabCase): Promise<StageTemplate> {
     const { scene, lights, width, height } = labCase;
+    // the kind of the lights and the shading are the copies'
     const key = `${scene.name} ${JSON.stringify([scene.parameters, lights, width, height])}`;
     if (this.last?.key === key) return this.last.template;
     const template = this.makeTemplate(labCase);

@@ -7,14 +7,19 @@ import {
   PointLight,
   Scene,
   type SpotLight,
+  type Texture,
 } from 'three';
+import { isSingleLightKind } from '../plan/lightKinds';
 import type { LabCase } from '../plan/LabPlan';
 import { castShadow, copyLight } from './copyLight';
 import { evenly } from './lightChoice';
 import { LightPaths } from './LightPaths';
+import { movingField } from './movingField';
+import { lightMaker } from './movingLights';
+import { movingParticles } from './movingParticles';
 import { overdrawLayers } from './overdrawLayers';
 import { SceneCopier } from './SceneCopier';
-import type { StageScene } from './StageScene';
+import type { MovingLight, StageScene } from './StageScene';
 import type { StageTemplate } from './StageTemplate';
 
 /** How far beside another light an added one is put, along x and z (m). */
@@ -33,9 +38,14 @@ const LOOKS = [0.37, 1.9, 7.3, 23.1, 61.7];
  * A competitor's own scene of a case: the same numbers for every competitor and in every run.
  *
  * @param template of the case's scene, made with at least as many lights
+ * @param profiles of points with light profiles: the scene has copies of them
  */
-export function buildStageScene(labCase: LabCase, template: StageTemplate): StageScene & { dispose(): void } {
-  const { width, height } = labCase;
+export function buildStageScene(
+  labCase: LabCase,
+  template: StageTemplate,
+  profiles: readonly Texture[] = [],
+): StageScene & { dispose(): void } {
+  const { width, height, lightKind: kind, lightRange, shading } = labCase;
   const copier = new SceneCopier();
   const three = new Scene();
   const source = template.scene.three;
@@ -47,7 +57,7 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
 
   const camera = copyCamera(template.camera);
   const still: Light[] = [];
-  const points: PointLight[] = [];
+  const lights: MovingLight[] = [];
   const lightFollowers: Follower<Light>[] = [];
   // the engine moves a scene that was handed over; of our own scenes only lights move
   const follows = labCase.lights === null;
@@ -58,7 +68,7 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
     const { target } = copy as SpotLight;
     if (target) three.add(target);
     if (follows) lightFollowers.push({ source: other, copy });
-    if (follows && copy instanceof PointLight) points.push(copy);
+    if (follows && copy instanceof PointLight) lights.push(copy);
     else still.push(copy);
   }
   const chosen = evenly(labCase.lights ?? template.moving.length, template.moving.length).map(
@@ -66,13 +76,25 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
   );
   let paths = chosen.map(({ path }) => path);
   let places = new LightPaths(paths);
-  chosen.forEach(({ light }, i) => {
+  const sources = chosen.map(({ light }, i) => {
     const copy = copyLight(light) as PointLight;
     copy.castShadow = false;
+    if (lightRange !== null) copy.distance = lightRange;
     if (i < labCase.shadows) castShadow(copy);
-    points.push(copy);
-    three.add(copy);
+    return copy;
   });
+  const ownProfiles = kind === 'profiles' ? profiles.map((texture) => texture.clone()) : [];
+  const make = lightMaker(isSingleLightKind(kind) ? kind : 'points', ownProfiles);
+  const field = kind === 'field' ? movingField(sources) : null;
+  const particles = kind === 'particles' ? movingParticles(sources, paths) : null;
+  if (field) three.add(field.field);
+  else if (particles) three.add(particles.emitter);
+  else for (const source of sources) take(make(source, lights.length));
+
+  function take(light: MovingLight): void {
+    lights.push(light);
+    three.add(light);
+  }
 
   const followers: Follower<Object3D>[] = [];
   for (const drawn of template.drawn) {
@@ -82,7 +104,7 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
     three.add(copy);
   }
   if (labCase.overdraw > 0) {
-    const lit = points.map(({ position }) => position.clone());
+    const lit = [...lights, ...sources].map(({ position }) => position.clone());
     for (const layer of overdrawLayers(labCase.overdraw, camera, lit)) three.add(copier.object(fixed(layer)));
   }
   const moved = follows ? thatMove(followers, template) : [];
@@ -92,7 +114,9 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
   function setTime(time: number): void {
     seconds = time;
     if (!follows) {
-      for (let i = 0; i < points.length; i++) places.place(i, time, points[i].position);
+      if (field) field.place(places, time);
+      else if (particles) particles.setTime(time);
+      else for (let i = 0; i < lights.length; i++) places.place(i, time, lights[i].position);
       return;
     }
     template.scene.setTime(time);
@@ -110,10 +134,12 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
   function addLights(count: number): () => void {
     const pathsBefore = paths;
     const placesBefore = places;
-    const before = points.length;
+    const before = lights.length;
+    const there = follows ? (lights as PointLight[]) : sources;
+    const known = there.length;
     for (let i = 0; i < count; i++) {
-      const beside = before > 0 ? Math.floor((i * before) / count) : -1;
-      const light = beside < 0 ? lightBefore(camera) : points[beside].clone(false);
+      const beside = known > 0 ? Math.floor((i * known) / count) : -1;
+      const light = beside < 0 ? lightBefore(camera) : there[beside].clone(false);
       light.castShadow = false;
       light.position.x += BESIDE;
       light.position.z += BESIDE;
@@ -122,12 +148,13 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
         const [x, y, z] = beside < 0 ? light.position.toArray() : path.place;
         paths = [...paths, { ...path, place: [x + BESIDE, y, z + BESIDE] }];
       }
-      points.push(light);
-      three.add(light);
+      if (field) field.add(light);
+      else take(make(light, lights.length));
     }
     places = new LightPaths(paths);
     return () => {
-      for (const light of points.splice(before)) {
+      field?.remove(count);
+      for (const light of lights.splice(before)) {
         light.removeFromParent();
         light.dispose();
       }
@@ -136,12 +163,17 @@ export function buildStageScene(labCase: LabCase, template: StageTemplate): Stag
     };
   }
 
+  if (shading !== 'own') copier.shade(shading);
   setTime(seconds);
   return {
-    ...{ three, camera, lights: points, still, width, height, setTime, addLights },
+    ...{ three, camera, kind, shading, lights, still, width, height, setTime, addLights },
+    emitter: particles?.emitter ?? null,
     dispose() {
       copier.dispose();
-      for (const light of [...points, ...still]) light.dispose();
+      for (const light of [...lights, ...still]) light.dispose();
+      for (const each of [...ownProfiles, ...(field ? [field.field] : []), ...(particles ? [particles.emitter] : [])]) {
+        each.dispose();
+      }
       three.clear();
     },
   };

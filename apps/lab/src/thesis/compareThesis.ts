@@ -31,9 +31,11 @@ export function compareThesis(run: LabRun, metric: Metric): ThesisPair[] {
   });
 }
 
-function isCaseOf({ scene, lights, shadows, overdraw }: LabCase, row: ThesisRow): boolean {
+function isCaseOf({ scene, lights, shadows, overdraw, ...matter }: LabCase, row: ThesisRow): boolean {
+  const isPlain = matter.lightKind === 'points' && matter.lightRange === null && matter.shading === 'own';
   const hasPlanes = row.planes === 0 || Number(scene.parameters.n) ** 2 === row.planes;
-  return scene.name === scenes[row.table] && hasPlanes && lights === row.lights && shadows === 0 && overdraw === 0;
+  const plain = isPlain && shadows === 0 && overdraw === 0;
+  return scene.name === scenes[row.table] && hasPlanes && lights === row.lights && plain;
 }
 
 function labelOf({ planes, lights }: ThesisRow): string {

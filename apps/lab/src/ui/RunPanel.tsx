@@ -1,6 +1,5 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { axisWords } from '../plan/sceneWords';
-import { competitorLabel } from '../words/names';
+import { competitorLabel, valueText } from '../words/names';
 import { formatDuration } from './support/formatDuration';
 import type { Running } from './support/useRun';
 
@@ -13,7 +12,7 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
   const part = Math.min(1, done / total);
   const percent = Math.floor(part * 100);
   const index = series.cases.indexOf(labCase);
-  const value = `${series.values[index]?.toLocaleString('en')} ${axisWords[series.axis].unit}`;
+  const value = valueText(series.axis, series.values[index]);
   const left = remaining === null ? 'working out how long' : `about ${formatDuration(remaining)} left`;
   const told = useTold(`${percent}% measured, ${left}.`);
   const isHidden = useHidden();

@@ -23,6 +23,21 @@ describe('sentences of a series', () => {
     ]);
   });
 
+  test('along an axis of names each case stands by itself, and the first is what the others cost', () => {
+    const refused = 'three.js has no LightField.';
+    const times = { 'clustered-forward': [1, 2, 3], deferred: [2, 1.5, 3.5], stock: [9, refused, refused] };
+    expect(wordsOf([0, 2, 4], times, 'kind')).toEqual([
+      'Clustered forward is the fastest with points (1 ms), deferred with rectangles (1.5 ms), clustered forward with a LightField (3 ms).',
+      'Clustered forward takes 1 ms with points, with rectangles 2 times as long (2 ms) and with a LightField 3 times as long (3 ms).',
+      'With points clustered forward takes 1 ms, three’s WebGLRenderer 9 ms (9 times as long).',
+      'No figure for three’s WebGLRenderer with rectangles and a LightField: three.js has no LightField.',
+    ]);
+    expect(wordsOf([1, 2], { forward: [2, 1], deferred: [3, 2] }, 'shading').slice(0, 2)).toEqual([
+      'Forward is the fastest throughout.',
+      'Forward takes 2 ms with flat shading, with Gouraud shading 2 times as fast (1 ms).',
+    ]);
+  });
+
   test('a list of names has no commas within names', () => {
     expect(wordsOf([10], { 'forward-single-pass': [1], forward: [1], deferred: [1] })[0]).toBe(
       'Single-pass forward, forward and deferred tie for the fastest with 10 lights (1 ms).',

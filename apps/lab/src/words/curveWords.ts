@@ -1,9 +1,10 @@
-import type { LabCase, LabSeries } from '../plan/LabPlan';
+import { isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
 import type { LabRun, Metric } from '../results/LabRun';
 import { timeOf } from './compareSpreads';
 import { findCrossing } from './crossing';
 import { asClause, capital, formatFactor, formatMs, formatNumber, listOf } from './format';
 import { competitorKind, competitorWord, metricWords, valueText } from './names';
+import { costWords } from './costWords';
 import { rowsOf } from './rowsOf';
 import { type Winners, winnersOf, winningRanges } from './winners';
 
@@ -17,7 +18,7 @@ export function curveWords(run: LabRun, series: LabSeries, metric: Metric): stri
   const everybody = new Set(winners.flatMap(({ entries }) => entries.map(({ competitor }) => competitor)));
   return [
     everybody.size === 1 ? alone(series, winners, metric) : fastest(series, winners, metric),
-    behind(run, series, metric, 'forward', 'deferred'),
+    ...(isNamed(series.axis) ? costWords(series, winners) : [behind(run, series, metric, 'forward', 'deferred')]),
     distance(series, winners),
     ...refusals(run, series),
     doubts(run, series),
@@ -56,7 +57,10 @@ function alone(series: LabSeries, winners: readonly Winners[], metric: Metric): 
 }
 
 function fastest(series: LabSeries, winners: readonly Winners[], metric: Metric): string {
-  const ranges = winningRanges(winners);
+  const whole = winningRanges(winners);
+  // between two names there is nothing
+  const ranges =
+    isNamed(series.axis) && whole.length > 1 ? winners.map((each) => ({ names: each.names, cases: [each] })) : whole;
   const time = (name: string, each: Winners): string =>
     formatMs(each.entries.find(({ competitor }) => competitor === name)!.time.median);
   const parts = ranges.map(({ names, cases }, place) => {
@@ -78,6 +82,8 @@ function fastest(series: LabSeries, winners: readonly Winners[], metric: Metric)
       const where = `from ${withoutUnit(series, first)} to ${at(series, last)}`;
       return `${joint}${says} ${where} (${time(names[0], last)} there)`;
     }
+    // what each case costs is the next sentence
+    if (isNamed(series.axis)) return `${says} throughout`;
     const figures = `${time(names[0], first)} with ${at(series, first)}, ${time(names[0], last)} with ${at(series, last)}`;
     return `${says} throughout: ${figures}`;
   });
@@ -161,14 +167,15 @@ export function refusals(run: LabRun, series: LabSeries): string[] {
     if (refused.length === 0) continue;
     const { index, reason } = refused[0];
     const measured = rows.filter(Boolean).length;
-    const onwards = rows.slice(index).every((row) => row === undefined || row.problem !== null);
+    const isList = isNamed(series.axis);
+    const onwards = !isList && rows.slice(index).every((row) => row === undefined || row.problem !== null);
     const from = { index, value: series.values[index] };
     const where =
       refused.length === measured
         ? ' in any case'
         : onwards && refused.length > 1
           ? ` from ${at(series, from)} on`
-          : ` with ${at(series, from)}`;
+          : ` with ${listOf(refused.slice(0, isList ? undefined : 1).map((each) => at(series, { ...each, value: series.values[each.index] })))}`;
     const key = `${where}: ${reason}.`;
     byReason.set(key, [...(byReason.get(key) ?? []), competitorWord(competitor)]);
   }

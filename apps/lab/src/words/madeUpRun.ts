@@ -1,4 +1,5 @@
-import type { Axis, LabSeries } from '../plan/LabPlan';
+import { type Axis, type LabSeries, plainCase } from '../plan/LabPlan';
+import { lightKindNames, shadingNames } from '../plan/lightKinds';
 import type { LabRow, LabRun, Spread } from '../results/LabRun';
 
 /** A time without spread. */
@@ -21,6 +22,9 @@ export function madeUpSeries(values: readonly number[], axis: Axis = 'lights'): 
     scene: { name: 'sponza', parameters: {} },
     lights: axis === 'lights' ? value : 100,
     ...{ shadows: axis === 'shadows' ? value : 0, overdraw: axis === 'overdraw' ? value : 0, width: 1280, height: 720 },
+    lightKind: axis === 'kind' ? lightKindNames[value] : plainCase.lightKind,
+    lightRange: null,
+    shading: axis === 'shading' ? shadingNames[value] : plainCase.shading,
   }));
   return { name: 'made-up', label: 'Made up', axis, cases, values };
 }

@@ -1,5 +1,6 @@
 import { competitorNames } from '../competitors/competitorNames';
-import type { Axis, LabCase } from '../plan/LabPlan';
+import { type Axis, isNamed, type LabCase } from '../plan/LabPlan';
+import { lightKindNames, lightKinds, shadingNames, shadings } from '../plan/lightKinds';
 import type { Metric } from '../results/LabRun';
 import { formatNumber } from './format';
 
@@ -44,11 +45,23 @@ const units: Readonly<Record<Axis, readonly [one: string, many: string]>> = {
   pixels: ['pixel', 'pixels'],
   overdraw: ['layer', 'layers'],
   shadows: ['shadowed light', 'shadowed lights'],
+  kind: ['kind of lights', 'kinds of lights'],
+  shading: ['shading', 'shadings'],
 };
 
-/** A value with its unit: `1 light`, `2,500 objects`, and for pixels `1280 × 720` where the case is known. */
+/** Word of a value along an axis of names: `rectangles`, `flat shading`; its number where this version does not know it. */
+export function namedValue(axis: 'kind' | 'shading', value: number): string {
+  const words = axis === 'kind' ? lightKinds[lightKindNames[value]] : shadings[shadingNames[value]];
+  return words?.word ?? String(value);
+}
+
+/**
+ * A value with its unit: `1 light`, `2,500 objects`; for pixels `1280 × 720` where the case is known, along an axis of names
+ * the name.
+ */
 export function valueText(axis: Axis, value: number, labCase?: LabCase): string {
   if (axis === 'pixels' && labCase) return `${labCase.width} × ${labCase.height}`;
+  if (isNamed(axis)) return namedValue(axis, value);
   return `${formatNumber(value, 6)} ${units[axis][value === 1 ? 0 : 1]}`;
 }
 

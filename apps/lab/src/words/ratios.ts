@@ -1,4 +1,5 @@
 import type { LabRun, Metric } from '../results/LabRun';
+import { caseKey as sameCase } from '../results/mergeRuns';
 import { boundsOf, compareSpreads } from './compareSpreads';
 import { formatFactor, formatNumber } from './format';
 import { competitorWord } from './names';
@@ -39,11 +40,7 @@ export function ratiosOf(run: LabRun, base: LabRun, metric: Metric): Ratio[] {
   });
 }
 
-function caseKey({ series, labCase }: SeriesCase): string {
-  const { scene, lights, shadows, overdraw, width, height } = labCase;
-  const parameters = Object.entries(scene.parameters).sort(([a], [b]) => (a < b ? -1 : 1));
-  return JSON.stringify([series.name, scene.name, parameters, lights, shadows, overdraw, width, height]);
-}
+const caseKey = ({ series, labCase }: SeriesCase): string => `${series.name} ${sameCase(labCase)}`;
 
 /** Geometric mean of positive numbers. */
 export function geometricMean(values: readonly number[]): number {

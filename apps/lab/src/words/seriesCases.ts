@@ -1,5 +1,4 @@
 import type { LabCase, LabSeries } from '../plan/LabPlan';
-import { axisWords } from '../plan/sceneWords';
 import type { LabRun } from '../results/LabRun';
 import { valueText } from './names';
 
@@ -23,6 +22,6 @@ export function casesOf(run: LabRun): SeriesCase[] {
 }
 
 /** A series without its axis: `Atrium over point lights` is `Atrium`. */
-export function seriesWord({ label, axis }: LabSeries): string {
-  return label.replace(` over ${axisWords[axis].label.toLowerCase()}`, '');
+export function seriesWord({ label }: Pick<LabSeries, 'label'>): string {
+  return label.replace(/ over [^,]*/, '');
 }

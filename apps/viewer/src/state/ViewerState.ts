@@ -19,6 +19,10 @@ export interface ViewerState {
   oit: boolean;
   /** Whether decals are thrown on the scene, to be looked at. */
   decals: boolean;
+  /** Particles that live at once, each of them a light; 0 for none. */
+  particles: number;
+  /** Rectangle lights put into the scene; 0 for none. */
+  rectangles: number;
   /** Fixed simulated time (s), drawn once and not moving; null lets it run. */
   time: number | null;
   /** Size of the picture (CSS pixels); null follows the window. */

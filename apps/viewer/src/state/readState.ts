@@ -1,6 +1,11 @@
 import type { Field, FieldValue } from '@farol/engine/fields';
 import type { KnownNames, ViewerState } from './ViewerState';
 
+/** Particles that an address may ask for. */
+const MOST_PARTICLES = 200_000;
+/** The same of rectangle lights. */
+const MOST_RECTANGLES = 20_000;
+
 /** A value that a URL cannot have: what it is and what is allowed. */
 class BadValue extends Error {}
 
@@ -24,6 +29,8 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     ao: (text) => void (state.ao = boolean(text)),
     oit: (text) => void (state.oit = boolean(text)),
     decals: (text) => void (state.decals = boolean(text)),
+    particles: (text) => void (state.particles = number(text, { min: 0, max: MOST_PARTICLES, integer: true })),
+    rectangles: (text) => void (state.rectangles = number(text, { min: 0, max: MOST_RECTANGLES, integer: true })),
     time: (text) => void (state.time = number(text, { min: 0 })),
     width: (text) => void (state.width = number(text, { min: 1, max: 8192, integer: true })),
     height: (text) => void (state.height = number(text, { min: 1, max: 8192, integer: true })),
@@ -121,6 +128,8 @@ function fieldValue(field: Field, text: string): FieldValue {
       if (values.length !== 3) throw new BadValue('three numbers with commas between are needed.');
       return [values[0], values[1], values[2]];
     }
+    case 'curve':
+    case 'gradient':
     case 'custom':
       throw new BadValue('an address cannot hold it.');
   }

@@ -38,6 +38,8 @@ const known: KnownNames = {
       ao: false,
       oit: false,
       decals: false,
+      particles: 0,
+      rectangles: 0,
     },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
@@ -50,12 +52,24 @@ describe('readState', () => {
 
   it('reads every parameter', () => {
     const query =
-      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&oit=1&decals=1&time=2.5&width=160&height=90&dpr=1&gui=0';
+      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&oit=1&decals=1&particles=20000&rectangles=1000&time=2.5&width=160&height=90&dpr=1&gui=0';
     const { state, problems } = readState(query, known);
     expect(problems).toEqual([]);
     expect(state).toEqual({
       ...{ scene: 'planes', technique: 'auto', view: 'albedo', parameters: { n: 7, mesh: 'dragon' }, dragon: 'high' },
-      ...{ aa: 'taa', ao: true, oit: true, decals: true, time: 2.5, width: 160, height: 90, dpr: 1, gui: false },
+      ...{
+        aa: 'taa',
+        ao: true,
+        oit: true,
+        decals: true,
+        particles: 20_000,
+        rectangles: 1000,
+        time: 2.5,
+        width: 160,
+        height: 90,
+        dpr: 1,
+        gui: false,
+      },
     });
   });
 
@@ -66,6 +80,8 @@ describe('readState', () => {
     ['time=-1', /time=-1 .* of 0 or more/],
     ['time=NaN', /time=NaN .* number/],
     ['width=12.5', /width=12.5 .* whole number from 1 to 8192/],
+    ['particles=-1', /particles=-1 .* whole number from 0 to 200000/],
+    ['rectangles=1.5', /rectangles=1.5 .* whole number from 0 to 20000/],
     ['dpr=', /dpr= .* number from 0.1 to 8/],
     ['dragon=huge', /dragon=huge .* low, high/],
     ['aa=msaa', /aa=msaa .* none, smaa, edges, taa/],
@@ -132,7 +148,7 @@ describe('readState', () => {
 describe('writeState', () => {
   const state: ViewerState = {
     ...{ scene: 'planes', technique: 'forward', view: 'albedo', dragon: 'high', aa: 'smaa', ao: true, oit: true },
-    ...{ decals: true, parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
+    ...{ decals: true, particles: 500, rectangles: 30, parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
     ...{ time: 0, width: 320, height: 180, dpr: 1.5, gui: false },
   };
 

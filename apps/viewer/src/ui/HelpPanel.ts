@@ -77,6 +77,8 @@ export function addressHelp({ scenes, techniques, views, dragons, antialiasing }
     ['ao', '1 darkens indirect light in corners (ambient occlusion), with techniques that know depth first.'],
     ['oit', '1 averages transparent layers in place of sorting them (weighted blended transparency).'],
     ['decals', '1 throws decals on the scene, with techniques that have a G-buffer.'],
+    ['particles', 'So many particles in the scene, each of them a light of 0.5 m. 0 to 200000.'],
+    ['rectangles', 'So many rectangle lights in the scene, each up to 1.5 m. 0 to 20000.'],
     ['time', 'Draws the scene once, as it is at this time (s), and does not move it.'],
     ['width, height', 'Size of the picture (CSS pixels); the window by default.'],
     ['dpr', 'Device pixels for each CSS pixel; those of the screen by default, 2 at most.'],

@@ -30,6 +30,8 @@ export class ViewerMenu {
     ao: boolean;
     oit: boolean;
     decals: boolean;
+    particles: number;
+    rectangles: number;
     dragon: string;
     stopped: boolean;
   };
@@ -38,8 +40,8 @@ export class ViewerMenu {
 
   constructor(private readonly viewer: Viewer) {
     const { gui } = this;
-    const { technique, view, aa, ao, oit, decals, dragon, time } = viewer.state;
-    this.values = { technique, view, aa, ao, oit, decals, dragon, stopped: time !== null };
+    const { technique, view, aa, ao, oit, decals, particles, rectangles, dragon, time } = viewer.state;
+    this.values = { technique, view, aa, ao, oit, decals, particles, rectangles, dragon, stopped: time !== null };
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
     gui
       .add(this.values, 'technique', names)
@@ -56,6 +58,16 @@ export class ViewerMenu {
     this.addEffect('ao', 'ambient-occlusion', (on) => viewer.setAmbientOcclusion(on));
     this.addEffect('oit', 'order-independent-transparency', (on) => viewer.setOrderIndependentTransparency(on));
     this.addEffect('decals', 'decals', (on) => viewer.setDecals(on));
+    gui
+      .add(this.values, 'particles', 0, 20_000, 100)
+      .name('Particles')
+      .onFinishChange((count: number) => viewer.setParticles(count)).domElement.title =
+      'Particles in the scene, each of them a light of 0.5 m.';
+    gui
+      .add(this.values, 'rectangles', 0, 2000, 10)
+      .name('Rectangle lights')
+      .onFinishChange((count: number) => viewer.setRectangles(count)).domElement.title =
+      'Lights that shine from rectangles in the scene, each up to 1.5 m.';
     gui
       .add(this.values, 'stopped')
       .name('Stop time')
@@ -98,6 +110,8 @@ export class ViewerMenu {
     this.values.ao = state.ao;
     this.values.oit = state.oit;
     this.values.decals = state.decals;
+    this.values.particles = state.particles;
+    this.values.rectangles = state.rectangles;
     this.values.dragon = state.dragon;
     this.values.stopped = state.time !== null;
     this.gui.show(state.gui);

@@ -5,7 +5,7 @@ import { declare, declareConstant } from './declare';
 /** What is part of the program: three compiles, or finds, another one. */
 const recompile = (target: object) => void ((target as Material).needsUpdate = true);
 
-const share = (help: string) => number(0, { min: 0, max: 1, step: 0.05, help });
+const share = (help: string) => number(0, { min: 0, max: 1, step: 0.01, help });
 const tint = (help: string, label?: string) => colour([1, 1, 1], { help, label });
 
 /** Of materials; a material has those that three gives its kind. */

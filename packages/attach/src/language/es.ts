@@ -2,6 +2,8 @@ import type { Texts } from '@farol/editing';
 
 /** All texts of the attached editor in Spanish, by their English ones. */
 export const es: Texts = {
+  'Find a field': 'Buscar un campo',
+  'No field here is called that.': 'Ningún campo se llama así.',
   '{count} objects': '{count} objetos',
   object: 'objeto',
   '{verb} {count} objects': '{verb} {count} objetos',

@@ -6,6 +6,21 @@ import { icon, type IconName } from '../ui/icon';
 import { element } from '../ui/element';
 import type { Gizmo } from '../viewport/Gizmo';
 
+/** The keys of the gizmo while the focus is in the panels: those of Farol's own editor. */
+const modeKeys: Readonly<Record<string, TransformMode>> = { w: 'translate', e: 'rotate', r: 'scale' };
+
+/** What a key does to the gizmo; null for a key of something else. @param key in small letters */
+export function gizmoKey(gizmo: Gizmo, key: string): (() => void) | null {
+  const mode = modeKeys[key];
+  if (mode) return () => (gizmo.mode = mode);
+  return key === 'x' ? () => (gizmo.space = gizmo.space === 'local' ? 'world' : 'local') : null;
+}
+
+const keyOf = (mode: TransformMode): string =>
+  Object.keys(modeKeys)
+    .find((key) => modeKeys[key] === mode)!
+    .toUpperCase();
+
 const modes = (): Record<TransformMode, string> => ({
   translate: t('Move'),
   rotate: t('Rotate'),
@@ -19,13 +34,15 @@ export class Bar {
   private readonly redo: HTMLButtonElement;
   private readonly duplicate: HTMLButtonElement;
   private readonly remove: HTMLButtonElement;
+  private readonly gizmos: ReadonlyMap<TransformMode, HTMLButtonElement>;
+  private readonly space: HTMLButtonElement;
   private readonly problem = element('p', { role: 'alert' });
   private readonly ends: (() => void)[];
 
   /** @param toggle shows or hides the panels */
   constructor(
     private readonly session: Session,
-    gizmo: Gizmo,
+    private readonly gizmo: Gizmo,
     toggle: () => void,
   ) {
     const button = (text: string, run: () => void) => {
@@ -43,20 +60,16 @@ export class Bar {
     };
     this.undo = iconButton('undo', t('Undo'), () => session.commands.undo());
     this.redo = iconButton('redo', t('Redo'), () => session.commands.redo());
-    const press = (made: HTMLButtonElement, isPressed: boolean) => made.setAttribute('aria-pressed', String(isPressed));
-    const gizmos = Object.entries(modes()).map(([mode, label]) => {
-      const made = iconButton(mode as TransformMode, label, () => {
-        gizmo.mode = mode as TransformMode;
-        for (const each of gizmos) press(each, each === made);
-      });
-      press(made, gizmo.mode === mode);
-      return made;
-    });
-    const space = iconButton('local', t("Handles along the object's axes, not the world's"), () => {
-      gizmo.space = gizmo.space === 'local' ? 'world' : 'local';
-      press(space, gizmo.space === 'local');
-    });
-    press(space, gizmo.space === 'local');
+    this.gizmos = new Map(
+      (Object.entries(modes()) as [TransformMode, string][]).map(([mode, label]) => {
+        const made = iconButton(mode, label, () => (gizmo.mode = mode));
+        made.title = `${label} (${keyOf(mode)})`;
+        return [mode, made];
+      }),
+    );
+    const alongOwn = t("Handles along the object's axes, not the world's");
+    this.space = iconButton('local', alongOwn, gizmoKey(gizmo, 'x')!);
+    this.space.title = `${alongOwn} (X)`;
     this.duplicate = iconButton('duplicate', t('Duplicate'), () => session.attempt(() => duplicateSelected(session)));
     this.remove = iconButton('remove', t('Delete'), () => session.attempt(() => removeSelected(session)));
     this.duplicate.title = `${t('Duplicate')} (Ctrl+D)`;
@@ -68,8 +81,9 @@ export class Bar {
       fold.textContent = isFolded ? t('Show') : t('Hide');
     });
     fold.setAttribute('aria-expanded', 'true');
-    this.element.append(this.undo, this.redo, this.duplicate, this.remove, ...gizmos, space, fold, this.problem);
-    const shows = [session.commands.changed, session.selection.changed, session.problemChanged];
+    this.element.append(this.undo, this.redo, this.duplicate, this.remove);
+    this.element.append(...this.gizmos.values(), this.space, fold, this.problem);
+    const shows = [session.commands.changed, session.selection.changed, session.problemChanged, session.edited];
     this.ends = shows.map((signal) => signal.subscribe(() => this.show()));
     this.show();
   }
@@ -86,6 +100,8 @@ export class Bar {
     this.undo.title = undoLabel === null ? t('Undo') : t('Undo: {edit}', { edit: undoLabel });
     this.redo.ariaDisabled = String(redoLabel === null);
     this.redo.title = redoLabel === null ? t('Redo') : t('Redo: {edit}', { edit: redoLabel });
+    for (const [mode, each] of this.gizmos) each.setAttribute('aria-pressed', String(this.gizmo.mode === mode));
+    this.space.setAttribute('aria-pressed', String(this.gizmo.space === 'local'));
     for (const each of [this.duplicate, this.remove]) each.ariaDisabled = String(topmost.length === 0);
     this.problem.hidden = problem === '';
     this.problem.textContent = problem;

@@ -1,9 +1,17 @@
-import { describeField, FieldGesture, type FieldUpdate, labelOfField, numberDisplay } from '@farol/editing';
+import {
+  describeField,
+  FieldGesture,
+  type FieldUpdate,
+  labelOfField,
+  matchesFilter,
+  numberDisplay,
+} from '@farol/editing';
 import { FieldError } from '@farol/engine/fields';
 import type { Object3D } from 'three';
 import type { PropertyOwner } from '../fields/Property';
 import type { Session } from '../model/Session';
 import { type FieldPart, makeFieldParts } from './FieldPart';
+import { scrub } from './scrub';
 import { element } from './element';
 
 let count = 0;
@@ -35,10 +43,13 @@ export class FieldInput {
     const isTriple = this.parts.length === 3;
     const description = describeField(field);
     const heading = { className: 'label', title: description };
+    const title = isTriple
+      ? element('span', heading, this.label)
+      : element('label', { ...heading, htmlFor: id }, this.label);
     this.element = element(
       'div',
       isTriple ? { className: 'field', role: 'group', 'aria-label': this.label } : { className: 'field' },
-      isTriple ? element('span', heading, this.label) : element('label', { ...heading, htmlFor: id }, this.label),
+      title,
       element('span', { className: 'controls' }, ...this.parts.map(({ control }) => control)),
       element('span', { className: 'unit', 'aria-hidden': true }, this.unit),
       this.problem,
@@ -47,6 +58,18 @@ export class FieldInput {
       part.control.setAttribute('aria-description', description);
       part.control.addEventListener('input', () => this.preview(session, part));
       part.control.addEventListener('change', () => this.takeOver(part));
+    }
+    const [{ scrubbed }] = this.parts;
+    if (scrubbed) {
+      scrub(
+        title,
+        (steps) => this.take(session, null, scrubbed(steps) as FieldUpdate),
+        (keeps) => {
+          if (!keeps) this.gesture.discard();
+          this.close();
+          session.edited.emit();
+        },
+      );
     }
     this.element.addEventListener('keydown', (event) => this.key(event));
     this.refresh();
@@ -111,21 +134,54 @@ export class FieldInput {
     return field.kind === 'colour' ? '×' : (numberDisplay(field).unit ?? '');
   }
 
+  /** Whether a filter finds the field: each word is in its label, its name or the title of its section. */
+  filter(words: readonly string[], section: string): boolean {
+    const isFound = matchesFilter(words, [this.label, this.name, section]);
+    this.element.hidden = !isFound;
+    return isFound;
+  }
+
   private preview(session: Session, part: FieldPart): void {
+    let update: FieldUpdate | null | undefined;
+    try {
+      update = part.read() as FieldUpdate | null | undefined;
+    } catch (error) {
+      this.refuse(session, part, messageOf(error));
+      return;
+    }
+    if (update !== undefined) this.take(session, part, update);
+  }
+
+  /**
+   * Shows what an edit would make.
+   * @param part where it is typed or chosen, which stays as it is; null for a drag of the label
+   * @param update null for what there was before
+   */
+  private take(session: Session, part: FieldPart | null, update: FieldUpdate | null): void {
     const { gesture } = this;
     // an undo has ended the edit: what is typed now is another one
     if (!gesture.isOpen) gesture.commit();
-    let problem = '';
     try {
-      const update = part.read();
-      if (update === undefined) return;
       if (update === null) gesture.discard();
-      else gesture.preview(update as FieldUpdate);
+      else gesture.preview(update);
     } catch (error) {
-      problem = error instanceof FieldError ? `${this.label} ${error.problem}` : messageOf(error);
+      this.refuse(
+        session,
+        part ?? this.parts[0],
+        error instanceof FieldError ? `${this.label} ${error.problem}` : messageOf(error),
+      );
+      return;
     }
+    const values = this.owners.map((owner) => owner.getAuthored(this.name));
+    for (const each of this.parts) if (each !== part) each.show(values);
+    if (part) mark(part, '');
+    this.tell('');
+    session.edited.emit();
+  }
+
+  private refuse(session: Session, part: FieldPart, problem: string): void {
     // what it was before, not what was typed before it was wrong
-    if (problem !== '') gesture.discard();
+    this.gesture.discard();
     mark(part, problem);
     this.tell(problem);
     session.edited.emit();

@@ -1,13 +1,16 @@
 import {
+  addToNumber,
   formatNumber,
   numberDisplay,
   type NumberRange,
   readNumberInRange,
-  roundToStep,
   sharedColour,
   sharedValue,
   splitColour,
+  stepFactor,
+  suitsSlider,
   t,
+  valueOnSlider,
   withCoordinate,
   withIntensity,
   withScreenColour,
@@ -31,6 +34,8 @@ export interface FieldPart {
    * @throws Error that says why it is no number
    */
   read(): PartUpdate | null | undefined;
+  /** Of a number alone: what a drag of its label makes of it. @param steps - so far */
+  readonly scrubbed?: (steps: number) => (before: number) => number;
   /** Why what is in the control cannot be taken over as it is; null when it can. */
   readonly unfinished?: () => string | null;
 }
@@ -48,8 +53,10 @@ export function makeFieldParts(field: Field, id: string, label: string): FieldPa
     case 'euler':
       return AXES.map((axis, i) => numberPart(field, `${id}${axis}`, `${label} ${axis}`, i));
     case 'number':
-    case 'angle':
-      return [numberPart(field, id, label)];
+    case 'angle': {
+      const slider = sliderPart(field);
+      return [numberPart(field, id, label), ...(slider ? [slider] : [])];
+    }
     case 'colour':
       return [screenColourPart(id), intensityPart(t('{label} intensity', { label }))];
     case 'boolean':
@@ -123,9 +130,8 @@ function numericPart(
     const read = readNumberInRange(control.value, range);
     if (read.problem !== null || read.isRelative) return;
     event.preventDefault();
-    const by = step * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
-    const next = roundToStep(read.valueFor(0) + (event.key === 'ArrowUp' ? by : -by), by);
-    control.value = String(Math.min(Math.max(next, min ?? -Infinity), max ?? Infinity));
+    const by = step * stepFactor(event);
+    control.value = String(addToNumber(read.valueFor(0), event.key === 'ArrowUp' ? by : -by, range));
     control.dispatchEvent(new Event('input', { bubbles: true }));
   });
   // the browser tells of no change that it did not see typed
@@ -152,7 +158,7 @@ function numberPart(field: Field, id: string, label: string, axis?: number): Fie
     value === null ? null : formatNumber(toShown(value), axis === undefined ? 'long' : 'short');
   const inField = (shown: Typed): number | ((before: number) => number) =>
     typeof shown === 'function' ? (before) => fromShown(shown(toShown(before))) : fromShown(shown);
-  return numericPart(
+  const made = numericPart(
     range,
     { id, 'aria-label': label },
     (values) => {
@@ -162,6 +168,31 @@ function numberPart(field: Field, id: string, label: string, axis?: number): Fie
     },
     (shown) => (axis === undefined ? inField(shown) : withCoordinate(axis, inField(shown))),
   );
+  if (axis !== undefined) return made;
+  const scrubbed = (steps: number) => (before: number) =>
+    fromShown(addToNumber(toShown(before), steps * range.step, range));
+  return { ...made, scrubbed };
+}
+
+/** A bar from the smallest to the largest value, for pointers: the number beside it takes the keys. Null for no such range. */
+function sliderPart(field: Field): FieldPart | null {
+  const { toShown, fromShown, ...range } = numberDisplay(field);
+  const { min, max, step } = range;
+  if (min === undefined || max === undefined || !suitsSlider(range)) return null;
+  const control = element('input', {
+    type: 'range',
+    min: '0',
+    max: '1',
+    step: 'any',
+    tabIndex: -1,
+    'aria-hidden': true,
+  });
+  const textOf = (values: readonly FieldValue[]): string | null => {
+    const { value, mixed } = sharedValue(values);
+    return mixed ? null : String((toShown(value as number) - min) / (max - min));
+  };
+  const write = (text: string | null): void => void (control.value = text ?? '0');
+  return part(control, textOf, write, () => fromShown(valueOnSlider(control.valueAsNumber, { min, max, step })));
 }
 
 function screenColourPart(id: string): FieldPart {

@@ -7,6 +7,7 @@ const lights: Readonly<Record<string, IconName>> = {
   DirectionalLight: 'directional',
   AmbientLight: 'ambient',
   HemisphereLight: 'hemisphere',
+  RectAreaLight: 'rectangle',
 };
 
 /** The icon of an object of three's, as Farol's own editor has it for such a thing. */

@@ -1,5 +1,13 @@
-/** A value that a field can have: what a scene file can hold. A triple is a vector, Euler angles or a linear colour. */
-export type FieldValue = number | boolean | string | null | Triple;
+/**
+ * A value that a field can have: what a scene file can hold. A triple is a vector, Euler angles or a linear colour; keys are
+ * a curve or a gradient.
+ */
+export type FieldValue = number | boolean | string | null | Triple | Keys;
+
+/** Keys by time, never changed in place: [time, value] of a curve, [time, colour, opacity] of a gradient. */
+export type Keys =
+  | readonly (readonly [time: number, value: number])[]
+  | readonly (readonly [time: number, colour: Triple | null, opacity: number | null])[];
 
 /** Three numbers, never changed in place: [x, y, z] or [r, g, b]. */
 export type Triple = readonly [number, number, number];
@@ -14,6 +22,8 @@ export interface FieldDescription {
   readonly label?: string;
   /** SI unit of a number or of each coordinate, such as 'm'. */
   readonly unit?: string;
+  /** The unit by the value of another field of the same owner; `unit` names all of them then. */
+  readonly unitBy?: { readonly field: string; readonly units: Readonly<Record<string, string>> };
   /** Smallest value allowed of a number, an angle (radians) or each coordinate. */
   readonly min?: number;
   /** Largest value allowed. */
@@ -41,8 +51,14 @@ export interface FieldTarget {
   check?(name: string, value: FieldValue): void;
 }
 
+/** Whether a value is three numbers. */
+export const isTriple = (value: FieldValue): value is Triple =>
+  Array.isArray(value) && value.length === 3 && typeof value[0] === 'number' && typeof value[1] === 'number';
+
 /** Whether two field values are the same value. */
 export function sameValue(a: FieldValue, b: FieldValue): boolean {
   if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return a === b;
-  return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) if (!sameValue(a[i] as FieldValue, b[i] as FieldValue)) return false;
+  return true;
 }

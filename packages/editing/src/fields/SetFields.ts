@@ -49,7 +49,8 @@ export class SetFields<Owner extends FieldTarget = FieldTarget> implements Comma
   }
 
   undo(): void {
-    setAll(this.before!, this.edits);
+    // backwards: one field may decide which others there are
+    setAll(this.before!.toReversed(), this.edits.toReversed());
   }
 
   replaceWith(next: Command<unknown>): SetFields<Owner> | null {

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { toDegrees } from './angles';
 import { describeField } from './describeField';
+import { fieldInUnit } from './fieldInUnit';
 import type { FieldDescription } from './FieldTarget';
 import { formatNumber } from './formatNumber';
 import { labelOfField } from './labelOfField';
@@ -31,6 +32,25 @@ describe('what is said of a field', () => {
     expect(stepOf({ min: 0, max: 1 })).toBeCloseTo(0.01);
     expect(stepOf({ min: 0, max: 1000 })).toBeCloseTo(10);
     expect(stepOf({ min: 0 })).toBe(0.1);
+  });
+});
+
+describe('a unit that goes by another field', () => {
+  const intensity = field('number', {
+    ...{ unit: 'cd or lx', help: '' },
+    unitBy: { field: 'type', units: { point: 'cd', spot: 'cd', sun: 'lx' } },
+  });
+  const unitFor = (...types: string[]): string | undefined => fieldInUnit(intensity, () => types).unit;
+
+  it('is that of the owners, and all of them where they differ', () => {
+    expect([unitFor('point'), unitFor('sun'), unitFor('point', 'spot')]).toEqual(['cd', 'lx', 'cd']);
+    expect([unitFor('point', 'sun'), unitFor('torch')]).toEqual(['cd or lx', 'cd or lx']);
+  });
+
+  it('makes one description for each unit, and none for a field without', () => {
+    expect(fieldInUnit(intensity, () => ['point'])).toBe(fieldInUnit(intensity, () => ['spot']));
+    const plain = field('number', { unit: 'm', help: '' });
+    expect(fieldInUnit(plain, () => ['point'])).toBe(plain);
   });
 });
 

@@ -75,6 +75,8 @@ describe('what is typed as a number', () => {
     ['4/cm²', '1/m²', 40000],
     ['1 kcd', 'cd or lx', 1000],
     ['20 lx', 'cd or lx', 20],
+    ['3 nt', 'cd or lx or nt', 3],
+    ['2 kcd/m²', 'cd or lx or nt', 2000],
     ['512 texels', 'texels', 512],
     ['5 CM', 'm', 0.05],
   ])('%s in %s is %s', (text, unit, value) => {

@@ -1,4 +1,4 @@
-import { type FieldValue, sameValue, type Triple } from './FieldTarget';
+import { type FieldValue, isTriple, sameValue, type Triple } from './FieldTarget';
 
 /** What several owners have in common in one field. */
 export interface SharedValue {
@@ -14,7 +14,7 @@ export interface SharedValue {
 export function sharedValue(values: readonly FieldValue[]): SharedValue {
   const [first] = values;
   if (values.every((value) => sameValue(value, first))) return { value: first, mixed: false };
-  const triples = values.filter((value) => typeof value === 'object' && value !== null);
+  const triples = values.filter(isTriple);
   if (triples.length < values.length) return { value: null, mixed: true };
   const parts = triples[0].map((part, i) => (triples.every((triple) => triple[i] === part) ? part : null));
   return { value: null, mixed: true, parts };

@@ -22,6 +22,7 @@ const known = new Map<string, Unit>([
   ...of('cd', { cd: 1, kcd: 1e3 }),
   ...of('lm', { lm: 1, klm: 1e3 }),
   ...of('lx', { lx: 1, klx: 1e3 }),
+  ['nt', { factor: 1, powers: { cd: 1, m: -2 } }],
   ['Hz', { factor: 1, powers: { s: -1 } }],
   ['kHz', { factor: 1e3, powers: { s: -1 } }],
   ['%', { factor: 0.01, powers: {} }],

@@ -1,5 +1,5 @@
 import { t } from '../language/translate';
-import type { FieldDescription, FieldValue, Triple } from './FieldTarget';
+import { type FieldDescription, type FieldValue, isTriple, type Triple } from './FieldTarget';
 import { formatNumber } from './formatNumber';
 import { numberDisplay } from './NumberDisplay';
 import { splitColour } from './screenColour';
@@ -10,12 +10,12 @@ export function valueText(field: FieldDescription, value: FieldValue): string | 
     const { hex, intensity } = splitColour(value as Triple);
     return intensity > 1 ? `${hex} × ${formatNumber(intensity, 'short')}` : hex;
   }
-  if (typeof value === 'number' || Array.isArray(value)) {
+  if (typeof value === 'number' || isTriple(value)) {
     const { unit, toShown } = numberDisplay(field);
     // 'cd or lx' says nothing of one value
     const suffix = unit === '°' ? unit : unit && !unit.includes(' or ') ? ` ${t(unit)}` : '';
     if (typeof value === 'number') return `${formatNumber(toShown(value), 'long')}${suffix}`;
-    return `${(value as Triple).map((each) => Number(toShown(each).toFixed(3)) + 0).join(', ')}${suffix}`;
+    return `${value.map((each) => Number(toShown(each).toFixed(3)) + 0).join(', ')}${suffix}`;
   }
   if (field.kind === 'asset') return value === null ? t('none') : String(value);
   if (field.kind === 'choice') return t(String(value));

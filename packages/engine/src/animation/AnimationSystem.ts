@@ -171,7 +171,9 @@ export class AnimationSystem implements SceneSystem {
   }
 
   private sceneChanged(change: SceneChange): void {
-    if (change.kind === 'move') return this.allTargetsChanged();
+    // a component has other fields with another surface
+    if (change.kind === 'move' || (change.kind === 'field' && change.field === 'surface'))
+      return this.allTargetsChanged();
     const isName = change.kind === 'object' && change.property === 'name';
     if (!isName && change.kind !== 'add' && change.kind !== 'component-add') return;
     const { gameObject } = change;

@@ -1,4 +1,5 @@
 import type { FieldValue } from '../fields/Field';
+import { isTriple } from '../fields/FieldOwner';
 import type { ClipData, ClipKey, ClipTrack } from './ClipData';
 
 /** Nine digits tell all single-precision numbers apart, and more than anybody types. */
@@ -12,7 +13,7 @@ function short(value: number): number {
 
 const shortValue = (value: FieldValue): FieldValue => {
   if (typeof value === 'number') return short(value);
-  return Array.isArray(value) ? [short(value[0]), short(value[1]), short(value[2])] : value;
+  return isTriple(value) ? [short(value[0]), short(value[1]), short(value[2])] : value;
 };
 
 /**

@@ -1,6 +1,7 @@
 import { shortText } from '@farol/renderer';
 import { describeValue, isFieldValue } from '../fields/checkFieldValue';
 import type { FieldValue } from '../fields/Field';
+import { copyValue, isTriple } from '../fields/FieldOwner';
 import type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './ClipData';
 
 /** A clip's text that is none: says clip, track and key. */
@@ -21,9 +22,10 @@ const MOST_TRACKS = 20_000;
 const MOST_KEYS = 2_000_000;
 
 /** What kind of value it is: keys of one track have values of one kind. */
-export const kindOfValue = (value: FieldValue): 'number' | 'vector' | 'flag' | 'text' => {
+export const kindOfValue = (value: FieldValue): 'number' | 'vector' | 'keys' | 'flag' | 'text' => {
   if (typeof value === 'number') return 'number';
-  if (Array.isArray(value)) return 'vector';
+  if (isTriple(value)) return 'vector';
+  if (Array.isArray(value)) return 'keys';
   return typeof value === 'boolean' ? 'flag' : 'text';
 };
 
@@ -108,7 +110,7 @@ function readKey(given: unknown, place: string, fail: Fail): ClipKey {
 /** A value that nobody else holds; -0 becomes 0, as in fields. */
 const copyOf = (value: FieldValue): FieldValue => {
   if (typeof value === 'number') return value + 0;
-  return Array.isArray(value) ? [value[0] + 0, value[1] + 0, value[2] + 0] : value;
+  return isTriple(value) ? [value[0] + 0, value[1] + 0, value[2] + 0] : copyValue(value);
 };
 
 function readControl(given: unknown, place: string, fail: Fail): NonNullable<ClipKey['control']> {

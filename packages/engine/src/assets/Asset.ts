@@ -1,11 +1,23 @@
+import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { BufferGeometry, Material, ShaderMaterial, Texture } from 'three';
 import type { AssetType, FieldValue } from '../fields/Field';
+import type { BakedLight } from '../bake/BakedLight';
 import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import type { Model, ModelClip } from './Model';
 import type { Sound } from './Sound';
 
 /** What an asset is in three. A shader is a ShaderMaterial or RawShaderMaterial, used as it is; scripts and clips are data. */
-export type Asset = BufferGeometry | Texture | Material | ShaderMaterial | Model | ModelClip | FieldAsset | Sound;
+export type Asset =
+  | BufferGeometry
+  | Texture
+  | Material
+  | ShaderMaterial
+  | Model
+  | ModelClip
+  | FieldAsset
+  | Sound
+  | PhotometricProfile
+  | BakedLight;
 
 /** How an asset comes to be: at once, or after loading. */
 export type AssetSource =
@@ -74,6 +86,8 @@ export function assetTypeOf(asset: Asset): AssetType {
   if ('isModel' in asset) return 'model';
   if ('isFieldAsset' in asset) return asset.type;
   if ('isSound' in asset) return 'sound';
+  if ('isPhotometricProfile' in asset) return 'profile';
+  if ('isBakedLight' in asset) return 'bake';
   if ('isModelClip' in asset) return 'clip';
   if ('isBufferGeometry' in asset) return 'mesh';
   if ('isTexture' in asset) return 'texture';

@@ -9,6 +9,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { AssetType, FieldValue } from '../fields/Field';
+import type { BakedLight } from '../bake/BakedLight';
 import { cancellable } from '../core/cancellable';
 import {
   type Asset,
@@ -33,13 +34,16 @@ import {
 import { AddressRefusedError, foreignOrigin } from './foreignOrigin';
 import { ClipAsset } from './ClipAsset';
 import type { FieldAsset, FieldAssetType } from './FieldAsset';
+import { LayeredMaterials } from './LayeredMaterials';
 import { MaterialAsset, type MaterialHost } from './MaterialAsset';
 import { MaterialCache } from './MaterialCache';
 import { MeshNormals } from './MeshNormals';
 import { Model, type ModelClip } from './Model';
 import { modelParts } from './modelParts';
 import { ScriptAsset } from './ScriptAsset';
+import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { Sound } from './Sound';
+import { SurfaceAsset, type SurfaceHost } from './SurfaceAsset';
 import { UseCounter } from './UseCounter';
 
 /** Crease angle of meshes where none is given (radians). */
@@ -76,9 +80,13 @@ async function read(
 }
 
 /** The meshes, textures, materials and shaders that scenes name. Built-in ones are made on demand. */
-export class AssetLibrary implements MaterialHost {
+export class AssetLibrary implements MaterialHost, SurfaceHost {
   /** Materials made from the fields of ObjectRenderers, shared where the values are equal. */
   readonly materials = new MaterialCache(this);
+  /** @internal Materials of objects that wear a surface by themselves. */
+  readonly layered = new LayeredMaterials(this);
+  /** Time (s) of the scene, by which surfaces move. */
+  readonly surfaceTime = { value: 0 };
   /** Users of shared geometries and textures. */
   readonly uses = new UseCounter();
 
@@ -137,7 +145,7 @@ export class AssetLibrary implements MaterialHost {
   }
 
   /**
-   * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR, sounds), or gives
+   * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR, IES, sounds), or gives
    * 'dragon' its address.
    * @throws AssetError when the name is taken, or the type cannot be told
    */
@@ -192,12 +200,17 @@ export class AssetLibrary implements MaterialHost {
     if (type === 'material') {
       const edited = new MaterialAsset(this, name, values);
       this.sources.set(name, { type, make: () => edited.three, edited });
+    } else if (type === 'surface') {
+      const edited = new SurfaceAsset(this, name, values);
+      this.sources.set(name, { type, make: () => edited, edited });
     } else {
       const edited = type === 'script' ? new ScriptAsset(this, name, values) : new ClipAsset(this, name, values);
       this.sources.set(name, { type, make: () => edited, edited });
     }
     this.tell({ kind: 'registered', name, type });
-    return this.fieldAsset(name)!;
+    const asset = this.fieldAsset(name)!;
+    if (type === 'surface') (asset as SurfaceAsset).begin();
+    return asset;
   }
 
   /** The asset of this name that is made of fields; null when it is another one. */
@@ -280,6 +293,32 @@ export class AssetLibrary implements MaterialHost {
     if (users?.size === 0) this.materialUsers.delete(name);
   }
 
+  /** The surface of this name; null when there is none. */
+  surface(name: string): SurfaceAsset | null {
+    const asset = this.fieldAsset(name);
+    return asset?.type === 'surface' ? (asset as SurfaceAsset) : null;
+  }
+
+  /** @internal */
+  surfaceChanged(asset: SurfaceAsset, problem: Error | null): void {
+    const { name, type } = asset;
+    if (this.fieldAsset(name) !== asset) return;
+    for (const material of this.materialAssets) if (material.get('surface') === name) material.surfaceChanged();
+    this.layered.surfaceChanged(asset);
+    if (problem) this.tell({ kind: 'failed', name, type, error: problem });
+    else this.tell({ kind: 'loaded', name, type });
+  }
+
+  /** @internal */
+  materialWears(material: Material): void {
+    this.layered.sourceChanged(material);
+  }
+
+  /** @internal What a material draws has another shape: its users are to look at it again. */
+  materialShapeChanged(name: string): void {
+    for (const user of [...(this.materialUsers.get(name) ?? [])]) user.materialReplaced();
+  }
+
   /** @internal */
   fieldAssetChanged(asset: FieldAsset, field: string, before: FieldValue, isReplaced: boolean): void {
     const { name, type } = asset;
@@ -343,6 +382,7 @@ export class AssetLibrary implements MaterialHost {
     if (value) this.values.set(name, value);
     for (const part of parts) this.restore(part);
     this.tell({ kind: 'registered', name, type: source.type });
+    if (source.type === 'surface') this.surface(name)?.begin();
   }
 
   /** Takes an asset that was added, with its parts, away again; what uses it keeps it. The asset itself is not disposed. */
@@ -521,6 +561,16 @@ export class AssetLibrary implements MaterialHost {
     return this.getAs<Sound>('sound', name);
   }
 
+  /** The photometric profile of a luminaire. */
+  profile(name: string): PhotometricProfile {
+    return this.getAs<PhotometricProfile>('profile', name);
+  }
+
+  /** Light that was baked. */
+  bake(name: string): BakedLight {
+    return this.getAs<BakedLight>('bake', name);
+  }
+
   /** A clip of one's own, or one of a model. */
   clip(name: string): ClipAsset | ModelClip {
     return this.getAs<ClipAsset | ModelClip>('clip', name);
@@ -538,6 +588,7 @@ export class AssetLibrary implements MaterialHost {
 
   /** Gives back the GPU memory of every asset, and forgets them. */
   dispose(): void {
+    this.layered.dispose();
     this.materials.dispose();
     this.normals.dispose();
     for (const copies of this.repeated.values()) for (const each of copies.values()) each.dispose();

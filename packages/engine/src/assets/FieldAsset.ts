@@ -1,8 +1,8 @@
 import type { AssetType, FieldValue } from '../fields/Field';
-import { type AssetNames, BaseFieldOwner, sameValue } from '../fields/FieldOwner';
+import { type AssetNames, BaseFieldOwner, copyValue, sameValue } from '../fields/FieldOwner';
 
 /** The types of assets that are made of fields, and edited as components are. */
-export type FieldAssetType = Extract<AssetType, 'material' | 'script' | 'clip'>;
+export type FieldAssetType = Extract<AssetType, 'material' | 'script' | 'clip' | 'surface'>;
 
 /** What an asset that is made of fields needs of the library that it is in. */
 export interface FieldAssetHost extends AssetNames {
@@ -31,9 +31,10 @@ export abstract class FieldAsset extends BaseFieldOwner {
   changedValues(): Record<string, FieldValue> {
     const values: Record<string, FieldValue> = {};
     for (const [name, field] of Object.entries(this.fields)) {
+      if (field.viewOf !== undefined) continue;
       const value = this.getAuthored(name);
       if (sameValue(value, field.default)) continue;
-      values[name] = Array.isArray(value) ? [value[0], value[1], value[2]] : value;
+      values[name] = copyValue(value);
     }
     return values;
   }

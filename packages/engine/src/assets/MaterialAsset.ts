@@ -10,19 +10,29 @@ import {
   type Texture,
 } from 'three';
 import type { FieldValue, Vector3Tuple } from '../fields/Field';
-import type { AssetNames } from '../fields/FieldOwner';
+import type { AssetNames, FieldViews } from '../fields/FieldOwner';
 import { FieldAsset, type FieldAssetHost } from './FieldAsset';
 import { makeMaterial, writeMaterialValues } from './makeMaterial';
 import { materialAssetFields } from './materialAssetFields';
 import { materialFields, type MaterialValues } from './materialFields';
 import { type MaterialMap, type MaterialMapName, materialMapNames, materialMaps } from './materialMaps';
 import { MaterialTexture } from './MaterialTexture';
+import type { SurfaceAsset } from './SurfaceAsset';
+import { surfaceCode } from './surfaceCode';
+import { readStored, storedValue, surfaceMaps, UNIFORM, uniformValues } from './uniformFields';
+import { UniformViews } from './UniformViews';
+import { writeSurfaceMaps } from './writeSurfaceMaps';
 
 /** What a MaterialAsset needs of the library that it is in. */
 export interface MaterialHost extends FieldAssetHost {
   isReady(type: 'texture', name: string): boolean;
   whenReady(type: 'texture', name: string, callback: () => void): void;
   texture(name: string): Texture;
+  surface(name: string): SurfaceAsset | null;
+  /** @internal Told when a material wears another surface. */
+  materialWears(material: Material): void;
+  /** @internal */
+  materialShapeChanged(name: string): void;
 }
 
 const wraps = { repeat: RepeatWrapping, mirror: MirroredRepeatWrapping, clamp: ClampToEdgeWrapping };
@@ -65,6 +75,7 @@ export class MaterialAsset extends FieldAsset {
   private material: Material | null = null;
   private readonly textures = new Map<MaterialMapName, MaterialTexture>();
   private host: MaterialHost | null = null;
+  private readonly uniformViews = new UniformViews(this, materialAssetFields, () => this.worn);
 
   /**
    * @param values - in place of the defaults; whether their textures are there is not looked for
@@ -78,6 +89,11 @@ export class MaterialAsset extends FieldAsset {
 
   override get ownerName(): string {
     return this.name ?? 'Material';
+  }
+
+  /** Those of the uniforms of its surface, 'surface.height', which show `surfaceValues`. */
+  override get fieldViews(): FieldViews | undefined {
+    return this.uniformViews;
   }
 
   /** The material that is drawn with: another one after a change of `kind`. */
@@ -94,6 +110,17 @@ export class MaterialAsset extends FieldAsset {
   override dispose(): void {
     this.material?.dispose();
     for (const texture of this.textures.values()) texture.dispose();
+  }
+
+  /** @internal The surface that it wears, or the surface's text, is another one. */
+  surfaceChanged(): void {
+    if (this.material) this.writeSurface(this.material);
+  }
+
+  private get worn(): SurfaceAsset | null {
+    // while it is made, it has no values
+    const name = this.host ? (this.getAuthored('surface') as string | null) : null;
+    return name === null ? null : this.host!.surface(name);
   }
 
   protected override get assetNames(): AssetNames | null {
@@ -142,6 +169,39 @@ export class MaterialAsset extends FieldAsset {
       setFilmThickness(material, get('iridescenceThicknessMin'), get('iridescenceThicknessMax'));
     }
     if (this.programState(material) !== before) material.needsUpdate = true;
+    this.writeSurface(material);
+  }
+
+  /** Has three's material wear the surface, once the renderer's code is there. */
+  private writeSurface(material: Material): void {
+    const code = surfaceCode();
+    if (!code) return;
+    const { host, worn } = this;
+    const surface = worn?.surface ?? null;
+    const stored = readStored(this.get('surfaceValues') as string);
+    const before = code.getSurfaces(material)[0]?.surface ?? null;
+    if (surface === null && before === null) return;
+    const uniforms = surface?.uniforms ?? [];
+    const values = code.setSurface(
+      material,
+      surface,
+      uniformValues(uniforms, (name) => storedValue(worn!.surfaceFields[name], stored[name.slice(UNIFORM.length)])),
+    );
+    writeSurfaceMaps(
+      code,
+      uniforms,
+      values,
+      surfaceMaps.map((name) => this.get(name) as string | null),
+      host!,
+      () => this.surfaceChanged(),
+    );
+    if (surface !== before) host?.materialWears(material);
+    // for what reads three's materials, such as an export
+    material.userData.surface = surface?.name ?? null;
+    const reach = code.surfaceReach(material);
+    if (reach === (material.userData.reach ?? 0)) return;
+    material.userData.reach = reach;
+    host?.materialShapeChanged(this.name);
   }
 
   private sharedValues(): MaterialValues {

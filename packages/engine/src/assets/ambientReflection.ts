@@ -7,7 +7,8 @@ const reflections = new WeakMap<Material, Color>();
 
 function reflect(this: Material, shader: WebGLProgramParametersWithUniforms): void {
   shader.uniforms.ambientReflection = { value: reflections.get(this) };
-  shader.fragmentShader = `uniform vec3 ambientReflection;\n${shader.fragmentShader.replace(
+  // the renderer's name for what the ambient colours of lights are multiplied by
+  shader.fragmentShader = `uniform vec3 ambientReflection;\n#define FAROL_AMBIENT_FACTOR ambientReflection\n${shader.fragmentShader.replace(
     AFTER,
     `${AFTER}\n\treflectedLight.indirectDiffuse *= ambientReflection;`,
   )}`;
@@ -18,7 +19,7 @@ export const hasAmbientReflection = (material: Material): boolean => material.on
 
 /**
  * Gives a material a colour of its own under ambient light (the ambient reflection of the thesis): a factor of what
- * three's has there, linear. White is as in three, and costs nothing.
+ * three's has there, and of the ambient colours of lights, linear. White is as in three, and costs nothing.
  */
 export function setAmbientReflection(material: Material, [r, g, b]: readonly [number, number, number]): void {
   if (r === 1 && g === 1 && b === 1) {

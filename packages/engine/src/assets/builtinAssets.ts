@@ -9,6 +9,7 @@ import {
 } from 'three';
 import { builtinTextures } from '../textures/builtinTextures';
 import type { AssetSource } from './Asset';
+import { builtinProfiles } from '../profiles/builtinProfiles';
 
 const mesh = (make: () => ReturnType<Extract<AssetSource, { make: unknown }>['make']>): AssetSource => ({
   type: 'mesh',
@@ -21,6 +22,8 @@ export const builtinAssets: Readonly<Record<string, AssetSource>> = {
   sphere: mesh(() => new SphereGeometry(0.5, 48, 24)),
   /** Faces up (+Y). */
   plane: mesh(() => new PlaneGeometry().rotateX(-Math.PI / 2)),
+  /** As `plane`, of 64 by 64 squares: for surfaces that move vertices. */
+  grid: mesh(() => new PlaneGeometry(1, 1, 64, 64).rotateX(-Math.PI / 2)),
   cylinder: mesh(() => new CylinderGeometry(0.5, 0.5, 1, 48)),
   cone: mesh(() => new ConeGeometry(0.5, 1, 48)),
   torus: mesh(() => new TorusGeometry(0.35, 0.15, 24, 64)),
@@ -29,4 +32,5 @@ export const builtinAssets: Readonly<Record<string, AssetSource>> = {
   /** A dragon made in code, 1 m long, standing on y = 0; `urls: { dragon }` of a library puts another in its place. */
   dragon: { type: 'mesh', load: async () => (await import('../geometry/dragon/dragonMesh')).dragonMesh() },
   ...builtinTextures,
+  ...builtinProfiles,
 };

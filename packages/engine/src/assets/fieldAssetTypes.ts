@@ -3,12 +3,14 @@ import { clipFields } from './ClipAsset';
 import type { FieldAssetType } from './FieldAsset';
 import { materialAssetFields } from './materialAssetFields';
 import { scriptFields } from './ScriptAsset';
+import { surfaceFields } from './SurfaceAsset';
 
 /** The fields of each type of assets that is made of fields. */
 export const fieldAssetFields: { readonly [T in FieldAssetType]: FieldTable } = {
   material: materialAssetFields,
   script: scriptFields,
   clip: clipFields,
+  surface: surfaceFields,
 };
 
 /** Whether assets of a type are made of fields. */

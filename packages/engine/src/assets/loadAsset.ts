@@ -14,11 +14,11 @@ export interface FetchOptions {
 export type FetchBytes = (url: string, options?: FetchOptions) => Promise<ArrayBuffer>;
 
 /** Types of assets that are read from files. */
-export type FileAssetType = Extract<AssetType, 'mesh' | 'texture' | 'model' | 'sound'>;
+export type FileAssetType = Extract<AssetType, 'mesh' | 'texture' | 'model' | 'sound' | 'profile' | 'bake'>;
 
 /** Endings of the files that can be read, for messages. */
 export const readableEndings =
-  '.glb, .gltf, .ply, .ply.gz, .png, .jpg, .webp, .ktx2, .hdr, .exr, .cube, .mp3, .ogg, .wav, .m4a and .flac';
+  '.glb, .gltf, .ply, .ply.gz, .png, .jpg, .webp, .ktx2, .hdr, .exr, .cube, .ies, .mp3, .ogg, .wav, .m4a and .flac';
 
 const limited: RequestInit = { credentials: 'omit', referrerPolicy: 'no-referrer', redirect: 'error' };
 
@@ -45,6 +45,8 @@ export function typeOfUrl(url: string): FileAssetType | null {
   if (/\.(glb|gltf)$/.test(path)) return 'model';
   if (/\.ply(\.gz)?$/.test(path)) return 'mesh';
   if (/\.(mp3|ogg|oga|opus|wav|m4a|flac)$/.test(path)) return 'sound';
+  if (path.endsWith('.ies')) return 'profile';
+  if (path.endsWith('.bake')) return 'bake';
   return /\.(png|jpe?g|webp|ktx2|hdr|exr|cube)$/.test(path) ? 'texture' : null;
 }
 
@@ -59,4 +61,9 @@ export interface ReadOptions {
 
 /** Whether assets of a type are read from files. */
 export const isFileAssetType = (type: AssetType | null): type is FileAssetType =>
-  type === 'mesh' || type === 'texture' || type === 'model' || type === 'sound';
+  type === 'mesh' ||
+  type === 'texture' ||
+  type === 'model' ||
+  type === 'sound' ||
+  type === 'profile' ||
+  type === 'bake';

@@ -10,6 +10,7 @@ import {
   NormalBlending,
   type Texture,
 } from 'three';
+import { setShading } from '@farol/renderer';
 import { hasAmbientReflection, setAmbientReflection } from './ambientReflection';
 import { isFieldVisible } from '../fields/isFieldVisible';
 import type { MaterialValues } from './materialFields';
@@ -75,6 +76,7 @@ export function writeMaterialValues(
 function writeLit(material: LitMaterial, values: Omit<MaterialValues, 'map' | 'normalMap' | 'repeat'>): void {
   material.normalScale.setScalar(values.normalScale);
   material.flatShading = values.shading === 'flat';
+  setShading(material, values.shading === 'gouraud' ? 'gouraud' : null);
   material.emissive.setRGB(...values.emissive);
   material.emissiveIntensity = values.emissiveIntensity;
   if (material instanceof MeshPhongMaterial) {

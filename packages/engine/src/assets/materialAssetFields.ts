@@ -1,7 +1,8 @@
 import type { FieldTable } from '../fields/Field';
-import { angle, boolean, choice, colour, number } from '../fields/fields';
+import { angle, asset, boolean, choice, colour, number } from '../fields/fields';
 import { materialFields, materialKinds } from './materialFields';
 import { fieldsOfMap, materialMapNames } from './materialMaps';
+import { surfaceValueFields } from './uniformFields';
 
 const lit = { visibleWhen: { field: 'kind', equals: ['standard', 'physical', 'phong', 'lambert'] } };
 const physical = { visibleWhen: { field: 'kind', equals: ['physical'] } };
@@ -138,4 +139,6 @@ export const materialAssetFields: FieldTable = {
     visibleWhen: { field: 'doubleSided', equals: [false] },
   }),
   ...Object.assign({}, ...materialMapNames.map(fieldsOfMap)),
+  surface: asset('surface', null, { help: 'GLSL that changes how it looks, and its shape.', label: 'Wears' }),
+  ...surfaceValueFields,
 };

@@ -24,8 +24,9 @@ export const materialFields = {
     ...lit,
   }),
   repeat: number(1, { min: 0.001, max: 10000, help: 'How many times textures repeat over the mesh.', ...made }),
-  shading: choice('smooth', ['smooth', 'flat'], {
-    help: 'Smooth: normals are interpolated (Phong shading). Flat: one normal for each triangle.',
+  shading: choice('smooth', ['smooth', 'gouraud', 'flat'], {
+    help: 'Phong: normals are interpolated. Gouraud: light is evaluated at the vertices. Flat: one normal for each triangle.',
+    optionLabels: { smooth: 'Phong', gouraud: 'Gouraud', flat: 'Flat' },
     ...lit,
   }),
   roughness: number(0.6, { min: 0, max: 1, step: 0.01, help: '0 is a mirror, 1 is chalk.', ...pbr }),

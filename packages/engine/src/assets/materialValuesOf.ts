@@ -80,7 +80,8 @@ export function materialValuesOf(
   all.doubleSided = material.side === DoubleSide;
   all.side = material.side === BackSide ? 'back' : 'front';
   if (kind !== 'basic') {
-    all.shading = material.flatShading ? 'flat' : 'smooth';
+    const { shading } = (material.userData.farol ?? {}) as { shading?: string };
+    all.shading = material.flatShading ? 'flat' : shading === 'gouraud' ? shading : 'smooth';
     all.emissive = rgb(material.emissive);
     Object.assign(all, normalsOf('normal', material.normalScale));
   }

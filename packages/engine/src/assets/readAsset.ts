@@ -1,4 +1,5 @@
 import { RepeatWrapping, SRGBColorSpace, Texture } from 'three';
+import { readBake } from '../bake/readBake';
 import { fitGeometry } from '../geometry/fitGeometry';
 import { parsePly } from '../geometry/parsePly';
 import type { Asset } from './Asset';
@@ -56,6 +57,12 @@ export async function readAsset(
 ): Promise<Asset> {
   if (bytes.byteLength === 0) throw new Error('the file is empty: choose it again.');
   if (type === 'sound') return new Sound(bytes);
+  if (type === 'profile') {
+    const { parseIES, PhotometricProfile } = await import('@farol/renderer/light-profiles');
+    // the standard has ASCII; names of makers are often Latin-1
+    return new PhotometricProfile(parseIES(new TextDecoder('latin1').decode(bytes)));
+  }
+  if (type === 'bake') return readBake(bytes);
   if (type === 'model') return readModel(bytes, options.renderer, options.signal);
   if (type === 'texture') {
     if (pathOf(path).endsWith('.cube')) return readCube(bytes);

@@ -5,6 +5,7 @@ import { checkGltf } from './checkGltf';
 import { checkModel } from './checkModel';
 import { checkImageSize } from './imageSize';
 import { makeKTX2Loader } from './makeKTX2Loader';
+import { restoreLights } from './lightExtras';
 import { Model } from './Model';
 import { binaryOf, type GltfJson, readGltfJson } from './readGltfJson';
 
@@ -97,6 +98,7 @@ export async function readModel(
     signal?.throwIfAborted();
     const { scene, animations } = await loader.parseAsync(bytes, '');
     signal?.throwIfAborted();
+    restoreLights(scene);
     await checkModel(scene, signal);
     return new Model(scene, animations);
   } catch (cause) {

@@ -2,10 +2,9 @@ import { type Object3D, Quaternion, Vector3 } from 'three';
 import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
 import type { GameObject, Scene } from '../core/SceneGraph';
 import { toVector3, type Vector3Input } from '../core/toVector3';
-import { component } from '../fields/component';
 import { characterFields } from '../physics/characterFields';
 import type { CharacterControl } from '../physics/CharacterControl';
-import { PhysicsSystem } from '../physics/PhysicsSystem';
+import { physicsComponent } from '../physics/physicsComponent';
 
 const UP = new Vector3(0, 1, 0);
 const RIGHT = new Vector3(1, 0, 0);
@@ -39,7 +38,7 @@ const alive = (value: number): number => (Math.abs(value) < DEAD_ZONE ? 0 : valu
  * is at its feet. Keys, gamepad and fingers lead it, and turn it with the camera below it; scripts lead it by `walk` and
  * `jump`. What it does is simulation: it is not saved, and `scene.reset()` undoes it.
  */
-export class CharacterController extends component(characterFields) {
+export class CharacterController extends physicsComponent(characterFields) {
   static override readonly typeName: string = 'CharacterController';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Walks by keys, gamepad or touch: steps, slopes, jumps.';
@@ -92,22 +91,14 @@ export class CharacterController extends component(characterFields) {
     this.control.teleport = toVector3(position, new Vector3());
   }
 
-  override onEnterScene(scene: Scene): void {
-    scene.system(PhysicsSystem).componentChanged(this);
-  }
-
   override onLeaveScene(scene: Scene): void {
     this.letGo();
-    scene.system(PhysicsSystem).componentChanged(this);
-  }
-
-  override onFieldChanged(): void {
-    this.scene?.system(PhysicsSystem).componentChanged(this);
+    super.onLeaveScene(scene);
   }
 
   override onActiveChanged(): void {
     if (!this.isActive) this.letGo();
-    this.scene?.system(PhysicsSystem).componentChanged(this);
+    super.onActiveChanged();
   }
 
   override start(): void {

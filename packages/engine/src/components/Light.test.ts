@@ -1,7 +1,8 @@
-import { DirectionalLight, HemisphereLight, PointLight, SpotLight, Vector3 } from 'three';
+import { DirectionalLight, HemisphereLight, PointLight, RectAreaLight, SpotLight, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
+import { isFieldVisible } from '../fields/isFieldVisible';
 import { Light } from './Light';
 
 function lamp(values: Parameters<GameObject['addComponent']>[1] = {}): Light {
@@ -66,6 +67,52 @@ describe('what three cannot say goes to userData.farol', () => {
     light.type = 'directional';
     light.attenuation = 'near-far';
     expect(light.three.userData.farol).toBeUndefined();
+  });
+});
+
+describe('a light with a shape', () => {
+  test('is a RectAreaLight of its width and height, that shines along the front', () => {
+    const light = lamp({ type: 'rectangle', width: 2, height: 0.5, intensity: 7, castShadow: true });
+    const three = light.three as RectAreaLight;
+    expect(three).toBeInstanceOf(RectAreaLight);
+    expect([three.width, three.height, three.intensity, three.castShadow]).toEqual([2, 0.5, 7, true]);
+    expect([light.isArea, light.reach]).toEqual([true, Infinity]);
+    light.castShadow = false;
+    expect(three.userData).toEqual({});
+    light.lookAt([1, 2, 3], [4, 4, 4]);
+    light.scene!.three.updateMatrixWorld();
+    const along = new Vector3(0, 0, -1).transformDirection(three.matrixWorld);
+    expect(along.distanceTo(light.direction)).toBeCloseTo(0, 9);
+  });
+
+  test('says by userData.farol what three cannot: disc, tube, and where it ends', () => {
+    const light = lamp({ type: 'tube', areaRange: 4 });
+    expect(light.three.userData.farol).toEqual({ shape: 'tube', range: 4 });
+    expect(light.reach).toBe(4);
+    light.type = 'disc';
+    light.areaRange = 0;
+    expect(light.three.userData.farol).toEqual({ shape: 'disc' });
+    light.castShadow = true;
+    light.shadowMapSize = 256;
+    light.shadowNormalBias = 0.1;
+    expect(light.three.userData.farol).toEqual({ shape: 'disc', shadowMapSize: 256, shadowNormalBias: 0.1 });
+    light.type = 'point';
+    expect([light.three.userData.farol, light.isArea]).toEqual([undefined, false]);
+  });
+
+  test.each([
+    ['rectangle', ['shadowMapSize', 'shadowNormalBias']],
+    ['tube', ['shadowMapSize', 'shadowNormalBias']],
+    ['point', ['shadowMapSize', 'shadowRadius', 'shadowBias', 'shadowNormalBias']],
+    ['directional', ['shadowMapSize', 'shadowRadius', 'shadowBias', 'shadowNormalBias', 'shadowExtent']],
+    ['ambient', []],
+  ])('a %s light shows the fields of shadows that it has', (type, names) => {
+    const light = lamp({ type, castShadow: true });
+    const shown = Object.entries(Light.fields).filter(
+      ([name]) =>
+        name.startsWith('shadow') && isFieldVisible(Light.fields, name, (other) => light[other as keyof Light]),
+    );
+    expect(shown.map(([name]) => name)).toEqual(names);
   });
 });
 

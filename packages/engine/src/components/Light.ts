@@ -4,16 +4,19 @@ import {
   type HemisphereLight,
   type Light as ThreeLight,
   PointLight,
+  RectAreaLight,
   SpotLight,
   Vector3,
 } from 'three';
+import { setLightProfile } from '@farol/renderer';
+import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { Scene } from '../core/SceneGraph';
 import { component } from '../fields/component';
 import { applyLightFields } from './applyLightFields';
 import { lightFields } from './lightFields';
 import { SkyLight } from './SkyLight';
 
-type AnyLight = AmbientLight | HemisphereLight | DirectionalLight | PointLight | SpotLight;
+type AnyLight = AmbientLight | HemisphereLight | DirectionalLight | PointLight | SpotLight | RectAreaLight;
 
 const makers: Record<string, () => AnyLight> = {
   ambient: () => new AmbientLight(),
@@ -21,6 +24,9 @@ const makers: Record<string, () => AnyLight> = {
   directional: () => new DirectionalLight(),
   point: () => new PointLight(),
   spot: () => new SpotLight(),
+  rectangle: () => new RectAreaLight(),
+  disc: () => new RectAreaLight(),
+  tube: () => new RectAreaLight(),
 };
 
 const softened = new WeakSet<Scene>();
@@ -36,16 +42,19 @@ function followSoftness(scene: Scene): void {
 }
 
 /**
- * Lets a GameObject light the scene. It owns a three light below the object's object3D. Directional and spot lights
- * shine along the object's front (-Z). What three's lights cannot say, the thesis's attenuations and extra colours,
- * goes to `three.userData.farol`, which @farol/renderer reads.
+ * Lets a GameObject light the scene. It owns a three light below the object's object3D. Directional and spot lights,
+ * rectangles and discs shine along the object's front (-Z); a tube lies along its X. What three's lights cannot say, the
+ * thesis's attenuations, extra colours and shapes, goes to `three.userData.farol`, which @farol/renderer reads.
  */
 export class Light extends component(lightFields) {
   static override readonly typeName: string = 'Light';
   static override readonly unique: boolean = true;
-  static override readonly help: string = 'Ambient, hemisphere, directional, point or spot light.';
+  static override readonly help: string =
+    'Ambient, hemisphere, directional, point or spot light, or one that shines from a rectangle, a disc or a tube.';
 
   private light: AnyLight | null = null;
+  /** The photometric profile that is waited for. */
+  private waitsFor: string | null = null;
 
   /** The three light; another one after a change of `type`. @throws Error when the component is on no GameObject */
   get three(): ThreeLight {
@@ -63,8 +72,14 @@ export class Light extends component(lightFields) {
     return this.gameObject.transform.front;
   }
 
+  /** Whether the light shines from a rectangle, a disc or a tube, of `width` and `height`. */
+  get isArea(): boolean {
+    return this.type === 'rectangle' || this.type === 'disc' || this.type === 'tube';
+  }
+
   /** How far the light reaches in metres; Infinity where it has no end. */
   get reach(): number {
+    if (this.isArea) return this.areaRange || Infinity;
     if (this.type !== 'point' && this.type !== 'spot') return Infinity;
     if (this.attenuation === 'near-far') return this.far;
     return this.range > 0 ? this.range : Infinity;
@@ -85,28 +100,59 @@ export class Light extends component(lightFields) {
 
   override onEnterScene(scene: Scene): void {
     followSoftness(scene);
-    if (scene.settings.shadowSoftness !== 1) this.applyFields();
+    this.onActiveChanged();
+    if (scene.settings.shadowSoftness !== 1 || this.profile !== null) this.applyFields();
+  }
+
+  override onLeaveScene(): void {
+    this.waitsFor = null;
   }
 
   override onActiveChanged(): void {
-    if (this.light) this.light.visible = this.enabled;
+    if (this.light) this.light.visible = this.isDrawn;
   }
 
   override onFieldChanged(name: string): void {
-    if (name === 'type') this.makeLight();
+    if (name === 'mode') this.onActiveChanged();
+    else if (name === 'type') this.makeLight();
     else this.applyFields();
   }
 
   /** @internal Writes all fields to the three light. */
   applyFields(): void {
-    applyLightFields(this, this.three, this.scene?.settings.shadowSoftness);
+    const { three } = this;
+    applyLightFields(this, three, this.scene?.settings.shadowSoftness);
+    if (!(three instanceof PointLight || three instanceof SpotLight)) return;
+    const profile = this.takeProfile();
+    setLightProfile(three, profile?.texture ?? null);
+    if (profile && this.profileIntensity) three.intensity *= profile.maximumIntensity;
+  }
+
+  /** The profile of the library that is named; null where none is, and until it is loaded. */
+  private takeProfile(): PhotometricProfile | null {
+    const { scene, profile: name } = this;
+    if (!scene || name === null) return null;
+    if (scene.assets.isReady('profile', name)) return scene.assets.profile(name);
+    if (this.waitsFor === name) return null;
+    this.waitsFor = name;
+    scene.assets.whenReady('profile', name, () => {
+      if (this.waitsFor !== name) return;
+      this.waitsFor = null;
+      if (this.scene === scene && this.light) this.applyFields();
+    });
+    return null;
+  }
+
+  /** Light that was baked is not drawn besides. */
+  private get isDrawn(): boolean {
+    return this.enabled && !(this.mode === 'baked' && this.scene?.baked.hides(this.id));
   }
 
   private makeLight(): void {
     this.dropLight();
     const light = makers[this.type]();
     light.position.set(0, 0, 0);
-    light.visible = this.enabled;
+    light.visible = this.isDrawn;
     if (light instanceof DirectionalLight || light instanceof SpotLight) {
       light.target.position.set(0, 0, -1);
       light.add(light.target);

@@ -1,12 +1,16 @@
-import type { Light as ThreeLight, Object3D } from 'three';
+import type { Light as ThreeLight, Material, Mesh, Object3D } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { LoopedClip } from '../animation/LoopedClip';
 import type { Model } from '../assets/Model';
 import type { Scene } from '../core/SceneGraph';
+import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';
 import { component } from '../fields/component';
+import type { FieldViews } from '../fields/FieldOwner';
 import { asset, boolean, number, string } from '../fields/fields';
 
 type Light = ThreeLight & { target?: Object3D };
+
+const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
 
 /** A copy of a model's tree, by what it is a copy of. Lights aim at the copies of what they aim at, which three's own copies do not. */
 function copiesOf(source: Object3D): Map<Object3D, Object3D> {
@@ -33,6 +37,12 @@ export class ModelRenderer extends component({
   model: asset('model', null, { help: 'The model that is drawn.' }),
   castShadow: boolean(true, { help: 'Whether it throws shadows.', label: 'Cast shadow' }),
   receiveShadow: boolean(true, { help: 'Whether shadows fall on it.', label: 'Receive shadow' }),
+  ...objectSurfaceFields,
+  surfaceMaterial: string('', {
+    choices: 'materials',
+    help: 'The material of the model whose parts wear the surface; all of them when none is chosen.',
+    label: 'On material',
+  }),
   animation: string('', {
     choices: 'animations',
     help: 'The clip that plays while the scene plays.',
@@ -50,6 +60,12 @@ export class ModelRenderer extends component({
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A whole model, such as a glTF; an Animation plays its clips.';
 
+  private readonly worn = new ObjectSurface(
+    this,
+    ModelRenderer.fields,
+    () => this.applyFlags(),
+    () => this.fitBounds(),
+  );
   private inUse: Model | null = null;
   private copies: ReadonlyMap<Object3D, Object3D> = new Map();
   private copy: Object3D | null = null;
@@ -75,6 +91,20 @@ export class ModelRenderer extends component({
     return this.inUse?.animations.map(({ name }) => name) ?? [];
   }
 
+  /** Names of the materials that the model has. */
+  get materials(): string[] {
+    const names = new Set<string>();
+    this.inUse?.scene.traverse((object) => {
+      if (isMesh(object)) for (const { name } of [object.material].flat()) if (name) names.add(name);
+    });
+    return [...names];
+  }
+
+  /** @internal */
+  get fieldViews(): FieldViews | undefined {
+    return this.worn?.views;
+  }
+
   override onEnterScene(): void {
     this.refresh();
   }
@@ -84,10 +114,15 @@ export class ModelRenderer extends component({
   }
 
   override onFieldChanged(name: string): void {
-    if (!this.scene) return;
+    if (!this.scene || this.worn.fieldChanged(name)) return;
     if (name === 'model') this.refresh();
     else if (name === 'animation') this.startAnimation();
     else this.applyFlags();
+  }
+
+  override endSimulation(): void {
+    super.endSimulation();
+    if (this.scene) this.worn.simulationEnded();
   }
 
   override onActiveChanged(): void {
@@ -136,10 +171,32 @@ export class ModelRenderer extends component({
       object.castShadow = this.castShadow;
       object.receiveShadow = this.receiveShadow;
     });
+    this.dress();
+    this.scene?.baked.dress(this.id, copy);
+    this.fitBounds();
+  }
+
+  /** Gives the parts the model's materials, with the surface over those that wear it. */
+  private dress(): void {
+    if (!this.scene) return;
+    const { surfaceMaterial } = this;
+    this.worn.dress(this.scene, (wear) => {
+      const drawn = (source: Material): Material =>
+        surfaceMaterial === '' || source.name === surfaceMaterial ? wear(source) : source;
+      for (const [from, to] of this.copies)
+        if (isMesh(from))
+          (to as Mesh).material = Array.isArray(from.material) ? from.material.map(drawn) : drawn(from.material);
+    });
+  }
+
+  private fitBounds(): void {
+    for (const [from, to] of this.copies) if (isMesh(from)) fitBounds(to as Mesh, from.frustumCulled);
   }
 
   private clear(scene: Scene): void {
     this.looped = null;
+    this.worn.end(scene);
+    if (this.copy) scene.baked.undress(this.copy);
     this.copy?.removeFromParent();
     this.copy = null;
     this.copies = new Map();

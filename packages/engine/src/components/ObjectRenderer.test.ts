@@ -73,6 +73,7 @@ describe('materials', () => {
     };
     const { uniforms, fragmentShader } = compile();
     expect(fragmentShader).toContain('indirectDiffuse *= ambientReflection');
+    expect(fragmentShader).toContain('#define FAROL_AMBIENT_FACTOR ambientReflection\n');
     const { version } = material;
     renderer.ambient = [0, 1, 0];
     expect(uniforms.ambientReflection.value).toEqual(new Color(0, 1, 0));

@@ -1,8 +1,11 @@
 import { type BufferGeometry, type Material, Mesh } from 'three';
 import { creaseAngleField, materialFields } from '../assets/materialFields';
 import { component } from '../fields/component';
+import type { FieldViews } from '../fields/FieldOwner';
 import { asset, boolean } from '../fields/fields';
 import type { Scene } from '../core/SceneGraph';
+import { shapeOf } from '../core/ShapeSource';
+import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';
 import { instanceGroupsOf } from './instances/InstanceGroups';
 
 /** Fields that only choose flags of the mesh. */
@@ -27,11 +30,19 @@ export class ObjectRenderer extends component({
     visibleWhen: { field: 'shader', equals: [null] },
   }),
   ...materialFields,
+  ...objectSurfaceFields,
+  surface: { ...objectSurfaceFields.surface, visibleWhen: { field: 'shader', equals: [null] } },
 }) {
   static override readonly typeName: string = 'ObjectRenderer';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A mesh with a material.';
 
+  private readonly worn = new ObjectSurface(
+    this,
+    ObjectRenderer.fields,
+    () => this.refreshMaterial(),
+    () => this.mesh3D && fitBounds(this.mesh3D),
+  );
   private mesh3D: Mesh | null = null;
   private geometryInUse: BufferGeometry | null = null;
   private ownMaterial: Material | null = null;
@@ -53,6 +64,11 @@ export class ObjectRenderer extends component({
     return this.geometryInUse;
   }
 
+  /** @internal */
+  get fieldViews(): FieldViews | undefined {
+    return this.worn?.views;
+  }
+
   override onEnterScene(): void {
     this.refreshGeometry();
   }
@@ -62,14 +78,24 @@ export class ObjectRenderer extends component({
   }
 
   override onFieldChanged(name: string): void {
-    if (!this.scene) return;
+    if (!this.scene || this.worn.fieldChanged(name)) return;
     if (name === 'mesh' || name === 'creaseAngle') this.refreshGeometry();
     else if (flags.has(name) && !this.inGroup) this.applyFlags();
     else this.refreshMaterial();
   }
 
+  override endSimulation(): void {
+    super.endSimulation();
+    if (this.scene) this.worn.simulationEnded();
+  }
+
   override onActiveChanged(): void {
     this.applyFlags();
+  }
+
+  /** A component of the object has another shape, has come or has gone. @internal */
+  shapeChanged(): void {
+    this.refreshGeometry();
   }
 
   /** @internal */
@@ -83,6 +109,11 @@ export class ObjectRenderer extends component({
     if (!scene) return;
     this.waiting?.abort();
     this.waiting = null;
+    const own = shapeOf(this.gameObject.components);
+    if (own) {
+      this.show(scene, own, null);
+      return;
+    }
     if (mesh !== null && !scene.assets.isReady('mesh', mesh)) {
       this.clear(scene);
       scene.assets.whenReady('mesh', mesh, () => {
@@ -100,7 +131,11 @@ export class ObjectRenderer extends component({
       scene.assets.prepareMesh(mesh, this.creaseAngle, waiting.signal).then(again, () => {});
       return;
     }
-    const geometry = mesh === null ? null : scene.assets.mesh(mesh, this.creaseAngle);
+    this.show(scene, mesh === null ? null : scene.assets.mesh(mesh, this.creaseAngle), mesh);
+  }
+
+  /** Draws a geometry. @param mesh the mesh that it is of; null for none of the library */
+  private show(scene: Scene, geometry: BufferGeometry | null, mesh: string | null): void {
     if (geometry === this.geometryInUse && geometry) return;
     if (geometry) scene.assets.uses.acquire(geometry);
     this.clear(scene);
@@ -115,10 +150,11 @@ export class ObjectRenderer extends component({
     if (!scene || !geometry) return;
     if (this.inGroup) instanceGroupsOf(scene).remove(this);
     this.inGroup = false;
-    const material = this.takeMaterial(scene);
+    const source = this.takeMaterial(scene);
+    let material = source;
+    this.worn.dress(scene, (wear) => (material = wear(source)));
     if (this.instanced) {
-      this.mesh3D?.removeFromParent();
-      this.mesh3D = null;
+      this.dropMesh(scene);
       this.inGroup = true;
       instanceGroupsOf(scene).add(this, geometry, material);
     } else if (this.mesh3D) {
@@ -169,6 +205,15 @@ export class ObjectRenderer extends component({
     mesh.visible = this.enabled && this.render;
     mesh.castShadow = this.castShadow;
     mesh.receiveShadow = this.receiveShadow;
+    this.scene?.baked.dress(this.id, mesh);
+    fitBounds(mesh);
+  }
+
+  private dropMesh(scene: Scene): void {
+    if (!this.mesh3D) return;
+    scene.baked.undress(this.mesh3D);
+    this.mesh3D.removeFromParent();
+    this.mesh3D = null;
   }
 
   private watch(scene: Scene, material: string | null): void {
@@ -189,8 +234,8 @@ export class ObjectRenderer extends component({
     this.shown = null;
     if (this.inGroup) instanceGroupsOf(scene).remove(this);
     this.inGroup = false;
-    this.mesh3D?.removeFromParent();
-    this.mesh3D = null;
+    this.dropMesh(scene);
+    this.worn.end(scene);
     this.releaseMaterial(scene);
     this.watch(scene, null);
     if (this.geometryInUse) scene.assets.uses.release(this.geometryInUse);

@@ -1,10 +1,8 @@
 import { type Quaternion, Vector3 } from 'three';
-import type { Scene } from '../core/SceneGraph';
 import { toVector3, type Vector3Input } from '../core/toVector3';
-import { component } from '../fields/component';
 import type { BodyControl } from '../physics/BodyControl';
 import { rigidBodyFields } from '../physics/rigidBodyFields';
-import { PhysicsSystem } from '../physics/PhysicsSystem';
+import { physicsComponent } from '../physics/physicsComponent';
 
 /**
  * Makes an object a body of the scene's physics, with the Colliders of the object and of those below it. While the scene
@@ -12,7 +10,7 @@ import { PhysicsSystem } from '../physics/PhysicsSystem';
  * scripts, and pushes others; a fixed one stays. What it does is simulation: it is not saved, and `scene.reset()` undoes it.
  * Its methods may be called from `start` on; what is asked before the physics have begun waits for them.
  */
-export class RigidBody extends component(rigidBodyFields) {
+export class RigidBody extends physicsComponent(rigidBodyFields) {
   static override readonly typeName: string = 'RigidBody';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A body that falls, is pushed, or pushes others.';
@@ -98,22 +96,6 @@ export class RigidBody extends component(rigidBodyFields) {
   teleport(position: Vector3Input, rotation?: Quaternion): void {
     const [place, turn] = [toVector3(position, new Vector3()), rotation?.clone() ?? null];
     this.whenThere((body) => body.teleport(place, turn));
-  }
-
-  override onEnterScene(scene: Scene): void {
-    scene.system(PhysicsSystem).componentChanged(this);
-  }
-
-  override onLeaveScene(scene: Scene): void {
-    scene.system(PhysicsSystem).componentChanged(this);
-  }
-
-  override onFieldChanged(): void {
-    this.scene?.system(PhysicsSystem).componentChanged(this);
-  }
-
-  override onActiveChanged(): void {
-    this.scene?.system(PhysicsSystem).componentChanged(this);
   }
 
   override onDestroy(): void {

@@ -3,6 +3,7 @@ import {
   HemisphereLight,
   type Light as ThreeLight,
   PointLight,
+  RectAreaLight,
   SpotLight,
   type OrthographicCamera,
 } from 'three';
@@ -58,6 +59,20 @@ function applyShadow(values: LightValues, light: DirectionalLight | PointLight |
   camera.updateProjectionMatrix();
 }
 
+function applyArea(values: LightValues, light: RectAreaLight): void {
+  light.width = values.width;
+  light.height = values.height;
+  light.castShadow = values.castShadow;
+  const data: FarolLightData = {};
+  if (values.type === 'disc' || values.type === 'tube') data.shape = values.type;
+  if (values.areaRange > 0) data.range = values.areaRange;
+  if (values.castShadow) {
+    data.shadowMapSize = values.shadowMapSize;
+    data.shadowNormalBias = values.shadowNormalBias;
+  }
+  if (Object.keys(data).length > 0) light.userData.farol = data;
+}
+
 /**
  * Writes the fields of a Light to the three light of its type.
  * @param softness - factor of `shadowRadius`
@@ -67,6 +82,7 @@ export function applyLightFields(values: LightValues, light: ThreeLight, softnes
   light.intensity = values.intensity;
   delete light.userData.farol;
   if (light instanceof HemisphereLight) light.groundColor.setRGB(...values.groundColour);
+  if (light instanceof RectAreaLight) applyArea(values, light);
   if (!(light instanceof DirectionalLight || light instanceof PointLight || light instanceof SpotLight)) return;
   const extra = extraData(values);
   if (extra) light.userData.farol = extra;

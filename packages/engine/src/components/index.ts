@@ -15,8 +15,11 @@ import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
 import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
+import { ParticleEmitter } from './ParticleEmitter';
 import { RandomMovement } from './RandomMovement';
 import { RigidBody } from './RigidBody';
+import { Room } from './Room';
+import { Wall } from './Wall';
 
 /** The built-in components, in the order of the Add menu. */
 const components = [
@@ -28,6 +31,9 @@ const components = [
   Light,
   Camera,
   Decal,
+  Wall,
+  Room,
+  ParticleEmitter,
   KeyController,
   MouseController,
   RandomMovement,

@@ -1,16 +1,29 @@
-import { angle, boolean, choice, colour, number } from '../fields/fields';
+import { angle, asset, boolean, choice, colour, number } from '../fields/fields';
 
 const withPlace = { visibleWhen: { field: 'type', equals: ['point', 'spot'] } };
 const withDirectColour = { visibleWhen: { field: 'type', equals: ['directional', 'point', 'spot'] } };
 const spot = { visibleWhen: { field: 'type', equals: ['spot'] } };
-const shadow = { visibleWhen: { field: 'castShadow', equals: [true] }, group: 'Shadow' };
+const withArea = { visibleWhen: { field: 'type', equals: ['rectangle', 'disc', 'tube'] } };
+const withShadow = { field: 'type', equals: ['directional', 'point', 'spot', 'rectangle', 'disc', 'tube'] };
+const casts = { field: 'castShadow', equals: [true] };
+const shadow = { visibleWhen: casts, group: 'Shadow' };
+/** Shadows of shapes are as soft as those are large. */
+const hardShadow = {
+  visibleWhen: { ...casts, and: { field: 'type', equals: ['directional', 'point', 'spot'] } },
+  group: 'Shadow',
+};
+const baked = { field: 'mode', equals: ['mixed', 'baked'] };
 const fading = { group: 'Fading' };
 const nearFar = { visibleWhen: { field: 'attenuation', equals: ['near-far'] }, ...fading };
 const polynomial = { visibleWhen: { field: 'attenuation', equals: ['polynomial'] }, ...fading };
+const unitOf = (unit: string, ...types: string[]) => Object.fromEntries(types.map((type) => [type, { unit }]));
+const nits = unitOf('nt', 'rectangle', 'disc', 'tube');
 
 /** The fields of a Light (thesis 3.2.5.3, with three's physical falloff beside its two attenuations). */
 export const lightFields = {
-  type: choice('point', ['ambient', 'hemisphere', 'directional', 'point', 'spot'], { help: 'How the light spreads.' }),
+  type: choice('point', ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rectangle', 'disc', 'tube'], {
+    help: 'How the light spreads.',
+  }),
   diffuse: colour([1, 1, 1], { help: 'Colour of the light; of the sky, for a hemisphere.', label: 'Colour' }),
   groundColour: colour([0.1, 0.08, 0.06], {
     help: 'Light from below.',
@@ -18,10 +31,60 @@ export const lightFields = {
     visibleWhen: { field: 'type', equals: ['hemisphere'] },
   }),
   intensity: number(1, {
-    unit: 'cd or lx',
+    unit: 'cd or lx or nt',
+    unitBy: {
+      field: 'type',
+      units: {
+        ...{ ambient: 'lx', hemisphere: 'lx', directional: 'lx', point: 'cd', spot: 'cd' },
+        ...{ rectangle: 'nt', disc: 'nt', tube: 'nt' },
+      },
+    },
     min: 0,
     step: 0.1,
-    help: 'Candela for point and spot lights, lux for the others; multiplies every colour of the light.',
+    variants: {
+      field: 'type',
+      of: { ...unitOf('lx', 'ambient', 'hemisphere', 'directional'), ...unitOf('cd', 'point', 'spot'), ...nits },
+    },
+    help: 'Candela for point and spot lights, nits (cd/m²) for rectangles, discs and tubes, lux for the others; multiplies every colour of the light.',
+  }),
+  width: number(1, {
+    unit: 'm',
+    min: 0.001,
+    step: 0.05,
+    variants: { field: 'type', of: { tube: { label: 'Length' } } },
+    help: 'Width of the shape that shines; of a tube: its length.',
+    ...withArea,
+  }),
+  height: number(1, {
+    unit: 'm',
+    min: 0.001,
+    step: 0.05,
+    variants: { field: 'type', of: { tube: { label: 'Thickness' } } },
+    help: 'Height of the shape that shines; of a tube: how thick it is.',
+    ...withArea,
+  }),
+  areaRange: number(0, {
+    unit: 'm',
+    min: 0,
+    step: 0.1,
+    help: 'Distance from the shape where the light ends, fading from half of it on; 0: where it gives next to nothing.',
+    label: 'Range',
+    ...withArea,
+  }),
+  profile: asset('profile', null, {
+    help: 'Photometric file of a luminaire: how much light it gives in which direction.',
+    group: 'Profile',
+    ...withPlace,
+  }),
+  profileIntensity: boolean(false, {
+    help: 'Shine as brightly as the file says: the intensity is then a factor, 1 for that of the file.',
+    label: 'Brightness of the file',
+    group: 'Profile',
+    ...withPlace,
+  }),
+  mode: choice('realtime', ['realtime', 'mixed', 'baked'], {
+    help: 'Baked light is in lightmaps and probes and costs nothing; of a mixed light only what surfaces reflect is baked.',
+    optionLabels: { realtime: 'Realtime', mixed: 'Mixed', baked: 'Baked' },
   }),
   ambient: colour([0, 0, 0], {
     help: 'Light added to every surface in reach, whichever way it faces.',
@@ -81,11 +144,30 @@ export const lightFields = {
   constant: number(1, { min: 0, step: 0.05, help: 'c in 1 / (c + l d + q d²).', ...polynomial }),
   linear: number(0, { unit: '1/m', min: 0, step: 0.05, help: 'l in 1 / (c + l d + q d²).', ...polynomial }),
   quadratic: number(1, { unit: '1/m²', min: 0, step: 0.05, help: 'q in 1 / (c + l d + q d²).', ...polynomial }),
+  bakedRadius: number(0.05, {
+    unit: 'm',
+    min: 0,
+    max: 10,
+    step: 0.01,
+    help: 'Radius of what shines: the larger, the softer are its baked shadows.',
+    label: 'Source radius',
+    group: 'Baking',
+    visibleWhen: { ...baked, and: { field: 'type', equals: ['point', 'spot'] } },
+  }),
+  bakedAngle: angle(0.01, {
+    min: 0,
+    max: 1,
+    step: 0.01,
+    help: 'Angle that the source covers, 0.5° for the sun: the larger, the softer are its baked shadows.',
+    label: 'Source angle',
+    group: 'Baking',
+    visibleWhen: { ...baked, and: { field: 'type', equals: ['directional'] } },
+  }),
   castShadow: boolean(false, {
     help: 'Whether objects throw shadows in it.',
     label: 'Cast shadow',
     group: 'Shadow',
-    ...withDirectColour,
+    visibleWhen: withShadow,
   }),
   shadowMapSize: number(1024, {
     unit: 'texels',
@@ -103,7 +185,7 @@ export const lightFields = {
     step: 0.1,
     help: 'How far the edges of shadows are blurred.',
     label: 'Shadow softness',
-    ...shadow,
+    ...hardShadow,
   }),
   shadowBias: number(-0.0005, {
     min: -0.1,
@@ -111,7 +193,7 @@ export const lightFields = {
     step: 0.0001,
     help: 'Depth by which shadows are moved.',
     label: 'Shadow bias',
-    ...shadow,
+    ...hardShadow,
   }),
   shadowNormalBias: number(0.02, {
     unit: 'm',
@@ -127,6 +209,7 @@ export const lightFields = {
     min: 0.01,
     help: 'Half the width of what a directional light throws shadows in.',
     label: 'Shadow extent',
-    ...shadow,
+    group: 'Shadow',
+    visibleWhen: { ...casts, and: { field: 'type', equals: ['directional'] } },
   }),
 };

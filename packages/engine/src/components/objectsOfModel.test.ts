@@ -13,6 +13,7 @@ import {
   type Object3D,
   PerspectiveCamera,
   PointLight,
+  RectAreaLight,
   SkinnedMesh,
   SpotLight,
   SRGBColorSpace,
@@ -33,6 +34,7 @@ import { randomFieldValue } from '../fields/randomFieldValue';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
 import { Animator } from './Animator';
+import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
 import { objectsOfModel, whatKeepsTogether } from './objectsOfModel';
 
@@ -236,6 +238,7 @@ test.each([1, 2, 3, 4, 5])('any material of fields gives its fields back, seed %
   const material = new MaterialAsset(assets, 'Any', { kind });
   for (const [name, field] of Object.entries(materialAssetFields)) {
     if (name === 'kind' || name === 'ambient') continue;
+    if (field.kind === 'asset' && field.assetType !== 'texture') continue;
     material.set(name, randomFieldValue(field, random, ['brick', 'stone', 'wood']));
   }
   material.set('transparent', true);
@@ -243,4 +246,18 @@ test.each([1, 2, 3, 4, 5])('any material of fields gives its fields back, seed %
   const values = materialValuesOf(material.three, (texture) => textures.get(texture.source) ?? null)!;
   const again = new MaterialAsset(assets, 'Again', values);
   expect(materialFacts(again.three)).toEqual(materialFacts(material.three));
+});
+
+test('a RectAreaLight and the extras of an exported light become lights with a shape; other extras do not', () => {
+  const rectangle = new RectAreaLight(0xff0000, 3, 2, 0.5);
+  const exported = new Group();
+  exported.userData.farolLight = { type: 'tube', width: 1.5, height: -1, intensity: 8, other: 1 };
+  const stray = new Group();
+  stray.userData.farolLight = { type: 'spot', intensity: 'bright' };
+  const model = new Model(new Group().add(rectangle, exported, stray), []);
+  const lights = objectsOfModel(model, new AssetLibrary(), 'm').objects.map((each) => each.getComponent(Light));
+  expect(lights[0]).toMatchObject({ type: 'rectangle', diffuse: [1, 0, 0], intensity: 3, width: 2, height: 0.5 });
+  // what is not allowed is as new
+  expect(lights[1]).toMatchObject({ type: 'tube', width: 1.5, height: 1, intensity: 8 });
+  expect(lights[2]).toBeNull();
 });

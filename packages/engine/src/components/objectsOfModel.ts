@@ -6,14 +6,17 @@ import {
   type Object3D,
   type OrthographicCamera,
   type PerspectiveCamera,
+  type RectAreaLight,
   type SpotLight,
   type Texture,
 } from 'three';
+import type { FarolLightData } from '@farol/renderer';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { materialValuesOf } from '../assets/materialValuesOf';
 import type { Model } from '../assets/Model';
 import { modelParts } from '../assets/modelParts';
 import { GameObject } from '../core/GameObject';
+import { checkFieldValue } from '../fields/checkFieldValue';
 import type { FieldValue } from '../fields/Field';
 import { sameValue } from '../fields/FieldOwner';
 import { Camera } from './Camera';
@@ -37,6 +40,8 @@ export interface UnpackOptions {
   readonly castShadow?: boolean;
   /** Default true. */
   readonly receiveShadow?: boolean;
+  /** Values of the ObjectRenderers of one material of the model, by its name, or of all of them: the surface that it wears. */
+  readonly wears?: { readonly material: string; readonly values: Values };
 }
 
 type Flags = Object3D & {
@@ -73,7 +78,7 @@ export function objectsOfModel(
   model: Model,
   assets: AssetLibrary,
   name: string,
-  { materialFolder = '', castShadow = true, receiveShadow = true }: UnpackOptions = {},
+  { materialFolder = '', castShadow = true, receiveShadow = true, wears }: UnpackOptions = {},
 ): ObjectsOfModel {
   const parts = modelParts(model, name);
   const made = new Map<Material, string | null>();
@@ -112,12 +117,15 @@ export function objectsOfModel(
         ['isShaderMaterial' in first ? 'shader' : 'material']: nameOfMaterial(first),
         castShadow,
         receiveShadow,
+        ...(wears && (wears.material === '' || wears.material === first.name) ? wears.values : {}),
       });
     }
     if (object.isLight) {
       const values = lightValues(object as unknown as ThreeLight);
       if (values) gameObject.addComponent(Light, values);
     }
+    const shape = shapeLightValues(object.userData.farolLight);
+    if (shape) gameObject.addComponent(Light, shape);
     if (object.isCamera) gameObject.addComponent(Camera, cameraValues(object as unknown as PerspectiveCamera));
     for (const child of object.children) {
       if (child !== (object as unknown as DirectionalLight).target) gameObject.add(convert(child));
@@ -137,6 +145,7 @@ const lightTypes = {
   DirectionalLight: 'directional',
   PointLight: 'point',
   SpotLight: 'spot',
+  RectAreaLight: 'rectangle',
 } as const;
 
 /** The fields of a Light that shines as a light of three's; null for a kind that there is none of. */
@@ -149,14 +158,47 @@ function lightValues(light: ThreeLight): Record<string, FieldValue> | null {
     intensity: light.intensity,
   };
   if (type === 'point' || type === 'spot') {
-    const { distance, decay } = light as SpotLight;
-    Object.assign(values, { range: distance, decay });
+    const { distance, decay, userData } = light as SpotLight;
+    // those of another attenuation are three's nearest to it, and no fields
+    const isPhysical = (userData.farol as FarolLightData | undefined)?.attenuation === undefined;
+    if (isPhysical) Object.assign(values, { range: distance, decay });
+  }
+  if (type === 'rectangle') {
+    const { width, height, userData } = light as RectAreaLight;
+    const { shape, range = 0 } = (userData.farol ?? {}) as FarolLightData;
+    Object.assign(values, { type: shape ?? type, width, height, areaRange: range });
   }
   if (type === 'spot') {
     const { angle, penumbra } = light as SpotLight;
     Object.assign(values, { cutoff: Math.min(Math.PI / 2, Math.max(0.01, angle)), penumbra });
   }
+  return { ...values, ...ownValues(light.userData.farol as FarolLightData | undefined) };
+}
+
+/** The fields of a Light for what only a light of Farol's has. */
+function ownValues({ ambient, specular, spotExponent, attenuation }: FarolLightData = {}): Record<string, FieldValue> {
+  const values: Record<string, FieldValue> = {};
+  if (ambient) values.ambient = ambient;
+  if (specular) Object.assign(values, { ownSpecular: true, specular });
+  if (spotExponent) values.exponent = Math.min(1000, spotExponent);
+  if (!attenuation) return values;
+  const { kind, ...numbers } = attenuation;
+  Object.assign(values, { attenuation: kind, ...numbers });
+  if (kind === 'near-far') values.far = Math.max(0.001, values.far as number);
   return values;
+}
+
+const SHAPE_FIELDS = ['type', 'width', 'height', 'diffuse', 'intensity', 'areaRange'] as const;
+
+/** The fields of a Light with a shape, of the extras that the editor's glTF export gives a node; null where they are none. */
+function shapeLightValues(extras: unknown): Record<string, FieldValue> | null {
+  if (typeof extras !== 'object' || extras === null) return null;
+  const values: Record<string, FieldValue> = {};
+  for (const name of SHAPE_FIELDS) {
+    const value = (extras as Record<string, unknown>)[name];
+    if (checkFieldValue(Light.fields[name], value) === null) values[name] = value as FieldValue;
+  }
+  return ['rectangle', 'disc', 'tube'].includes(values.type as string) ? values : null;
 }
 
 function cameraValues(camera: PerspectiveCamera | OrthographicCamera): Record<string, FieldValue> {

@@ -18,6 +18,7 @@ interface ObjectRecord {
   readonly name: string;
   readonly active: boolean;
   readonly locked: boolean;
+  readonly isStatic: boolean;
   readonly tags: readonly string[];
   readonly prefabLink: GameObject['prefabLink'];
 }
@@ -28,9 +29,13 @@ const recordOf = (object: GameObject): ObjectRecord => ({
   name: object.name,
   active: object.active,
   locked: object.locked,
+  isStatic: object.isStatic,
   tags: object.tags,
   prefabLink: object.prefabLink,
 });
+
+/** Texts that are typed while the scene plays stay. */
+const staysAsTyped = (type: string): boolean => type === 'script' || type === 'surface';
 
 /**
  * What a scene is made of at a moment, so that all that code changes afterwards can be taken back: objects and components
@@ -68,7 +73,7 @@ export class AuthoredState {
     if (change.kind === 'field') this.noteField(change.component, change.field, change.before);
     else if (change.kind === 'settings') this.noteField(this.scene.settings, change.field, change.before);
     else if (change.kind === 'asset') {
-      if (change.asset.type !== 'script') this.noteField(change.asset, change.field, change.before);
+      if (!staysAsTyped(change.asset.type)) this.noteField(change.asset, change.field, change.before);
     } else {
       this.isTouched = true;
       // out of the scene it tells no more of what is set
@@ -114,7 +119,8 @@ export class AuthoredState {
   }
 
   private readonly noteAll = (component: Component): void => {
-    for (const name of Object.keys(component.fields)) this.noteField(component, name, component.getAuthored(name));
+    for (const [name, { viewOf }] of Object.entries(component.fields))
+      if (viewOf === undefined) this.noteField(component, name, component.getAuthored(name));
   };
 
   private noteField(owner: FieldOwner, name: string, before: FieldValue): void {
@@ -144,7 +150,7 @@ export class AuthoredState {
     for (const each of added) if (!this.objects.has(each)) each.dispose();
     for (const [object, record] of this.objects) this.restoreObject(object, record);
     for (const asset of scene.assets.fieldAssets()) {
-      if (asset.type !== 'script' && !this.assets.has(asset.name)) scene.assets.unregister(asset.name);
+      if (!staysAsTyped(asset.type) && !this.assets.has(asset.name)) scene.assets.unregister(asset.name);
     }
     scene.name = this.name;
     for (const [place] of scene.views.entries)
@@ -178,10 +184,11 @@ export class AuthoredState {
       }
       if (component.enabled !== enabled) component.enabled = enabled;
     });
-    const { name, active, locked, tags, prefabLink } = record;
+    const { name, active, locked, isStatic, tags, prefabLink } = record;
     object.name = name;
     object.active = active;
     object.locked = locked;
+    object.isStatic = isStatic;
     if (object.tags !== tags) object.tags = tags;
     object.prefabLink = prefabLink;
   }

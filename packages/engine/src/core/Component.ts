@@ -113,12 +113,19 @@ export abstract class BaseComponent extends BaseFieldOwner implements ComponentT
     if (this.attachedObject) this.onFieldChanged(name);
   }
 
+  get isSimulated(): boolean {
+    return this.simulated !== null;
+  }
+
   endSimulation(): void {
     const { simulated } = this;
     if (!simulated) return;
     this.simulated = null;
     if (!this.attachedObject) return;
-    for (const [name, value] of simulated) if (!sameValue(value, this.get(name))) this.onFieldChanged(name);
+    for (const [name, value] of simulated) {
+      // a view may be gone meanwhile
+      if (!Object.hasOwn(this.fields, name) || !sameValue(value, this.get(name))) this.onFieldChanged(name);
+    }
   }
 
   onAttach(): void {}
@@ -160,7 +167,8 @@ export abstract class BaseComponent extends BaseFieldOwner implements ComponentT
 
   authoredValues(): Record<string, FieldValue> {
     const values: Record<string, FieldValue> = {};
-    for (const name of Object.keys(this.fields)) values[name] = this.getAuthored(name);
+    for (const [name, { viewOf }] of Object.entries(this.fields))
+      if (viewOf === undefined) values[name] = this.getAuthored(name);
     return values;
   }
 }

@@ -162,7 +162,7 @@ describe('components', () => {
     const light = new GameObject('lamp').addComponent(Light);
     expect(() => light.set('intensity', NaN)).toThrow(FieldError);
     expect(() => light.set('intensity', NaN)).toThrow(
-      'Light.intensity must be a finite number of at least 0 cd or lx, not NaN',
+      'Light.intensity must be a finite number of at least 0 cd or lx or nt, not NaN',
     );
     expect(() => light.set('glow', 1)).toThrow(/Light\.glow is unknown; the fields are type/);
     expect(light.intensity).toBe(1);

@@ -5,6 +5,7 @@ import type { PrefabLink } from '../prefabs/Prefab';
 import { builtinComponents } from './builtinComponents';
 import { createId } from './createId';
 import { setGameObjectOf } from './gameObjectOf';
+import { makeRotationLazy } from './LazyEuler';
 import { moveGameObject } from './moveGameObject';
 import type {
   AddComponentOptions,
@@ -16,6 +17,7 @@ import type {
   Scene,
 } from './SceneGraph';
 import { Transform } from './Transform';
+import { UnknownComponent } from './UnknownComponent';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
@@ -34,12 +36,14 @@ class BaseGameObject implements GameObjectType {
   private link: PrefabLink | null = null;
   private isActive = true;
   private isLocked = false;
+  private staysInPlace = false;
   private activeWithParents = true;
 
   constructor(name = 'Object', options: { id?: string } = {}) {
     this.id = options.id ?? createId();
     this.ownName = name;
     this.object3D.name = name;
+    makeRotationLazy(this.object3D);
     setGameObjectOf(this.object3D, this);
     this.transform = this.addComponent(Transform);
   }
@@ -94,6 +98,16 @@ class BaseGameObject implements GameObjectType {
     if (value === this.isLocked) return;
     this.isLocked = value;
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'locked' });
+  }
+
+  get isStatic(): boolean {
+    return this.staysInPlace;
+  }
+
+  set isStatic(value: boolean) {
+    if (value === this.staysInPlace) return;
+    this.staysInPlace = value;
+    this.scene?.notify({ kind: 'object', gameObject: this, property: 'static' });
   }
 
   get lockedInHierarchy(): boolean {
@@ -291,7 +305,8 @@ function copyOf(source: GameObject, newIds: ReadonlyMap<string, string>, prefabs
     const values = component.authoredValues();
     for (const [name, field] of Object.entries(component.fields)) {
       const value = values[name];
-      if (field.kind === 'object' && typeof value === 'string') values[name] = newIds.get(value) ?? value;
+      const mayRefer = field.kind === 'object' || component instanceof UnknownComponent;
+      if (mayRefer && typeof value === 'string') values[name] = newIds.get(value) ?? value;
     }
     if (component === source.transform) for (const name in values) copy.transform.set(name, values[name]);
     else {
@@ -302,6 +317,7 @@ function copyOf(source: GameObject, newIds: ReadonlyMap<string, string>, prefabs
   for (const child of source.children) copy.add(copyOf(child, newIds, within));
   copy.active = source.active;
   copy.locked = source.locked;
+  copy.isStatic = source.isStatic;
   return copy;
 }
 

@@ -22,6 +22,7 @@ import type {
 import { SceneIndex } from './SceneIndex';
 import { ScenePointer } from './ScenePointer';
 import { scriptClasses } from './scriptClasses';
+import { SceneBake } from './SceneBake';
 import { SceneMicroShaders } from './SceneMicroShaders';
 import { SceneSystems } from './SceneSystems';
 import { SceneViews } from './SceneViews';
@@ -45,6 +46,7 @@ class BaseScene implements SceneType {
   readonly settings: SceneSettings;
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
   readonly views = new SceneViews((place) => this.notify({ kind: 'view', place }));
+  readonly baked = new SceneBake(this);
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
   readonly childList: GameObject[] = [];
@@ -71,9 +73,10 @@ class BaseScene implements SceneType {
     this.ownsAssets = !options.assets;
     this.assets = options.assets ?? new AssetLibrary();
     this.registry = options.registry ?? builtinComponents;
-    this.settings = new SceneSettings(this.three, this.assets, (field, before) =>
-      this.notify({ kind: 'settings', field, before }),
-    );
+    this.settings = new SceneSettings(this.three, this.assets, (field, before) => {
+      if (field === 'bakedLight') this.baked.update();
+      this.notify({ kind: 'settings', field, before });
+    });
     this.endAssets = this.assets.onChange((change) => {
       if (change.kind !== 'changed') return;
       const { asset, field, before } = change;
@@ -182,6 +185,7 @@ class BaseScene implements SceneType {
 
   update(deltaSeconds: number): void {
     this.seconds += deltaSeconds;
+    this.assets.surfaceTime.value = this.seconds;
     if (deltaSeconds > 0) {
       this.wasSimulated = true;
       this.startWaiting();
@@ -229,6 +233,10 @@ class BaseScene implements SceneType {
 
   noteSimulated(component: Component): void {
     this.simulatedOnes.add(component);
+  }
+
+  useEffect(effect: RequiredEffect, isUsed: boolean): void {
+    this.index.countEffect(effect, isUsed ? 1 : -1);
   }
 
   setTime(seconds: number): void {
@@ -361,6 +369,7 @@ class BaseScene implements SceneType {
     authored?.discard();
     for (const root of this.childList.toReversed()) root.dispose();
     this.systems.dispose();
+    this.baked.dispose();
     this.settings.dispose();
     this.three.clear();
     if (this.ownsAssets) this.assets.dispose();

@@ -146,7 +146,9 @@ export interface Component extends FieldOwner {
   simulate(name: string, value: FieldValue): void;
   /** Shows every authored value again; `Scene.reset` does it for all components. */
   endSimulation(): void;
-  /** The authored value of every field. */
+  /** Whether values are shown in place of authored ones. */
+  readonly isSimulated: boolean;
+  /** The authored value of every field; those that show a part of another one are left out. */
   authoredValues(): Record<string, FieldValue>;
 
   /** @internal Called by GameObject. */
@@ -271,6 +273,8 @@ export interface GameObject extends GameObjectContainer {
   active: boolean;
   /** Whether an editor leaves the object and all below it alone: they are not picked in the picture. It has no other effect. */
   locked: boolean;
+  /** Whether the object stays where it is: a bake gives what it draws a lightmap. What is below it has a flag of its own. */
+  isStatic: boolean;
   /** Locked, or below an object that is. */
   readonly lockedInHierarchy: boolean;
   /** Active, and so are all its ancestors. */
@@ -346,7 +350,7 @@ export type SceneChange =
   | {
       readonly kind: 'object';
       readonly gameObject: GameObject;
-      readonly property: 'name' | 'active' | 'locked' | 'tags' | 'prefab';
+      readonly property: 'name' | 'active' | 'locked' | 'static' | 'tags' | 'prefab';
     }
   | {
       /** `component-class`: the component has become one of another class, by a script that was edited. */
@@ -374,6 +378,32 @@ export type SceneChange =
   | { readonly kind: 'view'; readonly place: number }
   | { readonly kind: 'prefab'; readonly id: string }
   | { readonly kind: 'active-camera' | 'name' };
+
+/** The baked light of a scene, by its setting `bakedLight`; what shows it comes with the asset. */
+export interface SceneBake {
+  /** Whether the scene is lit by it. */
+  readonly isShown: boolean;
+  /** Takes the baked light off the scene while light is baked anew. @returns a function that ends it */
+  suspend(): () => void;
+  /** @internal Whether a light is in lightmaps and probes, and is not drawn. @param light - id of the component */
+  hides(light: string): boolean;
+  /** @internal Gives the meshes of a component their lightmaps. @param component - its id */
+  dress(component: string, root: Object3D): void;
+  /** @internal Gives meshes that leave the scene back what they had. */
+  undress(root: Object3D): void;
+}
+
+/** What lights a scene by lightmaps and probes. */
+export interface ShownLight {
+  /** Whether all light of a Light is in it. @param light - id of the component */
+  hides(light: string): boolean;
+  /** Gives the meshes below `root`, which a component draws, their lightmaps. @param component - its id */
+  dress(component: string, root: Object3D): void;
+  /** Gives the meshes below `root` back what they had. */
+  undress(root: Object3D): void;
+  /** Leaves the scene as it is without it. */
+  end(): void;
+}
 
 /** A part of the simulation that works on many components at once, such as physics: see `Scene.system`. */
 export interface SceneSystem {
@@ -409,6 +439,8 @@ export interface Scene extends GameObjectContainer {
   readonly microShaders: SceneMicroShaders;
   /** Views that editors keep with the scene. */
   readonly views: SceneViews;
+  /** Light of the scene that was baked. */
+  readonly baked: SceneBake;
   /** What objects of the scene are copies of. */
   readonly prefabs: PrefabTable;
   /** Takes what a component throws while it is updated; the others go on. While null, `update` throws it. */
@@ -502,6 +534,8 @@ export interface Scene extends GameObjectContainer {
   holds(gameObject: GameObject): boolean;
   /** @internal A component shows a value that was not authored. */
   noteSimulated(component: Component): void;
+  /** @internal Something of the scene needs an effect of the renderer, or needs it no more. */
+  useEffect(effect: RequiredEffect, isUsed: boolean): void;
   /** @internal Counts an edit and tells the listeners. */
   notify(change: SceneChange): void;
   /** @internal @throws Error when an object cannot come in */

@@ -108,7 +108,8 @@ export class SceneIndex {
     this.keyed.remove(component);
   }
 
-  private countEffect(effect: RequiredEffect | null, change: 1 | -1): void {
+  /** Counts who needs an effect. */
+  countEffect(effect: RequiredEffect | null, change: 1 | -1): void {
     if (!effect) return;
     const users = (this.effectUsers.get(effect) ?? 0) + change;
     this.effectUsers.set(effect, users);

@@ -120,6 +120,18 @@ test('over and out come once, to the object and those above it, and to none for 
   expect(calls).toEqual(['out Shade', 'out Lamp']);
 });
 
+test('what moves away from under a pointer at rest, or comes under it, is told within eight frames', () => {
+  surface.send('pointermove', 60);
+  frame();
+  expect(calls.splice(0)).toEqual(['over Shade', 'over Lamp']);
+  lamp.transform.position = [20, 0, 0];
+  for (let i = 0; i < 8; i++) frame();
+  expect(calls.splice(0)).toEqual(['out Shade', 'out Lamp']);
+  lamp.transform.position = [0, 0, 0];
+  for (let i = 0; i < 8; i++) frame();
+  expect(calls.splice(0)).toEqual(['over Shade', 'over Lamp']);
+});
+
 test('a click is a press and a release over one object; of two parts it is the object that holds both', () => {
   surface.send('pointerdown', 60);
   surface.send('pointerup', 62);

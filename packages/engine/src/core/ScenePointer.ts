@@ -9,6 +9,9 @@ import type { SceneIndex } from './SceneIndex';
 /** Farther apart (CSS pixels) a press and a release are no click. */
 const CLICK_REACH = 10;
 
+/** Frames after which it is looked anew what is under a pointer that rests: what is there may have moved. */
+const RESTING_FRAMES = 8;
+
 type PointerMethod = 'onPointerOver' | 'onPointerOut' | 'onPointerPress' | 'onPointerRelease' | 'onPointerClick';
 
 /** What is known of one pointer: a mouse, a pen, a finger. */
@@ -25,6 +28,10 @@ interface Pointer {
   pressY: number;
   /** Its last move, which the next frame looks at. */
   moved: EnginePointerEvent | null;
+  /** Its last event of all. */
+  last: EnginePointerEvent;
+  /** Frames since it was last looked what is under it. */
+  rested: number;
 }
 
 const place = new Vector2();
@@ -55,10 +62,21 @@ export class ScenePointer {
     let pointer = this.pointers.find(({ id }) => id === pointerId);
     if (!pointer) {
       if (!isWanted || type === 'leave') return;
-      const [over, pressed, moved] = [null, null, null];
-      pointer = { id: pointerId, over, point: new Vector3(), distance: 0, pressed, pressX: 0, pressY: 0, moved };
+      pointer = {
+        id: pointerId,
+        over: null,
+        point: new Vector3(),
+        distance: 0,
+        pressed: null,
+        pressX: 0,
+        pressY: 0,
+        moved: null,
+        last: event,
+        rested: 0,
+      };
       this.pointers.push(pointer);
     }
+    pointer.last = event;
     if (type === 'move') {
       pointer.moved = event;
       return;
@@ -69,20 +87,22 @@ export class ScenePointer {
       this.enter(pointer, null, event);
       return;
     }
+    pointer.rested = 0;
     this.aim(pointer, event);
     if (type === 'down') this.press(pointer, event);
     else this.release(pointer, event);
   }
 
-  /** Follows the moves since the last frame. */
+  /** Follows the moves since the last frame, and objects that come under a pointer at rest. */
   update(): void {
     const { pointers } = this;
     for (let i = 0; i < pointers.length; i++) {
       const pointer = pointers[i];
       const { moved } = pointer;
-      if (!moved) continue;
+      if (!moved && ++pointer.rested < RESTING_FRAMES) continue;
       pointer.moved = null;
-      if (this.isWanted()) this.aim(pointer, moved);
+      pointer.rested = 0;
+      if (this.isWanted()) this.aim(pointer, moved ?? pointer.last);
     }
   }
 

@@ -3,12 +3,13 @@ import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldValue, ValuesOf } from '../fields/Field';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
+import { bakeFields } from '../bake/bakeFields';
 import { physicsFields } from '../physics/physicsFields';
 import { fogFields, pictureFields, skyFields } from '../picture/pictureFields';
 import type { Sky } from '../picture/sky/makeSky';
 import { SkySource } from '../picture/sky/SkySource';
 
-export const sceneFields = { ...pictureFields, ...physicsFields };
+export const sceneFields = { ...pictureFields, ...physicsFields, ...bakeFields };
 
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- the properties are made from the table
 export interface SceneSettings extends ValuesOf<typeof sceneFields> {}

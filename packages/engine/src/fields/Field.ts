@@ -1,6 +1,27 @@
 /** Three numbers, never changed in place: [x, y, z] or [r, g, b]. */
 export type Vector3Tuple = readonly [number, number, number];
 
+/** A key of a curve: its time, from 0 to 1, and the value there. */
+export type CurveKey = readonly [time: number, value: number];
+
+/**
+ * A number over time, never changed in place: 1 to 64 keys by ascending time. It is straight between keys, and constant
+ * before the first and after the last; of two keys at one time the second counts from there on.
+ */
+export type Curve = readonly CurveKey[];
+
+/**
+ * A key of a gradient: its time, from 0 to 1, the linear colour and the opacity (0 to 1) there. Null for what the key says
+ * nothing of, so that colour and opacity can have keys at times of their own.
+ */
+export type GradientKey = readonly [time: number, colour: Vector3Tuple | null, opacity: number | null];
+
+/** A key of the colour of a gradient alone. */
+export type ColourKey = readonly [time: number, colour: Vector3Tuple];
+
+/** Colour and opacity over time, as `Curve`: 1 to 64 keys, at least one with a colour and one with an opacity. */
+export type Gradient = readonly GradientKey[];
+
 /** A field is shown only while another field of the same owner, itself shown, has one of these values. */
 export interface FieldCondition {
   readonly field: string;
@@ -9,16 +30,26 @@ export interface FieldCondition {
   readonly and?: FieldCondition;
 }
 
+/** Labels and units of a field by the value of another field of the same owner, a choice. */
+export interface FieldVariants {
+  readonly field: string;
+  readonly of: Readonly<Record<string, { readonly label?: string; readonly unit?: string }>>;
+}
+
 interface FieldBase {
   /** One line of help, shown as a tooltip. */
   readonly help: string;
   /** Shown in place of the field's name. */
   readonly label?: string;
   readonly visibleWhen?: FieldCondition;
+  /** Shown with another label or unit while another field has a value. */
+  readonly variants?: FieldVariants;
   /** Title of the group of fields that it stands in; none when absent. */
   readonly group?: string;
   /** Kept for older files: shown only where it is not the default. */
   readonly deprecated?: boolean;
+  /** Shows a part of another field of the owner, which is what files hold. */
+  readonly viewOf?: string;
   /** Shown, but not to be edited by hand. */
   readonly readOnly?: boolean;
 }
@@ -28,6 +59,8 @@ export interface NumberField extends FieldBase {
   readonly default: number;
   /** SI unit, such as 'm' or 'm/s'; none for a pure number. */
   readonly unit?: string;
+  /** The unit by the value of another field of the owner; `unit` names all of them then, as in 'cd or lx'. */
+  readonly unitBy?: { readonly field: string; readonly units: Readonly<Record<string, string>> };
   /** Smallest value allowed. */
   readonly min?: number;
   /** Largest value allowed. */
@@ -93,7 +126,27 @@ export interface ColourField extends FieldBase {
   readonly default: Vector3Tuple;
 }
 
-export type AssetType = 'mesh' | 'texture' | 'material' | 'shader' | 'model' | 'script' | 'clip' | 'sound';
+/** A number over a time from 0 to 1. */
+export interface CurveField extends FieldBase {
+  readonly kind: 'curve';
+  readonly default: Curve;
+  /** SI unit of the values; none for pure numbers. */
+  readonly unit?: string;
+  /** Smallest value allowed of a key. */
+  readonly min?: number;
+  /** Largest value allowed of a key. */
+  readonly max?: number;
+  readonly step?: number;
+}
+
+/** A colour and an opacity over a time from 0 to 1. */
+export interface GradientField extends FieldBase {
+  readonly kind: 'gradient';
+  readonly default: Gradient;
+}
+
+export type AssetType =
+  'mesh' | 'texture' | 'material' | 'shader' | 'model' | 'script' | 'clip' | 'sound' | 'profile' | 'surface' | 'bake';
 
 /** The name of an asset of the scene's AssetLibrary, or null. */
 export interface AssetField extends FieldBase {
@@ -136,13 +189,15 @@ export type Field =
   | Vector3Field
   | EulerField
   | ColourField
+  | CurveField
+  | GradientField
   | AssetField
   | ObjectField
   | CustomField;
 
 export type FieldKind = Field['kind'];
 export type FieldTable = Readonly<Record<string, Field>>;
-export type FieldValue = number | boolean | string | null | Vector3Tuple;
+export type FieldValue = number | boolean | string | null | Vector3Tuple | Curve | Gradient;
 
 /** The type of a field's value. */
 export type ValueOf<F extends Field> = F extends { kind: 'number' | 'angle' }
@@ -155,9 +210,13 @@ export type ValueOf<F extends Field> = F extends { kind: 'number' | 'angle' }
         ? string
         : F extends { kind: 'vector3' | 'euler' | 'colour' }
           ? Vector3Tuple
-          : F extends { kind: 'custom'; default: infer Default }
-            ? Widened<Default>
-            : string | null;
+          : F extends { kind: 'curve' }
+            ? Curve
+            : F extends { kind: 'gradient' }
+              ? Gradient
+              : F extends { kind: 'custom'; default: infer Default }
+                ? Widened<Default>
+                : string | null;
 
 /** The type of the values of a custom field, by its default. */
 type Widened<Default> = Default extends number

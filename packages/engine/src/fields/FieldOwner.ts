@@ -1,5 +1,5 @@
 import { checkFieldValue } from './checkFieldValue';
-import type { AssetType, Field, FieldTable, FieldValue } from './Field';
+import type { AssetType, Field, FieldTable, FieldValue, Vector3Tuple } from './Field';
 import { FieldError } from './FieldError';
 
 /** Knows the names of assets. */
@@ -8,17 +8,41 @@ export interface AssetNames {
   problemWith(type: AssetType, name: string): string | null;
 }
 
+/** Whether a value is a vector, Euler angles or a colour: neither one number nor keys. */
+export const isTriple = (value: FieldValue | undefined): value is Vector3Tuple =>
+  Array.isArray(value) && value.length === 3 && typeof value[0] === 'number' && typeof value[1] === 'number';
+
+/** A copy for JSON, which whoever gets it may change. */
+export function copyValue(value: FieldValue): FieldValue {
+  if (!Array.isArray(value)) return value;
+  return (value as readonly FieldValue[]).map(copyValue) as unknown as FieldValue;
+}
+
 /** A copy that nobody can change in place; -0 becomes 0, which JSON cannot tell apart. */
 export function own(value: FieldValue): FieldValue {
   if (typeof value === 'number') return value + 0;
-  if (Array.isArray(value)) return Object.freeze([value[0] + 0, value[1] + 0, value[2] + 0] as const);
-  return value;
+  if (!Array.isArray(value)) return value;
+  if (isTriple(value)) return Object.freeze([value[0] + 0, value[1] + 0, value[2] + 0] as const);
+  return Object.freeze((value as readonly FieldValue[]).map(own)) as FieldValue;
 }
 
 /** Whether two field values are the same value. */
 export function sameValue(a: FieldValue, b: FieldValue): boolean {
-  if (Array.isArray(a) && Array.isArray(b)) return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
-  return a === b;
+  if (a === b || !Array.isArray(a) || !Array.isArray(b)) return a === b;
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) if (!sameValue(a[i] as FieldValue, b[i] as FieldValue)) return false;
+  return true;
+}
+
+/** Fields that an owner has for a time besides its declared ones, each a part of a declared one: see `Field.viewOf`. */
+export interface FieldViews {
+  /** The declared fields, and these. */
+  readonly fields: FieldTable;
+  has(name: string): boolean;
+  /** The authored value. */
+  get(name: string): FieldValue;
+  /** Sets the field that it is a part of. @param value - checked already */
+  set(name: string, value: FieldValue): void;
 }
 
 /** Something with declared fields: a component, or the settings of a scene. */
@@ -82,7 +106,12 @@ export abstract class BaseFieldOwner implements FieldOwner {
   }
 
   get fields(): FieldTable {
-    return (this.constructor as unknown as { fields: FieldTable }).fields;
+    return this.fieldViews?.fields ?? (this.constructor as unknown as { fields: FieldTable }).fields;
+  }
+
+  /** @internal Fields besides the declared ones; null, or nothing while it is made, for none. */
+  get fieldViews(): FieldViews | null | undefined {
+    return null;
   }
 
   abstract get ownerName(): string;
@@ -92,12 +121,15 @@ export abstract class BaseFieldOwner implements FieldOwner {
   }
 
   getAuthored(name: string): FieldValue {
-    if (!(name in this.values)) throw this.unknownField(name);
-    return this.values[name];
+    if (name in this.values) return this.values[name];
+    const views = this.fieldViews;
+    if (!views?.has(name)) throw this.unknownField(name);
+    return views.get(name);
   }
 
   set(name: string, value: FieldValue): void {
     this.checkValue(name, value);
+    if (!(name in this.values)) return this.fieldViews!.set(name, value);
     const before = this.values[name];
     if (sameValue(before, value) && sameValue(this.get(name), value)) return;
     this.values[name] = own(value);
@@ -109,7 +141,7 @@ export abstract class BaseFieldOwner implements FieldOwner {
 
   /** Throws unless a field can have a value. @throws FieldError */
   protected checkValue(name: string, value: FieldValue): void {
-    if (!(name in this.values)) throw this.unknownField(name);
+    if (!(name in this.values) && !this.fieldViews?.has(name)) throw this.unknownField(name);
     const field = this.fields[name];
     const problem = checkFieldValue(field, value) ?? this.problemWithAsset(field, value);
     if (problem) throw new FieldError(this.ownerName, name, problem);

@@ -14,7 +14,9 @@ export function assetFields(fields: FieldTable): readonly NamedAssetField[] {
   let list = known.get(fields);
   if (!list) {
     list = Object.entries(fields).flatMap(([name, field]) =>
-      field.kind === 'asset' ? [{ name, assetType: field.assetType, default: field.default }] : [],
+      field.kind === 'asset' && field.viewOf === undefined
+        ? [{ name, assetType: field.assetType, default: field.default }]
+        : [],
     );
     known.set(fields, list);
   }

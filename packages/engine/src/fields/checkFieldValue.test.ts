@@ -2,7 +2,21 @@ import { describe, expect, test } from 'vitest';
 import { createRandom } from '../core/createRandom';
 import { checkFieldValue } from './checkFieldValue';
 import type { Field, FieldType } from './Field';
-import { angle, asset, boolean, choice, colour, custom, euler, number, object, string, vector3 } from './fields';
+import {
+  angle,
+  asset,
+  boolean,
+  choice,
+  colour,
+  curve,
+  custom,
+  euler,
+  gradient,
+  number,
+  object,
+  string,
+  vector3,
+} from './fields';
 import { isFieldVisible } from './isFieldVisible';
 import { randomFieldValue } from './randomFieldValue';
 
@@ -21,6 +35,8 @@ const fields: Record<Field['kind'], Field> = {
   vector3: vector3([0, 0, 0], { min: -1, max: 1, help }),
   euler: euler([0, 0, 0], { help }),
   colour: colour([0, 0, 0], { help }),
+  curve: curve([[0, 1]], { min: 0, max: 2, unit: 'm', help }),
+  gradient: gradient([[0, [1, 1, 1], 1]], { help }),
   asset: asset('mesh', null, { help }),
   object: object(null, { help }),
   custom: custom(even, 2, { help }),
@@ -35,6 +51,40 @@ const wrong: Record<Field['kind'], unknown[]> = {
   vector3: [[0, 0], [0, 0, 0, 0], [0, NaN, 0], [0, 2, 0], ['0', 0, 0], { x: 0, y: 0, z: 0 }, 1, null],
   euler: [[0, 0, Infinity], [0, 0], 0],
   colour: [[-0.1, 0, 0], [0, 0, NaN], '#ffffff', 0xffffff],
+  curve: [
+    ...[
+      [],
+      [[0, 3]],
+      [[0, NaN]],
+      [[NaN, 0]],
+      [[-0.1, 0]],
+      [
+        [0, 1],
+        [1.1, 1],
+      ],
+      [
+        [0.5, 1],
+        [0.4, 1],
+      ],
+      [[0, 1, 1]],
+      [0, 1, 1],
+    ],
+    ...[[0, 1], [[0]], [['0', 1]], [[0, null]], 1, null, 'ease', [null], Array.from({ length: 65 }, () => [0, 1])],
+  ],
+  gradient: [
+    ...[[], [[0, null, 1]], [[0, [1, 1, 1], null]], [[0, [1, 1], 1]], [[0, [-1, 0, 0], 1]], [[0, [1, NaN, 0], 1]]],
+    ...[
+      [[0, [1, 1, 1], 1.1]],
+      [[0, [1, 1, 1], '1']],
+      [[0, [1, 1, 1]]],
+      [
+        [0.5, [1, 1, 1], 1],
+        [0.4, null, 1],
+      ],
+      [1, 1, 1],
+    ],
+    ...[null, '#ffffff', [[0, '#ffffff', 1]], [[1.5, [1, 1, 1], 1]]],
+  ],
   asset: [1, '', undefined],
   object: [1, '', undefined],
   custom: [1, NaN, '2', undefined, { a: 2 }],

@@ -1,5 +1,8 @@
 import { shortText } from '@farol/renderer';
-import type { Field, FieldValue } from './Field';
+import type { Curve, Field, FieldValue, Gradient } from './Field';
+
+/** Keys that a curve or a gradient may have. */
+export const MOST_KEYS = 64;
 
 const isFiniteNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 
@@ -8,7 +11,7 @@ export function describeValue(value: unknown, depth = 0): string {
   if (value === undefined) return 'nothing';
   if (typeof value === 'number') return String(value);
   if (Array.isArray(value)) {
-    if (depth > 0) return 'a list';
+    if (depth > 1) return 'a list';
     const parts = value.slice(0, 4).map((each) => describeValue(each, depth + 1));
     return `[${parts.join(', ')}${value.length > 4 ? ', …' : ''}]`;
   }
@@ -47,6 +50,13 @@ export function describeField(field: Field): string {
       return '[x, y, z], each a finite angle in rad';
     case 'colour':
       return '[r, g, b], linear, each a finite number of at least 0';
+    case 'curve':
+      return `1 to ${MOST_KEYS} keys [time, value], times ascending from 0 to 1, each value a finite number${describeRange(field)}`;
+    case 'gradient':
+      return (
+        `1 to ${MOST_KEYS} keys [time, colour, opacity], times ascending from 0 to 1, colours linear [r, g, b] of at ` +
+        'least 0, opacities from 0 to 1, null for what a key leaves out, though not in all'
+      );
     case 'asset':
       return `the name of a ${field.assetType}, or null`;
     case 'object':
@@ -62,13 +72,40 @@ const inRange = (value: unknown, field: { min?: number; max?: number }): boolean
 const isTriple = (value: unknown, test: (coordinate: unknown) => boolean): boolean =>
   Array.isArray(value) && value.length === 3 && [0, 1, 2].every((i) => test(value[i]));
 
+const isColour = (value: unknown): boolean => isTriple(value, (channel) => isFiniteNumber(channel) && channel >= 0);
+
+/** Whether a value is keys, at most `MOST_KEYS`, each of `size` parts, the first of which is an ascending time. */
+function isKeys(value: unknown, size: number): value is readonly (readonly unknown[])[] {
+  if (!Array.isArray(value) || value.length < 1 || value.length > MOST_KEYS) return false;
+  let before = 0;
+  for (const key of value as unknown[]) {
+    if (!Array.isArray(key) || key.length !== size) return false;
+    const time: unknown = key[0];
+    if (!isFiniteNumber(time) || time < before || time > 1) return false;
+    before = time;
+  }
+  return true;
+}
+
+const isCurve = (value: unknown, limits: { min?: number; max?: number }): value is Curve =>
+  isKeys(value, 2) && value.every((key) => inRange(key[1], limits));
+
+const isGradient = (value: unknown): value is Gradient =>
+  isKeys(value, 3) &&
+  value.every(([, colour]) => colour === null || isColour(colour)) &&
+  value.every(([, , opacity]) => opacity === null || inRange(opacity, { min: 0, max: 1 })) &&
+  value.some(([, colour]) => colour !== null) &&
+  value.some(([, , opacity]) => opacity !== null);
+
 /** Whether a file can hold a value. */
 export const isFieldValue = (value: unknown): value is FieldValue =>
   value === null ||
   typeof value === 'string' ||
   typeof value === 'boolean' ||
   isFiniteNumber(value) ||
-  isTriple(value, isFiniteNumber);
+  isTriple(value, isFiniteNumber) ||
+  isCurve(value, {}) ||
+  isGradient(value);
 
 function isAllowed(field: Field, value: unknown): boolean {
   switch (field.kind) {
@@ -87,7 +124,11 @@ function isAllowed(field: Field, value: unknown): boolean {
     case 'euler':
       return isTriple(value, isFiniteNumber);
     case 'colour':
-      return isTriple(value, (channel) => isFiniteNumber(channel) && channel >= 0);
+      return isColour(value);
+    case 'curve':
+      return isCurve(value, field);
+    case 'gradient':
+      return isGradient(value);
     case 'asset':
     case 'object':
       return value === null || (typeof value === 'string' && value.length > 0);

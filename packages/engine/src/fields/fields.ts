@@ -8,7 +8,11 @@ import type {
   BooleanField,
   ChoiceField,
   ColourField,
+  Curve,
+  CurveField,
   EulerField,
+  Gradient,
+  GradientField,
   NumberField,
   ObjectField,
   StringField,
@@ -80,6 +84,22 @@ export const euler = (value: Vector3Tuple, options: WithoutUnit<Options<EulerFie
 /** A linear colour. */
 export const colour = (value: Vector3Tuple, options: Options<ColourField> = {}): ColourField => ({
   kind: 'colour',
+  default: value,
+  help: '',
+  ...options,
+});
+
+/** A number over a time from 0 to 1, as over a particle's life; `options` gives unit, min, max and step of its values. */
+export const curve = (value: Curve, options: Options<CurveField> = {}): CurveField => ({
+  kind: 'curve',
+  default: value,
+  help: '',
+  ...options,
+});
+
+/** A colour and an opacity over a time from 0 to 1. */
+export const gradient = (value: Gradient, options: Options<GradientField> = {}): GradientField => ({
+  kind: 'gradient',
   default: value,
   help: '',
   ...options,

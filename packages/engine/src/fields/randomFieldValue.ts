@@ -1,4 +1,8 @@
-import type { Field, FieldValue } from './Field';
+import type { Field, FieldValue, GradientKey } from './Field';
+
+/** Times of keys, ascending; two may be the same. */
+const timesOf = (random: () => number): number[] =>
+  Array.from({ length: 1 + Math.floor(random() * 6) }, () => Math.round(random() * 20) / 20).toSorted((a, b) => a - b);
 
 /** A value that a field allows, other than its default wherever that is possible; for tests. */
 export function randomFieldValue(field: Field, random: () => number, assetNames: readonly string[] = []): FieldValue {
@@ -22,6 +26,15 @@ export function randomFieldValue(field: Field, random: () => number, assetNames:
       return [between(-3, 3), between(-3, 3), between(-3, 3)];
     case 'colour':
       return [random() * 2, random(), random()];
+    case 'curve':
+      return timesOf(random).map((time) => [time, between(field.min, field.max)] as const);
+    case 'gradient':
+      return timesOf(random).map((time, i): GradientKey => {
+        const colour = [random() * 2, random(), random()] as const;
+        // the first key has both, so that there is one of each
+        const which = i === 0 ? 0 : random();
+        return [time, which > 0.7 ? null : colour, which > 0.4 && which < 0.7 ? null : random()];
+      });
     case 'asset':
       return assetNames.length > 0 ? assetNames[Math.floor(random() * assetNames.length)] : null;
     case 'object':

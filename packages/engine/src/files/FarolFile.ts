@@ -30,6 +30,8 @@ export interface FileObject {
   active?: boolean;
   /** Left alone by editors; false when absent. */
   locked?: boolean;
+  /** Gets a lightmap when light is baked; false when absent. */
+  static?: boolean;
   tags?: string[];
   /** What it is a copy of; of no prefab when absent. */
   prefab?: PrefabLink;

@@ -5,6 +5,7 @@ import type { FieldAssetType } from '../assets/FieldAsset';
 import { AddressRefusedError } from '../assets/foreignOrigin';
 import { typeOfUrl } from '../assets/loadAsset';
 import { builtinComponents } from '../components/index';
+import { loadBakeCode } from '../core/bakeCode';
 import { cancellable } from '../core/cancellable';
 import { isCameraComponent } from '../core/isCameraComponent';
 import type { ComponentRegistry } from '../core/SceneGraph';
@@ -170,6 +171,7 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     await registerAssets(checked, scene.assets, options.fileOf ?? (() => null), registered);
     signal?.throwIfAborted();
     await loadAssets(checked, registry, scene.assets, signal);
+    if (checked.settings.bakedLight) await loadBakeCode();
     scene.name = checked.name;
     for (const folder of checked.assetFolders ?? []) scene.assets.setFolder(folder, true);
     for (const prefab of checked.prefabs ?? []) scene.prefabs.set(prefab);

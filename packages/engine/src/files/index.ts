@@ -17,16 +17,20 @@ export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } 
 
 export type { ComponentData } from '../core/SceneGraph';
 export { makeUnknownComponent, UnknownComponent } from '../core/UnknownComponent';
+export { assetFields } from '../fields/assetFields';
 export { cancellable } from '../core/cancellable';
 export { createId } from '../core/createId';
 export { checkModel } from '../assets/checkModel';
+export { fieldAssetFields } from '../assets/fieldAssetTypes';
 export { collectFiles, type FileMap } from '../assets/collectFiles';
 export { AddressRefusedError, foreignOrigin } from '../assets/foreignOrigin';
 export { readableEndings, typeOfUrl } from '../assets/loadAsset';
+export { type LightExtras, lightExtrasOf, restoreLights } from '../assets/lightExtras';
 export { makeKTX2Loader } from '../assets/makeKTX2Loader';
 export { decodedUri, packGltf } from './packGltf';
 export type { PackedObj } from './obj/PackedObj';
 export { type HandedScene, handoverMessages, openBeside, type OpenBesideOptions } from './openBeside';
+export { packIES } from './packIES';
 export { packFbx } from './packFbx';
 export { packObj } from './packObj';
 export { type GltfJson, readGltfJson } from '../assets/readGltfJson';

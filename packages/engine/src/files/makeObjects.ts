@@ -19,6 +19,7 @@ function makeObject(data: FileObject, registry: ComponentRegistry): GameObject {
   }
   gameObject.active = data.active ?? true;
   gameObject.locked = data.locked ?? false;
+  gameObject.isStatic = data.static ?? false;
   return gameObject;
 }
 

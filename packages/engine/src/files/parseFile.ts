@@ -1,9 +1,11 @@
 import { shortText } from '@farol/renderer';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { fieldAssetFields, isFieldAssetType } from '../assets/fieldAssetTypes';
+import { isFileAssetType } from '../assets/loadAsset';
 import { builtinComponents } from '../components/index';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
+import type { AssetType } from '../fields/Field';
 import { describeValue } from '../fields/checkFieldValue';
 import { assetUses, type AssetUse } from './assetUses';
 import { checkDepth } from './checkDepth';
@@ -68,8 +70,8 @@ function readAssets(value: unknown, path: string, problems: ProblemList): FileAs
       const values = readValues(record.values ?? {}, fieldAssetFields[type], join(at, 'values'), problems);
       return { name, type, values };
     }
-    if (type !== 'mesh' && type !== 'texture' && type !== 'model' && type !== 'sound') {
-      const known = '"mesh", "texture", "model", "material", "script", "clip" or "sound"';
+    if (typeof type !== 'string' || !isFileAssetType(type as AssetType)) {
+      const known = '"mesh", "texture", "model", "material", "script", "clip", "sound", "surface", "profile" or "bake"';
       problems.add(join(at, 'type'), `must be ${known}, not ${describeValue(type)}.`);
     }
     const asset: FileAsset = { name, type: type as FileAsset['type'] };

@@ -1,4 +1,5 @@
 import { shortText } from '@farol/renderer';
+import { scriptClasses } from '../core/scriptClasses';
 import type { ComponentClass, ComponentRegistry } from '../core/SceneGraph';
 import { checkFieldValue, describeValue, isFieldValue } from '../fields/checkFieldValue';
 import type { FieldTable, FieldValue } from '../fields/Field';
@@ -68,6 +69,18 @@ function readUnknownValues(value: unknown, path: string, problems: ProblemList):
   return values;
 }
 
+/** Reads the values that fit the fields of a script's class: others were written before the script was changed. */
+function readFittingValues(
+  value: unknown,
+  fields: FieldTable,
+  path: string,
+  problems: ProblemList,
+): Record<string, FieldValue> {
+  const fits = ([name, each]: [string, FieldValue]): boolean =>
+    Object.hasOwn(fields, name) && checkFieldValue(fields[name], each) === null;
+  return Object.fromEntries(Object.entries(readUnknownValues(value, path, problems)).filter(fits));
+}
+
 /** The version of a component's class that wrote its values; null, and a problem, when it is none. */
 function readVersion(version: unknown, path: string, problems: ProblemList): number | null {
   if (typeof version === 'number' && Number.isInteger(version) && version >= 1) return version;
@@ -109,6 +122,9 @@ export function readComponent(
   const enabled = problems.flag(value.enabled, join(path, 'enabled'), true);
   const upToDate = migrate(type, value, path, problems);
   if (upToDate === null) return null;
-  const values = readValues(upToDate, type.fields, join(path, 'values'), problems);
+  const at = join(path, 'values');
+  const values = scriptClasses.has(type)
+    ? readFittingValues(upToDate, type.fields, at, problems)
+    : readValues(upToDate, type.fields, at, problems);
   return { type: typeName, version: type.version, id, ...(enabled ? {} : { enabled }), values };
 }

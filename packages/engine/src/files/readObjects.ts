@@ -43,12 +43,23 @@ function readObject(
     problems.record(value, path);
     return null;
   }
-  problems.onlyKeys(value, path, ['id', 'name', 'parent', 'active', 'locked', 'tags', 'prefab', 'components']);
+  problems.onlyKeys(value, path, [
+    'id',
+    'name',
+    'parent',
+    'active',
+    'locked',
+    'static',
+    'tags',
+    'prefab',
+    'components',
+  ]);
   const id = problems.text(value.id, join(path, 'id'));
   const name = problems.text(value.name, join(path, 'name'), true);
   const parent = value.parent === null ? null : problems.text(value.parent, join(path, 'parent'));
   const active = problems.flag(value.active, join(path, 'active'), true);
   const locked = problems.flag(value.locked, join(path, 'locked'), false);
+  const isStatic = problems.flag(value.static, join(path, 'static'), false);
   const listed = value.tags === undefined ? [] : problems.array(value.tags, join(path, 'tags'));
   const tags = listed.map((tag, i) => problems.text(tag, join(join(path, 'tags'), i)));
   const components = readComponents(value.components, join(path, 'components'), registry, problems);
@@ -59,6 +70,7 @@ function readObject(
     parent,
     ...(active ? {} : { active }),
     ...(locked ? { locked } : {}),
+    ...(isStatic ? { static: true } : {}),
     ...(tags.length > 0 ? { tags } : {}),
     ...(prefab ? { prefab } : {}),
     components,

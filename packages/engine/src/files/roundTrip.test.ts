@@ -19,6 +19,9 @@ const assetNames = {
   script: [],
   clip: [],
   sound: [],
+  profile: ['profile/downlight'],
+  surface: [],
+  bake: [],
 };
 
 describe.each([...builtinComponents.types.keys()])('%s', (typeName) => {
@@ -60,13 +63,15 @@ test('settings, hierarchy, order, tags, activity and the camera survive a file',
   const random = createRandom(9);
   const scene = new Scene({ name: 'All sorts' });
   for (const [name, field] of Object.entries(sceneFields)) {
-    scene.settings.set(name, randomFieldValue(field, random, ['checker']));
+    const names = field.kind === 'asset' ? assetNames[field.assetType] : [];
+    scene.settings.set(name, randomFieldValue(field, random, names));
   }
   const parent = new GameObject('Parent');
   scene.add(parent);
   for (const name of ['c', 'a', 'b']) parent.add(new GameObject(name));
   parent.children[1].active = false;
   parent.children[1].locked = true;
+  parent.children[0].isStatic = true;
   parent.children[2].tags = ['lamp', 'far'];
   for (const name of ['First', 'Second']) {
     const camera = new GameObject(name);

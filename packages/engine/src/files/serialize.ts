@@ -4,7 +4,7 @@ import type { GameObject } from '../core/SceneGraph';
 import type { Scene } from '../core/SceneGraph';
 import type { SceneView } from '../core/SceneViews';
 import type { FieldOwner } from '../fields/FieldOwner';
-import { sameValue } from '../fields/FieldOwner';
+import { copyValue, sameValue } from '../fields/FieldOwner';
 import type { FieldValue } from '../fields/Field';
 import { assetUses } from './assetUses';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject, type FileView } from './FarolFile';
@@ -18,9 +18,10 @@ export interface SerializeOptions {
 function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
   for (const [name, field] of Object.entries(owner.fields)) {
+    if (field.viewOf !== undefined) continue;
     let value = owner.getAuthored(name);
     if (field.kind === 'object' && typeof value === 'string' && scene && !scene.findById(value)) value = null;
-    if (!sameValue(value, field.default)) values[name] = Array.isArray(value) ? [value[0], value[1], value[2]] : value;
+    if (!sameValue(value, field.default)) values[name] = copyValue(value);
   }
   return values;
 }
@@ -48,6 +49,7 @@ export function serializeObject(gameObject: GameObject): FileObject {
     parent: gameObject.parent?.id ?? null,
     ...(gameObject.active ? {} : { active: false }),
     ...(gameObject.locked ? { locked: true } : {}),
+    ...(gameObject.isStatic ? { static: true } : {}),
     ...(gameObject.tags.length > 0 ? { tags: [...gameObject.tags] } : {}),
     ...(hasPrefab(gameObject) ? { prefab: gameObject.prefabLink! } : {}),
     components: gameObject.components.map((component) => ({

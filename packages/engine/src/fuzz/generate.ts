@@ -27,6 +27,9 @@ const assetNames = {
   script: [],
   clip: ['Clip', 'model.glb/clip-1-Move'],
   sound: [],
+  profile: ['profile/downlight'],
+  surface: [],
+  bake: [],
 };
 
 /** Values of some fields, by their declarations. */
@@ -53,6 +56,7 @@ function objectsOf(random: FuzzRandom, prefix: string, count: number, prefabs: r
       parent: i === 0 || (prefix === 'o' && random.once(3)) ? null : ids[random.once(2) ? i - 1 : random.below(i)],
       ...(random.once(5) ? { active: false } : {}),
       ...(random.once(9) ? { locked: true } : {}),
+      ...(random.once(9) ? { static: true } : {}),
       ...(random.once(5) ? { tags: ['far', 'x'] } : {}),
       ...(prefab ? { prefab: { prefab, source: random.of([prefab, 'gone']) } } : {}),
       components: types.map((type) => ({

@@ -10,16 +10,31 @@ export type BodyType = 'dynamic' | 'kinematic' | 'fixed' | 'character';
 
 const position = new Vector3();
 const rotation = new Quaternion();
+/** What Rapier writes to: plain numbers, without the listeners of a Quaternion. */
+const place = { x: 0, y: 0, z: 0 };
+const turn = { x: 0, y: 0, z: 0, w: 1 };
+/** A place and a rotation between two steps. */
+const between = [0, 0, 0, 0, 0, 0, 1];
+
+/**
+ * Places of what a body remembers: first x, y, z and a quaternion of the world before the last step, then those after it; position,
+ * quaternion and scale that the object was last shown with, of the space above it.
+ */
+const NOW = 7;
+const SHOWN = 14;
+const SHOWN_SCALE = 21;
+const LENGTH = 24;
 const parentRotation = new Quaternion();
 const signs = new Vector3();
-const scale = new Vector3();
+const arm = new Vector3();
+const before = new Vector3();
 const inverse = new Matrix4();
 
 /** Where an object is in the world, without its scale. */
-export function placeOf(object: Object3D, place: Vector3, turn: Quaternion): void {
+export function placeOf(object: Object3D, target: Vector3, turned: Quaternion): void {
   object.updateWorldMatrix(true, false);
-  place.setFromMatrixPosition(object.matrixWorld);
-  worldRotation(object, turn, signs).normalize();
+  target.setFromMatrixPosition(object.matrixWorld);
+  worldRotation(object, turned, signs).normalize();
 }
 
 /**
@@ -27,15 +42,6 @@ export function placeOf(object: Object3D, place: Vector3, turn: Quaternion): voi
  * are kept, and the object is shown between them.
  */
 export class Body implements BodyControl {
-  /** Where it was before the last step. */
-  readonly before = new Vector3();
-  readonly turnBefore = new Quaternion();
-  /** Where it is after the last step. */
-  readonly now = new Vector3();
-  readonly turnNow = new Quaternion();
-  /** Where a kinematic body shall be after the steps of this frame. */
-  readonly target = new Vector3();
-  readonly turnTarget = new Quaternion();
   /** Place among the bodies, by which events are sorted. */
   order = 0;
   hasTarget = false;
@@ -43,11 +49,12 @@ export class Body implements BodyControl {
   force: Vector3 | null = null;
   torque: Vector3 | null = null;
 
+  /** In one piece of memory: each step reads and writes it for every body. */
+  private readonly state = new Float64Array(LENGTH);
+  /** Where a kinematic body shall be after the steps of this frame. */
+  private readonly target = new Vector3();
+  private readonly turnTarget = new Quaternion();
   private watch: ObjectWatch;
-  /** What was last shown, to notice that somebody else moved the object. */
-  private readonly shownPosition = new Vector3();
-  private readonly shownTurn = new Quaternion();
-  private readonly shownScale = new Vector3();
   /** As of the last step. */
   private wasSleeping = false;
   /** It rests where it is shown. */
@@ -61,15 +68,10 @@ export class Body implements BodyControl {
     readonly rapier: RapierBody,
   ) {
     this.watch = new ObjectWatch(object.object3D);
-    placeOf(object.object3D, this.now, this.turnNow);
-    this.before.copy(this.now);
-    this.turnBefore.copy(this.turnNow);
+    placeOf(object.object3D, position, rotation);
+    this.setNow(position, rotation);
+    this.stay();
     this.noteShown();
-  }
-
-  /** The matrix from the body's space, which has no scale, to the world: as of now. */
-  matrix(target: Matrix4): Matrix4 {
-    return target.compose(this.now, this.turnNow, scale.set(1, 1, 1));
   }
 
   get isSleeping(): boolean {
@@ -116,8 +118,8 @@ export class Body implements BodyControl {
     this.rapier.wakeUp();
   }
 
-  teleport(place: Vector3, turn: Quaternion | null): void {
-    this.putAt(place, turn ?? this.turnNow);
+  teleport(to: Vector3, turned: Quaternion | null): void {
+    this.putAt(to, turned ?? rotation.fromArray(this.state, NOW + 3));
     this.show(1);
   }
 
@@ -136,7 +138,7 @@ export class Body implements BodyControl {
     const { object3D } = this.object;
     if (this.type === 'character') this.followCharacter(object3D);
     else if (this.type === 'dynamic') {
-      if (!this.isShownAsWas(object3D)) {
+      if (!this.isPositionShown(object3D) || !this.isTurnShown(object3D)) {
         placeOf(object3D, position, rotation);
         this.putAt(position, rotation);
         this.noteShown();
@@ -150,53 +152,90 @@ export class Body implements BodyControl {
         this.putAt(position, rotation);
       }
     }
-    const { scale: size } = object3D;
-    if (this.shownScale.equals(size)) return false;
-    this.shownScale.copy(size);
+    const { state } = this;
+    const { x, y, z } = object3D.scale;
+    if (x === state[SHOWN_SCALE] && y === state[SHOWN_SCALE + 1] && z === state[SHOWN_SCALE + 2]) return false;
+    object3D.scale.toArray(state, SHOWN_SCALE);
     return true;
   }
 
   /** Where a character stands is the physics', whither it looks its own. */
   private followCharacter(object3D: Object3D): void {
-    if (!this.shownPosition.equals(object3D.position)) {
+    if (!this.isPositionShown(object3D)) {
       placeOf(object3D, position, rotation);
       this.putAt(position, rotation);
       this.noteShown();
-    } else if (!this.shownTurn.equals(object3D.quaternion)) {
-      worldRotation(object3D, this.turnNow, signs).normalize();
-      this.turnBefore.copy(this.turnNow);
-      this.rapier.setNextKinematicRotation(this.turnNow);
-      this.shownTurn.copy(object3D.quaternion);
+    } else if (!this.isTurnShown(object3D)) {
+      const { state } = this;
+      worldRotation(object3D, rotation, signs).normalize();
+      rotation.toArray(state, NOW + 3);
+      rotation.toArray(state, 3);
+      this.rapier.setNextKinematicRotation(rotation);
+      object3D.quaternion.toArray(state, SHOWN + 3);
     }
   }
 
   /** Moves a kinematic body on its way through the frame. @param share - of the way that is left, above 0 to 1 */
   approach(share: number): void {
-    this.before.copy(this.now);
-    this.turnBefore.copy(this.turnNow);
-    this.now.lerp(this.target, share);
-    this.turnNow.slerp(this.turnTarget, share);
-    this.rapier.setNextKinematicTranslation(this.now);
-    this.rapier.setNextKinematicRotation(this.turnNow);
+    const { state } = this;
+    this.stay();
+    position.fromArray(state, NOW).lerp(this.target, share);
+    rotation.fromArray(state, NOW + 3).slerp(this.turnTarget, share);
+    this.setNow(position, rotation);
+    this.rapier.setNextKinematicTranslation(position);
+    this.rapier.setNextKinematicRotation(rotation);
     if (share === 1) this.hasTarget = false;
   }
 
   /** A kinematic body that does not move in a step. */
   stay(): void {
-    this.before.copy(this.now);
-    this.turnBefore.copy(this.turnNow);
+    const { state } = this;
+    for (let i = 0; i < 7; i++) state[i] = state[NOW + i];
+  }
+
+  /** Moves a body on from where it is, by the next step. */
+  advance(way: Vector3): void {
+    const { state } = this;
+    position.fromArray(state, NOW).add(way).toArray(state, NOW);
+    this.rapier.setNextKinematicTranslation(position);
+  }
+
+  /**
+   * How far what stands on it moved with it in the last step.
+   * @param other - what stands on it
+   * @param way - the way is added to it (m, in the world)
+   */
+  carry(other: Body, way: Vector3): void {
+    if (!this.movedInStep) return;
+    const { state } = this;
+    position.fromArray(other.state, NOW);
+    arm.copy(position).sub(before.fromArray(state));
+    rotation
+      .fromArray(state, 3)
+      .invert()
+      .premultiply(parentRotation.fromArray(state, NOW + 3));
+    arm.applyQuaternion(rotation).add(before.fromArray(state, NOW)).sub(position);
+    way.add(arm);
   }
 
   /** Takes over where a step put a dynamic body. */
   read(): void {
-    this.wasSleeping = this.rapier.isSleeping();
+    const { rapier, state } = this;
+    this.wasSleeping = rapier.isSleeping();
     if (this.wasSleeping && this.isSettled) return;
     this.isSettled = false;
-    this.before.copy(this.now);
-    this.turnBefore.copy(this.turnNow);
-    this.rapier.translation(this.now);
-    this.rapier.rotation(this.turnNow);
-    this.turnNow.normalize();
+    this.stay();
+    rapier.translation(place);
+    state[NOW] = place.x;
+    state[NOW + 1] = place.y;
+    state[NOW + 2] = place.z;
+    rapier.rotation(turn);
+    const { x, y, z, w } = turn;
+    const factor = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+    state[NOW + 3] = x * factor;
+    state[NOW + 4] = y * factor;
+    state[NOW + 5] = z * factor;
+    state[NOW + 6] = w * factor;
   }
 
   /** Moves the object to between the last two steps. @param share - 0 is the one before, 1 the last */
@@ -205,28 +244,37 @@ export class Body implements BodyControl {
     const { parent } = object3D;
     const isTop = !parent?.parent;
     if (this.isSettled && isTop) return;
+    const { state } = this;
+    let from: ArrayLike<number> = state;
     if (share > 0) {
-      position.lerpVectors(this.before, this.now, share);
-      rotation.slerpQuaternions(this.turnBefore, this.turnNow, share);
-    } else {
-      position.copy(this.before);
-      rotation.copy(this.turnBefore);
+      from = between;
+      for (let i = 0; i < 3; i++) between[i] = state[i] + (state[NOW + i] - state[i]) * share;
+      const numbers = state as unknown as number[];
+      Quaternion.slerpFlat(between, 3, numbers, 3, numbers, NOW + 3, share);
     }
     if (parent && !isTop) {
+      position.set(from[0], from[1], from[2]);
+      rotation.set(from[3], from[4], from[5], from[6]);
+      from = between;
       parent.updateWorldMatrix(true, false);
       position.applyMatrix4(inverse.copy(parent.matrixWorld).invert());
       worldRotation(parent, parentRotation, signs);
       mirrored(rotation.premultiply(parentRotation.invert()), signs);
+      position.toArray(between, 0);
+      rotation.toArray(between, 3);
     }
-    object3D.position.copy(position);
-    this.shownPosition.copy(position);
+    object3D.position.set(from[0], from[1], from[2]);
+    for (let i = 0; i < 3; i++) state[SHOWN + i] = from[i];
     if (this.type === 'character') return;
-    // three computes angles anew with each rotation
-    if (!this.shownTurn.equals(rotation)) {
-      object3D.quaternion.copy(rotation);
-      this.shownTurn.copy(rotation);
+    let isTurned = false;
+    for (let i = 3; i < 7; i++) {
+      if (state[SHOWN + i] === from[i]) continue;
+      state[SHOWN + i] = from[i];
+      isTurned = true;
     }
-    this.isSettled = this.wasSleeping && this.before.equals(this.now) && this.turnBefore.equals(this.turnNow);
+    // three computes angles anew with each rotation
+    if (isTurned) object3D.quaternion.set(from[3], from[4], from[5], from[6]);
+    this.isSettled = this.wasSleeping && !this.movedInStep;
   }
 
   /** The object belongs elsewhere in the tree. */
@@ -235,25 +283,40 @@ export class Body implements BodyControl {
     this.noteShown();
   }
 
-  private putAt(place: Vector3, turn: Quaternion): void {
-    this.now.copy(place);
-    this.turnNow.copy(turn);
-    this.before.copy(place);
-    this.turnBefore.copy(this.turnNow);
+  private putAt(to: Vector3, turned: Quaternion): void {
+    this.setNow(to, turned);
+    this.stay();
     this.hasTarget = false;
     this.isSettled = false;
-    this.rapier.setTranslation(this.now, true);
-    this.rapier.setRotation(this.turnNow, true);
+    this.rapier.setTranslation(to, true);
+    this.rapier.setRotation(turned, true);
   }
 
-  private isShownAsWas({ position: place, quaternion }: Object3D): boolean {
-    return this.shownPosition.equals(place) && this.shownTurn.equals(quaternion);
+  private setNow(to: Vector3, turned: Quaternion): void {
+    to.toArray(this.state, NOW);
+    turned.toArray(this.state, NOW + 3);
+  }
+
+  private get movedInStep(): boolean {
+    const { state } = this;
+    for (let i = 0; i < 7; i++) if (state[i] !== state[NOW + i]) return true;
+    return false;
+  }
+
+  private isPositionShown({ position: { x, y, z } }: Object3D): boolean {
+    const { state } = this;
+    return state[SHOWN] === x && state[SHOWN + 1] === y && state[SHOWN + 2] === z;
+  }
+
+  private isTurnShown({ quaternion: { x, y, z, w } }: Object3D): boolean {
+    const { state } = this;
+    return state[SHOWN + 3] === x && state[SHOWN + 4] === y && state[SHOWN + 5] === z && state[SHOWN + 6] === w;
   }
 
   private noteShown(): void {
-    const { position: place, quaternion, scale: size } = this.object.object3D;
-    this.shownPosition.copy(place);
-    this.shownTurn.copy(quaternion);
-    this.shownScale.copy(size);
+    const { position: shown, quaternion, scale } = this.object.object3D;
+    shown.toArray(this.state, SHOWN);
+    quaternion.toArray(this.state, SHOWN + 3);
+    scale.toArray(this.state, SHOWN_SCALE);
   }
 }

@@ -1,5 +1,5 @@
 import type { CharacterCollision, KinematicCharacterController, World } from '@dimforge/rapier3d-compat';
-import { Quaternion, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import type { Body } from './Body';
 import type { ColliderRecord } from './ColliderRecord';
 import type { Rapier } from './loadRapier';
@@ -18,8 +18,6 @@ const GROUND_NORMAL = 0.3;
 
 const wanted = new Vector3();
 const moved = new Vector3();
-const arm = new Vector3();
-const turn = new Quaternion();
 
 /** Another collider that the character touches. */
 interface Hit {
@@ -87,11 +85,12 @@ export class CharacterMotion {
       velocity.set(0, 0, 0);
       this.ground = null;
     }
-    body.before.copy(body.now);
+    body.stay();
     if (step === 0) return;
     this.steer(seconds);
     wanted.copy(velocity).multiplyScalar(seconds);
-    if (this.ground) this.carry(this.ground, wanted);
+    // with what it stands on
+    this.ground?.carry(body, wanted);
     controller.computeColliderMovement(
       this.capsule.rapier,
       wanted,
@@ -105,9 +104,8 @@ export class CharacterMotion {
     // the head met something
     if (velocity.y > 0 && moved.y < wanted.y / 2) velocity.y = 0;
     this.readHits(step);
-    body.now.add(moved);
+    body.advance(moved);
     control.velocity.copy(moved).divideScalar(seconds);
-    body.rapier.setNextKinematicTranslation(body.now);
   }
 
   dispose(): void {
@@ -131,15 +129,6 @@ export class CharacterMotion {
     }
     control.wantsJump = false;
     velocity.y += gravity * seconds;
-  }
-
-  /** Moves with what it stands on. */
-  private carry(ground: Body, way: Vector3): void {
-    if (ground.before.equals(ground.now) && ground.turnBefore.equals(ground.turnNow)) return;
-    arm.copy(this.body.now).sub(ground.before);
-    turn.copy(ground.turnBefore).invert().premultiply(ground.turnNow);
-    arm.applyQuaternion(turn).add(ground.now).sub(this.body.now);
-    way.add(arm);
   }
 
   private readHits(step: number): void {

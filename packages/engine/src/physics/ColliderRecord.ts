@@ -13,6 +13,7 @@ import type { CharacterPart, ColliderPart } from './PhysicsParts';
 const place = new Vector3();
 const turn = new Quaternion();
 const one = new Vector3(1, 1, 1);
+const size = new Vector3();
 const inverse = new Matrix4();
 
 /** A collider of Rapier's world: of a Collider, or of a CharacterController. */
@@ -28,6 +29,39 @@ export interface ColliderRecord {
   readonly watch: ObjectWatch | null;
   /** In m³ times density: its share of the body's mass. */
   readonly weight: number;
+  /** From its object to the body when it was made; null for that of a CharacterController. */
+  readonly made: Matrix4 | null;
+  /** From the shape as Rapier has it to the body, when it was made. */
+  readonly shapeMade: Matrix4;
+}
+
+const way = new Matrix4();
+const columns = [new Vector3(), new Vector3(), new Vector3()] as const;
+/** By how much a matrix may differ from one that only moves and turns. */
+const RIGID = 1e-5;
+
+function isRigid(matrix: Matrix4): boolean {
+  const [x, y, z] = columns;
+  matrix.extractBasis(x, y, z);
+  if (!(matrix.determinant() > 0)) return false;
+  const skews = [x.dot(y), y.dot(z), z.dot(x), x.lengthSq() - 1, y.lengthSq() - 1, z.lengthSq() - 1];
+  return skews.every((skew) => Math.abs(skew) < RIGID);
+}
+
+/**
+ * Moves a collider to where its object is now in the body; what touches it goes on touching it.
+ * @returns false where its shape changed too, and it must be made anew
+ */
+export function moveCollider({ object, body, rapier, made, shapeMade }: ColliderRecord): boolean {
+  if (!made) return false;
+  matrixInBody(object, body, way);
+  if (!way.elements.every(Number.isFinite)) return false;
+  way.multiply(inverse.copy(made).invert());
+  if (!isRigid(way)) return false;
+  way.multiply(shapeMade).decompose(place, turn, size);
+  rapier.setTranslationWrtParent(place);
+  rapier.setRotationWrtParent(turn);
+  return true;
 }
 
 const nameOf = (object: GameObject): string => `'${shortText(object.name)}'`;
@@ -102,7 +136,18 @@ export function makeCollider(
     order,
     watch: object === body.object ? null : new ObjectWatch(object.object3D, body.object.object3D),
     weight: component.sensor ? 0 : made.volume() * component.density,
+    made: matrix,
+    shapeMade: poseOf(desc),
   };
+}
+
+function poseOf({ translation, rotation }: InstanceType<Rapier['ColliderDesc']>): Matrix4 {
+  const { x, y, z, w } = rotation;
+  return new Matrix4().compose(
+    new Vector3(translation.x, translation.y, translation.z),
+    new Quaternion(x, y, z, w),
+    new Vector3(1, 1, 1),
+  );
 }
 
 /** The capsule of a CharacterController. */
@@ -128,5 +173,15 @@ export function makeCapsule(
   const desc = Desc.capsule(half, radius).setTranslation(place.x, place.y, place.z);
   // what touches it is told by the controller, which keeps a distance; sensors are told by Rapier
   desc.setActiveEvents(listens(object) ? ActiveEvents.COLLISION_EVENTS : ActiveEvents.NONE);
-  return { component: null, object, body, rapier: make(desc), order, watch: null, weight: 0 };
+  return {
+    component: null,
+    object,
+    body,
+    rapier: make(desc),
+    order,
+    watch: null,
+    weight: 0,
+    made: null,
+    shapeMade: poseOf(desc),
+  };
 }

@@ -3,7 +3,7 @@ import { shortText } from '@farol/renderer';
 import { Quaternion, Vector3 } from 'three';
 import type { Component, GameObject, Scene, SceneChange } from '../core/SceneGraph';
 import { Body, placeOf } from './Body';
-import { type ColliderRecord, listens, makeCapsule, makeCollider } from './ColliderRecord';
+import { type ColliderRecord, listens, makeCapsule, makeCollider, moveCollider } from './ColliderRecord';
 import { Contacts } from './Contacts';
 import type { Rapier } from './loadRapier';
 import { CharacterMotion } from './CharacterMotion';
@@ -45,6 +45,8 @@ export class PhysicsWorld {
   /** The same, in the order in which they were made. */
   private bodyList: Body[] = [];
   private readonly colliders = new Map<ColliderPart, ColliderRecord>();
+  /** Those whose objects may move in the body. */
+  private readonly watched = new Set<ColliderRecord>();
   private readonly characters = new Map<Body, CharacterMotion>();
   private readonly joints = new Map<JointPart, JointRecord>();
   /** What joints to the world are tied to. */
@@ -105,6 +107,7 @@ export class PhysicsWorld {
     this.bodies.clear();
     this.bodyList = [];
     this.colliders.clear();
+    this.watched.clear();
     this.characters.clear();
     this.joints.clear();
     this.byHandle.clear();
@@ -119,8 +122,19 @@ export class PhysicsWorld {
       if (body.force || body.torque) body.spendForces(deltaSeconds);
       if (body.follow()) this.sizeChanged(body);
     }
-    for (const record of this.colliders.values())
-      if (record.watch?.moved() && record.component) this.changes.componentChanged(record.component);
+    for (const record of this.watched) if (record.watch!.moved()) this.colliderMoved(record);
+  }
+
+  /** The object of a collider, or one above it, was moved in the body. */
+  private colliderMoved(record: ColliderRecord): void {
+    const { body, rapier, component } = record;
+    if (!moveCollider(record)) {
+      this.changes.componentChanged(component!);
+      return;
+    }
+    if (body.type === 'dynamic') body.rapier.recomputeMassPropertiesFromColliders();
+    body.rapier.wakeUp();
+    this.world.contactPairsWith(rapier, (other) => other.parent()?.wakeUp());
   }
 
   /** @param left - steps of this frame that are still to come, this one included */
@@ -133,11 +147,30 @@ export class PhysicsWorld {
     }
     for (const motion of this.characters.values()) motion.move(this.steps, STEP);
     const began = performance.now();
-    this.world.step(this.queue);
+    this.stepRapier();
     this.times.rapier += performance.now() - began;
     this.steps++;
     for (let i = 0; i < bodyList.length; i++) if (bodyList[i].type === 'dynamic') bodyList[i].read();
     this.contacts.collect(this.queue);
+  }
+
+  /** `World.step` less what follows it there: a walk over all bodies and colliders for those that a soft body tore. */
+  private stepRapier(): void {
+    const { world } = this;
+    world.physicsPipeline.step(
+      world.gravity,
+      world.integrationParameters,
+      world.islands,
+      world.broadPhase,
+      world.narrowPhase,
+      world.bodies,
+      world.colliders,
+      world.softBodies,
+      world.impulseJoints,
+      world.multibodyJoints,
+      world.ccdSolver,
+      this.queue,
+    );
   }
 
   private show(share: number): void {
@@ -340,12 +373,14 @@ export class PhysicsWorld {
       this.world.createCollider(desc, body.rapier),
     );
     this.colliders.set(component, record);
+    if (record.watch) this.watched.add(record);
     this.byHandle.set(record.rapier.handle, record);
   }
 
   private removeCollider(record: ColliderRecord): void {
     this.contacts.end(record);
     this.byHandle.delete(record.rapier.handle);
+    this.watched.delete(record);
     if (record.component) this.colliders.delete(record.component);
     this.world.removeCollider(record.rapier, true);
   }

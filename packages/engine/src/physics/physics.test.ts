@@ -348,3 +348,44 @@ test('a scene that plays before Rapier and its meshes are there begins with step
   expect(late.system(PhysicsSystem).steps).toBe(100);
   expect(placesOf(late)).toEqual(placesOf(inTime));
 });
+
+test('a collider below a body that moves in it stays the same one: what lies on it goes on touching it', async () => {
+  const scene = makeScene();
+  const body = new GameObject('Lift');
+  body.addComponent(RigidBody, { type: 'kinematic' });
+  const arm = box('Arm', [0, 0, 0], null);
+  arm.transform.scale = [3, 1, 3];
+  arm.transform.rotation = [0, 0.3, 0];
+  body.add(arm);
+  scene.add(body);
+  const load = box('Load', [0, 1.05, 0]);
+  const heard: string[] = [];
+  class Hears extends Component {
+    static override readonly typeName = 'Hears';
+    onCollisionEnter(): void {
+      heard.push('enter');
+    }
+    onCollisionExit(): void {
+      heard.push('exit');
+    }
+  }
+  load.addComponent(new Hears());
+  scene.add(load);
+  await prepare(scene);
+  run(scene, 40);
+  expect(heard).toEqual(['enter']);
+  for (let i = 0; i < 60; i++) {
+    arm.object3D.position.y += 0.005;
+    arm.object3D.rotation.y += 0.01;
+    run(scene, 1);
+  }
+  expect(heard, 'while it was moved and turned').toEqual(['enter']);
+  run(scene, 60);
+  expect(worldOf(load).y).toBeGreaterThan(1.28);
+  expect(worldOf(load).y).toBeLessThan(1.32);
+  // another size is another shape
+  arm.object3D.scale.y = 2;
+  run(scene, 60);
+  expect(worldOf(load).y).toBeGreaterThan(1.75);
+  expect(heard.length % 2).toBe(1);
+});

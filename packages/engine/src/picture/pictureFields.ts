@@ -19,6 +19,9 @@ export const techniqueType: FieldType = {
 export const skyPresets = ['clear-day', 'overcast', 'sunset', 'night', 'studio'] as const;
 export type SkyPreset = (typeof skyPresets)[number];
 
+/** Those with a sun or a moon. */
+export const skiesWithSun = ['clear-day', 'sunset', 'night'] as const satisfies readonly SkyPreset[];
+
 export const skyFields = {
   background: choice('colour', ['colour', 'gradient', 'sky', 'environment'], {
     help: 'What is seen where there is no object.',
@@ -40,6 +43,25 @@ export const skyFields = {
       studio: 'Studio',
     },
     ...when('background', 'sky'),
+  }),
+  placeSun: boolean(false, {
+    help: 'Put the sun, or the moon, where two angles say, not where the preset has it.',
+    label: 'Place the sun',
+    ...when('sky', ...skiesWithSun),
+  }),
+  sunAzimuth: angle((-115 * Math.PI) / 180, {
+    min: -Math.PI,
+    max: Math.PI,
+    help: 'Direction of the sun on the compass, from +x towards +z.',
+    label: 'Sun azimuth',
+    ...on('placeSun'),
+  }),
+  sunElevation: angle((38 * Math.PI) / 180, {
+    min: 0,
+    max: Math.PI / 2,
+    help: 'How high the sun stands above the horizon.',
+    label: 'Sun elevation',
+    ...on('placeSun'),
   }),
   skyTop: colour([0.08, 0.2, 0.5], { help: 'Colour straight above.', label: 'Top', ...when('background', 'gradient') }),
   skyHorizon: colour([0.55, 0.65, 0.75], {

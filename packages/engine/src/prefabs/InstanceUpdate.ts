@@ -7,7 +7,7 @@ import { mapReferences } from './copyObjects';
 import { isOwnOfInstance, keyOf, objectsBySource } from './instances';
 import { instantiatePrefab } from './instantiatePrefab';
 import type { Prefab } from './Prefab';
-import { componentsOf, objectsOf, valueIn } from './prefabData';
+import { comparedFields, componentsOf, objectsOf, valueIn } from './prefabData';
 import type { PrefabEdit } from './PrefabEdit';
 
 const sameTags = (a: readonly string[] = [], b: readonly string[] = []): boolean =>
@@ -92,6 +92,10 @@ export class InstanceUpdate {
     if (takes('active', object.active === (base.active ?? true), object.active === active)) {
       this.edits.push({ kind: 'active', object, value: active });
     }
+    const isStatic = next.static ?? false;
+    if (takes('static', object.isStatic === (base.static ?? false), object.isStatic === isStatic)) {
+      this.edits.push({ kind: 'static', object, value: isStatic });
+    }
     if (takes('tags', sameTags(object.tags, base.tags), sameTags(object.tags, next.tags))) {
       this.edits.push({ kind: 'tags', object, value: next.tags ?? [] });
     }
@@ -155,7 +159,8 @@ export class InstanceUpdate {
     if (takes(`${key}:enabled`, own.enabled === (base.enabled ?? true), own.enabled === enabled)) {
       this.edits.push({ kind: 'enabled', component: own, value: enabled });
     }
-    for (const [name, field] of Object.entries(own.fields)) {
+    for (const name of comparedFields(own, base, next)) {
+      const field = own.fields[name];
       const value = own.getAuthored(name);
       const nextValue = valueIn(next, name, field, this.ids);
       const isBase = sameValue(value, valueIn(base, name, field, this.ids));

@@ -8,7 +8,7 @@ export type PrefabEdit =
   | { readonly kind: 'field'; readonly component: Component; readonly field: string; readonly value: FieldValue }
   | { readonly kind: 'enabled'; readonly component: Component; readonly value: boolean }
   | { readonly kind: 'name'; readonly object: GameObject; readonly value: string }
-  | { readonly kind: 'active'; readonly object: GameObject; readonly value: boolean }
+  | { readonly kind: 'active' | 'static'; readonly object: GameObject; readonly value: boolean }
   | { readonly kind: 'tags'; readonly object: GameObject; readonly value: readonly string[] }
   | { readonly kind: 'link'; readonly object: GameObject; readonly value: PrefabLink | null }
   | { readonly kind: 'add-component'; readonly object: GameObject; readonly component: Component; readonly id: string }
@@ -33,6 +33,9 @@ export function applyPrefabEdit(edit: PrefabEdit): void {
       break;
     case 'active':
       edit.object.active = edit.value;
+      break;
+    case 'static':
+      edit.object.isStatic = edit.value;
       break;
     case 'tags':
       edit.object.tags = edit.value;

@@ -1,3 +1,4 @@
+import { withViewedValue } from '../assets/uniformFields';
 import type { Component } from '../core/SceneGraph';
 import type { GameObject } from '../core/SceneGraph';
 import type { FileComponent, FileObject } from '../files/FarolFile';
@@ -76,6 +77,8 @@ export function planApplyField(component: Component, field: string): PrefabPlan 
     if (data.id !== link.source) return data;
     const components = data.components.map((each): FileComponent => {
       if (componentKey(data.id, each.id) !== key) return each;
+      if (declared.viewOf !== undefined)
+        return { ...each, values: withViewedValue(each.values, field, declared, value) };
       const { [field]: _before, ...others } = each.values;
       return { ...each, values: sameValue(value, declared.default) ? others : { ...others, [field]: value } };
     });

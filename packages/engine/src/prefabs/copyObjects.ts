@@ -15,6 +15,12 @@ export function mapReferences(
     const value = mapped[name];
     if (field.kind === 'object' && typeof value === 'string') mapped[name] = ids.get(value) ?? null;
   }
+  // of data that are kept it is not known which are references
+  if (!registry.types.has(type)) {
+    for (const [name, value] of Object.entries(mapped)) {
+      if (typeof value === 'string') mapped[name] = ids.get(value) ?? value;
+    }
+  }
   return mapped;
 }
 

@@ -5,7 +5,7 @@ import { sameValue } from '../fields/FieldOwner';
 import type { FileObject } from '../files/FarolFile';
 import { instanceRootOf, isOwnOfInstance, keyOf, objectsBySource } from './instances';
 import type { Prefab } from './Prefab';
-import { componentsOf, objectsOf, valueIn } from './prefabData';
+import { comparedFields, componentsOf, objectsOf, valueIn } from './prefabData';
 
 /** A field whose value is the instance's own. */
 export interface FieldOverride {
@@ -78,6 +78,7 @@ export function overridesOf(root: GameObject): PrefabOverrides {
     const { name } = object;
     if (name !== data.name && object !== root) others.push(`${data.name} (named ${name})`);
     if (object.active !== (data.active ?? true)) others.push(`${name} (active)`);
+    if (object.isStatic !== (data.static ?? false)) others.push(`${name} (static)`);
     if (object.tags.join('\n') !== (data.tags ?? []).join('\n')) others.push(`${name} (tags)`);
     const known = componentsOf(data);
     const present = new Set(object.components.map(keyOf));
@@ -87,7 +88,7 @@ export function overridesOf(root: GameObject): PrefabOverrides {
       const inPrefab = known.get(key);
       if (!inPrefab) others.push(`${name}/${key} added`);
       else if (component.enabled !== (inPrefab.enabled ?? true)) others.push(`${name}/${key} (enabled)`);
-      for (const field of Object.keys(component.fields)) {
+      for (const field of comparedFields(component, ...(inPrefab ? [inPrefab] : []))) {
         const override = fieldOverride(component, field);
         if (override) fields.push(override);
       }

@@ -1,5 +1,7 @@
 import type { Field, FieldValue } from '../fields/Field';
 import type { FileComponent, FileObject } from '../files/FarolFile';
+import { viewedValue } from '../assets/uniformFields';
+import type { Component } from '../core/SceneGraph';
 import { componentKey } from './instances';
 import type { Prefab } from './Prefab';
 
@@ -28,6 +30,21 @@ export function valueIn(
   field: Field,
   ids: ReadonlyMap<string, string>,
 ): FieldValue {
+  if (field.viewOf !== undefined) return viewedValue(component.values, name, field);
   const value = Object.hasOwn(component.values, name) ? component.values[name] : field.default;
   return field.kind === 'object' && typeof value === 'string' ? (ids.get(value) ?? null) : value;
+}
+
+/**
+ * The fields by which a component is compared with data of it: uniforms of the surface one by one where all wear the same one,
+ * else what holds them.
+ */
+export function comparedFields(own: Component, ...others: readonly FileComponent[]): string[] {
+  const { fields } = own;
+  const names = Object.keys(fields);
+  const viewed = new Set(names.flatMap((name) => fields[name].viewOf ?? []));
+  if (viewed.size === 0) return names;
+  const surface = own.getAuthored('surface');
+  const isSame = others.every(({ values }) => (values.surface ?? null) === surface);
+  return names.filter((name) => (isSame ? !viewed.has(name) : fields[name].viewOf === undefined));
 }

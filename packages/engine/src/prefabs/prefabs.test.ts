@@ -1,4 +1,5 @@
 import { beforeEach, describe, expect, test } from 'vitest';
+import { loadSurfaceCode } from '../assets/surfaceCode';
 import { Light } from '../components/Light';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { RandomMovement } from '../components/RandomMovement';
@@ -313,4 +314,62 @@ test('what goes with an object that is removed is not removed once more', () => 
   expect(plan.edits.flatMap((edit) => (edit.kind === 'remove-object' ? [edit.object] : []))).toEqual([bulb]);
   run(plan);
   expect(lamp.children).toEqual([]);
+});
+
+describe('the values of a surface that an object wears by itself', () => {
+  const text = (more = ''): string =>
+    `uniform float a; // = 1\nuniform float b; // = 2\n${more}void surface(inout SurfaceData s) {}`;
+  const values = (root: GameObject): unknown[] => {
+    const renderer = root.getComponent(ObjectRenderer)!;
+    return [renderer.get('surface.a'), renderer.get('surface.b')];
+  };
+
+  test('are overridden one by one', async () => {
+    await loadSurfaceCode();
+    scene.assets.addFieldAsset('surface', 'Rust', { source: text() });
+    const first = new GameObject('Crate');
+    scene.add(first);
+    const renderer = first.addComponent(ObjectRenderer, { surface: 'Rust' });
+    renderer.set('surface.a', 5);
+    const prefab = take(first);
+    const other = place(prefab);
+    const own = other.getComponent(ObjectRenderer)!;
+    expect(values(other)).toEqual([5, 2]);
+    own.set('surface.b', 7);
+    expect(overridesOf(other).fields.map(({ path, base }) => [path, base])).toEqual([
+      ['Crate/ObjectRenderer.surface.b', 2],
+    ]);
+    // the prefab takes another value of the other one: both hold
+    renderer.set('surface.a', 6);
+    run(planApplyField(renderer, 'surface.a'));
+    expect(values(other)).toEqual([6, 7]);
+    expect(overridesOf(first).fields).toEqual([]);
+    run(planApplyField(own, 'surface.b'));
+    expect(values(first)).toEqual([6, 7]);
+    own.set('surface.a', 1);
+    expect(fieldOverride(own, 'surface.a')?.base).toBe(6);
+    run(planRevertAll(other));
+    expect(values(other)).toEqual([6, 7]);
+  });
+
+  test('go with the surface where an instance, or the prefab, wears another one', async () => {
+    await loadSurfaceCode();
+    scene.assets.addFieldAsset('surface', 'Rust', { source: text() });
+    scene.assets.addFieldAsset('surface', 'Moss', { source: text() });
+    const first = new GameObject('Crate');
+    scene.add(first);
+    const renderer = first.addComponent(ObjectRenderer, { surface: 'Rust' });
+    renderer.set('surface.a', 5);
+    const prefab = take(first);
+    const other = place(prefab);
+    renderer.surface = 'Moss';
+    renderer.set('surface.b', 3);
+    run(planApplyAll(first));
+    expect(other.getComponent(ObjectRenderer)!.surface).toBe('Moss');
+    expect(values(other)).toEqual([5, 3]);
+    other.getComponent(ObjectRenderer)!.surface = null;
+    expect(overridesOf(other).fields.map(({ path }) => path)).toEqual(['Crate/ObjectRenderer.surface']);
+    run(planRevertAll(other));
+    expect(values(other)).toEqual([5, 3]);
+  });
 });

@@ -1,52 +1,26 @@
-import { getFormattedTokens } from 'sucrase';
+import { countedLoop } from './countedLoop';
+import { scriptTokens, within } from './scriptTokens';
 
 /** Passes of a script's loops between two looks at the clock; a power of two. */
 const PASSES = 256;
 
+/** Steps of a counter between two looks at the clock, in loops that count themselves. */
+const STEPS = 1024;
+
 /** What every pass of a loop does: it counts, and now and then asks whether it has gone on for too long. */
-const GUARD = `(++$passes&${PASSES - 1}||$check())`;
-
-interface Token {
-  readonly label: string;
-  readonly start: number;
-  readonly end: number;
-}
-
-function tokensOf(code: string): Token[] {
-  const starts = [0];
-  for (let at = code.indexOf('\n'); at >= 0; at = code.indexOf('\n', at + 1)) starts.push(at + 1);
-  const place = (line: string, column: string): number => starts[Number(line) - 1] + Number(column) - 1;
-  return getFormattedTokens(code, { transforms: [] })
-    .split('\n')
-    .flatMap((row) => {
-      const [, line, column, lastLine, lastColumn, label] = /^(\d+):(\d+)-(\d+):(\d+)\s+(\S+)/.exec(row) ?? [];
-      return label ? { label, start: place(line, column), end: place(lastLine, lastColumn) } : [];
-    });
-}
-
-const OPENING = new Set(['(', '[', '{', '${']);
-const CLOSING = new Set([')', ']', '}']);
-
-/** The place of the bracket that closes the one at `open`, and those of the semicolons directly within. */
-function within(tokens: readonly Token[], open: number): { close: number; semicolons: number[] } {
-  const semicolons: number[] = [];
-  let depth = 0;
-  for (let i = open; i < tokens.length; i++) {
-    const { label } = tokens[i];
-    if (OPENING.has(label)) depth++;
-    else if (CLOSING.has(label) && --depth === 0) return { close: i, semicolons };
-    else if (label === ';' && depth === 1) semicolons.push(i);
-  }
-  return { close: -1, semicolons };
-}
+const GUARD = `(($passes=$passes+1&${PASSES - 1})||$check())`;
 
 /**
- * JavaScript whose loops look at the clock now and then, on the same lines: `for (;;)`, `while`, `do`, and `for … of` and
- * `for … in` with braces. It needs `$passes`, a number, and `$check`, a function that throws when they go on for too long.
+ * JavaScript whose loops look at the clock now and then, on the same lines: `for` of every kind, `while` and `do`. It needs
+ * `$passes`, a number, and `$check`, a function that throws when they go on for too long.
+ *
+ * A call within a loop keeps browsers from making it fast, whether it is made or not. So a `for` that counts has another one
+ * around it that makes the call, each time that the counter has gone on by `STEPS`:
+ * `for(let i=0,$end=…;;){for($end=i+1024;!(i>=$end)&&(i<n);i++){…}if(!(i>=$end))break;$check();}`.
  */
 export function guardLoops(code: string): string {
   if (!/\b(for|while)\b/.test(code)) return code;
-  const tokens = tokensOf(code);
+  const tokens = scriptTokens(code);
   /** What is put in, by where. */
   const additions: [at: number, text: string][] = [];
   tokens.forEach(({ label }, i) => {
@@ -56,9 +30,28 @@ export function guardLoops(code: string): string {
     const { close, semicolons } = within(tokens, open);
     if (close < 0) return;
     const [first, second] = semicolons;
-    if (second !== undefined)
-      additions.push([tokens[first].end, second === first + 1 ? `(${GUARD},true)` : `${GUARD},`]);
-    else if (tokens[close + 1]?.label === '{') additions.push([tokens[close + 1].end, `${GUARD};`]);
+    if (second === undefined) {
+      const hasBraces = tokens[close + 1]?.label === '{';
+      // an `else` after the loop is that of an `if` around it, since this one has its own
+      additions.push(
+        hasBraces ? [tokens[close + 1].end, `${GUARD};`] : [tokens[close].end, `if(${GUARD},false);else `],
+      );
+      return;
+    }
+    const isEmpty = second === first + 1;
+    const counted = countedLoop(code, tokens, i, close, semicolons);
+    if (!counted) {
+      additions.push([tokens[first].end, isEmpty ? `(${GUARD},true)` : `${GUARD},`]);
+      return;
+    }
+    const { counter, isUp, end } = counted;
+    const goesOn = isUp ? `!(${counter}>=$end)` : `!(${counter}<=$end)`;
+    additions.push(
+      [tokens[first].start, `,$end=${GUARD};;){for($end=${counter}${isUp ? '+' : '-'}${STEPS}`],
+      [tokens[first].end, isEmpty ? goesOn : `${goesOn}&&(`],
+      ...(isEmpty ? [] : [[tokens[second].start, ')'] as [number, string]]),
+      [tokens[end].end, `if(${goesOn})break;$check();}`],
+    );
   });
   let text = '';
   let last = 0;

@@ -1,6 +1,7 @@
 /** Scripts of scenes: compiling, running, and what is wrong with them. */
 export type { CompiledScript, ScriptFunction, ScriptRunner } from './CompiledScript';
 export { compileScript } from './compileScript';
+export { resolveScript } from './resolveScript';
 export { givenScripts, runInPage, takeGiven } from './runInPage';
 export { SceneScripts, type SceneScriptsOptions } from './SceneScripts';
 export { ScriptError, type ScriptPlace } from './ScriptError';

@@ -23,10 +23,9 @@ export { gbufferUniforms, setGBufferUniforms, type GBufferUniforms } from '../gb
 export { LightVolumesPass } from '../lighting/volumes/LightVolumesPass';
 export { LightGridPass } from '../lighting/lists/LightGridPass';
 export type { LightLists } from '../lighting/lists/LightLists';
-export { LightTilesPass, type TileDepthUse } from '../lighting/lists/LightTilesPass';
-export type { AccumulatedLight } from '../lighting/AccumulatedLight';
-export { MultipassLightsPass } from '../lighting/MultipassLightsPass';
-export { AccumulatedOutputPass } from '../output/AccumulatedOutputPass';
+export { LightTilesPass } from '../lighting/lists/LightTilesPass';
+export type { TileDepthUse } from '../lighting/lists/TileDepthUse';
+export type { AccumulatedLight } from '../lazy/multipass/AccumulatedLight';
 export { DeferredOutputPass } from '../output/DeferredOutputPass';
 export { OutputPass } from '../output/OutputPass';
 export { TiledOutputPass } from '../output/TiledOutputPass';

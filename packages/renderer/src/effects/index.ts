@@ -16,7 +16,10 @@ export interface EffectEntry {
   make(): FarolEffect;
 }
 
-/** All effects by key, in the order in which they are to stand in `FarolRenderer.effects`. A new one is a file and a line here. */
+/**
+ * The effects that a menu offers, by key, in the order in which they are to stand in `FarolRenderer.effects`. A new one is a file
+ * and a line here. `Particles` is not among them: whoever has emitters has it too, and scenes without need not fetch it.
+ */
 export const effects = {
   decals: {
     label: 'Decals',

@@ -2,6 +2,7 @@ import { forwardTwins } from './forwardTwin';
 import type { ForwardTwins } from './forwardTwin';
 import { hasDepthTwin } from './depthTwin';
 import type { Frame } from '../frame/Frame';
+import { isGouraud } from '../materials/shadingOf';
 import type { RenderItem } from '../frame/RenderItem';
 import { BackgroundDraw } from '../output/BackgroundDraw';
 import type { Pass, Resource } from '../frame/Pass';
@@ -23,6 +24,8 @@ export class ForwardPass implements Pass {
   readonly writes: readonly Resource[];
   readonly bytes = 0;
   private readonly list: ForwardPassOptions['list'];
+  private readonly loop: LightLoop;
+  private readonly loopOutside: LightLoop;
   private readonly background = new BackgroundDraw();
   private readonly twins: ReturnType<typeof forwardTwins>;
   private readonly outside: ReturnType<typeof forwardTwins>;
@@ -33,6 +36,8 @@ export class ForwardPass implements Pass {
     this.reads = options.reads ?? [];
     this.writes = options.list === 'transparent' ? ['target', 'transparent'] : ['target'];
     const { loop, loopOutside = loop } = options;
+    this.loop = loop;
+    this.loopOutside = loopOutside;
     this.twins = forwardTwins(loop);
     this.outside = loopOutside === loop ? this.twins : forwardTwins(loopOutside);
   }
@@ -43,8 +48,8 @@ export class ForwardPass implements Pass {
     const fills = this.list === 'opaque' && frame.fills === 'behind';
     if ((items.length === 0 && !fills) || frame.view === 'overdraw') return;
     frame.bindTarget();
-    const twins = this.twins(frame.view);
-    const outside = this.outside(frame.view);
+    const twins = (frame.fields?.twinsFor(this.loop) ?? this.twins)(frame.view);
+    const outside = (frame.fields?.twinsFor(this.loopOutside) ?? this.outside)(frame.view);
     const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
     for (const item of items)
       this.draw(frame, item, item.splits && hasDepthTwin(item.material) ? twins : outside, onlyLit);
@@ -57,6 +62,7 @@ export class ForwardPass implements Pass {
 
   private draw(frame: Frame, item: RenderItem, twins: ForwardTwins, onlyLit: boolean): void {
     if (item.drawn || (onlyLit && !item.lit)) return;
-    frame.drawForward(item, twins);
+    const vertex = item.lit && isGouraud(item.material) ? frame.gouraudTwins() : null;
+    frame.drawForward(item, vertex ?? twins);
   }
 }

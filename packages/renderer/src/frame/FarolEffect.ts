@@ -47,6 +47,12 @@ export interface FarolEffect {
    */
   picked?(frame: Frame, technique: Technique): void;
   /**
+   * Called inside three's `render`, where `frame` draws, before anything of the frame is drawn: for what lights and passes then
+   * read. What is seen through transmissive things is a drawing of its own, before which it is called too. It leaves the
+   * target bound that it finds bound.
+   */
+  compute?(frame: Frame): void;
+  /**
    * Gives the kind of twin that an item is drawn with in place of another, or that one: by `kind.role`. Called for each draw,
    * in the order of the effects, each with what the one before gave; must not allocate in steady state.
    */

@@ -22,6 +22,7 @@ export interface FarolInfo {
   cpuMs: number;
   /** Sum of the passes (ms), or null. */
   gpuMs: number | null;
+  /** Lights of the scene, and those kept for this frame; of a LightField all that it draws, in both. */
   lights: { total: number; visible: number };
   /**
    * Shadow maps drawn in this frame and the texels that were drawn to for them, maps of lit lights that were kept from earlier

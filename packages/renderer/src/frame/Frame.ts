@@ -20,11 +20,14 @@ import type { Fills } from './Fills';
 import type { GBuffer } from '../gbuffer/GBuffer';
 import { farthestTold, needsStoredDistance } from '../gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
+import type { FieldDraws } from '../lighting/FieldDraws';
 import type { LightTable } from '../lighting/LightTable';
+import type { ReactiveMask } from './ReactiveMask';
 import { depthTwin, hasDepthTwin } from '../forward/depthTwin';
 import type { ForwardTwins } from '../forward/forwardTwin';
 import { setLayers } from '../materials/layersAttribute';
 import { plainBack, plainFront, plainWhole } from '../forward/plainTwins';
+import { surfacesOf } from '../materials/surfacesOf';
 import type { TwinCache } from '../materials/TwinCache';
 import type { TwinKind } from '../materials/TwinKind';
 import type { MicroShaderRegistry } from '../microshaders';
@@ -77,6 +80,8 @@ export class Frame {
   height = 1;
   /** Bytes that passes have sent in this frame. */
   uploadedBytes = 0;
+  /** Gets what has no past, where an effect looks for the past; set by it in `begin`. */
+  reactive: ReactiveMask<Frame> | null = null;
   /** How the technique fills the target where three was kept from clearing it, else null. */
   fills: Fills | null = null;
   /** Cube face and mipmap level of the target. */
@@ -86,6 +91,10 @@ export class Frame {
   shadowMapsDrawn = 0;
   /** Finds which lights light all, or none, of tiles of a G-buffer; null while no light casts a shadow. */
   findTileShadows: ((gbuffer: GBuffer) => void) | null = null;
+  /** The lights of fields; null while there are none in the frame. */
+  fields: FieldDraws<Frame> | null = null;
+  /** Gives the forward twins of materials with Gouraud shading; null until their code is there. */
+  gouraudTwins: () => ForwardTwins | null = () => null;
   /** Give the kinds of twins that items are drawn with, in order: each gets what the one before gave. */
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
@@ -137,6 +146,7 @@ export class Frame {
     this.camera = camera;
     this.view = view;
     this.uploadedBytes = 0;
+    this.reactive = null;
     this.resources.begin();
     this.nodes?.begin();
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
@@ -305,7 +315,7 @@ export class Frame {
       this.drawTwin(item, lit ? twins.back : plainBack);
       this.drawTwin(item, lit ? twins.front : plainFront);
     } else if (lit) this.drawTwin(item, twins.whole);
-    else if (this.adapted(plainWhole, item) !== plainWhole) this.drawTwin(item, plainWhole);
+    else if (surfacesOf(material) || this.adapted(plainWhole, item) !== plainWhole) this.drawTwin(item, plainWhole);
     else this.drawItem(item, material);
   }
 
@@ -319,8 +329,12 @@ export class Frame {
     const { drawRange } = mesh.geometry;
     const { count } = drawRange;
     drawRange.count = 0;
-    this.drawMesh(mesh, material);
-    drawRange.count = count;
+    try {
+      this.drawMesh(mesh, material);
+    } finally {
+      // meshes of other renderers have the same geometry
+      drawRange.count = count;
+    }
   }
 
   /** Draws a mesh of Farol's own; of a host's target with several textures, to the first. */

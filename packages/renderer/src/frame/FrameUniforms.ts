@@ -16,14 +16,17 @@ export class FrameUniforms {
   set(webgl: WebGLRenderer, frame: Frame, shadows: ShadowMaps | null, heatMaximum: number): void {
     const { lights, values } = this;
     lights.upload(webgl);
-    values.farol_lightTable.value = lights.table.texture;
+    values.farol_lightTable.value = frame.fields?.texture ?? lights.table.texture;
     values.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     const counts = values.farol_lightCounts.value;
     counts[0] = lights.directional;
     counts[1] = lights.unbounded;
-    counts[2] = lights.bounded;
+    counts[2] = lights.listed;
     counts[3] = lights.others;
-    shadows?.setUniforms(values, lights.firstMask, frame.camera);
+    const areas = values.farol_areaCounts.value;
+    areas[0] = lights.boundeds.length + lights.slots - lights.others;
+    areas[1] = lights.areas;
+    shadows?.setUniforms(values, lights.firstMask + lights.slots, frame.camera);
     values.farol_heatScale.value = 1 / heatMaximum;
   }
 

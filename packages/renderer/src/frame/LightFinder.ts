@@ -1,6 +1,7 @@
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 import { collectLights, type FoundLights } from './collectLights';
-import { shadowCode } from './lazyCode';
+import { areaCode, shadowCode } from './lazyCode';
+import type { AreaLights } from '../lights/AreaLights';
 import { threeChunks } from '../three/ThreeChunks';
 import type { ShadowMaps } from '../lazy/shadows/ShadowMaps';
 
@@ -12,12 +13,24 @@ const UNIFORMS = 100;
 const UNIFORMS_PER_LIGHT = 7;
 
 type ShadowCode = typeof import('../lazy/shadows');
+type AreaCode = typeof import('../lazy/area-lights');
 
 /** Finds the lights of a frame, and fetches the code of shadow maps when one casts a shadow or throws a cookie. */
 export class LightFinder {
-  readonly found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0 };
-  /** Which lights three goes on drawing: those with shadows, those with cookies, or all of them. */
-  readonly left = { shadows: false, cookies: true, all: false };
+  readonly found: FoundLights = {
+    all: [],
+    count: 0,
+    nested: [],
+    rest: [],
+    seeksMasks: true,
+    masks: 0,
+    left: 0,
+    hasArea: false,
+  };
+  /** Which lights three goes on drawing: those with shadows, those with cookies, area lights, or all of them. */
+  readonly left = { shadows: false, cookies: true, areas: true, all: false };
+  /** Null until a scene has an area light, and their code is there. */
+  areas: AreaLights | null = null;
   /** Null until a scene needs shadow maps, cookies or light layers, and their code is there. */
   shadows: ShadowMaps | null = null;
   /** Whether the last scene needs them; not looked at once `shadows` are there. */
@@ -28,6 +41,7 @@ export class LightFinder {
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly makeShadows: (code: ShadowCode) => ShadowMaps,
+    private readonly makeAreas: (code: AreaCode) => AreaLights,
   ) {}
 
   /**
@@ -45,6 +59,11 @@ export class LightFinder {
       left.all = false;
       collectLights(scene, camera, left, found);
     }
+    if (found.hasArea && !left.all && left.areas) {
+      this.areas = areaCode.use(this.makeAreas);
+      left.areas = this.areas === null;
+      if (!left.areas) collectLights(scene, camera, left, found);
+    }
     this.asksForShadows = found.masks > 0 || layers;
     if (this.shadows !== null || !this.asksForShadows || left.all) return;
     this.shadows = shadowCode.use(this.makeShadows);
@@ -55,10 +74,13 @@ export class LightFinder {
     collectLights(scene, camera, left, found);
   }
 
-  /** Frees the shadow maps; a scene may ask for them again. */
+  /** Frees the shadow maps, and what area lights need; a scene may ask for them again. */
   dispose(): void {
     this.shadows?.dispose();
     this.shadows = null;
+    this.areas?.dispose();
+    this.areas = null;
+    this.left.areas = true;
     this.found.seeksMasks = true;
   }
 

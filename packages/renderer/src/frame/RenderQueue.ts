@@ -2,6 +2,7 @@ import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderM
 import { isOrderSensitive, isPlainOpaque } from '../gbuffer/shadingModel';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
+import { isGouraud } from '../materials/shadingOf';
 import { RefusedMaterials } from '../materials/RefusedMaterials';
 import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind } from '../materials/TwinKind';
@@ -118,7 +119,7 @@ export class RenderQueue {
     item.renderOrder = object.renderOrder;
     item.z = z;
     item.nodes = hasNodes(material);
-    const ownShader = item.nodes || threeChunks.shading || hasOwnShader(material);
+    const ownShader = item.nodes || threeChunks.shading || hasOwnShader(material) || isGouraud(material);
     item.lit = !item.nodes && !threeChunks.lights && isLit(material) && !(ownShader && this.refused.has(material));
     item.shadowMask =
       !item.lit && this.shadowMasks?.shows(material) === true && !(ownShader && this.refused.has(material));

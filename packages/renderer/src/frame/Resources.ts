@@ -2,7 +2,7 @@ import type { Texture, WebGLRenderTarget } from 'three';
 import type { GBuffer } from '../gbuffer/GBuffer';
 import type { LightBuffer } from '../lazy/light-buffer/LightBuffer';
 import type { ThinGBuffer } from '../lazy/light-buffer/ThinGBuffer';
-import type { AccumulatedLight } from '../lighting/AccumulatedLight';
+import type { AccumulatedLight } from '../lazy/multipass/AccumulatedLight';
 import type { LightLists } from '../lighting/lists/LightLists';
 import type { RenderItem } from './RenderItem';
 

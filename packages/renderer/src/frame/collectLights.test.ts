@@ -1,11 +1,15 @@
-import { Camera, Group, Mesh, Object3D, PointLight, RectAreaLight, Scene } from 'three';
+import { Camera, Group, LightProbe, Mesh, Object3D, PointLight, RectAreaLight, Scene } from 'three';
 import { describe, expect, it } from 'vitest';
 import { collectLights, type FoundLights } from './collectLights';
 
-const nothingLeft = { shadows: false, cookies: false, all: false };
+const nothingLeft = { shadows: false, cookies: false, areas: false, all: false };
+
+function nothingFound(): FoundLights {
+  return { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0, hasArea: false };
+}
 
 function collect(root: Object3D): FoundLights {
-  const found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0 };
+  const found = nothingFound();
   collectLights(root, new Camera(), nothingLeft, found);
   return found;
 }
@@ -29,7 +33,7 @@ describe('collectLights', () => {
         named(new PointLight(), 'plain'),
         named(new PointLight(), 'carrier', named(new Mesh(), 'carried')),
         named(new Group(), 'group', named(new PointLight(), 'in group')),
-        named(new RectAreaLight(), 'rectangle'),
+        named(new LightProbe(), 'probe'),
         hidden,
         unseen,
         otherLayer,
@@ -37,7 +41,15 @@ describe('collectLights', () => {
     );
     expect(names(all)).toEqual(['plain', 'carrier', 'in group']);
     expect(names(nested)).toEqual(['carrier', 'in group']);
-    expect(names(rest)).toEqual(['carrier', 'group', 'rectangle', 'other layer']);
+    expect(names(rest)).toEqual(['carrier', 'group', 'probe', 'other layer']);
+  });
+
+  it('leaves area lights to three until their code is there, and says that there are some', () => {
+    const scene = new Scene().add(named(new RectAreaLight(), 'rectangle'));
+    expect(names(collect(scene).all)).toEqual(['rectangle']);
+    const found = nothingFound();
+    collectLights(scene, new Camera(), { ...nothingLeft, areas: true }, found);
+    expect([names(found.all), names(found.rest), found.hasArea]).toEqual([[], ['rectangle'], true]);
   });
 
   it('gives three a root that is no scene as it is, its lights nested', () => {
@@ -101,7 +113,7 @@ describe('collectLights', () => {
         seed = before;
         if (round > 3) move(twin);
         else for (const child of twin.children) move(child);
-        const found: FoundLights = { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0 };
+        const found = nothingFound();
         collectLights(root, new Camera(), nothingLeft, found, true);
         twin.updateMatrixWorld();
         const expected: Object3D[] = [];

@@ -1,5 +1,5 @@
 import { type Camera, type Light, Matrix4, Object3D, type Scene } from 'three';
-import { hasCookie, isManagedLight, type LeftToThree } from '../lights/classifyLight';
+import { hasCookie, hasProfile, isAreaLight, isManagedLight, type LeftToThree } from '../lights/classifyLight';
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
 export interface FoundLights {
@@ -11,11 +11,13 @@ export interface FoundLights {
   readonly nested: Light[];
   /** Children of a root that is a Scene, without managed lights that have none of their own; of another root, itself. */
   readonly rest: Object3D[];
-  /** Whether to look for lights that may cast a shadow or throw an image, and how many there were. */
+  /** Whether to look for lights that may cast a shadow, throw an image or have a profile, and how many there were. */
   seeksMasks: boolean;
   masks: number;
-  /** How many directional, point and spot lights were left to three. */
+  /** How many lights were left to three. */
   left: number;
+  /** Whether one of those left is an area light. */
+  hasArea: boolean;
 }
 
 const { updateMatrixWorld } = Object3D.prototype;
@@ -40,6 +42,7 @@ export function collectLights(
 ): void {
   found.count = 0;
   found.masks = found.left = 0;
+  found.hasArea = false;
   found.nested.length = found.rest.length = 0;
   const isScene = (root as Scene).isScene === true;
   const byChild = update && isScene && root.visible && root.updateMatrixWorld === updateMatrixWorld;
@@ -115,10 +118,13 @@ function visitBelow({ children }: Object3D, camera: Camera, left: LeftToThree, f
 /** @returns whether the light is a managed one that the camera's layers see */
 function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
   if (!light.layers.test(camera.layers)) return false;
-  if (found.seeksMasks && (light.castShadow || hasCookie(light))) found.masks++;
+  if (found.seeksMasks && (light.castShadow || hasCookie(light) || hasProfile(light))) found.masks++;
   if (!isManagedLight(light, left)) {
     found.left++;
-    return false;
+    if (!isAreaLight(light)) return false;
+    found.hasArea = true;
+    // three would warn of one that casts shadows in each frame: it is dark until its code is there
+    return light.castShadow;
   }
   found.all[found.count++] = light;
   return true;

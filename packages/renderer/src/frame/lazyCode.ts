@@ -1,7 +1,10 @@
 import { Lazy } from './Lazy';
 
-/** Shadow maps, cookies and light layers. */
+/** Shadow maps, cookies, photometric profiles and light layers. */
 export const shadowCode = new Lazy(() => import('../lazy/shadows'), 'shadow maps', 'three draws shadows');
+
+/** Area lights: rectangles, discs and tubes. */
+export const areaCode = new Lazy(() => import('../lazy/area-lights'), 'area lights', 'three draws rectangles');
 
 /** The views of surfaces and overdraw. */
 export const viewCode = new Lazy(() => import('../lazy/views'), 'this view', 'the final picture is shown');
@@ -12,6 +15,23 @@ export const lightBufferCode = new Lazy(
   'light pre-pass and inferred lighting',
   'deferred shading draws',
 );
+
+/** Multipass lighting: the technique 'forward'. */
+export const multipassCode = new Lazy(
+  () => import('../lazy/multipass'),
+  'multipass lighting',
+  'deferred shading draws',
+);
+
+/** Lights as data: LightField. */
+export const lightFieldCode = new Lazy(
+  () => import('../lazy/light-fields'),
+  'light fields',
+  'their lights light nothing',
+);
+
+/** Lights at the vertices. */
+export const gouraudCode = new Lazy(() => import('../lazy/gouraud'), 'Gouraud shading', 'light is in pixels');
 
 /** Compiles the programs of a technique ahead, before 'auto' draws by it. */
 export const warmUpCode = new Lazy(
@@ -24,7 +44,25 @@ export const warmUpCode = new Lazy(
 export const timerCode = new Lazy(() => import('../lazy/timer'), 'GPU times', 'there are none');
 
 /** All of the above. */
-export const lazyCode = [shadowCode, viewCode, lightBufferCode, timerCode, warmUpCode] as const;
+export const lazyCode = [
+  shadowCode,
+  areaCode,
+  viewCode,
+  lightBufferCode,
+  multipassCode,
+  lightFieldCode,
+  gouraudCode,
+  timerCode,
+  warmUpCode,
+] as const;
 
 /** Those with microshaders of their own, by who brings them. */
-export const lazyShaders = { shadows: shadowCode, views: viewCode, 'light-buffer': lightBufferCode } as const;
+export const lazyShaders = {
+  shadows: shadowCode,
+  'area-lights': areaCode,
+  views: viewCode,
+  'light-buffer': lightBufferCode,
+  multipass: multipassCode,
+  'light-fields': lightFieldCode,
+  gouraud: gouraudCode,
+} as const;

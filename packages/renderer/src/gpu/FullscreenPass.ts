@@ -46,8 +46,8 @@ export interface FullscreenPassOptions<U extends Uniforms> extends Omit<
 }
 
 /**
- * A triangle over the whole viewport with a fragment shader made of microshaders. Owns triangle, program and, if asked
- * for, a target of its own; makes them when first drawn, and anew after `dispose`.
+ * A triangle over the whole viewport with a fragment shader made of microshaders. Owns a program and, if asked
+ * for, a target; makes them when first drawn, and anew after `dispose`.
  *
  * @example
  * const brightness = new FullscreenPass({
@@ -136,7 +136,6 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
     this.own?.dispose();
     this.made?.dispose();
     this.made = null;
-    this.triangle.geometry.dispose();
   }
 
   private make(drawer: MeshDrawer): PassMaterial | OutputMaterial {

@@ -75,6 +75,8 @@ export class PassMaterial extends RawShaderMaterial {
 
 /** Material of a pass into the host's target, with three's tone mapping, colour space and fog for that target. */
 export class OutputMaterial extends ShaderMaterial {
+  /** Whether its draws are in the reactive mask. Default false. */
+  isReactive = false;
   private readonly unfollow: () => void;
 
   constructor(registry: MicroShaderRegistry, options: PassMaterialOptions) {

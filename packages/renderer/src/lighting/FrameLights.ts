@@ -2,7 +2,10 @@ import type { Object3D, WebGLRenderer } from 'three';
 import type { Frame } from '../frame/Frame';
 import { FrameUniforms } from '../frame/FrameUniforms';
 import type { LightFinder } from '../frame/LightFinder';
+import { lightFieldCode } from '../frame/lazyCode';
+import type { LightFields } from '../lazy/light-fields/LightFields';
 import type { LightLayers } from '../lazy/shadows/LightLayers';
+import type { AreaLights } from '../lights/AreaLights';
 import type { ShadowedLights } from '../lights/classifyLight';
 import { type LightOrder, LightTable } from './LightTable';
 import { shadowedLights } from './shadowedLights';
@@ -12,14 +15,20 @@ export interface LightSettings {
   readonly webgl: WebGLRenderer;
   readonly lightLayers: boolean;
   readonly shadowCascades: number;
+  readonly areaLightThreshold: number;
   readonly heatMapMaximum: number;
 }
 
 /** The lights of a frame: sorted out, masked, written to the table and sent. */
 export class FrameLights {
   readonly table = new LightTable();
+  private fields: LightFields | null = null;
   readonly uniforms = new FrameUniforms(this.table);
-  private readonly masks = { shadows: 'none' as ShadowedLights, layers: null as LightLayers | null };
+  private readonly masks = {
+    shadows: 'none' as ShadowedLights,
+    layers: null as LightLayers | null,
+    areas: null as AreaLights | null,
+  };
 
   /**
    * Brings the lights of a frame up to date.
@@ -33,11 +42,19 @@ export class FrameLights {
     const layers = shadows?.layers ?? null;
     masks.shadows = shadowedLights(webgl);
     masks.layers = layers;
+    masks.areas = finder.areas;
+    if (finder.areas !== null) finder.areas.threshold = settings.areaLightThreshold;
     layers?.begin(scene, settings.lightLayers);
     table.collect(finder.found.all, frame.camera, masks);
     layers?.end();
-    const order = pick();
+    const fields = (frame.fields = table.fields.length > 0 ? this.makeFields(frame) : null);
+    table.slots = 0;
+    fields?.begin();
+    const picked = pick();
+    // clusters of fields are made on the GPU
+    const order = fields !== null && picked === 'by-grid' ? 'by-depth' : picked;
     if (shadows !== null) {
+      shadows.areas = finder.areas;
       shadows.cascades = Math.min(4, Math.max(1, Math.round(settings.shadowCascades)));
       shadows.update(scene, frame.camera, table.masked, frame);
     }
@@ -47,9 +64,16 @@ export class FrameLights {
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
   }
 
+  /** Null until their code is there. */
+  private makeFields(frame: Frame): LightFields | null {
+    return (this.fields ??= lightFieldCode.use((code) => code.makeLightFields(frame)));
+  }
+
   dispose(): void {
+    this.fields?.dispose();
+    this.fields = null;
     this.table.dispose();
-    this.masks.layers = null;
+    this.masks.layers = this.masks.areas = null;
     this.uniforms.freeMasks();
   }
 }

@@ -5,15 +5,16 @@ import {
   type Light,
   type Matrix4,
   type PointLight,
+  type RectAreaLight,
   type SpotLight,
   Vector3,
 } from 'three';
 import type { DataTable } from '../gpu/DataTable';
-import { mayBeMasked, type MaskSettings } from '../lights/classifyLight';
+import { isAreaLight, mayBeMasked, type MaskSettings } from '../lights/classifyLight';
 import type { FarolAttenuation, FarolLightData } from '../lights/FarolLightData';
 import { lightAxis } from '../lights/lightAxis';
-import { lightRange } from '../lights/lightRange';
 import {
+  AREA_PENUMBRA,
   attenuationKinds,
   emissionDecay,
   EXTENSION,
@@ -47,6 +48,7 @@ export class LightRecords {
   extensions = 0;
   private firstMask = 0;
   private firstExtension = 0;
+  private slots = 0;
   private masks: LightMasks | null = null;
   private settings: MaskSettings | null = null;
 
@@ -56,10 +58,12 @@ export class LightRecords {
    * Begins a frame.
    * @param firstMask record of the first mask; extensions follow the masks
    * @param settings tell which lights to look up in the masks
+   * @param slots records that shaders see before the masks, beside those of the table
    */
-  begin(masks: LightMasks | null, firstMask: number, settings: MaskSettings | null): void {
+  begin(masks: LightMasks | null, firstMask: number, settings: MaskSettings | null, slots = 0): void {
     this.masks = masks;
     this.settings = settings;
+    this.slots = slots;
     this.firstMask = firstMask;
     this.firstExtension = firstMask + (masks?.records ?? 0);
     this.extensions = 0;
@@ -81,20 +85,22 @@ export class LightRecords {
   }
 
   /**
-   * Writes the record of a point or spot light whose centre (view space, m) is given.
+   * Writes the record of a point, spot or area light whose centre (view space, m) is given.
+   * @param range (m)
    * @returns whether the record is that of a plain point light
    */
-  writeLocal(record: number, light: Light, x: number, y: number, z: number, view: Matrix4): boolean {
+  writeLocal(record: number, light: Light, x: number, y: number, z: number, range: number, view: Matrix4): boolean {
     const { table } = this;
     const at = record * FLOATS_PER_RECORD;
     const point = light as PointLight;
     const spot = (light as SpotLight).isSpotLight === true ? (light as SpotLight) : null;
-    const extension = this.writeExtension(light);
+    const isArea = isAreaLight(light);
+    const extension = isArea ? this.writeArea(light, view) : this.writeExtension(light);
     const mask = this.maskOf(light);
     const plain = spot === null && extension === 0 && mask === 0;
     const i = light.intensity;
-    const decay = emissionDecay(point.decay, plain);
-    table.set4(at + LIGHT.sphere, x, y, z, lightRange(point));
+    const decay = emissionDecay(point.decay ?? 0, plain);
+    table.set4(at + LIGHT.sphere, x, y, z, range);
     if (extension > 0) table.set4(at + LIGHT.emission, colour.r, colour.g, colour.b, decay);
     else table.set4(at + LIGHT.emission, light.color.r * i, light.color.g * i, light.color.b * i, decay);
     if (spot !== null) {
@@ -104,9 +110,18 @@ export class LightRecords {
       table.set4(at + LIGHT.details, Math.cos(spot.angle * (1 - spot.penumbra)), exponent, mask, extension);
     } else if (!plain) {
       table.set4(at + LIGHT.cone, 0, 0, 1, POINT_CUTOFF);
-      table.set4(at + LIGHT.details, POINT_PENUMBRA, NO_EXPONENT, mask, extension || mask % 1);
+      const penumbra = isArea ? AREA_PENUMBRA : POINT_PENUMBRA;
+      table.set4(at + LIGHT.details, penumbra, NO_EXPONENT, mask, extension || mask % 1);
     }
     return plain;
+  }
+
+  /** As `writeExtension`. */
+  private writeArea(light: RectAreaLight, view: Matrix4): number {
+    const record = this.firstExtension + this.extensions++;
+    this.settings!.areas!.write(this.table, record * FLOATS_PER_RECORD, light, view);
+    colour.copy(light.color).multiplyScalar(light.intensity);
+    return record + this.slots;
   }
 
   /** Writes the extension record, if the light needs one, and leaves in `colour` the colour for the light's own record. */
@@ -131,7 +146,7 @@ export class LightRecords {
     else table.set4(at + EXTENSION.ambient, ambient[0] * i, ambient[1] * i, ambient[2] * i, 0);
     this.writeAttenuation(at + EXTENSION.falloff, attenuation);
     colour.setRGB(c0 * i, c1 * i, c2 * i);
-    return record;
+    return record + this.slots;
   }
 
   private writeAttenuation(at: number, attenuation: FarolAttenuation | undefined): void {
@@ -147,7 +162,7 @@ export class LightRecords {
   private maskOf(light: Light): number {
     if (this.masks === null || this.settings === null || !mayBeMasked(light, this.settings)) return 0;
     const record = this.masks.recordOf(light);
-    return record < 0 ? 0 : this.firstMask + record;
+    return record < 0 ? 0 : this.firstMask + this.slots + record;
   }
 }
 

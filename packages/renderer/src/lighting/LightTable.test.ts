@@ -33,4 +33,34 @@ describe('the light table', () => {
       expect(table.others).toBe(1);
     },
   );
+
+  it.each([
+    ['plain, between quads of plain point lights and the others', 'by-depth', true, true, 128, 3],
+    ['plain, after plain point lights alone', 'by-depth', true, false, 2, 3],
+    ['with spot lights, after all', 'by-depth', false, true, 129, 1],
+    ['with spot lights, from a quad on that is walked by the general loop', 'by-depth', false, false, 2, 0],
+    ['in volumes, after all', 'by-volume', true, true, 3, 0],
+  ] as const)('makes room for the records of fields: %s', (_, order, plain, withSpot, first, quads) => {
+    const lights = [new PointLight(0xffffff, 1, 5), new PointLight(0xffffff, 1, 5)];
+    const spot = new SpotLight(0xffffff, 1, 5, 0.5);
+    spot.userData.farol = { ambient: [1, 1, 1] };
+    const all = withSpot ? [...lights, spot] : lights;
+    for (const light of all) {
+      light.position.z = -10;
+      light.updateMatrixWorld();
+    }
+    const table = new LightTable();
+    table.collect(all, camera, settings);
+    table.slots = 256;
+    table.plainSlots = plain;
+    table.write(camera, order, size, without);
+    expect(table.firstSlot - table.firstBounded).toBe(first);
+    expect(table.listed).toBe(table.bounded + 256);
+    if (order === 'by-depth') expect(table.plainQuads).toBe(quads);
+    if (!withSpot) return;
+    // the extension of the spot light lies behind the records of fields
+    const record = table.firstBounded + table.bounded - 1;
+    const extension = table.table.data[record * FLOATS_PER_RECORD + LIGHT.details + 3];
+    expect(extension).toBe(table.recordCount - 1 + 256);
+  });
 });

@@ -42,6 +42,18 @@ export class LightTable extends VisibleLights {
   readonly grid = new LightGrid();
   /** Record of the first mask. */
   firstMask = 0;
+  /**
+   * Records for the lights of fields, which the GPU writes: in the texture that shaders read they lie before record
+   * `firstSlot` of `table`. 0: there are none, and `table` is what shaders read.
+   */
+  slots = 0;
+  /** Whether those are plain point lights. */
+  plainSlots = true;
+  firstSlot = 0;
+  /** Records of `table`. */
+  recordCount = 0;
+  /** How the lights with a range lie. */
+  order: LightOrder = 'by-volume';
   private readonly depthOrder = new DepthOrder();
   private volumes: Uint32Array = new Uint32Array(64);
   private readonly records = new LightRecords(this.table);
@@ -61,6 +73,11 @@ export class LightTable extends VisibleLights {
     return this.directional + this.unbounded;
   }
 
+  /** Records of lights with a range in the texture that shaders read, those of fields among them. */
+  get listed(): number {
+    return this.bounded + this.slots;
+  }
+
   override collect(lights: readonly Light[], camera: Camera, masks: MaskSettings): void {
     super.collect(lights, camera, masks);
     this.bounded = this.boundeds.length;
@@ -72,23 +89,26 @@ export class LightTable extends VisibleLights {
    */
   write(camera: Camera, order: LightOrder, size: PictureSize, masks: LightMasks | null = null): void {
     const view = camera.matrixWorldInverse;
+    this.order = order;
     this.setRanks(order, camera, size);
+    this.placeSlots(order);
     this.firstMask = this.firstBounded + this.bounded;
     const firstExtension = this.firstMask + (masks?.records ?? 0);
     const { records, table } = this;
     // every light may need an extension record
     table.reserve((firstExtension + this.firstBounded + this.bounded) * FLOATS_PER_RECORD);
-    records.begin(masks, this.firstMask, this.settings);
+    records.begin(masks, this.firstMask, this.settings, this.slots);
     let record = 0;
     for (const light of this.directionals) records.writeDirectional(record++, light, view);
     for (const light of this.unboundeds) {
       const { x, y, z } = position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
-      records.writeLocal(record++, light, x, y, z, view);
+      records.writeLocal(record++, light, x, y, z, 0, view);
     }
-    this.others = 0;
+    this.others = this.plainSlots ? 0 : this.slots;
     for (let k = 0; k < this.bounded; k++) this.writeBounded(record++, this.rank[k], view);
     masks?.write(table, this.firstMask, camera);
-    table.used((firstExtension + records.extensions) * FLOATS_PER_RECORD);
+    this.recordCount = firstExtension + records.extensions;
+    table.used(this.recordCount * FLOATS_PER_RECORD);
   }
 
   /** Sends what changed. */
@@ -132,6 +152,19 @@ export class LightTable extends VisibleLights {
     }
   }
 
+  /** Plain slots follow the plain point lights of quads of their own, all others the last light. */
+  private placeSlots(order: LightOrder): void {
+    const { slots, plainQuads, bounded } = this;
+    let before = bounded;
+    if (slots > 0 && order === 'by-depth') {
+      if (this.plainSlots) {
+        before = Math.min(bounded, plainQuads * QUAD);
+        this.plainQuads = Math.ceil((before + slots) / QUAD);
+      } else if (bounded < plainQuads * QUAD) this.plainQuads--;
+    }
+    this.firstSlot = this.firstBounded + before;
+  }
+
   /** Keeps an order, but plain point lights come first, and the others from a new quad on. */
   private plainFirst(count: number, order: Uint32Array): Uint32Array {
     const { plain } = this;
@@ -163,8 +196,11 @@ export class LightTable extends VisibleLights {
     } else if (plain[at + 3] >= 0) {
       table.set4(to + LIGHT.sphere, bounds[at], bounds[at + 1], bounds[at + 2], bounds[at + 3]);
       table.set4(to + LIGHT.emission, plain[at], plain[at + 1], plain[at + 2], plain[at + 3]);
-    } else if (!this.records.writeLocal(record, this.boundeds[i], bounds[at], bounds[at + 1], bounds[at + 2], view)) {
-      this.others++;
+    } else {
+      const x = bounds[at];
+      const y = bounds[at + 1];
+      const z = bounds[at + 2];
+      if (!this.records.writeLocal(record, this.boundeds[i], x, y, z, bounds[at + 3], view)) this.others++;
     }
   }
 }

@@ -1,6 +1,7 @@
 // Reads one light of the table and gives what arrives at a point: direction, colour, and the extension record if any.
 // Farol; the light types are those of three.js and of thesis 3.2.5.3
 #include "lightTable"
+#include "areaLight"
 #include "lightAttenuation"
 
 struct FarolLight {
@@ -8,7 +9,7 @@ struct FarolLight {
   vec3 color; // irradiance of a surface that faces the light
   float distance; // to the light (m), 0 for a directional light
   float attenuation; // factor of the colour, with distance and angle
-  int extension; // record of the extension, 0 when there is none
+  int extension; // record of the extension, 0 when there is none; of an area light: less than 0
   int mask; // record of the mask (shadow map, cookie, layers), 0 when there is none
 };
 
@@ -61,6 +62,7 @@ FarolLight farol_localLight(const in int record, const in vec3 positionVS) {
     vec4 details = farol_lightDetails(record);
     light.mask = farol_lightMaskRecord(details);
     light.extension = farol_lightExtensionRecord(details);
+    FAROL_SET_AREA
     float angleCosine = dot(light.direction, farol_lightAxis(cone));
     light.attenuation = farol_angularAttenuation(
       angleCosine, farol_lightCutoff(cone), farol_lightPenumbra(details), farol_lightExponent(details));

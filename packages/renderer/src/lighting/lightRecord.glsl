@@ -29,6 +29,7 @@ int farol_lightExtensionRecord(vec4 t) { return int(t.w); }
 bool farol_lightIsSpot(vec4 t) { return t.x >= -1.0; }
 bool farol_lightIsMasked(vec4 t) { return t.z > 0.0; }
 bool farol_lightIsMaskedPoint(vec4 t) { return t.x < -1.0 && t.w == 0.0; }
+bool farol_lightIsArea(vec4 t) { return t.x < -2.5; }
 vec3 farol_extensionDiffuse(int record) { return farol_lightTexel(record, 0).rgb; }
 vec3 farol_extensionSpecular(int record) { return farol_lightTexel(record, 1).rgb; }
 vec3 farol_extensionAmbient(int record) { return farol_lightTexel(record, 2).rgb; }

@@ -1,6 +1,9 @@
 import type { IUniform, Texture } from 'three';
 
-/** Uniforms of lightTable.glsl and its records, ambientLight.glsl and lightLoopOne.glsl; one set a FarolRenderer. */
+/**
+ * Uniforms of lightTable.glsl and its records, ambientLight.glsl, lightLoopOne.glsl and areaForms.glsl; one set a
+ * FarolRenderer.
+ */
 export interface LightUniforms extends Record<string, IUniform> {
   readonly farol_lightTable: IUniform<Texture | null>;
   /** Directional lights, local ones without a range, local ones with one, and of those all but plain point lights. */
@@ -9,6 +12,10 @@ export interface LightUniforms extends Record<string, IUniform> {
   readonly farol_ambient: { value: Float32Array };
   /** Record of the one light. */
   readonly farol_lightIndex: { value: number };
+  /** Linearly transformed cosines, where there are area lights. */
+  readonly farol_ltc: IUniform<Texture | null>;
+  /** Of the lights with a range: plain point lights, area lights. */
+  readonly farol_areaCounts: { value: number[] };
 }
 
 export function lightUniforms(ambient: Float32Array): LightUniforms {
@@ -17,5 +24,7 @@ export function lightUniforms(ambient: Float32Array): LightUniforms {
     farol_lightCounts: { value: [0, 0, 0, 0] },
     farol_ambient: { value: ambient },
     farol_lightIndex: { value: 0 },
+    farol_ltc: { value: null },
+    farol_areaCounts: { value: [0, 0] },
   };
 }

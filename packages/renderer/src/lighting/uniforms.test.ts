@@ -2,6 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { builtinMicroShaders } from '../builtinMicroShaders';
 import { gbufferUniforms } from '../gbuffer/gbufferUniforms';
 import { unprojectUniforms } from '../gpu/unprojectUniforms';
+import { microShaders as areas } from '../lazy/area-lights';
+import { microShaders as multipass } from '../lazy/multipass';
 import { microShaders as shadows } from '../lazy/shadows';
 import { lightUniforms } from './lightUniforms';
 import { gridUniforms } from './lists/gridUniforms';
@@ -10,7 +12,7 @@ import { maskUniforms } from './maskUniforms';
 
 const texts = new Map([
   ...builtinMicroShaders.map(({ name, header }) => [name, header] as const),
-  ...Object.entries(shadows),
+  ...Object.entries({ ...areas, ...multipass, ...shadows }),
 ]);
 
 /** Names of the uniforms that microshaders declare themselves. */
@@ -25,9 +27,9 @@ describe('the uniforms of a microshader', () => {
     [
       'lightUniforms',
       lightUniforms(new Float32Array(12)),
-      ['lightRecord', 'lightTable', 'ambientLight', 'lightLoopOne'],
+      ['lightRecord', 'lightTable', 'ambientLight', 'lightLoopOne', 'areaForms', 'areaLightOn'],
     ],
-    ['tileUniforms', tileUniforms(), ['lightTiles', 'lightLoopTiled', 'viewport']],
+    ['tileUniforms', tileUniforms(), ['lightTiles', 'lightTileLists', 'viewport']],
     [
       'gridUniforms and maskUniforms',
       { ...gridUniforms(), ...maskUniforms() },

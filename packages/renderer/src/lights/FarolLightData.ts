@@ -14,12 +14,18 @@ export type FarolAttenuation =
       readonly range: number;
     };
 
+/** What a RectAreaLight is; see `setAreaLightShape`. */
+export type AreaLightShape = 'rectangle' | 'disc' | 'tube';
+
 /**
- * What a light of the thesis (3.2.5.3) has and a three.js light has not. Plain JSON at `light.userData.farol`,
+ * What a light of the thesis (3.2.5.3) or an area light has and a three.js light has not. Plain JSON at `light.userData.farol`,
  * read anew each frame.
  */
 export interface FarolLightData {
-  /** Times the light's intensity: light given to every surface in reach whatever its normal. Default black. */
+  /**
+   * Times the light's intensity: light given to every surface in reach whatever its normal; also times the material's own
+   * ambient factor, where a material's shader has one: `#define FAROL_AMBIENT_FACTOR`, a colour. Default black.
+   */
   ambient?: LinearRGB;
   /** Times the light's intensity: colour of the specular term. Default: the light's own colour. */
   specular?: LinearRGB;
@@ -27,4 +33,15 @@ export interface FarolLightData {
   spotExponent?: number;
   /** Default: three's physical falloff by `distance` and `decay`. */
   attenuation?: FarolAttenuation;
+  /** Of a RectAreaLight. Default 'rectangle', as in three. */
+  shape?: AreaLightShape;
+  /**
+   * Of a RectAreaLight: distance from its surface (m) from which on it gives nothing; up to half of that it gives what three
+   * has it give. Above 0; 0 for no end. Default: where `FarolRenderer.areaLightThreshold` puts it.
+   */
+  range?: number;
+  /** Of a RectAreaLight that casts shadows: texels across a face of its map, 16 to 8,192. Default 1,024. */
+  shadowMapSize?: number;
+  /** Of such a light: how far off a surface, along its normal, the map is looked up (m). At least 0. Default 0.03. */
+  shadowNormalBias?: number;
 }

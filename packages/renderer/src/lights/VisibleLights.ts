@@ -1,9 +1,19 @@
-import type { Camera, DirectionalLight, HemisphereLight, Light, Matrix4, PointLight, SpotLight } from 'three';
+import type {
+  Camera,
+  DirectionalLight,
+  HemisphereLight,
+  Light,
+  Matrix4,
+  PointLight,
+  RectAreaLight,
+  SpotLight,
+} from 'three';
 import { Vector3 } from 'three';
 import { AmbientSum } from './AmbientSum';
 import { classifyLight, mayBeMasked, type LightClass, type MaskSettings } from './classifyLight';
 import { coneBoundingSphere } from './coneBoundingSphere';
 import { FiniteLights } from './FiniteLights';
+import { fieldCount, type LightFieldData } from './LightFieldData';
 import { isBlackLight } from './isBlackLight';
 import { lightAxis } from './lightAxis';
 import { lightRange } from './lightRange';
@@ -28,6 +38,8 @@ export class VisibleLights {
   readonly boundeds: Light[] = [];
   /** Lights of these three lists that may have a mask. */
   readonly masked: Light[] = [];
+  /** Lights as data, whose records the GPU writes. */
+  readonly fields: LightFieldData[] = [];
   /** Of each of `boundeds`: view-space sphere [x, y, z, r] (m), r its range. */
   bounds = new Float64Array(64);
   /** Of each: view-space [axis to the light, cosine of the cutoff]; cosine -1 for a sphere. */
@@ -37,6 +49,8 @@ export class VisibleLights {
   /** How many of `boundeds` are drawn as spheres, and as cones. */
   spheres = 0;
   cones = 0;
+  /** How many of `boundeds` are area lights. */
+  areas = 0;
   /** Managed lights in the scene, and those kept for this frame (ambient and hemisphere lights included). */
   total = 0;
   visible = 0;
@@ -70,24 +84,37 @@ export class VisibleLights {
       const kind = classifyLight(light);
       if (kind === 'hemisphere') this.ambientSum.addHemisphere(light as HemisphereLight, view);
       else if (kind === 'ambient') this.ambientSum.addAmbient(light);
+      else if (kind === 'field') this.addField(light as LightFieldData);
       else if (isBlackLight(light)) continue;
       else if (kind === 'directional') this.addEndless(light, this.directionals, masks);
       else if (kind === 'unbounded') this.addEndless(light, this.unboundeds, masks);
-      else if (!this.addBounded(light, kind, view, projection, masks)) continue;
+      else {
+        const range = kind === 'area' ? masks.areas!.radiusOf(light as RectAreaLight) : lightRange(light as PointLight);
+        if (range === 0) this.addEndless(light, this.unboundeds, masks);
+        else if (!this.addBounded(light, kind, range, view, projection, masks)) continue;
+      }
       this.visible++;
     }
     if (this.boundeds.length > this.kept) this.boundeds.length = this.kept;
   }
 
   private clear(count: number): void {
-    this.directionals.length = this.unboundeds.length = this.masked.length = 0;
-    this.kept = this.spheres = this.cones = this.visible = this.coverage = 0;
+    this.directionals.length = this.unboundeds.length = this.masked.length = this.fields.length = 0;
+    this.kept = this.spheres = this.cones = this.areas = this.visible = this.coverage = 0;
     this.ambientSum.clear();
     this.total = count;
     if (this.bounds.length >= count * 4) return;
     this.bounds = new Float64Array(count * 8);
     this.axes = new Float64Array(count * 8);
     this.plain = new Float64Array(count * 8);
+  }
+
+  private addField(field: LightFieldData): void {
+    this.fields.push(field);
+    // the field is counted with its lights, one of which the caller counts
+    const others = fieldCount(field) - 1;
+    this.total += others;
+    this.visible += others;
   }
 
   private addEndless(light: Light, to: Light[], masks: MaskSettings): void {
@@ -99,11 +126,11 @@ export class VisibleLights {
   private addBounded(
     light: Light,
     kind: LightClass,
+    range: number,
     view: Matrix4,
     projection: ArrayLike<number>,
     masks: MaskSettings,
   ): boolean {
-    const range = lightRange(light as PointLight);
     const v = view.elements;
     const m = light.matrixWorld.elements;
     const wx = m[12];
@@ -112,7 +139,7 @@ export class VisibleLights {
     const x = v[0] * wx + v[4] * wy + v[8] * wz + v[12];
     const y = v[1] * wx + v[5] * wy + v[9] * wz + v[13];
     const z = v[2] * wx + v[6] * wy + v[10] * wz + v[14];
-    if (sphereOutsidePlanes(planes, x, y, z, range)) return false;
+    if (!(range > 0) || sphereOutsidePlanes(planes, x, y, z, range)) return false;
     const { bounds, axes, plain } = this;
     const at = this.kept * 4;
     const spot = light as SpotLight;
@@ -131,6 +158,7 @@ export class VisibleLights {
       axes[at + 3] = -1;
       this.spheres++;
     }
+    if (kind === 'area') this.areas++;
     bounds[at] = x;
     bounds[at + 1] = y;
     bounds[at + 2] = z;

@@ -35,12 +35,24 @@ describe('the class of a light', () => {
     [withData(new PointLight(0xffffff, 1, 0), nearFar), 'extended-point'],
     [new SpotLight(0xffffff, 1, 5), 'spot'],
     [withData(new SpotLight(0xffffff, 1, 0), nearFar), 'spot'],
-    [new RectAreaLight(), 'other'],
+    [new RectAreaLight(), 'area'],
     [new LightProbe(), 'other'],
   ] as const)('%# is %s', (light, expected) => {
     expect(classifyLight(light)).toBe(expected);
-    expect(isManagedLight(light, { shadows: false, cookies: false, all: false })).toBe(expected !== 'other');
-    expect(isManagedLight(light, { shadows: false, cookies: false, all: true })).toBe(false);
+    expect(isManagedLight(light, { shadows: false, cookies: false, areas: false, all: false })).toBe(
+      expected !== 'other',
+    );
+    expect(isManagedLight(light, { shadows: false, cookies: false, areas: false, all: true })).toBe(false);
+    const managedWithoutAreas = expected !== 'other' && expected !== 'area';
+    expect(isManagedLight(light, { shadows: false, cookies: false, areas: true, all: false })).toBe(
+      managedWithoutAreas,
+    );
+  });
+
+  it('knows a field of lights, which three cannot draw', () => {
+    const field = Object.assign(new LightProbe() as Light, { isLightField: true });
+    expect(classifyLight(field)).toBe('field');
+    expect(isManagedLight(field, { shadows: true, cookies: true, areas: true, all: true })).toBe(true);
   });
 
   it('says what may mask it', () => {
@@ -49,7 +61,7 @@ describe('the class of a light', () => {
     expect([point, spot].map((light) => mayBeMasked(light, nothing))).toEqual([false, false]);
     spot.map = new Texture();
     expect([point, spot].map(hasCookie)).toEqual([false, true]);
-    expect(isManagedLight(spot, { shadows: false, cookies: true, all: false })).toBe(false);
+    expect(isManagedLight(spot, { shadows: false, cookies: true, areas: false, all: false })).toBe(false);
     point.castShadow = true;
     expect(mayBeMasked(point, nothing)).toBe(false);
     expect(mayBeMasked(point, { ...nothing, shadows: 'all' })).toBe(true);

@@ -1,10 +1,15 @@
-import type { DirectionalLight, HemisphereLight, Light, PointLight, SpotLight } from 'three';
+import type { DirectionalLight, HemisphereLight, Light, PointLight, RectAreaLight, SpotLight } from 'three';
+import type { AreaLights } from './AreaLights';
 import { lightRange } from './lightRange';
 
 type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
   Partial<Pick<SpotLight, 'isSpotLight'>> &
   Partial<Pick<DirectionalLight, 'isDirectionalLight'>> &
-  Partial<Pick<HemisphereLight, 'isHemisphereLight'>> & { readonly isAmbientLight?: boolean };
+  Partial<Pick<HemisphereLight, 'isHemisphereLight'>> &
+  Partial<Pick<RectAreaLight, 'isRectAreaLight'>> & {
+    readonly isAmbientLight?: boolean;
+    readonly isLightField?: boolean;
+  };
 
 /**
  * What a light is to Farol; which record, volume and loop it gets follows.
@@ -17,13 +22,25 @@ type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
  * | point | a point light with a range, as three has it; plain if it has no mask either |
  * | extended-point | a point light with a range and `userData.farol` |
  * | spot | a spot light with a range |
- * | other | three's own to light with: rectangle lights, probes |
+ * | area | a RectAreaLight: a rectangle, a disc or a tube |
+ * | field | a LightField: many point and spot lights, whose records the GPU writes |
+ * | other | three's own to light with: probes |
  */
 export type LightClass =
-  'ambient' | 'hemisphere' | 'directional' | 'unbounded' | 'point' | 'extended-point' | 'spot' | 'other';
+  | 'ambient'
+  | 'hemisphere'
+  | 'directional'
+  | 'unbounded'
+  | 'point'
+  | 'extended-point'
+  | 'spot'
+  | 'area'
+  | 'field'
+  | 'other';
 
 export function classifyLight(light: Light): LightClass {
-  const { isPointLight, isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight } = light as AnyLight;
+  const { isPointLight, isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight, isLightField } =
+    light as AnyLight;
   if (isPointLight === true || isSpotLight === true) {
     if (lightRange(light as PointLight) === 0) return 'unbounded';
     if (isSpotLight === true) return 'spot';
@@ -31,7 +48,14 @@ export function classifyLight(light: Light): LightClass {
   }
   if (isDirectionalLight === true) return 'directional';
   if (isHemisphereLight === true) return 'hemisphere';
+  if (isAreaLight(light)) return 'area';
+  if (isLightField === true) return 'field';
   return isAmbientLight === true ? 'ambient' : 'other';
+}
+
+/** True for a RectAreaLight, whatever its shape. */
+export function isAreaLight(light: Light): light is RectAreaLight {
+  return (light as AnyLight).isRectAreaLight === true;
 }
 
 /** True for a light with an image to throw: a spot light's `map`, a point light's as `setLightCookie` gave it. */
@@ -40,35 +64,45 @@ export function hasCookie(light: Light): boolean {
   return spot.isSpotLight === true ? spot.map !== null : (light.userData.farolMap ?? null) !== null;
 }
 
+/** True for a light with a photometric profile, as `setLightProfile` gave it. */
+export function hasProfile(light: Light): boolean {
+  return (light.userData.farolProfile ?? null) !== null;
+}
+
 /** What of the lights with a shadow map or an image is left to three. */
 export interface LeftToThree {
   /** Lights that cast shadows. */
   shadows: boolean;
   /** Spot lights with a map. */
   cookies: boolean;
+  /** Area lights. */
+  areas: boolean;
   /** All lights: something in the scene has a shader that Farol's loop is not in. */
   all: boolean;
 }
 
 /**
  * True for the lights that Farol keeps in its own table: they never change a program.
- * The others (rectangle lights, probes) stay with three, and until their code is there those of `left`.
+ * The others (probes) stay with three, and until their code is there those of `left`.
  */
 export function isManagedLight(light: Light, left: LeftToThree): boolean {
+  // three has no code for it
+  if ((light as AnyLight).isLightField === true) return true;
   if (left.all) return false;
   const { isPointLight, isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight } = light as AnyLight;
   if (isAmbientLight === true || isHemisphereLight === true) return true;
-  if (isDirectionalLight !== true && isPointLight !== true && isSpotLight !== true) return false;
+  if (isDirectionalLight !== true && isPointLight !== true && isSpotLight !== true)
+    return !left.areas && isAreaLight(light);
   return !(left.shadows && light.castShadow) && !(left.cookies && isSpotLight === true && hasCookie(light));
 }
 
-/** Which of the lights that cast shadows have shadow maps; variance shadow maps know no point lights. */
+/** Which of the lights that cast shadows have shadow maps; variance shadow maps know no point and area lights. */
 export type ShadowedLights = 'none' | 'all' | 'all-but-points';
 
 /** True for a light that has a shadow map. */
 export function hasShadowMap(light: Light, shadowed: ShadowedLights): boolean {
   if (!light.castShadow || shadowed === 'none') return false;
-  return shadowed === 'all' || (light as AnyLight).isPointLight !== true;
+  return shadowed === 'all' || ((light as AnyLight).isPointLight !== true && !isAreaLight(light));
 }
 
 /** What lights of a frame may be masked by. */
@@ -76,9 +110,16 @@ export interface MaskSettings {
   readonly shadows: ShadowedLights;
   /** Which lights do not reach all objects; null for none. */
   readonly layers: { separates(light: Light): boolean } | null;
+  /** Null until their code is there: three draws them. Default null. */
+  readonly areas?: AreaLights | null;
 }
 
-/** True for a directional, point or spot light of which a shadow map, an image or layers may take something. */
+/** True for a directional, point or spot light of which a shadow map, an image, a profile or layers may take something. */
 export function mayBeMasked(light: Light, masks: MaskSettings): boolean {
-  return hasShadowMap(light, masks.shadows) || hasCookie(light) || masks.layers?.separates(light) === true;
+  return (
+    hasShadowMap(light, masks.shadows) ||
+    hasCookie(light) ||
+    hasProfile(light) ||
+    masks.layers?.separates(light) === true
+  );
 }

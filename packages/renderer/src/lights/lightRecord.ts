@@ -5,7 +5,7 @@ type Offsets<Layout extends RecordLayout> = { readonly [texel in keyof Layout]: 
 /**
  * The light table: a texture of RGBA32F texels, `TEXELS_PER_RECORD` a record, `RECORDS_PER_ROW` records a row. A light
  * is one record; what few lights need lies in records of their own, behind all lights: a mask (`masks/maskRecord.ts`:
- * the light's shadow map and cookie) and an extension (what only a light of the thesis has).
+ * the light's shadow map and cookie) and an extension (what only a light of the thesis or an area light has).
  *
  * The offsets for TypeScript below, and lightRecord.glsl with its getters, are made from the two tables:
  * recordGetters.test.ts.
@@ -17,6 +17,8 @@ export const FLOATS_PER_RECORD = TEXELS_PER_RECORD * 4;
 /** In place of a point light's cone: the cosine of its cutoff, and that of its penumbra, which no spot light has. */
 export const POINT_CUTOFF = -3;
 export const POINT_PENUMBRA = -2;
+/** The same of an area light. */
+export const AREA_PENUMBRA = -3;
 /** Spot exponent of a light that has three's penumbra. */
 export const NO_EXPONENT = -1;
 /** Added to the records of mask and extension of a point light that is elsewhere than its map; integers lose it. */
@@ -63,6 +65,8 @@ export const lightRecord = {
     isMasked: ['bool', 't.z > 0.0'],
     /** A point light as three has it, at the place of its mask. */
     isMaskedPoint: ['bool', 't.x < -1.0 && t.w == 0.0'],
+    /** Its extension is that of an area light. */
+    isArea: ['bool', 't.x < -2.5'],
   },
 } as const satisfies RecordLayout;
 

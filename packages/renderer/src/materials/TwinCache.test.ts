@@ -6,7 +6,11 @@ import type { TwinKind } from './TwinKind';
 const kindOf = (key: string): TwinKind => ({ key, chunks: () => [], patch() {} });
 
 test('twins go with their source and with the cache, which leaves nothing behind on the sources', () => {
-  const cache = new TwinCache({ uniforms: {}, header: () => '', revision: () => 0, textKey: () => '', refuse() {} });
+  const cache = new TwinCache({
+    uniforms: {},
+    microshaders: { header: () => '', revision: () => 0, textKey: () => '' },
+    refuse() {},
+  });
   const kinds = [kindOf('a'), kindOf('b')];
   const listeners = (source: MeshStandardMaterial) =>
     ((source as { _listeners?: { dispose?: unknown[] } })._listeners?.dispose ?? []).length;

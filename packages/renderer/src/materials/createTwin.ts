@@ -1,4 +1,14 @@
-import { type Material, Material as BaseMaterial, type ShaderMaterial, UniformsLib, type WebGLRenderer } from 'three';
+import {
+  type Material,
+  Material as BaseMaterial,
+  type MeshPhongMaterial,
+  type ShaderMaterial,
+  UniformsLib,
+  type WebGLRenderer,
+} from 'three';
+import type { MicroShaderRegistry } from '../microshaders';
+import { shadingOf } from './shadingOf';
+import { surfacesOf } from './surfacesOf';
 import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
 import { TwinRefusal } from '../three/TwinRefusal';
@@ -7,12 +17,8 @@ import { TwinRefusal } from '../three/TwinRefusal';
 export interface TwinContext {
   /** Uniforms given to every twin, by reference. */
   readonly uniforms: Record<string, { value: unknown }>;
-  /** Resolved microshader headers. */
-  header(chunks: readonly string[]): string;
-  /** Grows when a microshader of the list is replaced. */
-  revision(chunks: readonly string[]): number;
-  /** Differs where the texts of the chunks do, also from those of another renderer. */
-  textKey(chunks: readonly string[]): string;
+  /** The registry of the renderer. */
+  readonly microshaders: Pick<MicroShaderRegistry, 'header' | 'revision' | 'textKey'>;
   /** Told of a source whose shader has no place for what a kind puts into it: its twin draws it by three's lights alone. */
   refuse(source: Material): void;
 }
@@ -30,11 +36,17 @@ function ownLights(uniforms: TwinShader['uniforms']): TwinShader['uniforms'] {
 export function createTwin(source: Material, kind: TwinKind, context: TwinContext): Material {
   const twin = Object.create(source) as Material;
   const chunks = kind.chunks(source);
+  const registry = context.microshaders as MicroShaderRegistry;
   const own = (name: string, value: unknown) =>
     Object.defineProperty(twin, name, { value, writable: true, configurable: true, enumerable: true });
   Object.defineProperty(twin, 'id', { value: new BaseMaterial().id });
   Object.defineProperty(twin, 'version', {
-    get: () => source.version + context.revision(chunks),
+    get: () =>
+      source.version +
+      registry.revision(chunks) +
+      (surfacesOf(source)?.version(registry) ?? 0) +
+      // between two versions of the source
+      (shadingOf(source) === 'flat' ? 0.5 : 0),
     // three's switch of sides on transparent materials must not reach the source; Frame draws the sides by twins
     set() {},
   });
@@ -45,11 +57,14 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
       set() {},
     });
   }
+  Object.defineProperty(twin, 'flatShading', {
+    get: () => shadingOf(source) === 'flat' || (source as MeshPhongMaterial).flatShading,
+  });
   own('_listeners', undefined);
   own(
     'customProgramCacheKey',
     () =>
-      `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${context.textKey(chunks)}:${threeChunks.revision}:${source.customProgramCacheKey()}`,
+      `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${registry.textKey(chunks)}:${threeChunks.revision}:${surfacesOf(source)?.key(registry) ?? ''}:${source.customProgramCacheKey()}`,
   );
   own('onBeforeCompile', (shader: TwinShader, webgl: WebGLRenderer) => {
     source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);
@@ -58,9 +73,10 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
       ...ownLights(shader.uniforms),
       ...context.uniforms,
     } as TwinShader['uniforms'];
+    surfacesOf(source)?.rewrite(shader, registry, webgl);
     const { vertexShader, fragmentShader } = shader;
     try {
-      kind.patch(shader, source, context.header(chunks));
+      kind.patch(shader, source, registry.header(chunks));
     } catch (error) {
       if (!(error instanceof TwinRefusal)) throw error;
       Object.assign(shader, { vertexShader, fragmentShader });

@@ -1,5 +1,4 @@
 // The microshaders of this folder, by name.
-export { default as accumulatedOutput } from './accumulatedOutput.glsl?raw';
 export { default as background } from './background.glsl?raw';
 export { default as deferredOutput } from './deferredOutput.glsl?raw';
 export { default as heatMap } from './heatMap.glsl?raw';

@@ -55,8 +55,8 @@ export class TechniquePicker {
     if (this.asked !== 'auto') return;
     const choice = chooser.choose(
       {
-        bounded,
-        coverage,
+        bounded: bounded + (frame.fields?.count ?? 0),
+        coverage: coverage + (frame.fields?.coverage ?? 0),
         everywhere: directional + unbounded,
         objects: frame.queue.opaque.length,
         transparents: frame.queue.hasLitTransparents,

@@ -1,6 +1,4 @@
-import { AccumulatedOutputPass } from '../output/AccumulatedOutputPass';
-import { MultipassLightsPass } from '../lighting/MultipassLightsPass';
-import { forwardTail } from './forwardTail';
+import { multipassCode } from '../frame/lazyCode';
 import type { Technique } from './Technique';
 
 /**
@@ -13,5 +11,6 @@ export const forward: Technique = {
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   fills: 'every-pixel',
-  passes: () => [new MultipassLightsPass(), new AccumulatedOutputPass(), ...forwardTail('lightLoopAll')],
+  lazy: multipassCode,
+  passes: () => multipassCode.required.forwardPasses(),
 };

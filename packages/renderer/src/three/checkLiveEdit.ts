@@ -44,7 +44,11 @@ function withNewText(source: string, registry: MicroShaderRegistry, names: reado
   let text = source;
   for (const name of names) {
     if (!source.includes(`// <${name}>`)) continue;
-    const [headers, main = ''] = registry.compose([], [name]).fragmentShader.split(/^void main\(\) \{$/m);
+    const isOfVertices = registry.get(name)?.stage === 'vertex';
+    const composed = isOfVertices
+      ? registry.compose([name], []).vertexShader
+      : registry.compose([], [name]).fragmentShader;
+    const [headers, main = ''] = composed.split(/^void main\(\) \{$/m);
     const [beforeMain, ...rest] = text.split(/^void main\(\) \{$/m);
     text = [replaceFrames(beforeMain, headers, name), ...rest.map((part) => replaceFrames(part, main, name))].join(
       'void main() {',

@@ -17,6 +17,7 @@ FAROL_SHADE_PLAIN
 #ifdef FAROL_TOON
 farol_startToon(geometryPosition, geometryNormal);
 #endif
+FAROL_BEGIN_AREAS
 FAROL_FOR_EACH_LIGHT(geometryPosition)
 #endif
 #endif

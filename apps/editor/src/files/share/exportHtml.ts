@@ -1,5 +1,6 @@
 import type { Scene, ScriptAsset } from '@farol/engine';
 import { assetUses, containerContent, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
+import { needsParticles } from './needsParticles';
 import { compileScript, ScriptError } from '@farol/engine/scripts';
 
 /** Bytes as base64. */
@@ -32,8 +33,10 @@ async function fileBeside(name: string): Promise<Response> {
 }
 
 /** The script that shows a scene, as one text. @throws Error when it is not there */
-const playerScript = async (decoders: boolean, scripts: boolean): Promise<string> =>
-  (await fileBeside(`farol-player${scripts ? '-scripts' : ''}${decoders ? '-decoders' : ''}.js`)).text();
+async function playerScript(decoders: boolean, scripts: boolean, particles: boolean): Promise<string> {
+  const parts = `${scripts ? '-scripts' : particles ? '-particles' : ''}${decoders ? '-decoders' : ''}`;
+  return (await fileBeside(`farol-player${parts}.js`)).text();
+}
 
 /** Names that a scene with physics has in its components or scripts. */
 const physicsNames = /\b(RigidBody|Collider|CharacterController|Joint)\b/;
@@ -97,8 +100,11 @@ export async function exportHtml(scene: Scene): Promise<Blob> {
   const content = containerContent(scene);
   const usesDragon = assetUses(content.file, scene.registry).some(({ name }) => name === 'dragon');
   const scripts = await compiledScripts(scene);
+  const hasParticles = needsParticles(JSON.stringify(content.file));
   const [script, bytes, dragon, physics] = await Promise.all([
-    needsDecoders(content.files.values(), scene).then((decoders) => playerScript(decoders, scripts.length > 0)),
+    needsDecoders(content.files.values(), scene).then((decoders) =>
+      playerScript(decoders, scripts.length > 0, hasParticles),
+    ),
     writeContainer(content),
     dragonOf(scene, usesDragon),
     physicsOf(content.file),

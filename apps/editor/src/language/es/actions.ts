@@ -137,6 +137,9 @@ export const actions: Texts = {
   'What the techniques cannot do': 'Lo que las técnicas no pueden hacer',
   'Examples for your own page': 'Ejemplos para una página propia',
   Plugins: 'Complementos',
+  'X, Y, Z while dragging a handle': 'X, Y, Z al arrastrar un manipulador',
+  'Along that axis alone; with Shift along the other two; again: as before':
+    'Solo por ese eje; con Mayús, por los otros dos; otra vez: como antes',
   'Numbers while dragging a handle': 'Números al arrastrar un manipulador',
   'Set the amount; Tab: the next axis; Enter: keep it; Escape: put it back':
     'Fijar la cantidad; Tab: el eje siguiente; Intro: conservarla; Esc: dejarlo como estaba',

@@ -75,10 +75,6 @@ export const components: Texts = {
   Repeat: 'Repetición',
   'How many times textures repeat over the mesh.': 'Cuántas veces se repiten las texturas sobre la malla.',
   Shading: 'Sombreado',
-  'Smooth: normals are interpolated (Phong shading). Flat: one normal for each triangle.':
-    'Suave: las normales se interpolan (sombreado de Phong). Plano: una normal por triángulo.',
-  smooth: 'suave',
-  flat: 'plano',
   Roughness: 'Rugosidad',
   '0 is a mirror, 1 is chalk.': '0 es un espejo, 1 es tiza.',
   Metalness: 'Metalicidad',
@@ -119,7 +115,6 @@ export const components: Texts = {
   'The model that is drawn.': 'El modelo que se dibuja.',
   Speed: 'Velocidad',
   'Factor of the speed; below 0 it runs backwards.': 'Factor de la velocidad; por debajo de 0 va hacia atrás.',
-  'Ambient, hemisphere, directional, point or spot light.': 'Luz ambiente, hemisférica, direccional, puntual o focal.',
   Type: 'Tipo',
   'How the light spreads.': 'Cómo se reparte la luz.',
   ambient: 'ambiente',
@@ -131,9 +126,6 @@ export const components: Texts = {
   'Ground colour': 'Color del suelo',
   'Light from below.': 'Luz desde abajo.',
   Intensity: 'Intensidad',
-  'Candela for point and spot lights, lux for the others; multiplies every colour of the light.':
-    'Candelas en luces puntuales y focales, lux en las demás; multiplica todos los colores de la luz.',
-  'cd or lx': 'cd o lx',
   'Ambient colour': 'Color ambiente',
   'Light added to every surface in reach, whichever way it faces.':
     'Luz que se suma a toda superficie al alcance, mire a donde mire.',
@@ -288,4 +280,10 @@ export const components: Texts = {
   'The model whose clips it plays.': 'El modelo cuyos clips reproduce.',
   'Shadow softness': 'Sombra suave',
   'How far the edges of shadows are blurred.': 'Cuánto se difuminan los bordes de las sombras.',
+  'More colours': 'Más colores',
+  Fading: 'Atenuación',
+  Shadow: 'Sombra',
+  'At the start': 'Al comienzo',
+  'Locked axes': 'Ejes bloqueados',
+  Body: 'Cuerpo',
 };

@@ -138,4 +138,9 @@ export const materials: Texts = {
   'Coat flip green': 'Invertir verde (barniz)',
   'Film index': 'Índice película',
   'Least thickness': 'Grosor mínimo',
+  'with a skeleton': 'con esqueleto',
+  'with instances': 'con instancias',
+  'with {count} morph target': 'con {count} destino de deformación',
+  'with {count} morph targets': 'con {count} destinos de deformación',
+  'Show {name} in the library': 'Mostrar {name} en la biblioteca',
 };

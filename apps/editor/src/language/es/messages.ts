@@ -82,6 +82,11 @@ export const messages: Texts = {
     'Este navegador no guarda borradores aquí desde las {time}: {reason} Se puede guardar en un archivo con Ctrl+S.',
   '{name} cannot be kept: its object was added while playing. Keep all edits instead.':
     '{name} no se puede conservar: su objeto se añadió durante la reproducción. Se pueden conservar todas las ediciones.',
+  Pasting: 'Pegando',
+  'What was copied': 'Lo copiado',
+  '{name} could not be pasted: {reason}': 'No se ha podido pegar {name}: {reason}',
+  'its file is no longer there. Copy it again, in a tab that has it open.':
+    'su archivo ya no está. Hay que copiarlo de nuevo en una pestaña que lo tenga abierto.',
   'The clipboard holds no objects: copy some first.':
     'El portapapeles no contiene objetos: hay que copiar alguno antes.',
   "The plugin '{name}' cannot be added: there is {names} already. Choose other names.":
@@ -160,10 +165,6 @@ export const messages: Texts = {
   'A texture': 'Una textura',
   '{name} of {user} cannot be exported: {reason}': 'No se puede exportar {name} de {user}: {reason}',
   'it has no picture: load it again, or choose another.': 'no tiene imagen: hay que cargarla de nuevo o elegir otra.',
-  'Lights that fade in a way of their own now fade as in nature, as bright as before half way':
-    'Las luces con atenuación propia ahora se atenúan como en la naturaleza, con el mismo brillo a medio camino',
-  'Spot lights with an exponent got an edge': 'Las luces focales con exponente recibieron un borde',
-  'Second colours of lights are left out': 'Se omiten los segundos colores de las luces',
   'the graphics device was lost: export again when the picture is back.':
     'se perdió el dispositivo gráfico: hay que exportar de nuevo cuando vuelva la imagen.',
   '{name} is locked: unlock it to move it.': '{name} está bloqueado: hay que desbloquearlo para moverlo.',

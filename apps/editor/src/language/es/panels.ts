@@ -2,6 +2,8 @@ import type { Texts } from '@farol/editing';
 
 /** Panels, dialogs and controls, in Spanish. */
 export const panels: Texts = {
+  'This panel has stopped: {message}': 'Este panel se ha detenido: {message}',
+  'Show it again': 'Mostrarlo de nuevo',
   'No mesh': 'Sin malla',
   'No texture': 'Sin textura',
   'No material': 'Sin material',
@@ -15,7 +17,6 @@ export const panels: Texts = {
   'At least {min}{unit}.': 'Al menos {min}{unit}.',
   'At most {max}{unit}.': 'Como mucho {max}{unit}.',
   'In {unit}.': 'En {unit}.',
-  Files: 'Archivos',
   Microshaders: 'Microshaders',
   Search: 'Buscar',
   'Search: {label}': 'Buscar: {label}',

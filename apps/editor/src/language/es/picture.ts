@@ -120,4 +120,11 @@ export const picture: Texts = {
   'Set technique to {name}': 'Elegir la técnica {name}',
   'Picture effects: bloom, depth of field, grading, vignette':
     'Efectos de imagen: resplandor, profundidad de campo, gradación, viñeta',
+  'Place the sun': 'Situar el sol',
+  'Put the sun, or the moon, where two angles say, not where the preset has it.':
+    'Pone el sol o la luna donde dicen dos ángulos, no donde lo tiene el cielo elegido.',
+  'Sun azimuth': 'Azimut del sol',
+  'Direction of the sun on the compass, from +x towards +z.': 'Dirección del sol en la brújula, de +x hacia +z.',
+  'Sun elevation': 'Altura del sol',
+  'How high the sun stands above the horizon.': 'A qué altura está el sol sobre el horizonte.',
 };

@@ -124,4 +124,6 @@ export const rendering: Texts = {
     'Diferido por tiles que se oscurece hacia los bordes: un ejemplo de complemento.',
   'hardly any lights: lists would cost more than they save':
     'casi ninguna luz: las listas costarían más de lo que ahorran',
+  'What the effects cost': 'Lo que cuestan los efectos',
+  Effect: 'Efecto',
 };

@@ -2,6 +2,9 @@ import type { Texts } from '@farol/editing';
 
 /** Samples and their shadows, in Spanish. */
 export const samples: Texts = {
+  'Fire and sparks': 'Fuego y chispas',
+  'Every spark is a light. Select “Sparks” and watch; change its rate, its curves, and what it lights.':
+    'Cada chispa es una luz. Selecciona «Sparks» y mira; cambia su tasa, sus curvas y lo que ilumina.',
   Shadows: 'Sombras',
   'How the shadows of all lights are drawn.': 'Cómo se dibujan las sombras de todas las luces.',
   'How shadows are drawn. Variance blurs them widely, but not those of point lights, and light may leak through.':

@@ -27,4 +27,7 @@ export const views: Texts = {
   'Choose the shading…': 'Elegir el sombreado…',
   'Play from the camera': 'Reproducir desde la cámara',
   'Play from here': 'Reproducir desde aquí',
+  'Edge between the views at the left and at the right': 'Borde entre las vistas de la izquierda y la derecha',
+  'Edge between the views above and below': 'Borde entre las vistas de arriba y abajo',
+  'Corner between the four views': 'Esquina entre las cuatro vistas',
 };

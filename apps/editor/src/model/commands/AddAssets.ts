@@ -24,7 +24,7 @@ export class AddAssets implements Command {
   }
 
   get isOfScripts(): boolean {
-    return this.taken.every(({ source }) => source.type === 'script');
+    return this.taken.every(({ source }) => source.type === 'script' || source.type === 'surface');
   }
 
   do(): void {
@@ -47,7 +47,8 @@ export class RemoveAsset implements Command {
     private readonly name: string,
   ) {
     this.label = t('Deleted {name}', { name });
-    this.isOfScripts = assets.typeOf(name) === 'script';
+    const type = assets.typeOf(name);
+    this.isOfScripts = type === 'script' || type === 'surface';
   }
 
   do(): void {

@@ -38,8 +38,8 @@ export class RenameAsset implements Command {
 }
 
 function renameIn(owner: FieldOwner, names: ReadonlyMap<string, string>): void {
-  for (const [field, { kind }] of Object.entries(owner.fields)) {
-    const value = kind === 'asset' ? owner.getAuthored(field) : null;
+  for (const [field, { kind, viewOf }] of Object.entries(owner.fields)) {
+    const value = kind === 'asset' && viewOf === undefined ? owner.getAuthored(field) : null;
     const next = typeof value === 'string' ? names.get(value) : undefined;
     if (next !== undefined) owner.set(field, next);
   }

@@ -14,6 +14,11 @@ export class Sequence implements Command {
     readonly selection?: CommandSelection,
   ) {}
 
+  /** The commands that were made so far, by doing it. */
+  get parts(): readonly Command[] {
+    return this.commands ?? [];
+  }
+
   do(): void {
     const done: Command[] = [];
     try {

@@ -1,5 +1,5 @@
 import type { Command } from '@farol/editing';
-import { builtinComponents, Camera, GameObject } from '@farol/engine';
+import { Camera, GameObject } from '@farol/engine';
 import { addPhysics, type PhysicsKind } from '../addPhysics';
 import { copyObjects, pasteObjects } from '../clip';
 import type { Container } from '../commands/Placement';
@@ -19,19 +19,23 @@ import {
   setActive,
   setEnabled,
   setLocked,
+  setStatic,
   setValues,
 } from '../edits';
 import type { EditorDocument } from '../EditorDocument';
 import { groupObjects, ungroupObjects } from '../groupObjects';
 import { below, objectsOf, pick, type Random } from './random';
+import { randomTypes } from './randomTypes';
 import { randomArrangement } from './randomArrangement';
 import { randomAssetCommand } from './randomAssetCommand';
+import { randomBakeCommand } from './randomBakeCommand';
 import { randomClipCommand } from './randomClipCommand';
 import { randomEdit } from './randomEdit';
 import { randomMaterialCommand } from './randomMaterialCommand';
 import { randomPrefabCommand } from './randomPrefabCommand';
 import { randomRunningScript } from './randomRunningScript';
 import { randomScriptCommand } from './randomScriptCommand';
+import { randomSurfaceCommand } from './randomSurfaceCommand';
 import { randomViewCommand } from './randomViewCommand';
 
 /** Some objects, often nested ones. */
@@ -55,12 +59,12 @@ export function randomCommand(random: Random, document: EditorDocument): Command
   const { scene, selection } = document;
   const all = objectsOf(scene);
   const parent = (): Container => (all.length === 0 || random() < 0.3 ? scene : pick(random, all));
-  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 38);
+  const kind = all.length < 6 ? 0 : all.length > 40 ? 1 : below(random, 45);
   switch (kind) {
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
       if (random() < 0.7) {
-        const type = pick(random, [...builtinComponents.types.values()].slice(1));
+        const type = pick(random, randomTypes.slice(1));
         object.addComponent(type);
       }
       return addObject(scene, object, parent(), selection.ids);
@@ -85,7 +89,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
     case 7:
       return setEnabled(pick(random, all).components, random() < 0.5);
     case 8:
-      return addComponent(scene, some(random, all), pick(random, [...builtinComponents.types.values()]));
+      return addComponent(scene, some(random, all), pick(random, randomTypes));
     case 9:
       return removeComponents(
         scene,
@@ -100,7 +104,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
     case 13:
       return ungroupObjects(scene, some(random, all));
     case 14:
-      return pasteObjects(scene, copyObjects(scene, some(random, all).slice(0, 2)), parent(), selection.ids);
+      return pasteObjects(scene, copyObjects(scene, some(random, all).slice(0, 2)).text, parent(), selection.ids);
     case 15:
       return moveComponents(pick(random, all).components.slice(-1), random() < 0.5 ? -1 : 1);
     case 16: {
@@ -148,6 +152,16 @@ export function randomCommand(random: Random, document: EditorDocument): Command
     case 34:
     case 35:
       return randomRunningScript(random, document) ?? randomEdit(random, document, scene.settings);
+    case 38:
+    case 39:
+      return randomBakeCommand(random, document);
+    case 40:
+      return setStatic(some(random, all), random() < 0.5);
+    case 41:
+    case 42:
+    case 43:
+    case 44:
+      return randomSurfaceCommand(random, document);
     case 36: {
       const kinds: readonly PhysicsKind[] = ['dynamic', 'kinematic', 'fixed', 'character'];
       return addPhysics(scene, some(random, all), pick(random, kinds));

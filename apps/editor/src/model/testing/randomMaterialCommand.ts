@@ -3,6 +3,7 @@ import { ObjectRenderer } from '@farol/engine';
 import {
   addFolder,
   addMaterial,
+  canMove,
   duplicateMaterial,
   foldersOf,
   moveAssets,
@@ -11,7 +12,6 @@ import {
   renameFolder,
   valuesOfOwnMaterial,
 } from '../assetEdits';
-import { canRename } from '../assetNames';
 import { assetsBelow } from '../assetEdits';
 import { deleteAsset } from '../assetUsages';
 import type { EditorDocument } from '../EditorDocument';
@@ -23,7 +23,7 @@ export function randomMaterialCommand(random: Random, document: EditorDocument):
   const { assets, scene } = document;
   const materials = assets.materialAssets;
   const renderers = scene.componentsOf(ObjectRenderer);
-  const folders = foldersOf(assets);
+  const folders = foldersOf(scene);
   const act = below(random, 9);
   if (materials.length < 2 || act === 0) {
     const users = renderers.filter(() => random() < 0.3);
@@ -39,7 +39,7 @@ export function randomMaterialCommand(random: Random, document: EditorDocument):
   }
   const folder = pick(random, folders);
   if (act === 4) {
-    const all = assets.list().filter((name) => canRename(assets, name));
+    const all = [...assets.list(), ...scene.prefabs.list.map(({ id }) => id)].filter((name) => canMove(scene, name));
     return moveAssets(
       scene,
       all.filter(() => random() < 0.4),
@@ -51,6 +51,6 @@ export function randomMaterialCommand(random: Random, document: EditorDocument):
     return assets.has(to) ? randomEdit(random, document, material) : renameAsset(scene, material.name, to);
   }
   if (act === 6 && folders.length < 8) return renameFolder(scene, folder, `Folder ${1000 + below(random, 1e6)}`);
-  if (act === 6 && assetsBelow(assets, folder).length === 0) return removeFolder(scene, folder);
+  if (act === 6 && assetsBelow(scene, folder).length === 0) return removeFolder(scene, folder);
   return randomEdit(random, document, material);
 }

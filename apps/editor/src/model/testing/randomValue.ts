@@ -3,6 +3,10 @@ import type { EditorDocument } from '../EditorDocument';
 import { importedTextures } from './randomAssetCommand';
 import { below, objectsOf, pick, type Random } from './random';
 
+/** Times of the keys of a curve. */
+const randomTimes = (random: Random): number[] =>
+  Array.from({ length: 1 + below(random, 6) }, () => below(random, 11) / 10).toSorted((a, b) => a - b);
+
 /** A value that the field allows. */
 export function randomValue(random: Random, field: Field, document: EditorDocument): FieldValue {
   const between = (min = -20, max = 20): number => min + random() * (Math.min(max, min + 1000) - min);
@@ -23,6 +27,13 @@ export function randomValue(random: Random, field: Field, document: EditorDocume
       return [between(-4, 4), between(-4, 4), between(-4, 4)];
     case 'colour':
       return [random(), random(), random() * 3];
+    case 'curve':
+      return randomTimes(random).map((time) => [time, between(field.min, field.max)] as const);
+    case 'gradient':
+      return randomTimes(random).map(
+        (time, i) =>
+          [time, i > 0 && random() < 0.4 ? null : ([random(), random(), random() * 3] as const), random()] as const,
+      );
     case 'asset': {
       const names = document.assets.list(field.assetType).filter((name) => name !== 'dragon' && !name.includes('/'));
       const imported = field.assetType === 'texture' && random() < 0.3 ? importedTextures(document) : [];

@@ -1,5 +1,5 @@
 import { type ClipData, type ClipKey, type ClipTrack } from '@farol/engine';
-import type { Field, FieldValue } from '@farol/engine/fields';
+import { type Field, type FieldValue, isTriple } from '@farol/engine/fields';
 import { curveAt } from './easingCurve';
 
 /** What a track is of: see `ClipTrack`. */
@@ -44,9 +44,6 @@ const animatedKinds: ReadonlySet<Field['kind']> = new Set([
 /** Whether a track may be of a field. */
 export const isAnimatable = (field: Field | undefined): boolean =>
   field !== undefined && animatedKinds.has(field.kind) && !field.readOnly;
-
-export const isTriple = (value: FieldValue | undefined): value is readonly [number, number, number] =>
-  Array.isArray(value);
 
 /** Whether values go from one to the next; others step. */
 export const isNumeric = (value: FieldValue | undefined): boolean => typeof value === 'number' || isTriple(value);

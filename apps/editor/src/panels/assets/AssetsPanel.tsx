@@ -22,7 +22,19 @@ import './assets.css';
 
 type Filter = AssetKind | 'all' | 'own';
 
-const kinds: readonly AssetKind[] = ['prefab', 'model', 'mesh', 'texture', 'material', 'script', 'clip', 'sound'];
+const kinds: readonly AssetKind[] = [
+  'prefab',
+  'model',
+  'mesh',
+  'texture',
+  'material',
+  'surface',
+  'script',
+  'clip',
+  'sound',
+  'profile',
+  'bake',
+];
 
 const filters = (): SelectOption<Filter>[] => [
   { value: 'all', label: t('Everything') },
@@ -47,7 +59,7 @@ interface Pressed {
 export function AssetsPanel(): ReactNode {
   const editor = useEditor();
   const { document } = editor;
-  const { assetSelection, assets } = document;
+  const { assetSelection } = document;
   const revision = useSignal(document.assetsChanged) + useSignal(document.prefabs);
   useSignal(document.opened);
   useSignal(assetSelection.changed);
@@ -59,7 +71,7 @@ export function AssetsPanel(): ReactNode {
   // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the library and the prefabs
   const all = useMemo(() => assetEntries(document.scene), [document, document.scene, revision]);
   // oxlint-disable-next-line react-hooks/exhaustive-deps -- as above
-  const folders = useMemo(() => foldersOf(assets), [assets, revision]);
+  const folders = useMemo(() => foldersOf(document.scene), [document.scene, revision]);
   // one that is gone is left
   const folder = folders.includes(wanted) ? wanted : '';
   const isFlat = search.trim() !== '';

@@ -1,8 +1,7 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useState } from 'react';
 import { draggedAsset, isAssetDrag } from '../../files/dragAsset';
-import { moveAssets } from '../../model/assetEdits';
-import { canRename } from '../../model/assetNames';
+import { canMove, moveAssets } from '../../model/assetEdits';
 import { useEditor } from '../../ui/EditorContext';
 
 interface FolderTargetProps {
@@ -41,7 +40,7 @@ export function FolderTarget({ folder, className, children, onOpen }: FolderTarg
         event.stopPropagation();
         editor.attempt(() => {
           const { document, commands } = editor;
-          const names = (asset.names ?? [asset.name]).filter((name) => canRename(document.assets, name));
+          const names = (asset.names ?? [asset.name]).filter((name) => canMove(document.scene, name));
           if (names.length === 0)
             throw new Error(
               t('{name} stays where it is: it came with Farol, or is a part of a model.', { name: asset.name }),

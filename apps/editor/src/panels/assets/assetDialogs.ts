@@ -61,8 +61,7 @@ export function renameEntry(editor: EditorApi, entry: AssetEntry): void {
   const prefab = entry.kind === 'prefab' ? scene.prefabs.get(entry.name) : null;
   if (!prefab && !canRename(assets, entry.name))
     throw new Error(t('{label} keeps its name: it came with Farol, or is a part of a model.', { label: entry.label }));
-  const { folder, leaf } = splitName(entry.name);
-  const before = prefab?.name ?? leaf;
+  const { folder, leaf: before } = splitName(prefab?.name ?? entry.name);
   void dialogs.show({
     kind: 'text',
     title: t('Rename {name}', { name: before }),
@@ -71,7 +70,7 @@ export function renameEntry(editor: EditorApi, entry: AssetEntry): void {
     action: t('Rename'),
     accept: (name) => {
       if (name === before) return;
-      if (prefab) return commands.run(renamePrefab(scene, prefab, name));
+      if (prefab) return commands.run(renamePrefab(scene, prefab, joinName(folder, name)));
       const isSelected = document.assetSelection.has(entry.name);
       const others = new Set(assets.list());
       commands.run(renameAnyAsset(scene, entry.name, joinName(folder, name)));

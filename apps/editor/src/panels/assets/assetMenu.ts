@@ -1,11 +1,11 @@
 import { t } from '@farol/editing';
-import { ObjectRenderer } from '@farol/engine';
+import { ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { EditorApi } from '../../api/EditorApi';
 import type { MenuEntry } from '../../api/MenuEntry';
-import { assetEntries, type AssetEntry, isEnvironment } from '../../files/assetKinds';
+import { assetEntries, assetEntry, type AssetEntry, isEnvironment } from '../../files/assetKinds';
 import { placeAsset, useAsEnvironment } from '../../files/placeAsset';
-import { duplicateMaterial, giveMaterial, moveAssets } from '../../model/assetEdits';
-import { canRename, splitName } from '../../model/assetNames';
+import { canMove, duplicateMaterial, giveMaterial, moveAssets } from '../../model/assetEdits';
+import { canRename } from '../../model/assetNames';
 import { usagesOf } from '../../model/assetUsages';
 import { instancesOf } from '../../model/prefabEdits';
 import { addScriptComponent } from '../../model/scriptEdits';
@@ -56,6 +56,26 @@ function scriptEntries(editor: EditorApi, { name }: AssetEntry): MenuEntry[] {
   ];
 }
 
+function surfaceEntries(editor: EditorApi, { name }: AssetEntry): MenuEntry[] {
+  const { document, commands } = editor;
+  const users = document.selectedObjects.filter(
+    (object) => object.getComponent(ObjectRenderer) ?? object.getComponent(ModelRenderer),
+  );
+  const wear = async (): Promise<void> => {
+    const { surfaceWearers, wearSurface } = await import('../../model/surfaceEdits');
+    commands.run(wearSurface(name, surfaceWearers(users)));
+  };
+  return [
+    { label: t('Edit ## the text of a script'), icon: 'code', run: () => editor.openMicroShader(`surface:${name}`) },
+    {
+      label: t('Give to the selected objects'),
+      icon: 'check',
+      disabled: users.length === 0,
+      run: () => editor.attempt(wear),
+    },
+  ];
+}
+
 /** Selects the objects that use an asset, or are instances of a prefab. */
 function selectUsers({ document }: EditorApi, { kind, name }: AssetEntry): void {
   const { scene } = document;
@@ -69,8 +89,9 @@ function selectUsers({ document }: EditorApi, { kind, name }: AssetEntry): void 
 
 function moveEntries(editor: EditorApi, entry: AssetEntry, folders: readonly string[]): MenuEntry[] {
   const { document, commands } = editor;
-  const names = chosenWith(editor, entry).filter((name) => canRename(document.assets, name));
-  const targets = ['', ...folders].filter((folder) => names.some((name) => splitName(name).folder !== folder));
+  const names = chosenWith(editor, entry).filter((name) => canMove(document.scene, name));
+  const folderOf = (name: string): string => assetEntry(document.scene, name)?.folder ?? '';
+  const targets = ['', ...folders].filter((folder) => names.some((name) => folderOf(name) !== folder));
   if (names.length === 0 || targets.length === 0) return [];
   const entries = targets.map((folder): MenuEntry => ({
     label: folder || t('The top'),
@@ -96,7 +117,8 @@ export function assetMenu(editor: EditorApi, entry: AssetEntry, folders: readonl
   }
   if (kind === 'material') entries.push(...materialEntries(editor, entry));
   if (kind === 'script') entries.push(...scriptEntries(editor, entry));
-  else if (kind !== 'texture' || !isEnvironment(name)) {
+  else if (kind === 'surface') entries.push(...surfaceEntries(editor, entry));
+  else if (kind !== 'bake' && (kind !== 'texture' || !isEnvironment(name))) {
     const label = kind === 'material' || kind === 'shader' ? t('Place on a sphere') : t('Place in scene');
     entries.push({ label, icon: 'add', run: attempt(() => placeAsset(editor, entry)) });
   }

@@ -5,7 +5,7 @@ import { importFiles } from '../../files/importFiles';
 
 const endings = [
   ...['.glb', '.gltf', '.bin', '.fbx', '.obj', '.mtl', '.stl', '.zip', '.ply', '.gz'],
-  ...['.tga', '.bmp', '.png', '.jpg', '.jpeg', '.webp', '.hdr', '.exr', '.cube', '.ktx2'],
+  ...['.tga', '.bmp', '.png', '.jpg', '.jpeg', '.webp', '.hdr', '.exr', '.cube', '.ktx2', '.ies', '.tlt'],
 ];
 
 /** Has the user choose files, and imports them. */

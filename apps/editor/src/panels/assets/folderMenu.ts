@@ -13,6 +13,19 @@ function newMaterial({ document, commands }: EditorApi, folder: string): void {
   document.assetSelection.set([name]);
 }
 
+/** Adds a surface to a folder, and shows its text. */
+async function newSurface(editor: EditorApi, folder: string): Promise<void> {
+  const [{ builtinSurfaces }, { addSurface }] = await Promise.all([
+    import('../../model/surfaces/builtinSurfaces'),
+    import('../../model/surfaceEdits'),
+  ]);
+  const { document, commands } = editor;
+  const made = addSurface(document.scene, joinName(folder, t('Surface')), builtinSurfaces.plain.source, {}, []);
+  commands.run(made.command);
+  document.assetSelection.set([made.surface]);
+  editor.openMicroShader(`surface:${made.surface}`);
+}
+
 /** Asks for the name of a new folder. */
 function newFolder({ document, commands, dialogs }: EditorApi, folder: string): void {
   void dialogs.show({
@@ -48,6 +61,7 @@ export function newEntries(editor: EditorApi, folder: string): MenuEntry[] {
   const attempt = (run: () => unknown) => (): void => editor.attempt(run);
   return [
     { label: t('New material'), icon: 'contrast', run: attempt(() => newMaterial(editor, folder)) },
+    { label: t('New surface'), icon: 'code', run: attempt(() => newSurface(editor, folder)) },
     { label: t('New script'), icon: 'code', run: attempt(() => newScript(editor, joinName(folder, t('Script')))) },
     { label: t('New folder…'), icon: 'folder', run: attempt(() => newFolder(editor, folder)) },
     'separator',

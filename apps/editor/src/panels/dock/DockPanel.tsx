@@ -1,6 +1,7 @@
 import { Activity, createElement, memo, type ReactNode, Suspense, useState } from 'react';
 import type { Rectangle } from '../../layout/placeLayout';
 import { useEditor } from '../../ui/EditorContext';
+import { PanelBoundary } from '../../ui/PanelBoundary';
 
 interface DockPanelProps {
   readonly id: string;
@@ -39,7 +40,9 @@ export const DockPanel = memo(function DockPanel({ id, isInFront, rectangle }: D
       }
     >
       <Activity mode={isInFront ? 'visible' : 'hidden'}>
-        <Suspense fallback={null}>{createElement(component)}</Suspense>
+        <PanelBoundary>
+          <Suspense fallback={null}>{createElement(component)}</Suspense>
+        </PanelBoundary>
       </Activity>
     </div>
   );

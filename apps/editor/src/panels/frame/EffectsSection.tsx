@@ -4,6 +4,7 @@ import { setValues } from '../../model/edits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Toggle } from '../../ui/Toggle';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { EffectCosts } from './EffectCosts';
 import { FieldList } from '../inspector/FieldList';
 import { Section } from '../inspector/Section';
 import { TechniqueLimit } from '../inspector/TechniqueLimit';
@@ -44,6 +45,7 @@ export function EffectsSection(): ReactNode {
           />
         </div>
       ))}
+      <EffectCosts />
     </Section>
   );
 }

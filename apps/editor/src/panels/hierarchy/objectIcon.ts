@@ -1,4 +1,14 @@
-import { AudioSource, Camera, Decal, type GameObject, Light, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import {
+  AudioSource,
+  Camera,
+  Decal,
+  type GameObject,
+  Light,
+  ModelRenderer,
+  ObjectRenderer,
+  Room,
+  Wall,
+} from '@farol/engine';
 import { isInstanceRoot } from '@farol/engine/prefabs';
 import type { IconName } from '../../style/iconPaths';
 
@@ -8,6 +18,8 @@ export function objectIcon(object: GameObject): IconName {
   const light = object.getComponent(Light);
   if (light) return light.type;
   if (object.getComponent(Camera)) return 'camera';
+  if (object.getComponent(Room)) return 'room';
+  if (object.getComponent(Wall)) return 'wall';
   if (object.getComponent(ObjectRenderer) || object.getComponent(ModelRenderer)) return 'mesh';
   if (object.getComponent(Decal)) return 'decal';
   if (object.getComponent(AudioSource)) return 'sound';

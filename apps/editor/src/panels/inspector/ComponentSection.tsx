@@ -15,6 +15,7 @@ import { componentIcon, wordsOf } from './componentIcons';
 import { FieldList } from './FieldList';
 import { MaterialPreview } from './MaterialPreview';
 import { ModelBar } from './ModelBar';
+import { ObjectSurfaceBar } from './ObjectSurfaceBar';
 import { Section } from './Section';
 
 /**
@@ -73,6 +74,7 @@ export function ComponentSection(props: { components: readonly Component[] }): R
       }
     >
       <FieldList owners={components} />
+      <ObjectSurfaceBar components={components} />
       {typeName === 'ModelRenderer' && <ModelBar components={components} />}
       {typeName === 'Animation' && <AnimationBar components={components} />}
       {typeName === 'ObjectRenderer' && <MaterialPreview components={components} />}

@@ -1,5 +1,5 @@
-import { sharedValue } from '@farol/editing';
-import { type Field, type FieldOwner, isFieldVisible, sameValue } from '@farol/engine/fields';
+import { fieldInUnit, sharedValue } from '@farol/editing';
+import { type Field, type FieldOwner, isFieldVisible, sameValue, variantOfField } from '@farol/engine/fields';
 import type { ReactElement, ReactNode } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
@@ -12,6 +12,14 @@ function choicesOf(owner: FieldOwner, field: Field): string | null {
   if (field.kind !== 'string' || field.choices === undefined) return null;
   const list = (owner as unknown as Readonly<Record<string, unknown>>)[field.choices];
   return Array.isArray(list) ? list.join('\n') : '';
+}
+
+/** A field as all owners show it: of lights of several types, none's own unit. */
+function shownField(owners: readonly FieldOwner[], name: string): Field {
+  const [first, ...others] = owners.map((owner) =>
+    variantOfField(owner.fields[name], (other) => owner.getAuthored(other)),
+  );
+  return others.every((field) => field === first) ? first : owners[0].fields[name];
 }
 
 interface FieldListProps {
@@ -31,11 +39,14 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
   useSignal(document.previewed);
   const places = useLiveTexts(owners.length === 1 ? owners[0] : null);
   const [owner] = owners;
+  // uniforms of the surface that is worn come and go with its text
+  useSignal(document.assetsChanged);
   const rows = (names ?? Object.keys(owner.fields))
+    .filter((name) => owners.every(({ fields }) => Object.hasOwn(fields, name)))
     .filter((name) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
     .filter((name) => !owner.fields[name].deprecated || owners.some((each) => !isDefault(each, name)))
     .map((name) => {
-      const field = owner.fields[name];
+      const field = fieldInUnit(shownField(owners, name), (other) => owners.map((each) => each.getAuthored(other)));
       const { value, mixed, parts } = sharedValue(owners.map((each) => commands.valueOf(each, name)));
       return (
         <FieldRow

@@ -1,8 +1,8 @@
-import { t } from '@farol/editing';
+import { t, wordsOfFilter } from '@farol/editing';
 import { type FocusEvent, type PointerEvent, type ReactNode, useDeferredValue, useMemo, useState } from 'react';
 import { draggedAsset, isAssetDrag } from '../../files/dragAsset';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { FieldFilter, wordsOfFilter } from '../../ui/FieldFilter';
+import { FieldFilter } from '../../ui/FieldFilter';
 import './inspector.css';
 import { AssetInspector } from '../material/AssetInspector';
 import { ObjectInspector } from './ObjectInspector';
@@ -75,7 +75,11 @@ export function InspectorPanel(): ReactNode {
           }}
         />
       </header>
-      <div key={asset === null ? 'objects' : 'asset'} className="inspector-body" data-filtered={words.length > 0}>
+      <div
+        key={asset !== null ? 'asset' : ids.length > 0 ? 'objects' : 'scene'}
+        className="inspector-body"
+        data-filtered={words.length > 0}
+      >
         <FieldFilter value={words}>{content}</FieldFilter>
         <p className="inspector-none">{t('No field here is called that.')}</p>
       </div>

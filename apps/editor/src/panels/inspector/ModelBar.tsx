@@ -1,9 +1,10 @@
 import { t } from '@farol/editing';
 import { type Component, ModelRenderer } from '@farol/engine';
-import type { ReactNode } from 'react';
+import { type ReactNode, useState } from 'react';
 import { unpackModels, whyNotUnpack } from '../../model/unpackModels';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { ModelTree } from '../material/ModelTree';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 
 /** What can be done with models that are drawn whole. @param props.components - ModelRenderers, memoised */
@@ -11,6 +12,7 @@ export function ModelBar({ components }: { components: readonly Component[] }): 
   const editor = useEditor();
   const { document, commands } = editor;
   useSignal(document.assetsChanged);
+  const [isInside, showInside] = useState(false);
   useOwnersRevision(components);
   const renderers = components.filter((each) => each instanceof ModelRenderer);
   const { assets } = document;
@@ -35,12 +37,21 @@ export function ModelBar({ components }: { components: readonly Component[] }): 
         type="button"
         className="button framed"
         title={t('The objects and clips of the model')}
-        onClick={() => document.assetSelection.set([model])}
+        aria-expanded={isInside}
+        onClick={() => showInside(!isInside)}
       >
         <Icon name="search" />
         <span>{t('Look inside')}</span>
       </button>
       {problem !== undefined && <p className="model-problem">{problem}</p>}
+      {isInside && (
+        <div className="model-look">
+          <ModelTree model={assets.model(model)} />
+          <button type="button" className="button" onClick={() => document.assetSelection.set([model])}>
+            <span>{t('Show {name} in the library', { name: model })}</span>
+          </button>
+        </div>
+      )}
     </div>
   );
 }

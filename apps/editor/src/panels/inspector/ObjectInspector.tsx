@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import type { Component, GameObject } from '@farol/engine';
 import { memo, type ReactNode, useMemo } from 'react';
 import { addComponent, renameObject, setActive } from '../../model/edits';
+import { changeStatic } from '../../actions/bake';
 import { scriptOfType } from '../../model/scriptNames';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -90,6 +91,15 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
         ) : (
           <span className="object-count">{t('{count} objects', { count: objects.length })}</span>
         )}
+        <span className="object-static" aria-hidden="true">
+          {t('Static')}
+        </span>
+        <Toggle
+          value={objects.some(({ isStatic }) => isStatic !== first.isStatic) ? null : first.isStatic}
+          label={t('Static')}
+          description={t('The object stays where it is: baked light gives it a lightmap.')}
+          onChange={(isStatic) => editor.attempt(() => changeStatic(editor, objects, isStatic))}
+        />
         <Toggle
           value={mixed ? null : first.active}
           label={t('Active')}

@@ -6,7 +6,19 @@ import { Section } from './Section';
 import { TechniqueLimit } from './TechniqueLimit';
 
 const sky = [
-  ...['background', 'backgroundColour', 'sky', 'skyTop', 'skyHorizon', 'skyGround', 'environment', 'skyLight'],
+  ...[
+    'background',
+    'backgroundColour',
+    'sky',
+    'placeSun',
+    'sunAzimuth',
+    'sunElevation',
+    'skyTop',
+    'skyHorizon',
+    'skyGround',
+    'environment',
+    'skyLight',
+  ],
   ...['environmentIntensity', 'backgroundIntensity', 'backgroundRotation', 'backgroundBlur'],
 ];
 const fog = ['fog', 'fogFromSky', 'fogColour', 'fogNear', 'fogFar', 'fogDensity'];

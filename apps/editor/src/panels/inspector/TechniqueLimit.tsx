@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { type SceneSettings, techniqueLimits } from '@farol/engine';
+import { Decal, type SceneSettings, techniqueLimits } from '@farol/engine';
 import type { ReactNode } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
@@ -26,7 +26,7 @@ export function TechniqueLimit({ settings }: { settings: SceneSettings }): React
   const { document } = useEditor();
   useSignal(document.structure);
   useOwnersRevision(useMemo(() => [settings], [settings]));
-  const hasDecals = document.scene.requiredEffects.length > 0;
+  const hasDecals = document.scene.componentsOf(Decal).length > 0;
   return limitsOf(settings, hasDecals).map((line) => (
     <p key={line} className="technique-limit">
       {line}

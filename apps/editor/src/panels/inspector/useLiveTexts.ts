@@ -1,14 +1,15 @@
 import { t, toDegrees } from '@farol/editing';
-import { type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
+import { type FieldOwner, type FieldValue, isTriple, sameValue } from '@farol/engine/fields';
 import { useEffect, useState } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { keysText } from '../../ui/keysText';
 
 /** Milliseconds between two readings of values that move. */
 const INTERVAL = 100;
 
 function liveText(value: FieldValue, isAngle: boolean): string {
-  if (!Array.isArray(value)) return String(value);
-  return value.map((each: number) => (isAngle ? toDegrees(each) : each).toFixed(2)).join('  ');
+  if (!isTriple(value)) return Array.isArray(value) ? keysText(value) : String(value);
+  return value.map((each) => (isAngle ? toDegrees(each) : each).toFixed(2)).join('  ');
 }
 
 /**

@@ -1,16 +1,18 @@
 import { t } from '@farol/editing';
-import { type ReactNode, useMemo } from 'react';
+import type { ReactNode } from 'react';
 import { canRename, joinName, splitName } from '../../model/assetNames';
 import { renameAnyAsset } from '../../model/scriptEdits';
 import { assetEntry } from '../../files/assetKinds';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { LatePolarCurve } from '../../ui/LatePolarCurve';
 import { LateSoundButton } from '../../ui/LateSoundButton';
 import { TextInput } from '../../ui/TextInput';
 import { assetIcons, Thumbnail } from '../../ui/Thumbnail';
 import { AssetFacts } from './AssetFacts';
 import { MaterialInspector } from './MaterialInspector';
 import { ScriptAssetBar } from './ScriptAssetBar';
+import { SurfaceAssetBar } from './SurfaceAssetBar';
 import { UsedBy } from './UsedBy';
 import './material.css';
 
@@ -21,10 +23,10 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
   useSignal(document.assetsChanged);
   useSignal(document.prefabs);
   const { scene, assets } = document;
-  const prefab = scene.prefabs.get(name);
   const material = assets.materialAsset(name);
   const isScript = assets.fieldAsset(name)?.type === 'script';
-  const entry = useMemo(() => assetEntry(scene, name), [scene, name]);
+  const isSurface = assets.surface(name) !== null;
+  const entry = assetEntry(scene, name);
   if (!entry) return null;
   const { folder, leaf } = splitName(name);
   const rename = (next: string): void =>
@@ -42,7 +44,7 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
         {canRename(assets, name) ? (
           <TextInput value={leaf} label={t('Name of the asset')} onCommit={rename} />
         ) : (
-          <span className="object-count">{prefab?.name ?? entry.label}</span>
+          <span className="object-count">{entry.label}</span>
         )}
         <button
           type="button"
@@ -55,11 +57,12 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
         </button>
       </div>
       {isScript && <ScriptAssetBar name={name} />}
+      {isSurface && <SurfaceAssetBar name={name} />}
       {material && <MaterialInspector material={material} />}
-      {!isScript && !material && (
+      {!isScript && !isSurface && !material && (
         <>
           <div className="asset-large">
-            <Thumbnail entry={entry} />
+            {entry.kind === 'profile' ? <LatePolarCurve name={name} /> : <Thumbnail entry={entry} />}
             {entry.kind === 'sound' && <LateSoundButton name={name} />}
           </div>
           <AssetFacts entry={entry} />

@@ -8,6 +8,7 @@ import { useIsFiltering } from '../../ui/FieldFilter';
 import { Icon } from '../../ui/Icon';
 import { TurningBall } from '../../ui/TurningBall';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { EditSurface } from './EditSurface';
 import { isMapField, type MaterialSection, materialSections, placementFields } from './materialSections';
 
 /** A material of the library: a ball that can be turned, and its fields in sections. */
@@ -32,7 +33,12 @@ interface SectionOfMaterialProps {
 
 function SectionOfMaterial({ material, owners, section }: SectionOfMaterialProps): ReactNode {
   const { id, title, help, fields, isFoldedAtFirst, forward } = section;
-  const shown = fields.filter((name) => isFieldVisible(material.fields, name, (other) => material.get(other)));
+  const uniforms = fields.includes('surface')
+    ? Object.keys(material.fields).filter((name) => material.fields[name].viewOf)
+    : [];
+  const shown = [...fields, ...uniforms].filter((name) =>
+    isFieldVisible(material.fields, name, (other) => material.get(other)),
+  );
   if (shown.length === 0) return null;
   const isForward = forward !== undefined && shown.includes(forward) && Boolean(material.get(forward));
   const limit = t('Drawn forward: a G-buffer cannot hold it. The picture is right, and costs more with many lights.');
@@ -54,6 +60,7 @@ function SectionOfMaterial({ material, owners, section }: SectionOfMaterialProps
       {shown.map((name) => (
         <Fragment key={name}>
           <FieldList owners={owners} names={[name]} />
+          {name === 'surface' && material.get(name) !== null && <EditSurface name={material.get(name) as string} />}
           {isMapField(name) && material.get(name) !== null && <Placement owners={owners} map={name} />}
         </Fragment>
       ))}

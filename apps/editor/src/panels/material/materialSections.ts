@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { materialAssetFields, materialMapNames, uvFieldEndings } from '@farol/engine/fields';
+import { materialAssetFields, materialMapNames, surfaceMaps, uvFieldEndings } from '@farol/engine/fields';
 
 /** Fields of a material that belong together. */
 export interface MaterialSection {
@@ -24,6 +24,12 @@ export const materialSections: readonly MaterialSection[] = [
       ...['kind', 'colour', 'map', 'roughness', 'roughnessMap', 'metalness', 'metalnessMap'],
       ...['ambient', 'specular', 'shininess', 'specularMap', 'shading', 'vertexColours'],
     ],
+  },
+  {
+    id: 'Worn surface',
+    title: () => t('Worn surface'),
+    help: () => t('GLSL of the library that changes its look and its shape, and the values that it asks for.'),
+    fields: ['surface', 'surfaceValues', ...surfaceMaps],
   },
   {
     id: 'Relief',

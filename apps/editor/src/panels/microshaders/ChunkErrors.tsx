@@ -1,10 +1,18 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
-import type { MicroShaderProblemText } from '../../microshaders/MicroShaderEditing';
+import type { MicroShaderProblemText } from '../../microshaders/TextDrafts';
 import { useEditor } from '../../ui/EditorContext';
 
+interface ChunkErrorsProps {
+  /** As the entries name it. */
+  readonly name: string;
+  /** As the panel does. */
+  readonly shown: string;
+  readonly problem: MicroShaderProblemText;
+}
+
 /** What the compiler says, by chunk and line; a click goes there. */
-export function ChunkErrors({ name, problem }: { name: string; problem: MicroShaderProblemText }): ReactNode {
+export function ChunkErrors({ name, shown, problem }: ChunkErrorsProps): ReactNode {
   const editor = useEditor();
   const { entries, message } = problem;
   return (
@@ -15,7 +23,7 @@ export function ChunkErrors({ name, problem }: { name: string; problem: MicroSha
           <button
             type="button"
             disabled={chunk === null || chunk.startsWith('three/')}
-            onClick={() => editor.openMicroShader(chunk ?? name, line)}
+            onClick={() => editor.openMicroShader(chunk === null || chunk === name ? shown : chunk, line)}
           >
             {chunk ?? t('shader')}:{line}
           </button>

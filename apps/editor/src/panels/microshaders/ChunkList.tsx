@@ -2,26 +2,34 @@ import { t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useEffect, useRef, useState } from 'react';
 import type { MicroShaderUses } from '../../microshaders/MicroShaderUses';
 import { useEditor } from '../../ui/EditorContext';
+import { SURFACE, surfaceEditingOf } from '../../microshaders/SurfaceEditing';
 import { Icon } from '../../ui/Icon';
 import { NewChunk } from './NewChunk';
 import { XMLMenu } from './XMLMenu';
 
 interface ChunkListProps {
   readonly names: readonly string[];
+  /** Names of the surfaces of the scene. */
+  readonly surfaces: readonly string[];
   readonly current: string;
   readonly uses: MicroShaderUses;
   onChoose(name: string): void;
 }
 
 /** The chunks by name; those of the scene first, marked where they are edited or broken. */
-export function ChunkList({ names, current, uses, onChoose }: ChunkListProps): ReactNode {
-  const { microShaders, viewport } = useEditor();
+export function ChunkList({ names, surfaces, current, uses, onChoose }: ChunkListProps): ReactNode {
+  const editor = useEditor();
+  const { microShaders, viewport } = editor;
+  const texts = surfaceEditingOf(editor);
   const [query, setQuery] = useState('');
   const list = useRef<HTMLUListElement>(null);
   const words = query.toLowerCase();
-  const found = names
-    .filter((name) => name.toLowerCase().includes(words))
+  const fits = (name: string): boolean => name.toLowerCase().includes(words);
+  const shown = surfaces.filter(fits).map((name) => SURFACE + name);
+  const chunks = names
+    .filter(fits)
     .toSorted((a, b) => Number(microShaders.isOwn(b)) - Number(microShaders.isOwn(a)) || (a < b ? -1 : 1));
+  const found = [...shown, ...chunks];
   const { technique } = viewport.farol.info;
   useEffect(() => {
     list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: 'nearest' });
@@ -51,8 +59,10 @@ export function ChunkList({ names, current, uses, onChoose }: ChunkListProps): R
       {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-element-to-interactive-role -- a list that is chosen from */}
       <ul ref={list} role="listbox" aria-label={t('Microshaders')} tabIndex={0} onKeyDown={keyDown}>
         {found.map((name) => {
-          const problem = microShaders.problem(name);
-          const isInUse = uses.techniquesOf(name).some((each) => each === technique);
+          const surface = name.startsWith(SURFACE) ? name.slice(SURFACE.length) : null;
+          const problem = surface === null ? microShaders.problem(name) : texts.problem(surface);
+          const isInUse = surface !== null || uses.techniquesOf(name).some((each) => each === technique);
+          const isOwn = surface === null && microShaders.isOwn(name);
           return (
             <li
               key={name}
@@ -62,9 +72,10 @@ export function ChunkList({ names, current, uses, onChoose }: ChunkListProps): R
               data-used={isInUse}
               onClick={() => onChoose(name)}
             >
-              <span className="chunk-name">{name}</span>
-              {microShaders.isOwn(name) && <span className="chunk-tag">{t('scene')}</span>}
-              {!microShaders.isOwn(name) && microShaders.isChanged(name) && (
+              <span className="chunk-name">{surface ?? name}</span>
+              {surface !== null && <span className="chunk-tag">{t('surface')}</span>}
+              {isOwn && <span className="chunk-tag">{t('scene')}</span>}
+              {surface === null && !isOwn && microShaders.isChanged(name) && (
                 <span className="chunk-tag">{t('edited')}</span>
               )}
               {problem && (

@@ -6,10 +6,11 @@ import { useEditor } from '../../ui/EditorContext';
 /** What a chunk depends on, what depends on it, and who draws with it. */
 export function ChunkUses({ name, uses }: { name: string; uses: MicroShaderUses }): ReactNode {
   const editor = useEditor();
-  const { registry } = editor.microShaders;
+  const { microShaders } = editor;
+  const { registry } = microShaders;
   const { techniques } = editor.viewport.farol;
   const needs = registry.get(name)?.dependencies ?? [];
-  const users = registry.names().filter((other) => registry.get(other)!.dependencies.includes(name));
+  const users = microShaders.names.filter((other) => registry.get(other)?.dependencies.includes(name));
   const drawn = uses.techniquesOf(name);
   const viewed = uses.viewsOf(name);
   const programs = [...new Set(uses.programsOf(name))];

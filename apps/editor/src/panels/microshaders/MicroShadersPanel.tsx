@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { type ReactNode, useEffect, useState, useSyncExternalStore } from 'react';
+import { type ReactNode, useCallback, useEffect, useState, useSyncExternalStore } from 'react';
 import '../../ui/code/code.css';
 import { CodeEditor } from '../../ui/code/CodeEditor';
 import { glslLanguage } from '../../ui/code/glslLanguage';
@@ -9,13 +9,18 @@ import { ChunkErrors } from './ChunkErrors';
 import { ChunkList } from './ChunkList';
 import { ChunkUses } from './ChunkUses';
 import './microshaders.css';
+import { SurfaceBar } from './SurfaceBar';
+import { SurfaceUses } from './SurfaceUses';
+import { SURFACE, surfaceEditingOf } from '../../microshaders/SurfaceEditing';
 import { useMicroShaderUses } from './useMicroShaderUses';
 
 /** The microshaders: which there are, where they are used, and their texts, compiled while they are typed. */
 export function MicroShadersPanel(): ReactNode {
   const editor = useEditor();
   const { microShaders } = editor;
+  const surfaces = surfaceEditingOf(editor);
   useSignal(microShaders.changed);
+  useSignal(surfaces.changed);
   useSignal(editor.document.structure);
   const uses = useMicroShaderUses();
   const place = useSyncExternalStore(editor.microShaderPlace.subscribe, () => editor.microShaderPlace.current);
@@ -26,30 +31,47 @@ export function MicroShadersPanel(): ReactNode {
     if (place) setShown(place.name);
   }
   const { names } = microShaders;
-  const name = names.includes(shown) ? shown : names[0];
+  const shownSurface = surfaces.names.find((each) => SURFACE + each === shown) ?? null;
+  const name = shownSurface !== null || names.includes(shown) ? shown : names[0];
+  const finish = useCallback(() => {
+    microShaders.finish();
+    surfaces.finish();
+  }, [microShaders, surfaces]);
   // oxlint-disable-next-line react/exhaustive-effect-dependencies -- another chunk: what was edited is a step
-  useEffect(() => () => microShaders.finish(), [microShaders, name]);
+  useEffect(() => finish, [finish, name]);
 
-  const problem = microShaders.problem(name);
-  const errors = problem?.entries.filter(({ chunk }) => chunk === name) ?? none;
+  const texts = shownSurface === null ? microShaders : surfaces;
+  const key = shownSurface ?? name;
+  const problem = texts.problem(key);
+  const errors = problem?.entries.filter(({ chunk }) => chunk === key) ?? none;
   return (
     <section className="panel microshaders" aria-label={t('Microshaders')}>
-      <ChunkList names={names} current={name} uses={uses} onChoose={(next) => editor.openMicroShader(next)} />
+      <ChunkList
+        names={names}
+        surfaces={surfaces.names}
+        current={name}
+        uses={uses}
+        onChoose={(next) => editor.openMicroShader(next)}
+      />
       <div className="chunk">
-        <ChunkBar name={name} onOpen={(next) => editor.openMicroShader(next)} />
+        {shownSurface === null ? (
+          <ChunkBar name={name} onOpen={(next) => editor.openMicroShader(next)} />
+        ) : (
+          <SurfaceBar name={shownSurface} />
+        )}
         <CodeEditor
           name={name}
-          text={microShaders.textOf(name)}
-          label={t('Text of the microshader')}
+          text={texts.textOf(key)}
+          label={shownSurface === null ? t('Text of the microshader') : t('Text of the surface')}
           problems={errors}
           language={glslLanguage}
           goTo={place?.name === name && place.line > 0 ? place : null}
-          onInput={(text) => microShaders.edit(name, text)}
-          onLeave={() => microShaders.finish()}
+          onInput={(text) => texts.edit(key, text)}
+          onLeave={finish}
         />
-        {problem && <ChunkErrors name={name} problem={problem} />}
+        {problem && <ChunkErrors name={key} shown={name} problem={problem} />}
       </div>
-      <ChunkUses name={name} uses={uses} />
+      {shownSurface === null ? <ChunkUses name={name} uses={uses} /> : <SurfaceUses name={shownSurface} />}
     </section>
   );
 }

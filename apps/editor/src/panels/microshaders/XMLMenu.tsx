@@ -3,6 +3,7 @@ import { formatMicroShaderXML } from '@farol/renderer/authoring';
 import { fileOpen } from 'browser-fs-access';
 import type { ReactNode } from 'react';
 import { saveFile } from '../../files/saveFile';
+import { fetchThesis } from '../../model/surfaces/thesisSurface';
 import { useEditor } from '../../ui/EditorContext';
 import { MenuButton } from '../../ui/MenuButton';
 
@@ -12,9 +13,6 @@ const fileType = () => ({
   mimeTypes: ['text/xml'],
   extensions: ['.xml'],
 });
-
-/** Where the thesis's own microshaders are served. */
-const THESIS = 'microshaders/thesis.xml';
 
 /** Import and export of microshaders as the thesis's file of XML. */
 export function XMLMenu(): ReactNode {
@@ -38,15 +36,7 @@ export function XMLMenu(): ReactNode {
     await take(await file.text(), file.name);
   };
   const thesis = async (): Promise<void> => {
-    const response = await fetch(THESIS);
-    if (!response.ok)
-      throw new Error(
-        t('{file}: the server answers {status}; serve the folder public/ too.', {
-          file: THESIS,
-          status: response.status,
-        }),
-      );
-    await take(await response.text(), 'thesis.xml');
+    await take(await fetchThesis(), 'thesis.xml');
   };
   const save = async (): Promise<void> => {
     const chunks = microShaders.exported();

@@ -1,9 +1,10 @@
 import { t, toDegrees } from '@farol/editing';
-import { type FieldValue, sameValue } from '@farol/engine/fields';
+import { type FieldValue, isTriple, sameValue } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { nameOf, type PlayChange } from '../../model/PlayEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { keysText } from '../../ui/keysText';
 import './play.css';
 
 /** A value as the inspector has it. */
@@ -12,7 +13,8 @@ function valueText(value: FieldValue, kind: string): string {
   const isAngle = kind === 'angle' || kind === 'euler';
   const text = (each: number): string => String(Number((isAngle ? toDegrees(each) : each).toPrecision(4)));
   if (typeof value === 'number') return text(value) + (isAngle ? '°' : '');
-  if (Array.isArray(value)) return value.map((each: number) => text(each)).join('  ');
+  if (isTriple(value)) return value.map((each) => text(each)).join('  ');
+  if (Array.isArray(value)) return keysText(value);
   return typeof value === 'boolean' ? (value ? t('on') : t('off')) : String(value);
 }
 

@@ -1,15 +1,18 @@
 import { t } from '@farol/editing';
 import { Component } from '@farol/engine';
-import type { FieldOwner, FieldValue } from '@farol/engine/fields';
+import { type FieldOwner, type FieldValue, isTriple } from '@farol/engine/fields';
 import { fieldOverride } from '@farol/engine/prefabs';
 import type { ReactNode } from 'react';
 import { applyField, revertField } from '../../model/prefabEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { keysText } from '../../ui/keysText';
 import { MenuButton } from '../../ui/MenuButton';
 import './prefab.css';
 
-const textOf = (value: FieldValue): string =>
-  Array.isArray(value) ? value.map((each: number) => Number(each.toFixed(3))).join(', ') : String(value ?? t('none'));
+function textOf(value: FieldValue): string {
+  if (isTriple(value)) return value.map((each) => Number(each.toFixed(3))).join(', ');
+  return Array.isArray(value) ? keysText(value) : String(value ?? t('none'));
+}
 
 interface OverrideMarkProps {
   readonly owners: readonly FieldOwner[];

@@ -3,6 +3,7 @@ import type { GameObject } from '@farol/engine';
 import { instanceRootOf, overridesOf } from '@farol/engine/prefabs';
 import type { ReactNode } from 'react';
 import { applyInstance, revertInstance, unpackInstance } from '../../model/prefabEdits';
+import { splitName } from '../../model/assetNames';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
@@ -27,7 +28,7 @@ export function PrefabBar({ object }: { object: GameObject }): ReactNode {
     <div className="prefab-bar" role="group" aria-label={t('Prefab')}>
       <Icon name="prefab" />
       <span className="prefab-name" title={list.join('\n')}>
-        {prefab.name}
+        {splitName(prefab.name).leaf}
         <span className="prefab-count">
           {none ? t('as the prefab') : tCount(list.length, '{count} override', '{count} overrides')}
         </span>

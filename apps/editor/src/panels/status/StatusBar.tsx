@@ -51,13 +51,16 @@ export function StatusBar(): ReactNode {
     useCallback(() => {
       const { info } = viewport.farol;
       const onGpu = info.gpuMs !== null;
-      const times = info.passes.map(({ name, cpuMs, gpuMs }) => `${name} ${(onGpu ? (gpuMs ?? 0) : cpuMs).toFixed(2)}`);
+      const times = info.passes
+        .map(({ name, cpuMs, gpuMs }) => ({ name, time: (onGpu ? (gpuMs ?? 0) : cpuMs).toFixed(2) }))
+        .filter(({ time }) => time !== '0.00')
+        .map(({ name, time }) => `${name} ${time}`);
       const total = onGpu ? info.gpuMs! : info.cpuMs;
       return `${onGpu ? 'GPU' : 'CPU'} ${total.toFixed(2)} ms\n${times.join('\n')}`;
     }, [viewport]),
     RATE,
   );
-  const [total, ...each] = passes.split('\n');
+  const [total, ...each] = passes.split('\n').filter(Boolean);
   return (
     <footer className="status" aria-label={t('Status')}>
       <span className="status-file">
@@ -80,8 +83,8 @@ export function StatusBar(): ReactNode {
       </span>
       <span className="status-space" />
       <span className="status-passes" title={t('Time of each pass of the last frame (ms)')}>
-        {each.map((pass) => (
-          <span key={pass}>{pass}</span>
+        {each.map((pass, i) => (
+          <span key={i}>{pass}</span>
         ))}
       </span>
       <span>{total}</span>

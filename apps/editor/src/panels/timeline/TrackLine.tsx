@@ -1,7 +1,7 @@
 import { formatNumber, t, toDegrees } from '@farol/editing';
-import type { Field, FieldValue } from '@farol/engine/fields';
+import { type Field, type FieldValue, isTriple } from '@farol/engine/fields';
 import { type MouseEvent, type ReactNode } from 'react';
-import { isTriple, valueAt } from '../../model/timeline/clipTracks';
+import { valueAt } from '../../model/timeline/clipTracks';
 import { addEventAt, addKeys, hasKeyAt } from '../../model/timeline/timelineEdits';
 import { useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';

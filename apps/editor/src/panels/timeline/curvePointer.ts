@@ -1,6 +1,7 @@
 import { t } from '@farol/editing';
 import type { ClipTrack } from '@farol/engine';
-import { isTriple, keyId, valueAt } from '../../model/timeline/clipTracks';
+import { isTriple } from '@farol/engine/fields';
+import { keyId, valueAt } from '../../model/timeline/clipTracks';
 import { STRAIGHT } from '../../model/timeline/easingCurve';
 import { easeKeys, type KeySelection, moveKeys, setValuesOfKeys } from '../../model/timeline/editKeys';
 import type { ClipGesture } from '../../model/timeline/Timeline';

@@ -1,6 +1,7 @@
 import { numberDisplay } from '@farol/editing';
 import type { ClipKey } from '@farol/engine';
-import { isNumeric, isTriple } from '../../model/timeline/clipTracks';
+import { isTriple } from '@farol/engine/fields';
+import { isNumeric } from '../../model/timeline/clipTracks';
 import type { TimelineRow, TrackRow } from './timelineRows';
 import type { TimelineView } from './TimelineView';
 

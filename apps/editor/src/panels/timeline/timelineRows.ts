@@ -1,8 +1,8 @@
 import { labelOfField, t } from '@farol/editing';
 import { type ClipData, type ClipTrack, type Component, type GameObject, trackTarget } from '@farol/engine';
-import type { Field } from '@farol/engine/fields';
+import { type Field, isTriple } from '@farol/engine/fields';
 import { componentName } from '../../model/componentName';
-import { isAnimatable, isTriple, trackId } from '../../model/timeline/clipTracks';
+import { isAnimatable, trackId } from '../../model/timeline/clipTracks';
 
 /** The tracks of one component. */
 export interface GroupRow {

@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import { type ReactNode, useSyncExternalStore } from 'react';
 import { sideName, sides } from '../../actions/sides';
 import { useEditor } from '../../ui/EditorContext';
+import { PaneEdges } from './PaneEdges';
 import type { ViewPane } from '../../viewport/panes/ViewPane';
 import type { Viewport } from '../../viewport/Viewport';
 
@@ -29,13 +30,20 @@ const textOf = (viewport: Viewport): string =>
 export function QuadOverlay(): ReactNode {
   const { viewport } = useEditor();
   const text = useSyncExternalStore(viewport.drawn.subscribe, () => textOf(viewport));
-  return text.split('\n').map((line) => {
+  const names = text.split('\n').map((line, i) => {
     const [active, left, top, width, height, name] = line.split('\t');
     const place = { left: Number(left), top: Number(top), width: Number(width), height: Number(height) };
     return (
-      <div key={`${left} ${top}`} className="view-pane" data-active={active === '1' || undefined} style={place}>
+      // oxlint-disable-next-line react/no-array-index-key -- the views have fixed places
+      <div key={i} className="view-pane" data-active={active === '1' || undefined} style={place}>
         <span>{name}</span>
       </div>
     );
   });
+  return (
+    <>
+      {names}
+      <PaneEdges />
+    </>
+  );
 }

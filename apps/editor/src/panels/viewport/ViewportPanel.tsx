@@ -1,5 +1,6 @@
 import { t } from '@farol/editing';
 import { lazy, type ReactNode, Suspense, useLayoutEffect, useRef } from 'react';
+import { PanelBoundary } from '../../ui/PanelBoundary';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './viewport.css';
 import { PreviewFrame } from './PreviewFrame';
@@ -13,6 +14,7 @@ const PlayFrame = lazy(async () => ({ default: (await import('../play/PlayFrame'
 const ScriptsBar = lazy(async () => ({ default: (await import('../play/ScriptsBar')).ScriptsBar }));
 const QuadOverlay = lazy(async () => ({ default: (await import('./QuadOverlay')).QuadOverlay }));
 const ToolBox = lazy(async () => ({ default: (await import('./tools/ToolBox')).ToolBox }));
+const ParticleBox = lazy(async () => ({ default: (await import('./ParticleBox')).ParticleBox }));
 const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
 
 /** Views whose colours stand for numbers. */
@@ -32,6 +34,7 @@ export function ViewportPanel(): ReactNode {
     viewport.attach(place.current!);
     return () => viewport.detach();
   }, [viewport]);
+  const particles = viewport.particles.preview;
   const isGrid = viewport.painter?.isGrid ?? false;
   return (
     <section className="panel viewport" aria-label={t('Viewport')}>
@@ -41,14 +44,17 @@ export function ViewportPanel(): ReactNode {
       {viewport.showStatistics && <StatisticsOverlay />}
       {!isGrid && <PreviewFrame />}
       <ViewLine />
-      <Suspense fallback={null}>
-        {viewport.isQuad && <QuadOverlay />}
-        {tools.current && <ToolBox key={tools.current.id} tool={tools.current} />}
-        {viewport.painter && <PainterOverlay />}
-        {simulation.state !== 'stopped' && <PlayFrame />}
-        {scripts.question && scripts.areThere && <ScriptsBar />}
-        {counts.has(viewport.view) && !viewport.painter && <HeatScale />}
-      </Suspense>
+      <PanelBoundary>
+        <Suspense fallback={null}>
+          {viewport.isQuad && <QuadOverlay />}
+          {tools.current && <ToolBox key={tools.current.id} tool={tools.current} />}
+          {particles && particles.emitters.length > 0 && <ParticleBox preview={particles} />}
+          {viewport.painter && <PainterOverlay />}
+          {simulation.state !== 'stopped' && <PlayFrame />}
+          {scripts.question && scripts.areThere && <ScriptsBar />}
+          {counts.has(viewport.view) && !viewport.painter && <HeatScale />}
+        </Suspense>
+      </PanelBoundary>
     </section>
   );
 }

@@ -16,10 +16,14 @@ import { SnapSteps } from './SnapSteps';
 import { ViewCube } from './ViewCube';
 import { ViewsMenu } from './ViewsMenu';
 import type { Viewport } from '../../viewport/Viewport';
+import { useIsNarrow } from '../../ui/useIsNarrow';
 import { usePreferences } from '../../ui/usePreferences';
 import { LateSelectBox as SelectBox } from '../../ui/LateSelectBox';
 
 const EDITOR_CAMERA = '/';
+
+/** Where the bar is narrower, what is drawn over the picture is one menu (CSS pixels). */
+const FOLDED = 440;
 
 /** What is drawn over the picture, and how many views there are. */
 const display = [showGrid, showIcons, showRanges, showColliders, continuous, showStatistics, quadView];
@@ -33,7 +37,8 @@ function lookThrough(viewport: Viewport, id: string): void {
 export function ViewportToolbar(): ReactNode {
   const editor = useEditor();
   const { document, viewport, layout } = editor;
-  const isSmall = useSyncExternalStore(layout.subscribe, layout.isSmall);
+  const [ref, isNarrow] = useIsNarrow(FOLDED);
+  const isSmall = useSyncExternalStore(layout.subscribe, layout.isSmall) || isNarrow;
   useSignal(viewport.changed);
   // the button of snapping says them
   usePreferences(({ snapSteps }) => snapSteps);
@@ -55,7 +60,7 @@ export function ViewportToolbar(): ReactNode {
     })),
   ];
   return (
-    <div className="viewport-bar">
+    <div className="viewport-bar" ref={ref}>
       <div className="button-group handles" role="toolbar" aria-label={t('Handles')}>
         {gizmoModes.map((action) => (
           <ActionButton key={action.id} action={action} />

@@ -33,6 +33,9 @@ const AXES: Readonly<Record<string, Vector3>> = {
   Z: new Vector3(0, 0, 1),
 };
 
+/** The handles that lead along all but one axis. */
+const PLANES: Readonly<Record<string, string>> = { X: 'YZ', Y: 'XZ', Z: 'XY' };
+
 const turn = new Quaternion();
 const raycaster = new Raycaster();
 
@@ -43,6 +46,7 @@ const raycaster = new Raycaster();
 export class DragAssist {
   private readonly readout: DragReadout;
   private readonly pointer = new Vector2();
+  private readonly pointerStart = new Vector2();
   private drag: AssistedDrag | null = null;
   private typed: TypedAmounts | null = null;
   private snap: DragSnap | null = null;
@@ -54,11 +58,13 @@ export class DragAssist {
   /**
    * @param onTyped - called when another number is typed
    * @param onEnd - called when Enter (true) or Escape (false) ends the drag
+   * @param onAxis - called with the name of a handle when its letter is pressed: X, or with Shift all but X
    */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly onTyped: () => void,
     private readonly onEnd: (keeps: boolean) => void,
+    private readonly onAxis: (axis: string) => void,
   ) {
     this.readout = new DragReadout(canvas);
     canvas.addEventListener('pointerdown', this.pointerMoved, true);
@@ -73,17 +79,43 @@ export class DragAssist {
 
   begin(drag: AssistedDrag): void {
     this.end();
-    const { mode, axis, pivot, scene, dragged } = drag;
-    this.drag = drag;
+    const { mode, pivot, scene, dragged } = drag;
     this.start.copy(pivot.position);
     this.startTurn.copy(pivot.quaternion);
+    this.pointerStart.copy(this.pointer);
+    this.follow(drag);
+    this.snap = mode === 'translate' ? new DragSnap(scene, dragged, pivot) : null;
+    window.addEventListener('keydown', this.keyDown, true);
+  }
+
+  /**
+   * Has the drag begin anew with another handle, where the pointer was then, and puts the pivot back.
+   * @returns that place, in normalised device coordinates
+   */
+  regrab(axis: string): Vector2 {
+    const { drag, start, startTurn, pointerStart } = this;
+    if (!drag) return pointerStart;
+    drag.pivot.position.copy(start);
+    drag.pivot.quaternion.copy(startTurn);
+    drag.pivot.scale.set(1, 1, 1);
+    this.follow({ ...drag, axis });
+    return pointerStart;
+  }
+
+  /** Where the pointer is, in normalised device coordinates. */
+  get place(): Vector2 {
+    return this.pointer;
+  }
+
+  /** Takes a drag's axes, with no number typed for them yet. */
+  private follow(drag: AssistedDrag): void {
+    const { mode, axis } = drag;
+    this.drag = drag;
     const isUniform = mode === 'rotate' || (mode === 'scale' && axis.startsWith('XYZ'));
     this.letters = isUniform
       ? [mode === 'rotate' && axis in AXES ? axis : '']
       : [...axis].filter((each) => each in AXES);
     this.typed = new TypedAmounts(Math.max(1, this.letters.length));
-    this.snap = mode === 'translate' ? new DragSnap(scene, dragged, pivot) : null;
-    window.addEventListener('keydown', this.keyDown, true);
   }
 
   /** The drag is over. */
@@ -205,10 +237,13 @@ export class DragAssist {
     const { typed } = this;
     if (!typed || event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
     const isEnd = event.key === 'Enter' || event.key === 'Escape';
-    if (!isEnd && !typed.press(event)) return;
+    const letter = event.key.toUpperCase();
+    const isAxis = letter in AXES;
+    if (!isEnd && !isAxis && !typed.press(event)) return;
     event.preventDefault();
     event.stopPropagation();
     if (isEnd) this.onEnd(event.key === 'Enter');
+    else if (isAxis) this.onAxis(event.shiftKey && this.drag?.mode !== 'rotate' ? PLANES[letter] : letter);
     else this.onTyped();
   };
 }

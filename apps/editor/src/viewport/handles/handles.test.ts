@@ -1,5 +1,5 @@
 import { GameObject, ObjectRenderer, Scene } from '@farol/engine';
-import { Object3D, PerspectiveCamera, Quaternion, Ray, Vector3 } from 'three';
+import { Object3D, OrthographicCamera, PerspectiveCamera, Quaternion, Ray, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { amountText } from './amountText';
 import { DragSnap } from './DragSnap';
@@ -107,5 +107,32 @@ describe('DragSnap', () => {
     const vertex = snap.toVertex(pivot, aim([-5, 4.8, 4.9], [3, 4.8, 4.9]), camera, free);
     expect(vertex!.distanceTo(new Vector3(3, 5, 5))).toBeLessThan(1e-6);
     expect(pivot.position.distanceTo(new Vector3(2.5, 4.5, 4.5))).toBeLessThan(1e-6);
+  });
+
+  it('finds a vertex beside which the pointer just misses: at a silhouette, before the sky or the floor', () => {
+    const { snap, pivot } = drag();
+    const corner = new Vector3(3, 5, 5);
+    const past = aim([-5, 5.05, 13], [3, 5.05, 5.05]);
+    expect(snap.toVertex(pivot, past, camera, free)?.distanceTo(corner)).toBeLessThan(1e-6);
+    // from above the ray goes on to the floor, whose own corners are far
+    const down = aim([2.9, 12, 5.06], [2.9, -1, 5.06]);
+    expect(snap.toVertex(pivot, down, camera, free)!.distanceTo(corner)).toBeLessThan(1e-6);
+    expect(snap.toVertex(pivot, aim([-5, 6, 6], [3, 9, 9]), camera, free)).toBeNull();
+  });
+
+  it('takes no vertex that is hidden behind what the pointer is on', () => {
+    const { snap, pivot } = drag();
+    // straight behind the wall, from -x, are its corners at x = 4
+    const vertex = snap.toVertex(pivot, aim([-5, 4.99, 4.99], [3, 4.99, 4.99]), camera, free);
+    expect(vertex!.distanceTo(new Vector3(3, 5, 5))).toBeLessThan(1e-6);
+  });
+
+  it('reaches as far as the picture is large, without perspective too', () => {
+    const { snap, pivot } = drag();
+    const flat = new OrthographicCamera(-10, 10, 10, -10);
+    const near = aim([-5, 5.2, 13], [3, 5.2, 5.2]);
+    expect(snap.toVertex(pivot, near, flat, free)!.distanceTo(new Vector3(3, 5, 5))).toBeLessThan(1e-6);
+    flat.zoom = 10;
+    expect(snap.toVertex(pivot, near, flat, free)).toBeNull();
   });
 });

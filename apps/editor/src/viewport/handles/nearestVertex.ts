@@ -10,6 +10,7 @@ import {
   type Ray,
   Vector3,
 } from 'three';
+import { vertexBesideRay } from './vertexBesideRay';
 
 const world = new Matrix4();
 const vertex = new Vector3();
@@ -37,7 +38,8 @@ function nearestCorner({ object, face, instanceId, point }: Intersection): Vecto
 }
 
 /**
- * The vertex of what a ray hits first that is nearest to where it hits; null where it hits nothing.
+ * The vertex that is seen nearest to a ray through the picture; where none is seen beside it, the one of what it hits
+ * first that is nearest to where it hits. Null where there is neither.
  * @param without - objects that do not count, with all below them
  */
 export function nearestVertex(
@@ -51,7 +53,7 @@ export function nearestVertex(
     while (object && !without.has(object)) object = object.parent;
     if (object) continue;
     const corner = nearestCorner(hit);
-    if (corner) return corner;
+    if (corner) return vertexBesideRay(scene, ray, camera, without, hit.distance) ?? corner;
   }
-  return null;
+  return vertexBesideRay(scene, ray, camera, without, Infinity);
 }

@@ -1,6 +1,7 @@
 import { Vector3 } from 'three';
 import type { Shading } from '../shading/Shading';
 import type { Bounds } from './paneSurface';
+import { halfShare, limitShare, type PaneShare } from './PaneShare';
 import { type PaneRectangle, ViewPane } from './ViewPane';
 
 /** The views beside the main one: name, and direction from what is seen to the eye. */
@@ -23,6 +24,7 @@ export class Panes {
   sideShading: Shading = 'clay';
   private panes: readonly ViewPane[];
   private current: ViewPane;
+  private part: PaneShare = halfShare;
   private width = 1;
   private height = 1;
 
@@ -76,6 +78,16 @@ export class Panes {
       for (const { editorCamera } of this.panes.slice(1)) editorCamera.dispose();
       this.panes = [this.main];
     }
+    this.resize(this.width, this.height);
+  }
+
+  /** What the views at the left and above take of the picture. */
+  get share(): PaneShare {
+    return this.part;
+  }
+
+  set share(share: PaneShare) {
+    this.part = limitShare(share);
     this.resize(this.width, this.height);
   }
 
@@ -158,13 +170,14 @@ export class Panes {
   private place({ name }: ViewPane): PaneRectangle {
     const { width, height } = this;
     if (!this.isQuad) return { x: 0, y: 0, width, height };
-    const half = {
-      width: Math.max(1, Math.floor((width - GAP) / 2)),
-      height: Math.max(1, Math.floor((height - GAP) / 2)),
-    };
     const isRight = name === 'main' || name === 'right';
     const isBelow = name === 'front' || name === 'right';
-    return { x: isRight ? width - half.width : 0, y: isBelow ? height - half.height : 0, ...half };
+    const { x, y } = this.part;
+    const size = {
+      width: Math.max(1, Math.floor((width - GAP) * (isRight ? 1 - x : x))),
+      height: Math.max(1, Math.floor((height - GAP) * (isBelow ? 1 - y : y))),
+    };
+    return { x: isRight ? width - size.width : 0, y: isBelow ? height - size.height : 0, ...size };
   }
 
   private readonly pointerMoved = (event: PointerEvent | WheelEvent): void => {

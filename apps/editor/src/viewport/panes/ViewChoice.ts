@@ -1,5 +1,6 @@
 import { isShading, type Shading } from '../shading/Shading';
 import type { Viewport } from '../Viewport';
+import { halfShare, type PaneShare } from './PaneShare';
 import type { ViewPane } from './ViewPane';
 
 /** What the user has chosen of the views; kept in the browser. */
@@ -8,6 +9,8 @@ export interface ViewChoice {
   readonly quad: boolean;
   /** How each shows the scene. */
   readonly shadings: Readonly<Record<ViewPane['name'], Shading>>;
+  /** How four share the picture; halves when absent, as of older versions. */
+  readonly share?: PaneShare;
 }
 
 export const defaultViews: ViewChoice = {
@@ -16,8 +19,9 @@ export const defaultViews: ViewChoice = {
 };
 
 /** Brings the views to what is chosen. What is no shading is as at first. */
-export function applyViews(viewport: Viewport, { quad, shadings }: ViewChoice): void {
+export function applyViews(viewport: Viewport, { quad, shadings, share = halfShare }: ViewChoice): void {
   viewport.isQuad = quad;
+  viewport.shareViews(share);
   for (const pane of viewport.panes.list) {
     const chosen: unknown = shadings[pane.name];
     const shading = isShading(chosen) ? chosen : defaultViews.shadings[pane.name];

@@ -2,37 +2,16 @@ import { type FieldEdit, SetFields, t } from '@farol/editing';
 import type { Collider, Joint } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import { colliderShape } from '@farol/engine/physics';
-import { Matrix4, Plane, type Ray, Vector3 } from 'three';
+import { Matrix4, Plane, Vector3 } from 'three';
+import { alongLine, type Handle, roundTo } from '../handles/HandlePoints';
 import { frameOf } from './colliderLines';
 import { anchorOf, partnerAnchorOf } from './jointLines';
 
 /** Least size that a shape is dragged to (m). */
 const SMALLEST = 0.01;
 
-/** A point of the picture by which something is dragged. */
-export interface Handle {
-  /** In the world. */
-  readonly place: Vector3;
-  /**
-   * What a drag to a ray changes; null where the ray shows no place.
-   * @param step - to which sizes are rounded (m)
-   * @param viewDirection - where the camera looks
-   */
-  drag(ray: Ray, step: number, viewDirection: Vector3): SetFields | null;
-}
-
-const round = (value: number, step: number): number => Number((Math.round(value / step) * step).toFixed(4));
 const tupleOf = (vector: Vector3, step = 0.0001): Vector3Tuple =>
-  [vector.x, vector.y, vector.z].map((value) => round(value, step)) as unknown as Vector3Tuple;
-
-/** How far along a line, from its origin, the point is that is nearest to a ray; null where they are parallel. */
-function alongLine(origin: Vector3, direction: Vector3, ray: Ray): number | null {
-  const between = origin.clone().sub(ray.origin);
-  const cosine = direction.dot(ray.direction);
-  const sine = 1 - cosine * cosine;
-  if (sine < 1e-4) return null;
-  return (cosine * ray.direction.dot(between) - direction.dot(between)) / sine;
-}
+  [vector.x, vector.y, vector.z].map((value) => roundTo(value, step)) as unknown as Vector3Tuple;
 
 /** Handles on the sides of a collider's box, sphere, capsule or cylinder: what is fitted to the mesh no longer is once one is dragged. */
 export function colliderHandles(collider: Collider): Handle[] {
@@ -58,11 +37,11 @@ export function colliderHandles(collider: Collider): Handle[] {
           const size = shape.half.clone().multiplyScalar(2);
           const offset = shape.centre.clone();
           if (isRound(k)) {
-            const radius = Math.max(round(reach, step), SMALLEST);
+            const radius = Math.max(roundTo(reach, step), SMALLEST);
             for (let i = 0; i < 3; i++) if (isRound(i)) size.setComponent(i, (2 * radius) / sizes[i]);
           } else {
             // the other side stays where it is
-            const whole = Math.max(round(reach + extent, step), SMALLEST);
+            const whole = Math.max(roundTo(reach + extent, step), SMALLEST);
             size.setComponent(k, whole / sizes[k]);
             offset.setComponent(k, offset.getComponent(k) + (sense * (whole - 2 * extent)) / 2 / scale.getComponent(k));
           }

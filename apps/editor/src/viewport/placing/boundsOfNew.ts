@@ -1,14 +1,16 @@
-import { type AssetLibrary, type GameObject, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { type AssetLibrary, type GameObject, ModelRenderer, ObjectRenderer, shapeOf } from '@farol/engine';
 import { Box3, type BufferGeometry } from 'three';
 
 const part = new Box3();
 
 /** The box round what a component draws, in the space of its object; empty while its asset is not loaded. */
-function shapeOf(assets: AssetLibrary, object: GameObject): Box3 {
+function drawnBoxOf(assets: AssetLibrary, object: GameObject): Box3 {
   part.makeEmpty();
-  const mesh = object.getComponent(ObjectRenderer)?.mesh ?? null;
-  if (mesh !== null && assets.isReady('mesh', mesh)) {
-    const geometry = assets.get(mesh) as BufferGeometry;
+  const renderer = object.getComponent(ObjectRenderer);
+  const mesh = renderer?.mesh ?? null;
+  const made = renderer ? shapeOf(object.components) : null;
+  if (made || (mesh !== null && assets.isReady('mesh', mesh))) {
+    const geometry = made ?? (assets.get(mesh!) as BufferGeometry);
     if (!geometry.boundingBox) geometry.computeBoundingBox();
     part.copy(geometry.boundingBox!);
   }
@@ -23,7 +25,7 @@ export function boundsOfNew(objects: readonly GameObject[], assets: AssetLibrary
   for (const root of objects) {
     root.object3D.updateMatrixWorld(true);
     root.traverse((object) => {
-      const shape = shapeOf(assets, object);
+      const shape = drawnBoxOf(assets, object);
       if (!shape.isEmpty()) target.union(shape.applyMatrix4(object.object3D.matrixWorld));
     });
   }

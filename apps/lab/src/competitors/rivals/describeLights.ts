@@ -25,6 +25,8 @@ function directionOf(light: DirectionalLight | SpotLight): Xyz {
   return to.sub(from).normalize().toArray();
 }
 
+const isPoint = (light: Light): light is PointLight => (light as PointLight).isPointLight === true;
+
 function checkFalloff({ name, distance, decay }: PointLight | SpotLight): void {
   if (!(distance > 0)) throw new Error(`Light ${name || 'without a name'} has no end: clustered lights need a range.`);
   if (decay !== 2) {
@@ -80,7 +82,7 @@ export function describeStillLights(lights: readonly Light[]): StillLights {
  * Point lights, where they are.
  * @throws Error for one without an end, of another decay than 2, or with shadows
  */
-export function describePoints(lights: readonly PointLight[]): RivalPoints {
+export function describePoints(lights: readonly Light[]): RivalPoints {
   const count = lights.length;
   const points = {
     count,
@@ -89,6 +91,11 @@ export function describePoints(lights: readonly PointLight[]): RivalPoints {
     positions: new Float32Array(count * 3),
   };
   lights.forEach((light, i) => {
+    if (!isPoint(light)) {
+      throw new Error(
+        `Light ${light.name || 'without a name'} is a ${light.type}: other engines get moving points alone.`,
+      );
+    }
     checkFalloff(light);
     if (light.castShadow) throw new Error(`Light ${light.name || 'without a name'} throws shadows.`);
     points.colours.set(colourOf(light), i * 3);
@@ -99,7 +106,7 @@ export function describePoints(lights: readonly PointLight[]): RivalPoints {
 }
 
 /** Writes the lights' places in the world, [n, 3]; allocates nothing. */
-export function writePositions(lights: readonly PointLight[], positions: Float32Array): void {
+export function writePositions(lights: readonly Light[], positions: Float32Array): void {
   for (let i = 0; i < lights.length; i++) {
     const light = lights[i];
     // straight below the scene a light's position is its place in the world

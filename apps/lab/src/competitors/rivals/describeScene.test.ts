@@ -43,7 +43,8 @@ function stageOf({ meshes = [], lights = [], still = [] }: Parts): StageScene {
   for (const object of [...meshes, ...lights, ...still]) three.add(object);
   const camera = new PerspectiveCamera(50, 16 / 9, 0.5, 80);
   camera.position.set(0, 2, 5);
-  return { three, camera, lights, still, width: 320, height: 180, setTime() {}, addLights: () => () => {} };
+  const parts = { three, camera, lights, still, width: 320, height: 180, setTime() {}, addLights: () => () => {} };
+  return { ...parts, kind: 'points', shading: 'own', emitter: null };
 }
 
 const described = (parts: Parts): RivalScene => describeScene(stageOf(parts)).scene;

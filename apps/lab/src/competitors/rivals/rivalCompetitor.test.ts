@@ -36,7 +36,19 @@ function stage(): StageScene & { lights: PointLight[]; box: Mesh; sun: Direction
   three.add(...lights, sun, box);
   const camera = new PerspectiveCamera();
   const still = [sun];
-  return { three, camera, lights, still, width: 8, height: 8, setTime() {}, addLights: () => () => {}, box, sun };
+  const parts = {
+    three,
+    camera,
+    lights,
+    still,
+    width: 8,
+    height: 8,
+    setTime() {},
+    addLights: () => () => {},
+    box,
+    sun,
+  };
+  return { ...parts, kind: 'points', shading: 'own', emitter: null };
 }
 
 const signal = new AbortController().signal;
@@ -54,10 +66,16 @@ describe('another engine', () => {
     expect(await rivalCompetitor('babylon', { installed }).unavailable()).toMatch(/is not installed/);
   });
 
-  it('refuses shadows in a sentence', () => {
+  it('refuses shadows, other lights than points and Gouraud shading in a sentence', () => {
     const rival = rivalCompetitor('babylon', { installed: none });
-    expect(rival.refuses({ lights: 5, shadows: 1 })).toMatch(/without shadows/);
-    expect(rival.refuses({ lights: 5, shadows: 0 })).toBeNull();
+    const scene = { lights: 5, shadows: 0, kind: 'points', shading: 'own' } as const;
+    expect(rival.refuses({ ...scene, shadows: 1 })).toMatch(/without shadows/);
+    expect(rival.refuses({ ...scene, kind: 'rectangles' })).toBe(
+      'Babylon.js is measured with point lights alone, not with rectangles.',
+    );
+    expect(rival.refuses({ ...scene, shading: 'gouraud' })).toBe('The Lab has no Gouraud shading for Babylon.js.');
+    expect(rival.refuses({ ...scene, shading: 'flat' })).toBeNull();
+    expect(rival.refuses(scene)).toBeNull();
   });
 
   it('is told what moved once it has its scene, and takes what moved before with it', async () => {

@@ -1,5 +1,6 @@
 import type { Competitor, Drawing } from '../Competitor';
 import { competitorNames } from '../competitorNames';
+import { noGouraud, pointsAlone, refuseMatter } from '../refuseMatter';
 import { installCommand, type InstalledRivals, installedRivals } from '../installedRivals';
 import { describeScene } from './describeScene';
 import { LinkedPrograms } from './LinkedPrograms';
@@ -37,8 +38,10 @@ export function rivalCompetitor(
       const { versions } = await installed();
       return name in versions ? null : `${engine} is not installed: run ${installCommand}, then load the page anew.`;
     },
-    refuses({ shadows }) {
-      return shadows > 0 ? `${engine}’s clustered lights are measured without shadows.` : null;
+    refuses(scene) {
+      const lacking = refuseMatter(scene, { kinds: pointsAlone(`${engine} is`), shadings: noGouraud(engine) });
+      if (lacking !== null) return lacking;
+      return scene.shadows > 0 ? `${engine}’s clustered lights are measured without shadows.` : null;
     },
     async open(canvas, stageScene, signal): Promise<Drawing> {
       const described = describeScene(stageScene);

@@ -1,7 +1,16 @@
 import type { SeriesChoice } from '../../plan/Configuration';
-import type { Axis } from '../../plan/LabPlan';
+import { type Axis, isNamed } from '../../plan/LabPlan';
+import {
+  type LightKind,
+  lightKindNames,
+  lightKinds,
+  type Shading,
+  shadingNames,
+  shadings,
+} from '../../plan/lightKinds';
 import { axisWords, sceneWords } from '../../plan/sceneWords';
 import { Select } from '../Select';
+import { NamesField } from './NamesField';
 import { NumberField } from './NumberField';
 import { ValuesField } from './ValuesField';
 
@@ -16,7 +25,7 @@ interface SeriesFieldsProps {
   onRemove?(): void;
 }
 
-const valueHints: Record<Axis, string> = {
+const valueHints: Record<Exclude<Axis, 'kind' | 'shading'>, string> = {
   lights: 'Numbers of lights, as in 10, 100, 1000.',
   objects: 'Numbers of planes; each becomes the next square: 100 is 10 × 10.',
   pixels: 'Thousands of pixels, as in 230, 922, 2074; the picture keeps its shape.',
@@ -31,8 +40,9 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
   const change = (changes: Partial<SeriesChoice>): void => onChange({ ...series, ...changes });
   const chooseScene = (scene: string): void => {
     const { axes } = sceneWords[scene];
-    if (axes.includes(series.axis)) change({ scene });
-    else change({ scene, ...startOf(axes[0]) });
+    const own = scene === 'own' ? { lightKind: undefined, lightRange: undefined } : {};
+    if (axes.includes(series.axis)) change({ scene, ...own });
+    else change({ scene, ...own, ...startOf(axes[0]) });
   };
   const scenes = Object.entries(sceneWords).filter(([name]) => name !== 'own' || ownScene !== null);
   return (
@@ -57,12 +67,21 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
           onChange={(axis) => change(startOf(axis as Axis))}
         />
         <p class="hint wide">{words.help}</p>
-        <ValuesField
-          label={`Values: ${axisWords[series.axis].unit}${series.axis === 'pixels' ? ', in thousands' : ''}`}
-          values={series.values}
-          hint={valueHints[series.axis]}
-          onChange={(values) => change({ values })}
-        />
+        {isNamed(series.axis) ? (
+          <NamesField
+            label={axisWords[series.axis].label}
+            words={series.axis === 'kind' ? Object.values(lightKinds) : Object.values(shadings)}
+            values={series.values}
+            onChange={(values) => change({ values })}
+          />
+        ) : (
+          <ValuesField
+            label={`Values: ${axisWords[series.axis].unit}${series.axis === 'pixels' ? ', in thousands' : ''}`}
+            values={series.values}
+            hint={valueHints[series.axis]}
+            onChange={(values) => change({ values })}
+          />
+        )}
         {isPlanes && series.axis !== 'objects' && (
           <NumberField label="Planes along a side" value={series.n} min={1} max={100} onChange={(n) => change({ n })} />
         )}
@@ -76,6 +95,38 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
             onChange={(lights) => change({ lights })}
           />
         )}
+        {series.scene !== 'own' && series.axis !== 'kind' && series.axis !== 'shadows' && (
+          <Select
+            label="Kind of lights"
+            value={series.lightKind ?? 'points'}
+            options={lightKindNames.map((name) => [name, lightKinds[name].label])}
+            onChange={(name) => change({ lightKind: name as LightKind })}
+          />
+        )}
+        {series.scene !== 'own' && (
+          <Select
+            label="Reach of a light"
+            value={String(series.lightRange ?? '')}
+            options={[
+              ['', 'The scene’s'],
+              ...reachesWith(series.lightRange).map((m) => [String(m), `${m} m`] as const),
+            ]}
+            onChange={(metres) => change({ lightRange: metres === '' ? null : Number(metres) })}
+          />
+        )}
+        {series.axis !== 'shading' && (
+          <Select
+            label="Shading"
+            value={series.shading ?? 'own'}
+            options={shadingNames.map((name) => [name, shadings[name].label])}
+            onChange={(name) => change({ shading: name as Shading })}
+          />
+        )}
+        {hintsOf(series).map((hint) => (
+          <p key={hint} class="hint wide">
+            {hint}
+          </p>
+        ))}
         {series.axis === 'objects' && (
           <label class="check wide">
             <input
@@ -91,14 +142,28 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
   );
 }
 
+/** What the chosen kind of lights and shading are, where they are not the ordinary ones. */
+function hintsOf({ axis, lightKind = 'points', shading = 'own' }: SeriesChoice): string[] {
+  const kind = axis === 'kind' || lightKind === 'points' ? [] : [lightKinds[lightKind].help];
+  return axis === 'shading' || shading === 'own' ? kind : [...kind, shadings[shading].help];
+}
+
+/** Reaches that are offered (m), and the one that an address gave. */
+function reachesWith(chosen: number | null | undefined): number[] {
+  return [...new Set([0.5, 1, 2, 4, 8, ...(chosen == null ? [] : [chosen])])].sort((a, b) => a - b);
+}
+
 /** An axis with values to begin with. */
-function startOf(axis: Axis): Pick<SeriesChoice, 'axis' | 'values' | 'lights'> {
+function startOf(axis: Axis): Pick<SeriesChoice, 'axis' | 'values' | 'lights' | 'lightKind'> {
   const values: Record<Axis, number[]> = {
     lights: [10, 100, 1000],
     objects: [1, 25, 100, 400],
     pixels: [230, 922, 2074],
     overdraw: [1, 2, 4, 8],
     shadows: [0, 1, 4, 16],
+    kind: ['points', 'field'].map((name) => lightKindNames.indexOf(name as LightKind)),
+    shading: ['flat', 'gouraud', 'phong'].map((name) => shadingNames.indexOf(name as Shading)),
   };
-  return { axis, values: values[axis], lights: axis === 'lights' ? 0 : axis === 'shadows' ? 64 : 100 };
+  const own = axis === 'shadows' ? { lightKind: undefined } : {};
+  return { ...own, axis, values: values[axis], lights: axis === 'lights' ? 0 : axis === 'shadows' ? 64 : 100 };
 }

@@ -1,7 +1,8 @@
 import { competitorNames } from '../../competitors/competitorNames';
-import type { LabCase, LabPlan } from '../../plan/LabPlan';
+import { type Axis, isNamed, type LabCase, type LabPlan } from '../../plan/LabPlan';
+import { lightKinds, shadingNames, shadings } from '../../plan/lightKinds';
 import type { LabRow, LabRun, Spread } from '../../results/LabRun';
-import { competitorLabel } from '../../words/names';
+import { competitorLabel, namedValue } from '../../words/names';
 import { formatBytes, formatNumber } from '../support/formatNumber';
 
 /** A row with what its plan says of it. */
@@ -13,6 +14,7 @@ export interface TableRow extends LabRow {
   /** Place of the competitor in the order of menus. */
   readonly competitorIndex: number;
   readonly labCase: LabCase;
+  readonly axis: Axis;
   readonly value: number;
 }
 
@@ -41,6 +43,7 @@ export function tableRows({ plan, rows }: Pick<LabRun, 'plan' | 'rows'>): TableR
       ...row,
       ...{ label: competitorLabel(row.competitor), seriesLabel: series.label, seriesIndex, labCase },
       competitorIndex: competitorIndex < 0 ? order.length : competitorIndex,
+      axis: series.axis,
       value: series.values[row.index],
     };
   });
@@ -88,7 +91,7 @@ const everyColumn: readonly RowColumn[] = [
   {
     ...{ key: 'value', label: 'Value', help: 'Where the case stands on the x axis of its chart.' },
     order: ({ value }) => value,
-    text: ({ value }) => value.toLocaleString('en'),
+    text: ({ axis, value }) => (isNamed(axis) ? namedValue(axis, value) : value.toLocaleString('en')),
   },
   {
     ...{ key: 'size', label: 'Picture', help: 'Width and height in pixels.' },
@@ -96,12 +99,25 @@ const everyColumn: readonly RowColumn[] = [
     text: ({ labCase }) => `${labCase.width} × ${labCase.height}`,
   },
   {
-    ...{ key: 'lights', label: 'Lights', help: 'Point lights; of them, how many cast shadows.' },
+    ...{
+      key: 'lights',
+      label: 'Lights',
+      help: 'Moving lights, what they are and how far they reach; of them, how many cast shadows.',
+    },
     order: ({ labCase }) => labCase.lights,
     text: ({ labCase }) => {
-      const lights = labCase.lights?.toLocaleString('en') ?? 'its own';
-      return labCase.shadows > 0 ? `${lights}, ${labCase.shadows} shadowed` : lights;
+      const { lights, lightKind, lightRange, shadows } = labCase;
+      const parts = [lights?.toLocaleString('en') ?? 'its own'];
+      if (lightKind !== 'points') parts.push(lightKinds[lightKind].word);
+      if (lightRange !== null) parts.push(`${lightRange} m`);
+      if (shadows > 0) parts.push(`${shadows} shadowed`);
+      return parts.join(', ');
     },
+  },
+  {
+    ...{ key: 'shading', label: 'Shading', help: 'How materials are shaded, where not as the scene has it.' },
+    order: ({ labCase }) => shadingNames.indexOf(labCase.shading) || null,
+    text: ({ labCase }) => shadings[labCase.shading].label,
   },
   spread('frame', 'Frame (ms)', 'A whole frame: median, then the 10th and 90th percentile.'),
   spread('gpu', 'GPU (ms)', 'Time on the graphics device, where it has a timer.'),
@@ -153,5 +169,6 @@ export function psnrText(likeness: LabRow['likeness']): string {
 export function caseText(plan: LabPlan, series: number, index: number): string {
   const { axis, cases, values } = plan.series[series];
   const { width, height } = cases[index];
+  if (isNamed(axis)) return namedValue(axis, values[index]);
   return axis === 'pixels' ? `${width} × ${height}` : values[index].toLocaleString('en');
 }

@@ -1,11 +1,12 @@
 import { expect, test } from 'vitest';
 import type { LabRow } from '../../results/LabRun';
-import type { LabCase, LabPlan } from '../../plan/LabPlan';
+import { type LabCase, type LabPlan, plainCase } from '../../plan/LabPlan';
 import { columnsOf, tableRows } from './rowColumns';
 import { sortRows } from './sortRows';
 
 const labCase = (lights: number): LabCase => ({
   ...{ scene: { name: 'sponza', parameters: {} }, lights, shadows: 0, overdraw: 0, width: 1280, height: 720 },
+  ...plainCase,
 });
 const plan: LabPlan = {
   ...{ preset: 'custom', label: 'Custom', competitors: ['stock', 'forward', 'deferred'] },

@@ -44,5 +44,8 @@ function choiceOf({ axis, cases, values }: LabSeries): SeriesChoice {
     axis,
     values: along,
     lights: axis === 'lights' ? 0 : byObjects ? 'objects' : (first.lights ?? 0),
+    ...(axis !== 'kind' && first.lightKind !== 'points' && { lightKind: first.lightKind }),
+    ...(first.lightRange !== null && { lightRange: first.lightRange }),
+    ...(axis !== 'shading' && first.shading !== 'own' && { shading: first.shading }),
   };
 }

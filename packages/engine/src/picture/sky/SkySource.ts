@@ -1,6 +1,6 @@
 import type { ValuesOf } from '../../fields/Field';
-import type { skyFields } from '../pictureFields';
-import type { Sky } from './makeSky';
+import { type skyFields, skiesWithSun, type SkyPreset } from '../pictureFields';
+import type { Sky, SunPlace } from './makeSky';
 
 type SkySettings = Readonly<ValuesOf<typeof skyFields>>;
 type SkyCode = typeof import('./makeSky');
@@ -55,12 +55,22 @@ export class SkySource {
   }
 }
 
-function keyOf({ background, sky, skyTop, skyHorizon, skyGround }: SkySettings): string {
-  if (background === 'sky') return sky;
+function keyOf(settings: SkySettings): string {
+  const { background, sky, skyTop, skyHorizon, skyGround } = settings;
+  if (background === 'sky') {
+    const sun = sunOf(settings);
+    return sun ? [sky, sun.azimuth, sun.elevation].join(' ') : sky;
+  }
   return background === 'gradient' ? [skyTop, skyHorizon, skyGround].join(' ') : '';
+}
+
+/** Where the sun is put; null where the preset says so, or has none. */
+function sunOf({ placeSun, sky, sunAzimuth, sunElevation }: SkySettings): SunPlace | null {
+  const hasSun = (skiesWithSun as readonly SkyPreset[]).includes(sky);
+  return placeSun && hasSun ? { azimuth: sunAzimuth, elevation: sunElevation } : null;
 }
 
 function make(settings: SkySettings, { makePresetSky, makeGradientSky }: SkyCode): Sky {
   const { background, sky, skyTop: top, skyHorizon: horizon, skyGround: ground } = settings;
-  return background === 'sky' ? makePresetSky(sky) : makeGradientSky({ top, horizon, ground });
+  return background === 'sky' ? makePresetSky(sky, sunOf(settings)) : makeGradientSky({ top, horizon, ground });
 }

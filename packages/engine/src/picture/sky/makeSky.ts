@@ -76,8 +76,27 @@ function horizonOf(pixels: Float32Array, width: number, height: number): Vector3
 /** Presets that were painted: each takes about 0.1 s and 4 MB. */
 const painted = new Map<SkyPreset, Painted>();
 
-/** Makes one of the skies. */
-export function makePresetSky(preset: SkyPreset): Sky {
+/** Where the sun of a sky is put (radians): from +x to +z, and above the horizon. */
+export interface SunPlace {
+  readonly azimuth: number;
+  readonly elevation: number;
+}
+
+/** The preset that was painted last with its sun elsewhere. */
+let moved: { readonly key: string; readonly painted: Painted } | null = null;
+
+function paintMoved(preset: SkyPreset, sun: SunPlace): Painted {
+  const key = [preset, sun.azimuth, sun.elevation].join(' ');
+  if (moved?.key !== key) {
+    const look = skyLooks[preset];
+    moved = { key, painted: paint({ ...look, disc: look.disc && { ...look.disc, ...sun } }, PRESET_WIDTH) };
+  }
+  return moved.painted;
+}
+
+/** Makes one of the skies. @param sun - where its sun is put; null leaves it where the preset has it */
+export function makePresetSky(preset: SkyPreset, sun: SunPlace | null = null): Sky {
+  if (sun && skyLooks[preset].disc) return skyOf(paintMoved(preset, sun));
   let one = painted.get(preset);
   if (!one) painted.set(preset, (one = paint(skyLooks[preset], PRESET_WIDTH)));
   return skyOf(one);

@@ -46,9 +46,12 @@ test('days are bright, nights dark, and the sky is brighter than the ground', ()
   expect(meanOf(day, 0, 0.4)).toBeLessThan(meanOf(day, 0.6, 1));
 });
 
-test('the sun is where it is said to be', () => {
-  const { disc } = skyLooks.sunset;
-  const { texture } = makePresetSky('sunset');
+test.each([
+  ['by the preset', null],
+  ['by angles', { azimuth: 1.2, elevation: 0.9 }],
+])('the sun is where it is said to be: %s', (_, sun) => {
+  const disc = sun ?? skyLooks.sunset.disc;
+  const { texture } = makePresetSky('sunset', sun);
   const { width, height, data } = texture.image as { width: number; height: number; data: Uint16Array };
   const column = Math.floor((disc!.azimuth / (2 * Math.PI) + 0.5) * width);
   const row = Math.floor((disc!.elevation / Math.PI + 0.5) * height);
@@ -57,6 +60,15 @@ test('the sun is where it is said to be', () => {
   const pixel = brightest / 4;
   expect(Math.abs((pixel % width) - column)).toBeLessThan(6);
   expect(Math.abs(Math.floor(pixel / width) - row)).toBeLessThan(6);
+});
+
+test('a sky is painted again only for another place of its sun, and without a sun there is none to place', () => {
+  const sun = { azimuth: 0.3, elevation: 0.5 };
+  const dataOf = (...args: Parameters<typeof makePresetSky>): unknown => makePresetSky(...args).texture.image.data;
+  expect(dataOf('clear-day', sun)).toBe(dataOf('clear-day', { ...sun }));
+  expect(dataOf('clear-day')).toBe(dataOf('clear-day', null));
+  expect(dataOf('clear-day')).not.toBe(dataOf('clear-day', sun));
+  expect(dataOf('overcast', sun)).toBe(dataOf('overcast'));
 });
 
 test('a gradient goes from the ground by the horizon to the top', () => {

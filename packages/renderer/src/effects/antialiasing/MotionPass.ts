@@ -1,5 +1,7 @@
 import { HalfFloatType, Matrix4, NearestFilter, WebGLRenderTarget, type Object3D, type Vector2 } from 'three';
 import type { Frame } from '../../frame/Frame';
+import type { ReactiveMaterial } from '../../frame/ReactiveMask';
+import { surfacesOf } from '../../materials/surfacesOf';
 import { targetBytes } from '../../gpu/targetBytes';
 import type { RenderItem } from '../../frame/RenderItem';
 import { hasMotionTwin, motionTwins } from './motionTwin';
@@ -76,6 +78,7 @@ export class MotionPass {
   ): void {
     for (const item of items) {
       const { object } = item;
+      if ((item.material as ReactiveMaterial).isReactive === true) continue;
       const motion = motions.of(object);
       if (motion.frame === number) continue; // another group of what has not moved
       const isNew = motion.frame !== number - 1;
@@ -101,6 +104,7 @@ export class MotionPass {
       uniforms.farol_instancesBefore.value = motion.instances;
       uniforms.farol_morphBaseBefore.value = motion.morphBase;
       uniforms.farol_morphsBefore.value = motion.morphs;
+      surfacesOf(item.material)?.setTimesBefore(motion.surfaceTimes);
       frame.drawTwin(item, this.twins[this.slot]);
       this.slot = 1 - this.slot;
     }

@@ -3,12 +3,14 @@ import {
   DataTexture,
   FloatType,
   type InstancedMesh,
+  type Material,
   type Matrix4,
   type Mesh,
   type Object3D,
   RGBAFormat,
   type SkinnedMesh,
 } from 'three';
+import { surfacesOf } from '../../materials/surfacesOf';
 import { batchMatrices } from '../../three/batchTextures';
 
 /** Instance matrices in a row of a texture, each four texels. */
@@ -30,6 +32,9 @@ export class ObjectMotion {
   morphs: number[] = [];
   /** Whether its textures are known to who frees them. */
   listed = false;
+  /** Times (s) of the surfaces that displace its vertices, and their state; 0 for none. */
+  readonly surfaceTimes: number[] = [];
+  private surfaces = 0;
   private instancesVersion = -1;
 
   /** Whether the object stands otherwise than at the last `remember`. */
@@ -47,6 +52,7 @@ export class ObjectMotion {
       const before = this.bones.image.data as unknown as Float32Array;
       for (let i = 0; i < now.length; i++) if (now[i] !== before[i]) return true;
     }
+    if (displacementOf(object) !== this.surfaces) return true;
     return instancesOf(object) !== null && versionOf(object) !== this.instancesVersion;
   }
 
@@ -82,6 +88,8 @@ export class ObjectMotion {
       (this.bones.image.data as unknown as Float32Array).set(boneMatrices);
       this.bones.needsUpdate = true;
     }
+    this.surfaces = displacementOf(object);
+    if (this.surfaces !== 0) copyTimes(object, this.surfaceTimes);
     this.rememberInstances(object);
   }
 
@@ -123,6 +131,29 @@ export class ObjectMotion {
 }
 
 const world = new Float64Array(16);
+
+/** A number that stays as long as the surfaces of an object displace its vertices alike; 0 where none does. */
+function displacementOf(object: Object3D): number {
+  const { material } = object as Mesh;
+  if (Array.isArray(material)) {
+    let sum = 0;
+    for (let i = 0; i < material.length; i++) sum += displacementOfOne(material[i]);
+    return sum;
+  }
+  return material === undefined ? 0 : displacementOfOne(material);
+}
+
+/** Of several materials with surfaces, the times of the last. */
+function copyTimes(object: Object3D, times: number[]): void {
+  const { material } = object as Mesh;
+  if (!Array.isArray(material)) surfacesOf(material)?.copyTimes(times);
+  else for (let i = 0; i < material.length; i++) surfacesOf(material[i])?.copyTimes(times);
+}
+
+function displacementOfOne(material: Material): number {
+  const surfaces = surfacesOf(material);
+  return surfaces?.displaces === true ? surfaces.shape() + 1 : 0;
+}
 
 function worldOf(object: Object3D, out: Float64Array): void {
   const skinned = object as SkinnedMesh;

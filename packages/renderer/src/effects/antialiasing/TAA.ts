@@ -53,7 +53,8 @@ export interface TAAOptions {
  * YCoCg). A picture in which nothing changes becomes the mean of 32 places in each pixel. Works with every technique.
  *
  * A change is seen in matrices, lights, and the colours and numbers of materials. Shaders and textures that move by
- * themselves are taken for changes always. Motion of what a shader of the host's moves is not known: it may ghost.
+ * themselves are taken for changes always. Motion of what a shader of the host's moves is not known: it may ghost. Where
+ * particles are or were in the last frame nothing of the past is shown, so that they leave no trail.
  * @see Karis 2014, High Quality Temporal Supersampling, https://advances.realtimerendering.com/s2014/
  * @see Yang et al. 2009, Amortized Supersampling, https://doi.org/10.1145/1618452.1618481
  * @see Salvi 2016, An Excursion in Temporal Supersampling (GDC)
@@ -115,6 +116,9 @@ export class TAA implements FarolEffect {
       farol_share: { value: new Vector2(1, 1) },
       farol_gamma: { value: 0 },
       farol_belief: { value: 0 },
+      farol_reactive: { value: null as Texture | null },
+      farol_reactiveBefore: { value: null as Texture | null },
+      farol_isReactive: { value: [0, 0] },
     },
   });
   private shared: Picture | null = null;
@@ -149,6 +153,8 @@ export class TAA implements FarolEffect {
     const sample = (history.count % SAMPLES) + 1;
     this.jitter.value.set(((halton(sample, 2) - 0.5) * 2) / width, ((halton(sample, 3) - 0.5) * 2) / height);
     frame.camera = this.viewOf(camera);
+    history.reactive.begin(this.shared.target);
+    frame.reactive = history.reactive;
   }
 
   end(frame: Frame): void {
@@ -162,6 +168,11 @@ export class TAA implements FarolEffect {
     uniforms.farol_reachBefore.value = history.reach;
     uniforms.farol_motionMap.value = motion.target?.texture ?? null;
     uniforms.farol_hasMotion.value = motion.drawn;
+    const { now, before } = history.reactive;
+    uniforms.farol_reactive.value = now ?? picture.texture;
+    uniforms.farol_reactiveBefore.value = before ?? picture.texture;
+    uniforms.farol_isReactive.value[0] = now === null ? 0 : 1;
+    uniforms.farol_isReactive.value[1] = before === null ? 0 : 1;
     uniforms.farol_hasPast.value = !history.isEmpty;
     uniforms.farol_encoded.value = picture.encoded;
     this.setDepthKind(frame);
@@ -201,9 +212,13 @@ export class TAA implements FarolEffect {
     const moved = !viewProjection.equals(history.viewProjection);
     // a camera that moves sees other things; what of them has changed is left to clipping
     const relit =
-      history.lights.changed(frame.lights) || (!moved && (frame.lights.uploadedBytes > 0 || looks !== history.looks));
+      history.lights.changed(frame.lights) ||
+      (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.looks));
     history.looks = looks;
-    const changed = moved || relit || motion.changed || frame.shadowMapsDrawn > 0;
+    // where the reactive mask was, pixels begin anew among those that have settled
+    const { reactive } = history;
+    const covers = reactive.now !== null || reactive.before !== null;
+    const changed = moved || relit || motion.changed || covers || frame.shadowMapsDrawn > 0;
     history.sure = follows && relit ? 0 : history.sure + 1;
     history.known = follows && !motion.known ? 0 : history.known + 1;
     history.quiet = follows && changed ? 0 : history.quiet + 1;
@@ -289,4 +304,9 @@ export class TAA implements FarolEffect {
     view.projectionMatrixInverse.copy(view.projectionMatrix).invert();
     return view;
   }
+}
+
+/** Whether lights of fields are others than in the last frame. */
+function sendsFields({ lights, uploadedBytes }: Frame): boolean {
+  return lights.fields.length > 0 && uploadedBytes > 0;
 }

@@ -13,6 +13,7 @@ import {
 import { PassTarget } from '../../gpu/PassTarget';
 import { LightWatch } from './LightWatch';
 import { ObjectMotions } from './ObjectMotions';
+import { ReactiveMasks } from './ReactiveMasks';
 
 const CELLS = { type: HalfFloatType, minFilter: LinearFilter, magFilter: LinearFilter } as const;
 const REACH = { type: HalfFloatType, format: RGFormat } as const;
@@ -21,6 +22,8 @@ const REACH = { type: HalfFloatType, format: RGFormat } as const;
 export class TemporalHistory {
   /** How objects stood in the last frame. */
   readonly motions = new ObjectMotions();
+  /** What is not looked for in the past. */
+  readonly reactive = new ReactiveMasks();
   /** How lights were. */
   readonly lights = new LightWatch();
   /** Projection × view of the last frame, without jitter. */
@@ -53,7 +56,8 @@ export class TemporalHistory {
   ) {}
 
   get bytes(): number {
-    return this.targets[0].bytes + this.targets[1].bytes + this.reaches[0].bytes + this.reaches[1].bytes;
+    const { targets, reaches, reactive } = this;
+    return targets[0].bytes + targets[1].bytes + reaches[0].bytes + reaches[1].bytes + reactive.bytes;
   }
 
   /** True when there is no past to look at. */
@@ -96,11 +100,13 @@ export class TemporalHistory {
     this.lastReach = this.nextReach.texture;
     this.viewProjection.copy(viewProjection);
     this.forward.setFromMatrixColumn(camera.matrixWorld, 2).normalize();
+    this.reactive.advance();
     this.count++;
     this.frame++;
   }
 
   reset(): void {
+    this.reactive.reset();
     this.count = 0;
     this.quiet = this.sure = this.known = Infinity;
   }
@@ -108,6 +114,7 @@ export class TemporalHistory {
   dispose(): void {
     for (const target of [...this.targets, ...this.reaches]) target.dispose();
     this.motions.dispose();
+    this.reactive.dispose();
     this.reset();
   }
 }

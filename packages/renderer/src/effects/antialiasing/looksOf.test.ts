@@ -1,5 +1,6 @@
-import { Color, Mesh, MeshStandardMaterial, type Object3D, Scene, ShaderMaterial } from 'three';
+import { Color, Mesh, MeshStandardMaterial, type Object3D, Scene, ShaderMaterial, Texture } from 'three';
 import { expect, it } from 'vitest';
+import { LightField } from '../../light-field/LightField';
 import { RenderQueue } from '../../frame/RenderQueue';
 import { looksOf, surroundingsOf } from './looksOf';
 
@@ -38,7 +39,8 @@ it('takes a shader of the host for one that may change at any time', () => {
 });
 
 it('tells that a light has gone, that ambient light or the background has changed', () => {
-  const lights = { visible: 2, ambient: new Float32Array(16).fill(0.25) };
+  const field = new LightField(1);
+  const lights = { visible: 2, ambient: new Float32Array(16).fill(0.25), fields: [field] };
   const scene = new Scene();
   scene.background = new Color(0x112233);
   const seen = new Set([surroundingsOf(lights, scene)]);
@@ -53,4 +55,11 @@ it('tells that a light has gone, that ambient light or the background has change
   scene.environmentIntensity = 0.5;
   seen.add(surroundingsOf(lights, scene));
   expect(seen.size).toBe(5);
+  field.intensity = 2;
+  seen.add(surroundingsOf(lights, scene));
+  field.matrixWorld.setPosition(1, 0, 0);
+  seen.add(surroundingsOf(lights, scene));
+  expect(seen.size).toBe(7);
+  field.textures = { sphere: new Texture(), emission: new Texture() };
+  expect(surroundingsOf(lights, scene), 'the GPU may move them').toBeNaN();
 });

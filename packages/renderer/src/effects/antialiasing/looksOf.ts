@@ -1,4 +1,7 @@
 import { type Color, Material, type MeshStandardMaterial, type Object3D, type Scene, type Texture } from 'three';
+import type { LightField } from '../../light-field/LightField';
+import { surfacesOf } from '../../materials/surfacesOf';
+import type { ReactiveMaterial } from '../../frame/ReactiveMask';
 import type { LightTable } from '../../lighting/LightTable';
 import type { RenderQueue } from '../../frame/RenderQueue';
 
@@ -14,23 +17,35 @@ export function looksOf(queue: RenderQueue): number {
 }
 
 /** A number that stays as long as the lights that are kept are as many, and ambient light, environment and background the same. */
-export function surroundingsOf(lights: Pick<LightTable, 'visible' | 'ambient'>, scene: Object3D): number {
+export function surroundingsOf(lights: Pick<LightTable, 'visible' | 'ambient' | 'fields'>, scene: Object3D): number {
   const { environmentIntensity, backgroundIntensity, background } = scene as Scene;
   let sum = lights.visible + number(environmentIntensity) * 3 + number(backgroundIntensity) * 5;
   for (let i = 0; i < lights.ambient.length; i++) sum += lights.ambient[i] * (i + 7);
   if ((background as Color | null | undefined)?.isColor === true) sum += colour(background as Color) * 23;
+  for (const field of lights.fields) sum += lookOfField(field as LightField);
+  return sum;
+}
+
+/** NaN where the GPU writes the lights. */
+function lookOfField({ textures, color, intensity, count, matrixWorld: { elements } }: LightField): number {
+  if (textures !== null) return Number.NaN;
+  let sum = (colour(color) * 29 + 1) * intensity + count * 31;
+  for (let i = 0; i < 15; i++) sum += elements[i] * (i + 37);
   return sum;
 }
 
 function looksOfList(items: RenderQueue['opaque']): number {
   let sum = items.length;
   for (let i = 0; i < items.length; i++) {
-    const m = items[i].material as AnyMaterial;
+    const m = items[i].material as AnyMaterial & ReactiveMaterial;
+    // the mask says where it is
+    if (m.isReactive === true) continue;
     if (items[i].nodes || m.isShaderMaterial || m.onBeforeCompile !== Material.prototype.onBeforeCompile)
       return Number.NaN;
     const own = m.id + m.version * 0.37 + m.opacity * 5 + colour(m.color) + colour(m.emissive) * 3;
     const numbers = number(m.emissiveIntensity) + number(m.roughness) * 3 + number(m.metalness) * 5 + texture(m.map);
-    sum += (own + numbers) * ((i % 97) + 1);
+    const surfaces = surfacesOf(m)?.look() ?? 0;
+    sum += (own + numbers + surfaces) * ((i % 97) + 1);
   }
   return sum;
 }

@@ -10,6 +10,11 @@ vec3 farol_position = vec3(position);
       farol_position += getMorph(gl_VertexID, i, 0).xyz * farol_morphsBefore[i];
   #endif
 #endif
+#ifdef FAROL_DISPLACE_BEFORE
+  VertexData farol_vertexBefore = VertexData(farol_position, vec3(normal), uv, 0.0);
+  FAROL_DISPLACE_BEFORE(farol_vertexBefore)
+  farol_position = farol_vertexBefore.positionOS;
+#endif
 vec4 farol_there = vec4(farol_position, 1.0);
 #ifdef USE_SKINNING
   farol_there = bindMatrix * farol_there;

@@ -18,6 +18,9 @@ uniform float farol_gamma; // standard deviations to which the past is clipped; 
 // 0: the light has changed; 1: it may have; 2: it has not; 3: nor has what stands still gone, nor the camera; 4: the
 // camera has
 uniform int farol_belief;
+uniform highp sampler2D farol_reactive; // share of pixels whose past is not looked for, in this frame and the last
+uniform highp sampler2D farol_reactiveBefore;
+uniform highp ivec2 farol_isReactive; // 1 where there is such a mask
 layout(location = 0) out highp vec4 farol_color;
 
 /** Distances this much apart (ratio) belong to different surfaces. */
@@ -26,6 +29,14 @@ const float FAROL_APART = 1.08;
 const float FAROL_PASSES = 0.3;
 /** Up to this much of it (pixels a frame), what was there is still there, if nothing moves but the camera. */
 const float FAROL_ALONG = 0.2;
+
+// the greatest of a pixel and the eight round it: by the jitter one of them may have been shown in its place
+float farol_reactiveAt(const in highp sampler2D mask, const in ivec2 pixel) {
+  float most = 0.0;
+  for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++)
+    most = max(most, texelFetch(mask, farol_inPicture(pixel + ivec2(x, y)), 0).r);
+  return most;
+}
 
 vec4 farol_pictureAt(const in ivec2 pixel) {
   vec4 color = texelFetch(farol_picture, farol_inPicture(pixel), 0);
@@ -116,6 +127,8 @@ else if (farol_hasPast) {
     bool believed = stays || missed || (farol_belief > 0 && edge && same);
     if (!believed || farol_belief < 2)
       past.rgb = farol_likeNow(past.rgb, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
+    float reactive = farol_isReactive.x > 0 ? farol_reactiveAt(farol_reactive, own) : 0.0;
+    if (farol_isReactive.y > 0) reactive = max(reactive, farol_reactiveAt(farol_reactiveBefore, ivec2(uv * size)));
     float share = weight * (still ? farol_share.y : farol_share.x);
     // where the past is of less worth, samples count in a wider reach
     if (edge && !believed) share = max(share, farol_share.x * pow(weight, 0.36));
@@ -124,6 +137,7 @@ else if (farol_hasPast) {
       if (passes > FAROL_PASSES) past.rgb = farol_between(past.rgb, farol_color.rgb, farol_pictureAt(shown).rgb);
       if (passes > 0.3 * FAROL_PASSES) share = max(share, farol_share.x * pow(weight, 0.7));
     }
+    share = max(share, reactive);
     // a bright point that comes and goes counts less (Karis); light that the display can show counts whole
     float ofNew = share / max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
     float ofOld = (1.0 - share) / max(1.0, max(past.r, max(past.g, past.b)));

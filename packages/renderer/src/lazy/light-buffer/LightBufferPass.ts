@@ -1,5 +1,6 @@
 import { HalfFloatType } from 'three';
 import type { Frame } from '../../frame/Frame';
+import { hasAreaLights } from './hasAreaLights';
 import { PassTarget } from '../../gpu/PassTarget';
 import { lightBufferCountTwin } from './lightBufferCountTwin';
 import { lightBufferTwins } from './lightBufferTwins';
@@ -10,8 +11,9 @@ import { LightVolumeDraws } from '../../lighting/volumes/LightVolumeDraws';
 import type { Pass } from '../../frame/Pass';
 import type { ThinGBuffer } from './ThinGBuffer';
 
-/** Three texels of four half floats hold the four sums of lightSums.glsl. */
+/** Texels of four half floats that hold the sums of lightSums.glsl: three, and one more where there are area lights. */
 const ATTACHMENTS = 3;
+const WITH_AREAS = 4;
 
 /**
  * Adds up the light that reaches each texel of the thin G-buffer, each light over the texels of its volume, diffuse and
@@ -25,7 +27,8 @@ export class LightBufferPass implements Pass, LightBuffer {
   readonly uniforms = lightBufferUniforms();
   readonly twins = lightBufferTwins(this.uniforms);
   /** The sums, and a copy of the thin G-buffer's depth, since that is read meanwhile. */
-  private readonly target = new PassTarget({ count: ATTACHMENTS, type: HalfFloatType, depthTexture: true });
+  private target = sumsTarget(ATTACHMENTS);
+  private attachments = ATTACHMENTS;
   private readonly surfaces = thinGBufferUniforms();
   private readonly volumes = new LightVolumeDraws('light buffer ', 'volumeLightBuffer', this.surfaces);
 
@@ -35,9 +38,15 @@ export class LightBufferPass implements Pass, LightBuffer {
 
   render(frame: Frame): void {
     const source = frame.resources.get('thin-gbuffer');
+    const attachments = hasAreaLights(frame) ? WITH_AREAS : ATTACHMENTS;
+    if (attachments !== this.attachments) {
+      this.target.dispose();
+      this.target = sumsTarget(attachments);
+      this.attachments = attachments;
+    }
     const target = this.target.of(source.target.width, source.target.height);
     frame.bind(target);
-    frame.clear(ATTACHMENTS, frame.view === 'overdraw'); // else its depth is the copy
+    frame.clear(attachments, frame.view === 'overdraw'); // else its depth is the copy
     if (frame.view === 'overdraw') countSurfaces(frame, source);
     frame.copyDepth(source.target, target);
     setThinGBufferUniforms(this.surfaces, source, frame);
@@ -50,6 +59,10 @@ export class LightBufferPass implements Pass, LightBuffer {
     this.target.dispose();
     this.volumes.dispose();
   }
+}
+
+function sumsTarget(count: number): PassTarget {
+  return new PassTarget({ count, type: HalfFloatType, depthTexture: true });
 }
 
 /** The draws of the surfaces themselves count too. */

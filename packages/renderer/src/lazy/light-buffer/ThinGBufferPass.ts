@@ -4,6 +4,7 @@ import * as chunks from './chunks';
 import type { ThinGBuffer } from './ThinGBuffer';
 import type { Frame } from '../../frame/Frame';
 import { thinGBufferLayout } from './thinGBufferLayout';
+import { hasAreaLights } from './hasAreaLights';
 import { isLightBufferMaterial } from './isLightBufferMaterial';
 import { resetObject, setObject } from './objectAttribute';
 import { thinGBufferTwins, type ThinGBufferTwins } from './thinGBufferTwins';
@@ -34,6 +35,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   readonly fit = new Vector4(1, 1, 0, 0);
   readonly items: RenderItem[] = [];
   private made: WebGLRenderTarget | null = null;
+  private hasAreas = false;
   private readonly scaleUniform = { value: 1 };
   private readonly twins: ThinGBufferTwins;
 
@@ -56,11 +58,12 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
 
   render(frame: Frame): void {
     this.prepareTarget(frame);
+    this.hasAreas = hasAreaLights(frame);
     const { items } = this;
     items.length = 0;
     try {
       for (const item of frame.queue.opaque) {
-        if (!item.splits || item.layered || !isLightBufferMaterial(item.material)) continue;
+        if (!item.splits || item.layered || !isLightBufferMaterial(item.material, this.hasAreas)) continue;
         setObject(frame.gl, objectNumber(items.length), 0);
         frame.drawTwin(item, this.twins.opaque);
         items.push(item);
@@ -82,7 +85,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
       !item.layered &&
       material.depthTest &&
       material.depthFunc === LessEqualDepth &&
-      isLightBufferMaterial(material)
+      isLightBufferMaterial(material, this.hasAreas)
     );
   }
 

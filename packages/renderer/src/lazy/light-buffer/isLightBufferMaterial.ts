@@ -1,23 +1,27 @@
 import type { Material, MeshPhysicalMaterial } from 'three';
 
-type AnyMaterial = Material & {
-  isMeshStandardMaterial?: boolean;
-  isMeshPhysicalMaterial?: boolean;
-  isMeshLambertMaterial?: boolean;
-  isMeshPhongMaterial?: boolean;
-};
+type AnyMaterial = Material &
+  Partial<Pick<MeshPhysicalMaterial, 'specularIntensity' | 'specularIntensityMap'>> & {
+    isMeshStandardMaterial?: boolean;
+    isMeshPhysicalMaterial?: boolean;
+    isMeshLambertMaterial?: boolean;
+    isMeshPhongMaterial?: boolean;
+  };
 type Lobes = MeshPhysicalMaterial & { retroreflectivity?: number; diffuseRoughness?: number };
 
 /**
  * True for materials that the sums of the light buffer light without loss: Lambert, Blinn-Phong, standard, and physical
  * with iridescence, any index of refraction and any specular colour. A second lobe (clearcoat, sheen, retroreflection),
- * an anisotropic one, rough diffuse reflection and toon shading need each light by itself.
+ * an anisotropic one, rough diffuse reflection and toon shading need each light by itself; under area lights, so does a
+ * specular intensity below 1, since the sum that holds their diffuse light is in use then.
+ * @param hasAreas there are area lights. Default false
  */
-export function isLightBufferMaterial(material: Material): boolean {
+export function isLightBufferMaterial(material: Material, hasAreas = false): boolean {
   const m = material as AnyMaterial;
   if (m.isMeshLambertMaterial || m.isMeshPhongMaterial) return true;
   if (!m.isMeshStandardMaterial) return false;
   if (!m.isMeshPhysicalMaterial) return true;
+  if (hasAreas && (m.specularIntensity !== 1 || m.specularIntensityMap)) return false;
   const { clearcoat, sheen, anisotropy, transmission, retroreflectivity, diffuseRoughness } = m as Lobes;
   return !clearcoat && !sheen && !anisotropy && !transmission && !retroreflectivity && !diffuseRoughness;
 }

@@ -6,6 +6,9 @@ varying highp vec2 farol_object; // number of the object; corner of the stipple 
 uniform highp sampler2D farol_sums0;
 uniform highp sampler2D farol_sums1;
 uniform highp sampler2D farol_sums2;
+#ifdef FAROL_AREA_LIGHTS
+uniform highp sampler2D farol_sums3;
+#endif
 uniform highp vec4 farol_lightGrid; // texels a pixel (x, y); pixels to take off first (x, y)
 
 struct FarolReader {
@@ -20,6 +23,9 @@ struct FarolReader {
   vec4 sums0;
   vec4 sums1;
   vec4 sums2;
+#ifdef FAROL_AREA_LIGHTS
+  vec4 sums3;
+#endif
   float total; // of the weights
 };
 
@@ -45,11 +51,17 @@ void farol_addTexel(inout FarolReader reader, const in ivec2 texel, const in flo
   reader.sums0 += weight * min(texelFetch(farol_sums0, texel, 0), 65504.0);
   reader.sums1 += weight * min(texelFetch(farol_sums1, texel, 0), 65504.0);
   reader.sums2 += weight * min(texelFetch(farol_sums2, texel, 0), 65504.0);
+#ifdef FAROL_AREA_LIGHTS
+  reader.sums3 += weight * min(texelFetch(farol_sums3, texel, 0), 65504.0);
+#endif
   reader.total += weight;
 }
 
 void farol_clearTexels(inout FarolReader reader) {
   reader.sums0 = reader.sums1 = reader.sums2 = vec4(0.0);
+#ifdef FAROL_AREA_LIGHTS
+  reader.sums3 = vec4(0.0);
+#endif
   reader.total = 0.0;
 }
 
@@ -112,6 +124,13 @@ FarolLightSums farol_lightSums(const in vec3 positionVS, const in vec3 normalVS)
     farol_readWide(reader, place);
   }
   vec3 specularF90 = vec3(reader.sums0.a, reader.sums1.a, reader.sums2.a);
-  return FarolLightSums(reader.sums0.rgb / reader.total, reader.sums1.rgb / reader.total,
-    reader.sums2.rgb / reader.total, specularF90 / reader.total);
+  FarolLightSums sums;
+  sums.diffuse = reader.sums0.rgb / reader.total;
+  sums.rest = reader.sums1.rgb / reader.total;
+  sums.specularF0 = reader.sums2.rgb / reader.total;
+  sums.specularF90 = specularF90 / reader.total;
+#ifdef FAROL_AREA_LIGHTS
+  sums.area = reader.sums3.rgb / reader.total;
+#endif
+  return sums;
 }

@@ -17,6 +17,8 @@ export interface LightBufferUniforms extends ThinGBufferUniforms {
   farol_sums0: IUniform<Texture | null>;
   farol_sums1: IUniform<Texture | null>;
   farol_sums2: IUniform<Texture | null>;
+  /** Of area lights; null without. */
+  farol_sums3: IUniform<Texture | null>;
   farol_lightGrid: IUniform<Vector4>;
 }
 
@@ -37,6 +39,7 @@ export function lightBufferUniforms(): LightBufferUniforms {
     farol_sums0: { value: null },
     farol_sums1: { value: null },
     farol_sums2: { value: null },
+    farol_sums3: { value: null },
     farol_lightGrid: { value: new Vector4() },
   };
 }

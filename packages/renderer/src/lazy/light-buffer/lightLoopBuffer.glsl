@@ -9,12 +9,19 @@
   #define FAROL_SPECULAR(sums) (material.specularColorBlended * sums.specularF0 \
     + material.specularF90 * sums.specularF90)
 #endif
+#ifdef FAROL_AREA_LIGHTS
+  #define FAROL_ADD_AREA_SUM(sums) reflectedLight.directSpecular += sums.area * farol_areaFresnel( \
+    material.specularColorBlended, material.specularF90, material.roughness, dot(geometryNormal, geometryViewDir));
+#else
+  #define FAROL_ADD_AREA_SUM(sums)
+#endif
 #if defined( STANDARD )
   #define FAROL_ADD_SUMS(sums) \
     reflectedLight.directDiffuse += BRDF_Lambert(material.diffuseContribution) \
       * ((1.0 - material.specularColor) * sums.diffuse \
       + (material.specularF90 < 1.0 ? 1.0 - material.specularF90 : 1.0) * sums.rest); \
-    reflectedLight.directSpecular += FAROL_SPECULAR(sums) * material.multiScatteringCompensation;
+    reflectedLight.directSpecular += FAROL_SPECULAR(sums) * material.multiScatteringCompensation; \
+    FAROL_ADD_AREA_SUM(sums)
 #elif defined( PHONG )
   #define FAROL_ADD_SUMS(sums) \
     reflectedLight.directDiffuse += BRDF_Lambert(material.diffuseColor) * sums.diffuse; \

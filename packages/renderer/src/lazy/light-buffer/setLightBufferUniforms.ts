@@ -21,7 +21,7 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
   unproject.set(unproject.x / x, unproject.y / y, unproject.z * x - z, unproject.w * y - w);
 }
 
-/** Points the uniforms at a thin G-buffer and its light. @param sums the three textures of the light buffer */
+/** Points the uniforms at a thin G-buffer and its light. @param sums the textures of the light buffer */
 export function setLightBufferUniforms(
   uniforms: LightBufferUniforms,
   source: ThinGBuffer,
@@ -32,6 +32,7 @@ export function setLightBufferUniforms(
   uniforms.farol_sums0.value = sums[0];
   uniforms.farol_sums1.value = sums[1];
   uniforms.farol_sums2.value = sums[2];
+  uniforms.farol_sums3.value = sums[3] ?? null;
   const { scale } = source;
   const shift = gridShift(scale);
   uniforms.farol_lightGrid.value.set(scale, scale, frame.viewport.x - shift, frame.viewport.y - shift);

@@ -15,6 +15,9 @@ struct FarolLobe {
   float dotNV;
   float alphaSquared; // physical: alpha²; Blinn-Phong: shininess
   float lambdaV; // of the height-correlated Smith term
+#ifdef FAROL_AREA_LIGHTS
+  vec4 ltc; // the specular lobe's linear transform
+#endif
 };
 
 // lobe, object: as the thin G-buffer holds them
@@ -33,6 +36,9 @@ FarolLobe farol_lobe(const in float lobe, const in float object, const in vec3 n
     l.alphaSquared = roughness * roughness * roughness * roughness;
     float dotNV = clamp(l.dotNV, 0.0, 1.0);
     l.lambdaV = farol_smithLambda(l.alphaSquared, dotNV);
+#ifdef FAROL_AREA_LIGHTS
+    l.ltc = farol_ltcAt(roughness, dotNV, 0.0);
+#endif
   } else l.alphaSquared = -1.0 - lobe;
   return l;
 }
@@ -40,6 +46,20 @@ FarolLobe farol_lobe(const in float lobe, const in float object, const in vec3 n
 void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in vec3 positionVS,
   const in FarolLight light) {
   if (light.attenuation <= 0.0) return;
+#ifdef FAROL_AREA_LIGHTS
+  if (light.extension < 0) {
+    if (!lobe.physical) return;
+    vec3 toLight = light.direction * light.distance;
+    FarolArea area = farol_areaAt(-light.extension, toLight, lobe.normalVS);
+    if (area.window <= 0.0) return;
+    vec3 arriving = area.window
+      * farol_masked(light.color, light.mask, toLight, positionVS, lobe.normalVS, lobe.receivesShadows);
+    area = farol_toTangentSpace(area, farol_areaLobe(lobe.normalVS, lobe.viewDirVS, lobe.ltc).tangents);
+    sums.rest += 3.1415926536 * farol_areaDiffuse(area) * arriving;
+    sums.area += farol_areaSpecular(area, lobe.ltc) * arriving;
+    return;
+  }
+#endif
   vec3 diffuseColor = vec3(1.0);
   vec3 specularColor = vec3(1.0);
   if (light.extension > 0) {

@@ -6,6 +6,9 @@ uniform vec2 farol_size;
 layout(location = 0) out highp vec4 farol_sums0;
 layout(location = 1) out highp vec4 farol_sums1;
 layout(location = 2) out highp vec4 farol_sums2;
+#ifdef FAROL_AREA_LIGHTS
+layout(location = 3) out highp vec4 farol_sums3;
+#endif
 
 struct FarolPixel {
   vec3 positionVS; // m
@@ -32,7 +35,7 @@ FarolPixel farol_beginPixel(const in ivec2 pixel, const in float depth) {
   vec4 thin = texelFetch(farol_thinSurface, pixel, 0);
   vec3 viewDirVS = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-lit.positionVS);
   lit.lobe = farol_lobe(thin.z, thin.w, farol_decodeNormal(thin.xy), viewDirVS);
-  lit.sums = FarolLightSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  lit.sums = farol_noSums();
   return lit;
 }
 
@@ -52,9 +55,15 @@ void farol_endPixel(const in FarolPixel lit, const in ivec2 pixel) {
   farol_sums0 = vec4(lit.sums.diffuse, lit.sums.specularF90.r);
   farol_sums1 = vec4(lit.sums.rest, lit.sums.specularF90.g);
   farol_sums2 = vec4(lit.sums.specularF0, lit.sums.specularF90.b);
+#ifdef FAROL_AREA_LIGHTS
+  farol_sums3 = vec4(lit.sums.area, 0.0);
+#endif
 }
 
 void farol_countPixel(const in float count) {
   farol_sums0 = vec4(count, 0.0, 0.0, 0.0);
   farol_sums1 = farol_sums2 = vec4(0.0);
+#ifdef FAROL_AREA_LIGHTS
+  farol_sums3 = vec4(0.0);
+#endif
 }

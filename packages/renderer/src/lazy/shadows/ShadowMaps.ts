@@ -10,10 +10,10 @@ import {
 import { RecentlyUsed } from '../../frame/RecentlyUsed';
 import type { DataTable } from '../../gpu/DataTable';
 import type { MaskUniforms } from '../../lighting/maskUniforms';
-import { cookieOf } from '../../lighting/lightCookie';
+import { cookieOf, profileOf } from '../../lighting/lightCookie';
 import type { LightMasks } from '../../lighting/LightRecords';
 import { shadowedLights } from '../../lighting/shadowedLights';
-import { hasShadowMap } from '../../lights/classifyLight';
+import { hasShadowMap, isAreaLight } from '../../lights/classifyLight';
 import type { PictureSize } from '../../lights/PictureSize';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { ShadowAtlases } from './atlas/ShadowAtlases';
@@ -28,6 +28,8 @@ import { LightLayers } from './LightLayers';
 import { MaskRecords } from './masks/MaskRecords';
 import { MaskShaders } from './masks/MaskShaders';
 import { ShadowBounds, ShadowTiles } from './screen-tiles';
+import type { AreaLights } from '../../lights/AreaLights';
+import { AreaShadowLight, softSizeOf } from './slots/AreaShadowLight';
 import { atlasLimit } from './slots/atlasLimit';
 import { chooseDetail } from './slots/chooseDetail';
 import type { CookieSlot } from './slots/CookieSlot';
@@ -47,6 +49,8 @@ export class ShadowMaps implements LightMasks {
   readonly layers = new LightLayers();
   /** Maps of each directional light, 1 to 4. */
   cascades = 1;
+  /** Tells how far area lights reach; null while no scene has had one. */
+  areas: AreaLights | null = null;
   /** Maps that the frame draws (a point light has one, of six faces). */
   drawn = 0;
   /** Maps that light the frame as earlier frames drew them. */
@@ -255,15 +259,24 @@ export class ShadowMaps implements LightMasks {
 
   /** Adds a light of the frame to the slots; one that only keeps to layers needs none. */
   private collect(light: Light, root: Object3D, camera: Camera): void {
+    if (isAreaLight(light)) {
+      if (!hasShadowMap(light, shadowedLights(this.webgl))) this.masks.addLayered(light);
+      else {
+        const stand = AreaShadowLight.follow(light, this.areas?.radiusOf(light) || 0);
+        this.slots.add(stand as ShadowLight, root, camera, true, null, 1);
+      }
+      return;
+    }
     const { isDirectionalLight } = light as Light & { isDirectionalLight?: boolean };
     const casts = hasShadowMap(light, shadowedLights(this.webgl));
     const image = cookieOf(light);
-    if (!casts && image === null) {
+    const profile = isDirectionalLight === true ? null : profileOf(light);
+    if (!casts && image === null && profile === null) {
       this.masks.addLayered(light);
       return;
     }
     const cascades = isDirectionalLight === true && !this.isVariance ? this.cascades : 1;
-    this.slots.add(light as ShadowLight, root, camera, casts, image, cascades);
+    this.slots.add(light as ShadowLight, root, camera, casts, image, cascades, profile);
   }
 
   // ---- Keep: which of the maps that are there still hold ----
@@ -343,7 +356,9 @@ export class ShadowMaps implements LightMasks {
   /** Plans the draw of a map where it has to be drawn. @returns whether it has */
   private planMap(slot: ShadowSlot, mayDraw: boolean): boolean {
     const { map } = slot;
-    const isPart = this.draws.isPart(slot, mayDraw, this.frame) && !this.hostMaps.isWatched(slot);
+    // soft shadows look up places far from the receivers
+    const isSoft = softSizeOf(slot.light) > 0;
+    const isPart = !isSoft && this.draws.isPart(slot, mayDraw, this.frame) && !this.hostMaps.isWatched(slot);
     if ((mayDraw && !map.isCurrent) || (map.isPartial && !isPart)) {
       this.toDraw.push(slot);
       this.drawn++;
@@ -359,10 +374,12 @@ export class ShadowMaps implements LightMasks {
 
   /** Finds the images whose copies have to be drawn. */
   private findImages(): void {
-    for (const cookie of this.slots.allImages()) {
-      if (!this.slots.isLit(cookie) || cookie.placement.region === null || cookie.map.isCurrent) continue;
-      cookie.map.plan(false);
-      this.imagesToDraw.push(cookie);
+    for (const copies of this.slots.copies) {
+      for (const cookie of copies.values()) {
+        if (!this.slots.isLit(cookie) || cookie.placement.region === null || cookie.map.isCurrent) continue;
+        cookie.map.plan(false);
+        this.imagesToDraw.push(cookie);
+      }
     }
   }
 

@@ -30,6 +30,7 @@ export class LightGridPass implements Pass {
   }
 
   render(frame: Frame): void {
+    if (frame.fields !== null) return this.warmUp(frame);
     const { masks, bins } = this;
     const { uniforms } = frame;
     const { grid, bounded, firstBounded } = frame.lights;
@@ -57,7 +58,8 @@ export class LightGridPass implements Pass {
   }
 
   warmUp(frame: Frame): void {
-    frame.resources.put('light-lists', this.lit === null ? PLAIN : WITH_TILES);
+    const lists = this.lit === null ? PLAIN : WITH_TILES;
+    frame.resources.put('light-lists', frame.fields?.makeClusters(frame) ?? lists);
   }
 
   dispose(): void {

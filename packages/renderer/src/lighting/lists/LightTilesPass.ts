@@ -3,13 +3,11 @@ import type { Frame } from '../../frame/Frame';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import type { LightLists } from './LightLists';
 import type { Pass, Resource } from '../../frame/Pass';
+import type { TileDepthUse } from './TileDepthUse';
 import { TILE_SHIFT } from './tileUniforms';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { wordTarget } from '../../gpu/wordTarget';
 import { textureHandle } from '../../three/handles';
-
-/** Depths that lists are cut by: none, a tile's nearest and farthest, or also which of 32 slices between hold surfaces. */
-export type TileDepthUse = 'none' | 'bounds' | 'slices';
 
 /** Texels a row of a list texture; WebGL 2's least MAX_TEXTURE_SIZE. */
 const ROW = 2048;
@@ -69,6 +67,10 @@ export class LightTilesPass implements Pass {
   }
 
   render(frame: Frame): void {
+    if (frame.fields !== null) {
+      frame.fields.makeTiles(frame, this.use);
+      return frame.resources.put('light-lists', LISTS);
+    }
     const { lights } = frame;
     const x = Math.ceil(frame.width / (1 << TILE_SHIFT));
     const y = Math.ceil(frame.height / (1 << TILE_SHIFT));

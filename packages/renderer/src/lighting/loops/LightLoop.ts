@@ -10,7 +10,10 @@ export const lightLoops = {
   lightLoopAll: { perPixel: false },
   lightLoopTiled: { perPixel: true },
   lightLoopClustered: { perPixel: true },
+  lightLoopSlices: { perPixel: true },
+  lightLoopField: { perPixel: true },
   lightLoopBuffer: { perPixel: false },
+  lightLoopVertex: { perPixel: false },
 } as const satisfies Record<string, LightLoopTraits>;
 
 export type LightLoop = keyof typeof lightLoops;

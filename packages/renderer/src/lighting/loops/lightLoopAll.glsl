@@ -5,7 +5,13 @@
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
   int first = farol_lightCounts.x + farol_lightCounts.y;
-  for (int i = first; i < first + farol_lightCounts.z; i++) farol_addBounded(s, i);
+  for (int i = first; i < first + farol_lightCounts.z; i++) farol_addLocal(s, i);
+#ifdef FAROL_AREA_LIGHTS
+  if (farol_areaCounts.y > 0 && farol_isPhysical(s)) {
+    FarolAreaLobe lobe = FAROL_LOBE_OF(s);
+    for (int i = first; i < first + farol_lightCounts.z; i++) farol_addListedArea(s, lobe, i);
+  }
+#endif
 }
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \

@@ -58,28 +58,36 @@ uvec2 farol_tileMarks(const in int word) {
 #define FAROL_FOR_EACH_LISTED(positionVS) FAROL_FOR_EACH_UNMARKED(positionVS, false)
 #define FAROL_END_LISTED }}
 
-// where lights have masks there may be no plain one; elsewhere the question costs more than it saves (0.3 ms in
-// docs/performance.md: "no loop over plain lights where there are none")
+// where lights have masks, or areas, there may be no plain one; elsewhere the question costs more than it saves (0.3 ms
+// in docs/performance.md: "no loop over plain lights where there are none")
 bool farol_mayHavePlain() {
-#ifdef FAROL_HAS_MASKS
-  return farol_lightCounts.z > farol_lightCounts.w;
+#if defined( FAROL_HAS_MASKS ) || defined( FAROL_AREA_LIGHTS )
+  return FAROL_PLAIN_LIGHTS > 0;
 #else
   return true;
 #endif
 }
 
-// plain point lights by one loop, the others by another, so that the first stays short
+// plain point lights by one loop, area lights by another, all else by a third, so that each stays short
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
   if (farol_mayHavePlain()) {
     FAROL_FOR_EACH_LISTED(s.positionVS) farol_addPoint(s, farol_record); FAROL_END_LISTED
   }
-  if (farol_lightCounts.w > 0) {
+  if (FAROL_OTHER_LIGHTS > 0) {
     FAROL_FOR_EACH_UNMARKED(s.positionVS, farol_receivesShadows(s.flags))
       uvec2 mark = farol_marks & (farol_bits & (~farol_bits + 1u));
       farol_addOther(s, farol_record, mark.x != 0u, (mark.x & mark.y) != 0u);
     FAROL_END_LISTED
   }
+#ifdef FAROL_AREA_LIGHTS
+  if (farol_areaCounts.y > 0 && farol_isPhysical(s)) {
+    FarolAreaLobe lobe = FAROL_LOBE_OF(s);
+    FAROL_FOR_EACH_UNMARKED(s.positionVS, farol_receivesShadows(s.flags))
+      farol_addListedArea(s, lobe, farol_record);
+    FAROL_END_LISTED
+  }
+#endif
 }
 
 #define FAROL_FOR_EACH_LIGHT(positionVS) \

@@ -1,60 +1,36 @@
 // Light loop over the list of the pixel's tile, after the lights that reach everything.
 // Olsson and Assarsson 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering (bit lists)
-#include "shadePlain"
-#include "lightTiles"
-#include "viewport"
-uniform highp usampler2D farol_tileMask;
-uniform highp usampler2D farol_tileSummary;
-
-int farol_tileOf(const in vec2 fragCoord) {
-  ivec2 tile = ivec2(fragCoord - farol_offset) >> farol_tiles.x;
-  return tile.y * farol_tiles.y + tile.x;
-}
-
-// lists of one quad need no summary
-uvec4 farol_summaryOf(const in int list, const in int page) {
-  if (farol_tiles.w == 1) return uvec4(farol_tileRun.y > 0 ? 1u : 0u, 0u, 0u, 0u);
-  return texelFetch(farol_tileSummary, farol_listTexel(list * farol_tileRun.z + page), 0);
-}
+#include "lightTileLists"
 
 // the bits of a summary word that stand for quads first to last
 uint farol_quadsFrom(const in uint bits, const in int start, const in int first, const in int last) {
   return bits & farol_bitsFrom(start, first, last);
 }
 
-// Opens five loops over quads firstQuad to lastQuad of the list farol_list; farol_record is a light's record.
+// opens loops over quads firstQuad to lastQuad of the list farol_list
 #define FAROL_FOR_EACH_LISTED_IN(firstQuad, lastQuad) \
-  for (int farol_page = 0; farol_page < farol_tileRun.z; farol_page++) { \
-    uvec4 farol_summary = farol_summaryOf(farol_list, farol_page); \
-    for (int farol_word = farol_page * 128; farol_summary != uvec4(0u); \
-         farol_word += 32, farol_summary = uvec4(farol_summary.yzw, 0u)) \
-      for (uint farol_quads = farol_quadsFrom(farol_summary.x, farol_word, firstQuad, lastQuad); farol_quads != 0u; \
-           farol_quads &= farol_quads - 1u) { \
-        int farol_start = (farol_word + farol_lowestBit(farol_quads)) * 128; \
-        int farol_quad = farol_list * farol_tiles.w + (farol_start >> 7); \
-        uvec4 farol_mask = texelFetch(farol_tileMask, farol_listTexel(farol_quad), 0); \
-        for (; farol_mask != uvec4(0u); farol_mask = uvec4(farol_mask.yzw, 0u), farol_start += 32) \
-          for (uint farol_bits = farol_mask.x; farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
-            int farol_record = farol_tileRun.x + farol_start + farol_lowestBit(farol_bits);
+  FAROL_FOR_EACH_IN_QUADS(farol_summaryOf(farol_list, farol_page), \
+    farol_quadsFrom(farol_summary.x, farol_word, firstQuad, lastQuad))
 #define FAROL_FOR_EACH_LISTED(positionVS) \
   int farol_list = farol_tileOf(gl_FragCoord.xy); \
   FAROL_FOR_EACH_LISTED_IN(0, farol_tiles.w - 1)
-#define FAROL_END_LISTED }}}
 
-// plain point lights by one loop, the others by another, so that the first stays short
+// plain point lights by one loop, area lights by another, all else by a third, so that each stays short
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
   int farol_list = farol_tileOf(gl_FragCoord.xy);
   FAROL_FOR_EACH_LISTED_IN(0, farol_tileRun.w - 1) farol_addPoint(s, farol_record); FAROL_END_LISTED
-  FAROL_FOR_EACH_LISTED_IN(farol_tileRun.w, farol_tiles.w - 1) farol_addBounded(s, farol_record); FAROL_END_LISTED
+  if (FAROL_OTHER_LIGHTS > 0) {
+    FAROL_FOR_EACH_LISTED_IN(farol_tileRun.w, farol_tiles.w - 1) farol_addLocal(s, farol_record); FAROL_END_LISTED
+  }
+#ifdef FAROL_AREA_LIGHTS
+  if (farol_areaCounts.y > 0 && farol_isPhysical(s)) {
+    FarolAreaLobe lobe = FAROL_LOBE_OF(s);
+    FAROL_FOR_EACH_LISTED_IN(farol_tileRun.w, farol_tiles.w - 1)
+      farol_addListedArea(s, lobe, farol_record);
+    FAROL_END_LISTED
+  }
+#endif
 }
 
-#define FAROL_FOR_EACH_LIGHT(positionVS) \
-  for (int farol_i = 0; farol_i < farol_tileRun.x; farol_i++) { \
-    FarolLight farol_light = farol_lightAt(farol_i, positionVS); \
-    FAROL_SHADE(farol_light) \
-  } \
-  FAROL_FOR_EACH_LISTED(positionVS) \
-    FarolLight farol_light = farol_localLight(farol_record, positionVS); \
-    FAROL_SHADE(farol_light) \
-  FAROL_END_LISTED
+#define FAROL_FOR_EACH_LIGHT(positionVS) FAROL_SHADE_ALL(positionVS)

@@ -24,4 +24,5 @@
   farol_addAll(farol_shading); \
   reflectedLight.directDiffuse += farol_shading.diffuse * BRDF_Lambert(material.diffuseContribution); \
   reflectedLight.directSpecular += (material.specularColorBlended * (farol_shading.specular - farol_shading.grazing) \
-    + material.specularF90 * farol_shading.grazing) * material.multiScatteringCompensation;
+    + material.specularF90 * farol_shading.grazing) * material.multiScatteringCompensation \
+    FAROL_AREA_SPECULAR(farol_shading, material.specularColorBlended, material.specularF90, material.roughness);

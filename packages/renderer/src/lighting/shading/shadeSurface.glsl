@@ -34,7 +34,8 @@ vec3 farol_endShading(const in FarolShading s, const in ivec2 pixel) {
     vec2 dfg = texture(dfgLUT, vec2(material.r, clamp(s.dotNV, 0.0, 1.0))).rg;
     vec3 compensation = 1.0 + f0 * (1.0 / (dfg.x + dfg.y) - 1.0);
     return s.diffuse * albedo * ((1.0 - material.g) * 0.3183098861)
-      + (f0 * (s.specular - s.grazing) + material.a * s.grazing) * compensation;
+      + (f0 * (s.specular - s.grazing) + material.a * s.grazing) * compensation
+      FAROL_AREA_SPECULAR(s, f0, material.a, max(material.r, 0.045));
   }
   float strength = farol_shadingModel(s.flags) == FAROL_PHONG ? material.a : 0.0;
   vec3 f0 = material.rgb * material.rgb;

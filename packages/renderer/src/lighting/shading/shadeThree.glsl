@@ -1,10 +1,14 @@
 // FAROL_SHADE for three's lit materials: fills IncidentLight, calls RE_Direct, applies a light's specular and ambient.
 // Farol; three's lights_fragment_begin
+#include "areaLight"
 #include "lightMask"
 #ifdef STANDARD
   #define FAROL_DIFFUSE_COLOR material.diffuseContribution
 #else
   #define FAROL_DIFFUSE_COLOR material.diffuseColor
+#endif
+#ifndef FAROL_AMBIENT_FACTOR
+  #define FAROL_AMBIENT_FACTOR 1.0
 #endif
 #ifdef USE_CLEARCOAT
   #define FAROL_SAVE_CLEARCOAT vec3 farol_clearcoat = clearcoatSpecularDirect;
@@ -42,6 +46,7 @@
 #endif
 #define FAROL_SHADE(light) \
   farol_lightsEvaluated += 1.0; \
+  FAROL_SHADE_AREA(light) \
   if (FAROL_IS_LIT(light)) { \
   directLight.direction = light.direction; \
     directLight.color = farol_masked(light.color, light.mask, light.direction * light.distance, geometryPosition, \
@@ -52,7 +57,8 @@
     vec3 farol_diffuse = farol_extensionDiffuse(light.extension); \
     vec3 farol_specular = farol_extensionSpecular(light.extension); \
     reflectedLight.directDiffuse = mix(farol_before.directDiffuse, reflectedLight.directDiffuse, farol_diffuse) \
-      + farol_extensionAmbient(light.extension) * light.attenuation * BRDF_Lambert(FAROL_DIFFUSE_COLOR); \
+      + farol_extensionAmbient(light.extension) * light.attenuation * FAROL_AMBIENT_FACTOR \
+      * BRDF_Lambert(FAROL_DIFFUSE_COLOR); \
     reflectedLight.directSpecular = mix(farol_before.directSpecular, reflectedLight.directSpecular, \
       farol_specular); \
     FAROL_SCALE_CLEARCOAT FAROL_SCALE_SHEEN \

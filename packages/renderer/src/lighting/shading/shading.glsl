@@ -19,6 +19,7 @@ struct FarolShading {
   vec3 diffuse; // sum of c N·L (1 - F)
   vec3 specular; // sum of c N·L V D
   vec3 grazing; // sum of c N·L V D f, f: Schlick's fifth power
+  FAROL_AREA_SUM
 #ifdef FAROL_VERTEX_NORMAL
   vec3 shadowNormalVS; // shadow maps are looked up some way off along it
 #endif
@@ -43,6 +44,7 @@ void farol_setPhysical(inout FarolShading s, const in float roughness, const in 
   s.lambdaV = farol_smithLambda(s.alphaSquared, dotNV);
   s.diffuse0 = 1.0 - f0;
   s.diffuse90 = f90 - f0;
+  FAROL_BEGIN_AREA_SUM
 }
 
 // direction: to the light, unit length; colours: irradiance of a surface that faces the light
@@ -73,7 +75,10 @@ void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3
   s.grazing += lobe * fresnel * specularColor;
 }
 
+FAROL_AREA_SHADING
+
 void farol_addExtended(inout FarolShading s, const in FarolLight light) {
+  FAROL_ADD_AREA(light)
   vec3 diffuseScale = vec3(1.0);
   vec3 specularScale = vec3(1.0);
   if (light.extension > 0) {
@@ -104,8 +109,8 @@ void farol_addPlain(inout FarolShading s, const in vec4 sphere, const in vec3 co
   farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), arriving, arriving);
 }
 
-// a light with a range; sphere, emission: texels of its record; isLit: its mask lets all through; plain point lights,
-// most of all lights, take the short way
+// a light with a range, unless it is an area light; sphere, emission: texels of its record; isLit: its mask lets all
+// through; plain point lights, most of all lights, take the short way
 void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphere, const in vec4 emission,
   const in bool isLit) {
   vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
@@ -120,6 +125,7 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
   vec3 specularScale = vec3(1.0);
   if (!farol_lightIsPlain(emission)) {
     vec4 details = farol_lightDetails(record);
+    FAROL_SKIP_AREA(details)
 #ifdef FAROL_POINT_MASKS
     if (farol_lightIsMaskedPoint(details)) {
       if (dot(s.normalVS, direction) <= 0.0) return;
@@ -158,12 +164,19 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
   farol_addLight(s, direction, color, color * specularScale);
 }
 
-void farol_addBounded(inout FarolShading s, const in int record) {
+// a light with a range, unless it is an area light
+void farol_addLocal(inout FarolShading s, const in int record) {
   farol_addRead(s, record, farol_lightSphere(record), farol_lightEmission(record), false);
 }
 
-// a light with a range, unless it is a plain point light; isPlain: it would be one but for its mask, which lets all
-// through; both texels are fetched before either is looked at
+// any light with a range
+void farol_addBounded(inout FarolShading s, const in int record) {
+  farol_addLocal(s, record);
+  FAROL_ADD_BOUNDED_AREA(record)
+}
+
+// a light with a range, unless it is a plain point light or an area light; isPlain: it would be the former but for its
+// mask, which lets all through; both texels are fetched before either is looked at
 void farol_addOther(inout FarolShading s, const in int record, const in bool isLit, const in bool isPlain) {
   vec4 sphere = farol_lightSphere(record);
   vec4 emission = farol_lightEmission(record);

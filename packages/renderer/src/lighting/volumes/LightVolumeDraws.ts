@@ -16,6 +16,8 @@ import { PassMaterial } from '../../gpu/PassMaterial';
 
 /** 12 segments, 8 rings, 6 vertices a quad, as lightVolumeSphere.glsl has them. */
 const SPHERE_VERTICES = 576;
+/** An icosahedron, as lightVolumeField.glsl has it. */
+const FIELD_VERTICES = 60;
 /** 12 segments of a side and a cap, 3 vertices each. */
 const CONE_VERTICES = 72;
 
@@ -25,6 +27,11 @@ const ADDITIVE = {
   blendSrc: OneFactor,
   blendDst: OneFactor,
 } as const;
+/** Of all renderers, as the triangle of FullscreenMesh is; `instanceCount` is set before each draw. */
+const sphereGeometry = /* @__PURE__ */ vertexless(SPHERE_VERTICES);
+const coneGeometry = /* @__PURE__ */ vertexless(CONE_VERTICES);
+const fieldGeometry = /* @__PURE__ */ vertexless(FIELD_VERTICES);
+
 /**
  * Back faces that lie behind the surface: right also with the camera inside; a volume wholly before the surface shades
  * nothing.
@@ -35,6 +42,9 @@ interface Materials {
   readonly global: FullscreenPass;
   readonly sphere: PassMaterial;
   readonly cone: PassMaterial;
+  /** Null until lights of fields are drawn. */
+  field: PassMaterial | null;
+  readonly makeField: () => PassMaterial;
 }
 
 /**
@@ -45,8 +55,9 @@ interface Materials {
  */
 export class LightVolumeDraws {
   private readonly firstRecord = { value: 0 };
-  private readonly spheres = instanced(SPHERE_VERTICES);
-  private readonly cones = instanced(CONE_VERTICES);
+  private readonly spheres = instanced(sphereGeometry);
+  private readonly cones = instanced(coneGeometry);
+  private readonly fields = instanced(fieldGeometry);
   private shading: Materials | null = null;
   private counting: Materials | null = null;
 
@@ -77,6 +88,13 @@ export class LightVolumeDraws {
       this.spheres.geometry.instanceCount = lights.spheres;
       frame.drawMesh(this.spheres, materials.sphere);
     }
+    if (lights.slots > 0) {
+      const field = (materials.field ??= materials.makeField());
+      field.depthTest = depthTest;
+      this.firstRecord.value = lights.firstSlot;
+      this.fields.geometry.instanceCount = lights.slots;
+      frame.drawMesh(this.fields, field);
+    }
     if (lights.cones > 0) {
       this.firstRecord.value = lights.firstBounded + lights.spheres;
       this.cones.geometry.instanceCount = lights.cones;
@@ -89,6 +107,7 @@ export class LightVolumeDraws {
       materials?.global.dispose();
       materials?.sphere.dispose();
       materials?.cone.dispose();
+      materials?.field?.dispose();
     }
     this.shading = this.counting = null;
   }
@@ -121,6 +140,8 @@ export class LightVolumeDraws {
       }),
       sphere: volume('light spheres', 'lightVolumeSphere'),
       cone: volume('light cones', 'lightVolumeCone'),
+      field: null,
+      makeField: () => volume('lights of fields', 'lightVolumeField'),
     };
     // so that the first light of a kind need not wait for its program
     materials.global.compile(frame);
@@ -130,10 +151,14 @@ export class LightVolumeDraws {
   }
 }
 
-function instanced(vertices: number): Mesh<InstancedBufferGeometry> {
+function vertexless(vertices: number): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
   geometry.setDrawRange(0, vertices);
   geometry.instanceCount = 0;
+  return geometry;
+}
+
+function instanced(geometry: InstancedBufferGeometry): Mesh<InstancedBufferGeometry> {
   const mesh = new Mesh(geometry);
   mesh.frustumCulled = false;
   return mesh;

@@ -1,4 +1,5 @@
 import { t } from '@farol/editing';
+import { sourceOfMaterial } from '@farol/engine';
 import {
   type Color,
   type Material,
@@ -15,6 +16,8 @@ import type { LeftOut } from './LeftOut';
 export interface MaterialUse {
   /** The object and what it names, for messages. */
   readonly user: string;
+  /** Name of the object. */
+  readonly object: string;
   readonly hasUV: boolean;
   readonly hasTangents: boolean;
 }
@@ -44,7 +47,11 @@ export class GltfMaterials {
   }
 
   /** @throws Error naming the texture and the object when one of its textures cannot be read */
-  convert(source: Material, use: MaterialUse): Promise<Material> {
+  convert(drawn: Material, use: MaterialUse): Promise<Material> {
+    const { surface } = drawn.userData;
+    if (typeof surface === 'string') for (const name of surface.split(', ')) this.leftOut.addSurface(name, use.object);
+    // of one that has a surface of an object over it: its maps are those of the material
+    const source = sourceOfMaterial(drawn);
     const key = `${source.uuid} ${use.hasUV} ${use.hasTangents}`;
     let made = this.made.get(key);
     if (!made) this.made.set(key, (made = this.make(source, use)));

@@ -25,7 +25,7 @@ import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { breathe } from './breathe';
 import { gltfAnimations } from './gltfAnimations';
 import { gltfGeometry } from './gltfGeometry';
-import { gltfLight, whatIsLost } from './gltfLight';
+import { gltfLight, gltfShapeLight, whatIsLost } from './gltfLight';
 import { GltfMaterials } from './GltfMaterials';
 import { LeftOut } from './LeftOut';
 
@@ -55,6 +55,8 @@ export class GltfScene {
   /** @param webgl - reads compressed textures @throws Error naming the object whose texture cannot be read */
   static async make(scene: Scene, webgl: WebGLRenderer): Promise<GltfScene> {
     const made = new GltfScene(scene, webgl);
+    // glTF has no lightmaps: meshes go as they are without
+    const showAgain = scene.baked.suspend();
     try {
       for (const root of scene.roots) await made.addObject(root, made.three);
       made.animations = gltfAnimations(scene, made.nodes, made.leftOut);
@@ -64,6 +66,8 @@ export class GltfScene {
     } catch (error) {
       made.dispose();
       throw error;
+    } finally {
+      showAgain();
     }
   }
 
@@ -116,13 +120,14 @@ export class GltfScene {
     drawn.name = mesh;
     const maps = [shape.map, shape.normalMap].filter((name) => name !== null);
     const user = maps.length > 0 ? `'${gameObject.name}' (${maps.join(', ')})` : `'${gameObject.name}'`;
-    return (await this.convert(drawn, user)) ? drawn : null;
+    return (await this.convert(drawn, user, gameObject.name)) ? drawn : null;
   }
 
   private materialOf(shape: ObjectRenderer): Material {
     if (shape.three) return shape.three.material as Material;
     const { materials } = this.scene.assets;
     if (shape.shader !== null) return this.scene.assets.shader(shape.shader);
+    if (shape.surface !== null) this.leftOut.addSurface(shape.surface, shape.gameObject.name);
     if (shape.material !== null) return this.scene.assets.material(shape.material);
     // what is drawn as one of many instances has its colour, but no material, of its own
     const material = materials.acquire(shape);
@@ -150,7 +155,7 @@ export class GltfScene {
         const light = this.replaceLight(part as never);
         if (light) this.nodes.set(sources[i], light);
         else this.nodes.delete(sources[i]);
-      } else if ('geometry' in part && !(await this.convert(part as Drawn, `'${gameObject.name}'`))) {
+      } else if ('geometry' in part && !(await this.convert(part as Drawn, `'${gameObject.name}'`, gameObject.name))) {
         part.removeFromParent();
         this.nodes.delete(sources[i]);
       }
@@ -174,6 +179,10 @@ export class GltfScene {
   }
 
   private lightOf(light: Light): Object3D | null {
+    if (light.isArea) {
+      this.leftOut.add(t('Lights with a shape shine in Farol alone: glTF has none'), light);
+      return gltfShapeLight(light);
+    }
     const copy = gltfLight(light.three, light);
     const lost = copy ? whatIsLost(light) : t('Lights from all sides are left out');
     if (lost) this.leftOut.add(lost, light);
@@ -181,10 +190,10 @@ export class GltfScene {
   }
 
   /** Gives what is drawn a geometry and materials that glTF has. @returns whether anything is left of it */
-  private async convert(drawn: Drawn, user: string): Promise<boolean> {
+  private async convert(drawn: Drawn, user: string, object: string): Promise<boolean> {
     const sources = Array.isArray(drawn.material) ? drawn.material : [drawn.material];
     const { attributes } = drawn.geometry;
-    const use = { user, hasUV: 'uv' in attributes, hasTangents: 'tangent' in attributes };
+    const use = { user, object, hasUV: 'uv' in attributes, hasTangents: 'tangent' in attributes };
     const materials = await Promise.all(sources.map((source) => this.materials.convert(source, use)));
     const looks = materials as (MeshStandardMaterial | MeshBasicMaterial)[];
     const isTriangles = 'isMesh' in drawn;
@@ -221,6 +230,7 @@ export class GltfScene {
   private noteSurroundings(): void {
     const { settings } = this.scene;
     const isBlack = settings.backgroundColour.every((channel) => channel === 0);
+    if (settings.bakedLight !== null) this.leftOut.add(t('Baked light is left out: its lights shine themselves'));
     if (settings.environment !== null) this.leftOut.add(t('The environment is left out'));
     if (!isBlack || settings.background !== 'colour') this.leftOut.add(t('The background is left out'));
     if (settings.fog !== 'none') this.leftOut.add(t('Fog is left out'));

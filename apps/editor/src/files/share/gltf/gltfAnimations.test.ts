@@ -29,29 +29,12 @@ import {
   SkinnedMesh,
   Uint16BufferAttribute,
   VectorKeyframeTrack,
-  type WebGLRenderer,
 } from 'three';
 import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
-import { exportGltf } from '../exportGltf';
+import { exportInTest, PageFileReader, partsOfGlb } from './testing/exportInTest';
 
-/** What GLTFExporter asks of a page. */
-class PageFileReader {
-  result: ArrayBuffer | null = null;
-  onloadend: (() => void) | null = null;
-  readAsArrayBuffer(blob: Blob): void {
-    void blob.arrayBuffer().then((bytes) => {
-      this.result = bytes;
-      this.onloadend?.();
-    });
-  }
-}
-
-beforeAll(() => {
-  vi.stubGlobal('FileReader', PageFileReader);
-});
-afterAll(() => {
-  vi.unstubAllGlobals();
-});
+beforeAll(() => void vi.stubGlobal('FileReader', PageFileReader));
+afterAll(() => void vi.unstubAllGlobals());
 
 interface Channel {
   readonly node: string;
@@ -63,10 +46,7 @@ interface Channel {
 
 /** The channels of the animations of a GLB, by name, with the bytes of their accessors. */
 async function animationsOf(blob: Blob): Promise<Record<string, Channel[]>> {
-  const bytes = await blob.arrayBuffer();
-  const length = new DataView(bytes).getUint32(12, true);
-  const json = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 20, length)));
-  const start = 20 + length + 8;
+  const { json, bytes, start } = await partsOfGlb<any>(blob);
   const read = (index: number): Uint8Array => {
     const { bufferView, byteOffset = 0, count, type, componentType } = json.accessors[index];
     expect(componentType).toBe(5126);
@@ -89,7 +69,7 @@ async function animationsOf(blob: Blob): Promise<Record<string, Channel[]>> {
 const floats = (bytes: Uint8Array): Float32Array => new Float32Array(bytes.buffer);
 async function export_(scene: Scene): Promise<{ blob: Blob; leftOut: readonly string[] }> {
   scene.settings.backgroundColour = [0, 0, 0];
-  return exportGltf(scene, null as unknown as WebGLRenderer);
+  return exportInTest(scene);
 }
 
 /** A scene of one object that draws a model from the bytes of a GLB. */

@@ -1,6 +1,7 @@
 import { t } from '@farol/editing';
 import type { Light } from '@farol/engine';
-import { DirectionalLight, type Light as ThreeLight, PointLight, SpotLight } from 'three';
+import { lightExtrasOf } from '@farol/engine/files';
+import { DirectionalLight, type Light as ThreeLight, Object3D, PointLight, SpotLight } from 'three';
 
 /** glTF's cones have a soft edge, be it ever so thin. */
 const THINNEST_EDGE = 1e-3;
@@ -26,22 +27,34 @@ function asBright(light: Light): number {
   return (left(light, half) * half ** 2) / end;
 }
 
-/** What of a light glTF cannot say; null when it says all. @see KHR_lights_punctual */
+/** A light that shines from a shape, of which glTF knows none: a node whose extras have its fields, which Farol reads. */
+export function gltfShapeLight({ type, width, height, diffuse, intensity, areaRange }: Light): Object3D {
+  const node = new Object3D();
+  node.userData.farolLight = { type, width, height, diffuse: [...diffuse], intensity, areaRange };
+  return node;
+}
+
+/** What of a light glTF cannot say, which is in its extras, or lost; null when it says all. @see KHR_lights_punctual */
 export function whatIsLost(light: Light): string | null {
   const hasPlace = light.type === 'point' || light.type === 'spot';
+  if (hasPlace && light.profile !== null) return t('Profiles of lights are left out');
   if (hasPlace && (light.attenuation !== 'physical' || light.decay !== 2)) {
-    return t('Lights that fade in a way of their own now fade as in nature, as bright as before half way');
+    return t(
+      'Lights that fade in a way of their own do so in Farol alone; elsewhere they fade as in nature, as bright half way',
+    );
   }
-  if (light.type === 'spot' && light.exponent > 0) return t('Spot lights with an exponent got an edge');
+  if (light.type === 'spot' && light.exponent > 0) {
+    return t('Spot lights with an exponent keep it in Farol alone; elsewhere they have an edge');
+  }
   if (light.ownSpecular || light.ambient.some((channel) => channel > 0)) {
-    return t('Second colours of lights are left out');
+    return t('Second colours of lights are kept in Farol alone');
   }
   return null;
 }
 
 /**
  * A light as glTF has them, fading with the square of the distance; null for those from all sides. One that fades in
- * another way is as bright as before half way to its end.
+ * another way is as bright as before half way to its end, and has what it is like in its extras.
  * @see KHR_lights_punctual
  */
 export function gltfLight(source: ThreeLight, light: Light | null): ThreeLight | null {
@@ -57,6 +70,8 @@ export function gltfLight(source: ThreeLight, light: Light | null): ThreeLight |
   } else if (source instanceof PointLight) copy = new PointLight(colour, intensity, source.distance);
   else copy = new DirectionalLight(colour, intensity);
   copy.position.set(0, 0, 0);
+  const extras = lightExtrasOf(source, largest > 1);
+  if (extras) copy.userData.farolLight = extras;
   // along -z, as glTF has it: the exporter would write a target as a node
   if (!(copy instanceof PointLight)) Reflect.deleteProperty(copy, 'target');
   return copy;

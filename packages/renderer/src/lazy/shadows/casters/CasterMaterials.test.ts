@@ -1,10 +1,11 @@
 import { Mesh, MeshStandardMaterial, PointLight, SpotLight, Texture, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
+import { MicroShaderRegistry } from '../../../microshaders';
 import { CasterMaterials } from './CasterMaterials';
 
 test('materials of their own go with their source and with dispose, which leaves nothing behind on the sources', () => {
   const webgl = { capabilities: { logarithmicDepthBuffer: true }, properties: new WeakMap() };
-  const materials = new CasterMaterials(webgl as unknown as WebGLRenderer);
+  const materials = new CasterMaterials(webgl as unknown as WebGLRenderer, new MicroShaderRegistry());
   const sources = [0, 1].map(() => new MeshStandardMaterial({ map: new Texture(), alphaTest: 0.5 }));
   const listeners = (source: MeshStandardMaterial) =>
     ((source as { _listeners?: { dispose?: unknown[] } })._listeners?.dispose ?? []).length;

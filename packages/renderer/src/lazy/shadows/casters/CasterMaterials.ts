@@ -13,6 +13,8 @@ import {
   type Side,
   type WebGLRenderer,
 } from 'three';
+import { surfacesOf, type WornSurfaces } from '../../../materials/surfacesOf';
+import type { MicroShaderRegistry } from '../../../microshaders';
 import { setLightOf } from '../../../three/handles';
 
 const SHADOW_SIDES: Record<Side, Side> = { [FrontSide]: BackSide, [BackSide]: FrontSide, [DoubleSide]: DoubleSide };
@@ -31,6 +33,8 @@ interface CasterMaterialSet {
   readonly shared: CasterMaterial[];
   /** By the caster's material, where that discards or displaces. */
   readonly unique: Map<Material, CasterMaterial>;
+  /** By the caster's material, where its surfaces do. */
+  readonly worn: Map<Material, CasterMaterial>;
 }
 
 type AnyMesh = Mesh & Partial<InstancedMesh> & { isSkinnedMesh?: boolean; isBatchedMesh?: boolean };
@@ -41,11 +45,14 @@ type AnyMesh = Mesh & Partial<InstancedMesh> & { isSkinnedMesh?: boolean; isBatc
  * and one more for each material that discards or displaces.
  */
 export class CasterMaterials {
-  private readonly depths: CasterMaterialSet = { shared: [], unique: new Map() };
+  private readonly depths: CasterMaterialSet = { shared: [], unique: new Map(), worn: new Map() };
   /** For point lights where depth is logarithmic: these keep depth linear. */
-  private readonly distances: CasterMaterialSet = { shared: [], unique: new Map() };
+  private readonly distances: CasterMaterialSet = { shared: [], unique: new Map(), worn: new Map() };
 
-  constructor(private readonly webgl: WebGLRenderer) {}
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly microshaders: MicroShaderRegistry,
+  ) {}
 
   /**
    * @param light whose map is drawn
@@ -76,14 +83,16 @@ export class CasterMaterials {
   }
 
   dispose(): void {
-    for (const { shared, unique } of [this.depths, this.distances]) {
+    for (const { shared, unique, worn } of [this.depths, this.distances]) {
       for (const material of shared) material?.dispose();
-      for (const target of unique.keys()) this.forget({ target });
+      for (const target of [...unique.keys(), ...worn.keys()]) this.forget({ target });
       shared.length = 0;
     }
   }
 
   private materialOf(object: Object3D, source: Material, set: CasterMaterialSet): CasterMaterial {
+    const surfaces = surfacesOf(source);
+    if (surfaces !== undefined && (surfaces.displaces || surfaces.discards)) return this.wornBy(source, surfaces, set);
     const needsOwn = this.needsOwn(source as AnyMaterial);
     return needsOwn ? this.uniqueFor(source, set) : this.sharedFor(object as AnyMesh, set);
   }
@@ -118,11 +127,28 @@ export class CasterMaterials {
     return material;
   }
 
+  private wornBy(source: Material, surfaces: WornSurfaces, { shared, worn }: CasterMaterialSet): CasterMaterial {
+    let material = worn.get(source);
+    if (material === undefined) {
+      const { microshaders } = this;
+      material = this.make(shared);
+      material.name = source.name;
+      material.onBeforeCompile = (shader, webgl) => surfaces.rewrite(shader, microshaders, webgl);
+      material.customProgramCacheKey = () => `farol:caster:${surfaces.key(microshaders)}`;
+      Object.defineProperty(material, 'version', { get: () => surfaces.version(microshaders), set() {} });
+      worn.set(source, material);
+      source.addEventListener('dispose', this.forget); // three adds a listener once
+    }
+    return material;
+  }
+
   private readonly forget = ({ target }: { target: Material }) => {
     target.removeEventListener('dispose', this.forget);
-    for (const { unique } of [this.depths, this.distances]) {
+    for (const { unique, worn } of [this.depths, this.distances]) {
       unique.get(target)?.dispose();
+      worn.get(target)?.dispose();
       unique.delete(target);
+      worn.delete(target);
     }
   };
 

@@ -1,6 +1,8 @@
 import { BoxGeometry, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { viewFrustumPlanes } from '../../../lights/viewFrustumPlanes';
+import { setSurface, Surface } from '../../../surfaces';
+import { isMergeable } from './merged/isMergeable';
 import { boxInsidePlanes, boxOutsidePlanes, casterBox } from './casterBox';
 import { isBeyond, isWithin, makeReach } from '../slots/reach';
 
@@ -63,6 +65,23 @@ describe('casterBox', () => {
       }
     }
     expect(outside).toBeGreaterThan(50);
+  });
+
+  test('it is larger by the reach of a surface; one that displaces without a declared reach has none', () => {
+    const mesh = new Mesh(new BoxGeometry(2, 2, 2), new MeshStandardMaterial());
+    const text =
+      'uniform float a; // = 2\n// reach: 0.5 + 0.25 * a\nvoid displace(inout VertexData v) { v.positionOS *= a; }';
+    const surface = new Surface('grows', text);
+    const values = setSurface(mesh.material, surface);
+    const box = new Float64Array(6);
+    expect(casterBox(mesh, box)).toBe(true);
+    expect([...box]).toEqual([0, 0, 0, 2, 2, 2]);
+    values.a.value = -6;
+    casterBox(mesh, box);
+    expect([...box]).toEqual([0, 0, 0, 3, 3, 3]);
+    expect(isMergeable(mesh)).toBe(false);
+    surface.source = text.replace('// reach', '// no reach');
+    expect(casterBox(mesh, box)).toBe(false);
   });
 
   test('instanced meshes and such have none', () => {

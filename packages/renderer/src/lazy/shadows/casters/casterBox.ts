@@ -2,10 +2,12 @@ import {
   Box3,
   type BufferAttribute,
   type BufferGeometry,
+  type Material,
   type Mesh,
   type MeshStandardMaterial,
   type Object3D,
 } from 'three';
+import { surfacesOf } from '../../../materials/surfacesOf';
 import { isAnimatedCaster } from './casterSignature';
 import { moveBox } from './moveBox';
 
@@ -28,30 +30,34 @@ function boxOf(geometry: BufferGeometry): Box3 | null {
   return known.box;
 }
 
-function isDisplaced(object: AnyMesh): boolean {
-  const { material } = object;
-  const displaces = (one: unknown) => Boolean((one as MeshStandardMaterial).displacementMap);
-  return Array.isArray(material) ? material.some(displaces) : displaces(material);
+/** How far the shaders of a material may displace vertices (m, in the object's own space); Infinity where nobody says. */
+function reachOf(material: Material): number {
+  return (material as MeshStandardMaterial).displacementMap ? Infinity : (surfacesOf(material)?.reach() ?? 0);
 }
 
 /**
  * Finds the box along the world's axes round an object; changes nothing of the object.
  * @param out gets centre and half sizes (m), 6 numbers
- * @returns false for objects without a box: instances, batches, points, and what shaders bend
+ * @returns false for objects without a box: instances, batches, points, and what shaders bend without a declared reach
  */
 export function casterBox(object: Object3D, out: Float64Array): boolean {
   const mesh = object as AnyMesh;
   if (mesh.isInstancedMesh || mesh.isBatchedMesh || mesh.isPoints) return false;
-  if (isDisplaced(mesh) || isAnimatedCaster(object)) return false;
+  if (isAnimatedCaster(object)) return false;
+  let reach = 0;
+  const { material } = mesh;
+  if (!Array.isArray(material)) reach = reachOf(material);
+  else for (let i = 0; i < material.length; i++) reach = Math.max(reach, reachOf(material[i]));
+  if (reach === Infinity) return false;
   const box = boxOf(mesh.geometry);
   if (box === null || box.isEmpty()) return false;
   const { min, max } = box;
   own[0] = 0.5 * (min.x + max.x);
   own[1] = 0.5 * (min.y + max.y);
   own[2] = 0.5 * (min.z + max.z);
-  own[3] = 0.5 * (max.x - min.x);
-  own[4] = 0.5 * (max.y - min.y);
-  own[5] = 0.5 * (max.z - min.z);
+  own[3] = 0.5 * (max.x - min.x) + reach;
+  own[4] = 0.5 * (max.y - min.y) + reach;
+  own[5] = 0.5 * (max.z - min.z) + reach;
   moveBox(own, 0, object.matrixWorld, out, 0);
   return Number.isFinite(out[0] + out[1] + out[2] + out[3] + out[4] + out[5]);
 }

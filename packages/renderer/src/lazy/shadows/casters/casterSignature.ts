@@ -12,6 +12,7 @@ import type {
   Texture,
 } from 'three';
 import { Object3D as AnyObject } from 'three';
+import { surfacesOf } from '../../../materials/surfacesOf';
 import { attributeVersion } from './attributeVersion';
 import { batchIndices, batchMatrices, batchVisibilityChanged } from '../../../three/batchTextures';
 
@@ -88,6 +89,8 @@ function mixMaterial(m: CasterMaterial, geometry: BufferGeometry): void {
     mixFraction(m.displacementScale ?? 0);
     mixFraction(m.displacementBias ?? 0);
   }
+  const surfaces = surfacesOf(m);
+  if (surfaces !== undefined && (surfaces.displaces || surfaces.discards)) mixFraction(surfaces.shape());
 }
 
 /**

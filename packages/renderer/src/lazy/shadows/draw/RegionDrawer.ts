@@ -39,8 +39,12 @@ export class RegionDrawer implements MeshDrawer {
     const { drawRange } = mesh.geometry;
     const { count } = drawRange;
     drawRange.count = 0;
-    this.drawMesh(mesh, material);
-    drawRange.count = count;
+    try {
+      this.drawMesh(mesh, material);
+    } finally {
+      // meshes of other renderers have the same geometry
+      drawRange.count = count;
+    }
   }
 
   /** Draws a pass to a part of the bound target (texels). */

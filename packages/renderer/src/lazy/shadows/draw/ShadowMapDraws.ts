@@ -65,7 +65,7 @@ export class ShadowMapDraws {
     private readonly webgl: WebGLRenderer,
     private readonly microshaders: MicroShaderRegistry,
   ) {
-    this.materials = new CasterMaterials(webgl);
+    this.materials = new CasterMaterials(webgl, microshaders);
     this.draw = directDraw(webgl);
     this.gl = webgl.getContext() as WebGL2RenderingContext;
   }

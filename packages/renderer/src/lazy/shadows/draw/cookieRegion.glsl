@@ -1,4 +1,5 @@
-// Copies an image that a light throws into its region of the atlas; of a cube (FAROL_CUBE) six faces with borders.
+// Copies an image that a light throws into its region of the atlas; of a cube (FAROL_CUBE) six faces with borders; of a
+// photometric profile (FAROL_PROFILE) from 0 to 180° and from 0 to 360°, both ends in the middle of texels.
 // Farol; the faces lie as farol_cubeFace in lightShadow.glsl has them
 #ifdef FAROL_CUBE
 uniform highp samplerCube farol_cookieImage;
@@ -19,6 +20,11 @@ float side = (face & 1) == 0 ? 1.0 : -1.0;
 vec3 direction = face < 2 ? vec3(side, across.y, side * across.x)
   : face < 4 ? vec3(side * across.x, side, across.y) : vec3(-side * across.x, across.y, side);
 farol_cookie = textureLod(farol_cookieImage, vec3(farol_cookieFlip * direction.x, direction.yz), 0.0);
+#elif defined( FAROL_PROFILE )
+vec2 size = vec2(textureSize(farol_cookieImage, 0));
+vec2 share = (at - 0.5) / max(farol_cookieRegion.zw - 1.0, 1.0);
+farol_cookie = textureLod(farol_cookieImage,
+  vec2((share.x * (size.x - 1.0) + 0.5) / size.x, fract(share.y) + 0.5 / size.y), 0.0);
 #else
 farol_cookie = texture(farol_cookieImage, at / farol_cookieRegion.zw);
 #endif

@@ -1,7 +1,9 @@
 import type { Camera, Light } from 'three';
 import type { DataTable } from '../../../gpu/DataTable';
+import { isAreaLight } from '../../../lights/classifyLight';
 import { ELSEWHERE } from '../../../lights/lightRecord';
 import type { LightLayers } from '../LightLayers';
+import { AreaShadowLight } from '../slots/AreaShadowLight';
 import type { LightSlots } from '../slots/LightSlots';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { MaskShaders } from './MaskShaders';
@@ -37,7 +39,8 @@ export class MaskRecords {
 
   /** Gives a lit slot its record, once it is known whether its light has a shadow. @param type of maps, as `shadowMap.type` */
   assign(slot: ShadowSlot, type: number): void {
-    const isMasked = slot.hasShadow || slot.cookie !== null || this.layers.separates(slot.light);
+    const isMasked =
+      slot.hasShadow || slot.cookie !== null || slot.profile !== null || this.layers.separates(slot.light);
     slot.record = isMasked ? this.records : -1;
     if (!isMasked) return;
     this.records += RECORDS_PER_MASK;
@@ -55,7 +58,8 @@ export class MaskRecords {
   }
 
   recordOf(light: Light): number {
-    const slot = this.slots.litSlotOf(light);
+    const lit = isAreaLight(light) ? AreaShadowLight.of(light) : light;
+    const slot = lit && this.slots.litSlotOf(lit);
     if (slot === undefined) return this.layered.get(light) ?? -1;
     return slot.record >= 0 && slot.hasLeftMap ? slot.record + ELSEWHERE : slot.record;
   }

@@ -1,7 +1,9 @@
 // As lightMaskOn, for lights that reach only objects of their layers; replaces lightMaskOn once a light does.
 // Farol
 #define FAROL_LAYERS
-#ifdef FAROL_LAYERS_OF_OBJECT
+#ifdef FAROL_PER_VERTEX
+#define FAROL_OBJECT_LAYERS farol_layersAttribute
+#elif defined( FAROL_LAYERS_OF_OBJECT )
 flat in highp vec2 farol_objectLayers; // 16 bits each
 #define FAROL_OBJECT_LAYERS farol_objectLayers
 #else

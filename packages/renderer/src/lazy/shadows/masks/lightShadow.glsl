@@ -1,4 +1,4 @@
-// Samples the shadow maps and cookies of lights in their regions of two atlases; the filters are three's own.
+// Samples the shadow maps, cookies and profiles of lights in regions of two atlases; the filters are three's own.
 // three.js r187 shadowmap_pars_fragment; Reeves 1987 (PCF); Donnelly and Lauritzen 2006 (VSM); Jimenez 2014 (noise)
 //? farol_cubeFace(vec3(2.0, 1.0, 1.0)) == vec3(0.75, 0.75, 0.0)
 //? farol_cubeFace(vec3(0.0, 0.5, -2.0)) == vec3(0.5, 0.625, 5.0)
@@ -38,8 +38,12 @@ float farol_shadowTap(const in vec2 texel, const in float depth) {
 
 // cosine and sine of the angle that the disk is turned by in a pixel
 vec2 farol_diskTurn() {
+#ifdef FAROL_PER_VERTEX
+  return vec2(1.0, 0.0);
+#else
   float angle = 6.28318530718 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   return vec2(cos(angle), sin(angle));
+#endif
 }
 
 #ifdef FAROL_ONE_TURN
@@ -151,6 +155,9 @@ FarolDisk farol_cubeDisk(const in vec3 region, const in float border, const in v
 struct FarolMask {
   int lookup; // FAROL_LOOKUP_…
   int cookie; // FAROL_COOKIE_…
+#ifdef FAROL_LIGHT_PROFILES
+  bool hasProfile;
+#endif
   bool isExtended;
   vec3 region; // corner, width of a face (texels)
   float border; // texels
@@ -160,13 +167,22 @@ struct FarolMask {
 
 FarolMask farol_readMask(const in int record) {
   vec4 place = farol_maskPlace(record);
-  return FarolMask(farol_maskLookup(place), farol_maskCookieShape(place), farol_maskIsExtended(place),
+  int cookie = farol_maskCookieShape(place);
+#ifdef FAROL_LIGHT_PROFILES
+  bool hasProfile = cookie == FAROL_COOKIE_PROFILE;
+  if (hasProfile) cookie = farol_maskProfileCookie(record);
+#define FAROL_HAS_PROFILE hasProfile,
+#else
+#define FAROL_HAS_PROFILE
+#endif
+  return FarolMask(farol_maskLookup(place), cookie, FAROL_HAS_PROFILE farol_maskIsExtended(place),
     vec3(farol_maskCorner(place), farol_maskWidth(place)), float(farol_maskBorder(place)), farol_maskNormalBias(place),
     farol_maskFiltering(record));
 }
 
 bool farol_looksUpCube(const in FarolMask mask) {
-  return mask.lookup == FAROL_LOOKUP_CUBE_BASIC || mask.lookup == FAROL_LOOKUP_CUBE_PCF;
+  return mask.lookup == FAROL_LOOKUP_CUBE_BASIC || mask.lookup == FAROL_LOOKUP_CUBE_PCF
+    || mask.lookup == FAROL_LOOKUP_SOFT;
 }
 
 // isPoint: the light is known to be a point light
@@ -244,11 +260,83 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
   return inside ? mix(1.0, lit, mask.filtering.w) : 1.0;
 }
 
+#ifdef FAROL_SOFT_SHADOWS
+const int FAROL_SEARCHES = 16; // directions in which blockers are looked for
+const int FAROL_HALVINGS = 4; // of the distance to the surface, until a blocker is found
+const int FAROL_SOFT_TAPS = 20;
+
+// 0 behind what the map shows in the direction of a place (m, from the light), 1 before it
+float farol_softTap(const in FarolMask mask, const in vec3 place) {
+  float depth = mask.filtering.x + mask.filtering.y / max(max(abs(place.x), abs(place.y)), abs(place.z));
+  return farol_shadowTap(farol_cubeTexel(mask.region, mask.border, farol_cubeFace(place), false),
+    clamp(depth, 0.0, 1.0));
+}
+
+// directions of a disk's samples: Vogel's spiral
+vec2 farol_spiral(const in int i, const in vec2 turn) {
+  float angle = 2.3999632297 * float(i);
+  return cos(angle) * turn + sin(angle) * vec2(-turn.y, turn.x);
+}
+
+// Percentage-closer soft shadows of an area light, from its centre. Depths can only be compared: how far the blocker is
+// in a direction is found by halving the distance to the surface.
+// Fernando 2005, Percentage-Closer Soft Shadows
+// fromLight: to the surface (m, world axes)
+float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const in vec3 normal) {
+  float away = length(fromLight);
+  vec3 forward = fromLight / away;
+  vec3 right = normalize(cross(forward, abs(forward.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+  vec3 up = cross(right, forward);
+  float facing = min(dot(normal, forward), -0.05);
+  float size = mask.filtering.z / away; // of the light, from the surface
+  vec2 turn = FAROL_TURN;
+  float blockers = 0.0;
+  float distances = 0.0; // of blockers, as parts of the distance to the surface
+  for (int i = 0; i < FAROL_SEARCHES; i++) {
+    // more of them near the middle, where blockers near the surface are
+    float part = (float(i) + 0.5) / float(FAROL_SEARCHES);
+    vec2 at = farol_spiral(i, turn) * (part * min(2.0 * size, 1.0));
+    vec3 direction = forward + at.x * right + at.y * up;
+    // to the plane of the surface
+    vec3 end = direction * (away * clamp(facing / min(dot(normal, direction), -0.02), 0.3, 2.0));
+    if (farol_softTap(mask, end * 0.99) > 0.5) continue;
+    float near = 0.0;
+    float far = 1.0;
+    for (int k = 0; k < FAROL_HALVINGS; k++) {
+      float middle = 0.5 * (near + far);
+      if (farol_softTap(mask, end * middle) > 0.5) near = middle;
+      else far = middle;
+    }
+    blockers += part;
+    distances += part * 0.5 * (near + far);
+  }
+  if (blockers == 0.0) return 1.0;
+  float radius = min(size * max(blockers / distances - 1.0, 0.02), 1.5);
+  float sum = 0.0;
+  for (int i = 0; i < FAROL_SOFT_TAPS; i++) {
+    vec2 at = farol_spiral(i, turn) * (sqrt((float(i) + 0.5) / float(FAROL_SOFT_TAPS)) * radius);
+    vec3 direction = forward + at.x * right + at.y * up;
+    sum += farol_softTap(mask, direction * (away * clamp(facing / min(dot(normal, direction), -0.02), 0.3, 2.0)));
+  }
+  return mix(1.0, sum / float(FAROL_SOFT_TAPS), mask.filtering.w);
+}
+#endif
+
+// share of a light that its map lets through, as its mask has it filtered
+float farol_filteredAt(const in int record, const in FarolMask mask, const in bool isPoint, const in vec4 coord,
+  const in vec3 shadowNormalVS) {
+#ifdef FAROL_SOFT_SHADOWS
+  if (mask.lookup == FAROL_LOOKUP_SOFT) return farol_softShadow(mask, coord.xyz, farol_worldAxes * shadowNormalVS);
+#endif
+  return farol_litAt(record, mask, isPoint, coord);
+}
+
 // share of a light that its map lets through, for what has the mask alone
 float farol_lightLit(const in int record, const in vec3 positionVS, const in vec3 shadowNormalVS) {
   FarolMask mask = farol_readMask(record);
   vec3 toLight = farol_maskPosition(record) - positionVS;
-  return farol_litAt(record, mask, false, farol_maskCoord(record, mask, false, toLight, positionVS, shadowNormalVS));
+  vec4 coord = farol_maskCoord(record, mask, false, toLight, positionVS, shadowNormalVS);
+  return farol_filteredAt(record, mask, false, coord, shadowNormalVS);
 }
 
 // colour of a light's image in a direction; coord as farol_maskCoord gives it
@@ -263,6 +351,20 @@ vec3 farol_cookieAt(const in int record, const in vec4 coord, const in int shape
   return textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).rgb;
 }
 
+#ifdef FAROL_LIGHT_PROFILES
+// factor of a light's intensity in the direction of a surface, by its photometric profile
+float farol_profileAt(const in int record, const in vec3 toLight) {
+  vec3 across = farol_maskProfileAcross(record);
+  vec3 down = farol_maskProfileDown(record);
+  vec4 region = farol_maskProfile(record);
+  vec2 level = -vec2(dot(toLight, across), dot(toLight, cross(across, down)));
+  float vertical = atan(length(level), -dot(toLight, down)) * 0.3183098862;
+  float horizontal = level == vec2(0.0) ? 0.0 : fract(atan(level.y, level.x) * 0.1591549431);
+  vec2 texel = region.xy + 0.5 + vec2(vertical, horizontal) * (region.zw - 1.0);
+  return textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).r;
+}
+#endif
+
 // colour that a mask lets through of a light
 // isPoint: the light is known to be a point light; receives: false where shadows do not count, only the cookie
 vec3 farol_lightMask(const in int record, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS,
@@ -273,6 +375,9 @@ vec3 farol_lightMask(const in int record, const in bool isPoint, const in vec3 t
 #ifdef FAROL_LIGHT_COOKIES
   if (mask.cookie != FAROL_COOKIE_NONE) passed = farol_cookieAt(record, coord, mask.cookie);
 #endif
-  float lit = farol_litAt(record, mask, isPoint, coord);
+#ifdef FAROL_LIGHT_PROFILES
+  if (mask.hasProfile) passed *= farol_profileAt(record, toLight);
+#endif
+  float lit = farol_filteredAt(record, mask, isPoint, coord, shadowNormalVS);
   return receives ? passed * lit : passed;
 }

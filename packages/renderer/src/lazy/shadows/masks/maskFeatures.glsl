@@ -1,4 +1,5 @@
-// What shaders have code for: of shadow maps, cookies and lights. Here all; once lights have masks, what has been met.
+// What shaders have code for: of shadow maps, cookies, profiles and lights. Here all; once lights have masks, what
+// has been met.
 // Farol
 #define FAROL_SHADOW_MAPS
 #define FAROL_SHADOW_CUBES
@@ -11,3 +12,5 @@
 #define FAROL_UNBOUNDED_MASKS
 #define FAROL_BOUNDED_MASKS
 #define FAROL_POINT_MASKS
+#define FAROL_LIGHT_PROFILES
+#define FAROL_SOFT_SHADOWS

@@ -2,16 +2,16 @@ import { TEXELS_PER_RECORD } from '../../../lights/lightRecord';
 import { type RecordLayout, texelOffsets } from '../../../lights/recordLayout';
 
 /** What a mask does with its shadow map. */
-export const shadowLookups = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, variance: 5 } as const;
+export const shadowLookups = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, variance: 5, soft: 6 } as const;
 
-/** What a mask has of an image. */
-export const cookieShapes = { none: 0, map: 1, cube: 2 } as const;
+/** What a mask has of an image. `profile`: a photometric profile, and the image that `profileAcross` says. */
+export const cookieShapes = { none: 0, map: 1, cube: 2, profile: 3 } as const;
 
 /** Where the whole number in `place` has its parts (bits); the width of a face has those below `lookup`. */
 export const PLACE_BITS = { lookup: 15, cookie: 18, extended: 20, border: 21 } as const;
 
 /**
- * A mask in the light table: what a shadow map, a cookie and layers let through of a light. Its texels lie in three records.
+ * A mask in the light table: what a shadow map, a cookie, a profile and layers let through of a light. Its texels lie in three records.
  * Offsets for TypeScript (`MASK`) and getters for GLSL (microshader `maskRecord`) are made from this table. A pixel reads
  * `place`, `filtering` and what of the matrix it needs of every light that reaches it, the others seldom.
  */
@@ -42,7 +42,8 @@ export const maskRecord = {
   },
   /**
    * Of a map: bias, with the sign of the depth buffer; radius of the filter, as part of the width, of the height. Of a cube: a
-   * and b of depth = a + b / distance along an axis; radius of the filter, as part of a face. Last the shadow's intensity.
+   * and b of depth = a + b / distance along an axis; radius of the filter, as part of a face; of an area light (`soft`) half its
+   * size (m). Last the shadow's intensity.
    */
   filtering: { intensity: 'w' },
   /** Of a map. */
@@ -52,16 +53,24 @@ export const maskRecord = {
     /** `ShadowBounds` knows the depths. */
     hasBounds: ['bool', 't.z != 0.0'],
   },
-  unused: {},
+  /** Region of the photometric profile: corner, size (texels). */
+  profile: {},
   /** Region of the cookie: corner, size (texels); of a cube: corner, side of a face. With three cascades: fit of the third. */
   cookie: {},
   layers: {
     /** Layers that the light reaches, 16 bits and 16 bits; 0 for all. */
     layers: 'xy',
   },
-  /** How coordinates of the whole map become those of a cascade: scale and shift of x, scale and shift of y. */
-  firstFit: {},
-  secondFit: {},
+  /**
+   * How coordinates of the whole map become those of a cascade: scale and shift of x, scale and shift of y. Of a light with a
+   * profile: where its horizontal angle is 0, and where its vertical angle is 0 (view space, unit length).
+   */
+  firstFit: {
+    profileAcross: 'xyz',
+    /** One of `cookieShapes`, but `profile`. */
+    profileCookie: ['int', 'int(t.w)'],
+  },
+  secondFit: { profileDown: 'xyz' },
 } as const satisfies RecordLayout;
 
 /** Where the texels of a mask begin (floats). */

@@ -1,11 +1,15 @@
-import { BasicShadowMap, type Camera, Matrix4, Vector3, VSMShadowMap } from 'three';
+import { BasicShadowMap, type Camera, Matrix4, type PointLight, type SpotLight, Vector3, VSMShadowMap } from 'three';
 import type { DataTable } from '../../../gpu/DataTable';
 import { FLOATS_PER_RECORD } from '../../../lights/lightRecord';
+import { softSizeOf } from '../slots/AreaShadowLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
+import { profileFrame } from './profileFrame';
 import { cookieShapes, FITS, MASK, MOST_CASCADES, PLACE_BITS, shadowLookups } from './maskLayout';
 
 const matrix = new Matrix4();
 const position = new Vector3();
+const across = new Vector3();
+const down = new Vector3();
 
 /**
  * Writes the mask of a light, for positions in view space.
@@ -36,20 +40,28 @@ export function writeMask(
   const height = isCube ? faceWidth : faceHeight;
   const hasCookie = cookie !== null && cookie.placement.region !== null;
   const shape = !hasCookie ? cookieShapes.none : cookie.isCube ? cookieShapes.cube : cookieShapes.map;
+  const hasProfile = writeProfile(table, at, slot, shape, camera);
   const isExtended = slot.hasLeftMap || (!isCube && (height !== faceWidth || slot.cascades > 0));
-  const bits = packPlace(faceWidth, lookup, shape, isExtended, border);
+  const bits = packPlace(faceWidth, lookup, hasProfile ? cookieShapes.profile : shape, isExtended, border);
   const normalBias = lookup === shadowLookups.none ? 0 : slot.normalBias;
   table.set4(at + MASK.place, region?.x ?? 0, region?.y ?? 0, bits, normalBias);
   const bias = reversed ? -shadow.bias : shadow.bias;
   const { mapSize, intensity } = shadow;
-  const radius = slot.filterRadius;
+  const softSize = softSizeOf(slot.light);
+  const radius = softSize > 0 ? softSize * mapSize.x : slot.filterRadius;
   const depthRange = far - near;
   const filtering = at + MASK.filtering;
   if (!isCube) table.set4(filtering, bias, radius / mapSize.x, radius / mapSize.y, intensity);
   else if (reversed) {
     table.set4(filtering, -near / depthRange + bias, (near * far) / depthRange, radius / mapSize.x, intensity);
   } else table.set4(filtering, far / depthRange + bias, (-near * far) / depthRange, radius / mapSize.x, intensity);
-  table.set4(at + MASK.extent, height, slot.cascades, slot.hasShadow && slot.map.hasBounds ? 1 : 0, 0);
+  table.set4(
+    at + MASK.extent,
+    height,
+    slot.cascades,
+    slot.hasShadow && slot.map.hasBounds && softSize === 0 ? 1 : 0,
+    0,
+  );
   writeLayers(table, at, layers);
   const { cascades, fits } = slot;
   for (let i = 0; i < cascades; i++) {
@@ -63,9 +75,24 @@ export function writeMask(
   }
 }
 
+/** Writes the profile of a light, if the light has one that is in the atlas. @param shape of the image. @returns whether it has */
+function writeProfile(table: DataTable, at: number, slot: ShadowSlot, shape: number, camera: Camera): boolean {
+  const { profile, light } = slot;
+  if (profile === null || profile.placement.region === null) return false;
+  const { region, faceWidth, faceHeight } = profile.placement;
+  table.set4(at + MASK.profile, region.x, region.y, faceWidth, faceHeight);
+  profileFrame(light as PointLight | SpotLight, across, down);
+  across.transformDirection(camera.matrixWorldInverse);
+  down.transformDirection(camera.matrixWorldInverse);
+  table.set4(at + MASK.firstFit, across.x, across.y, across.z, shape);
+  table.set4(at + MASK.secondFit, down.x, down.y, down.z, 0);
+  return true;
+}
+
 /** What a light's mask does with its map. @param type of maps, as `WebGLRenderer.shadowMap.type` */
-export function shadowLookupOf({ hasShadow, isCube }: ShadowSlot, type: number): number {
+export function shadowLookupOf({ hasShadow, isCube, light }: ShadowSlot, type: number): number {
   if (!hasShadow) return shadowLookups.none;
+  if (softSizeOf(light) > 0) return shadowLookups.soft;
   if (type === VSMShadowMap) return shadowLookups.variance;
   if (type === BasicShadowMap) return isCube ? shadowLookups.cubeBasic : shadowLookups.basic;
   return isCube ? shadowLookups.cubePcf : shadowLookups.pcf;

@@ -168,7 +168,10 @@ int farol_tileShadow(const in int record) {
 #ifdef FAROL_SHADOW_MAPS
   if (!isCube && !farol_compareMap(record, mask, comparison)) return 0;
 #endif
-  // nothing else may be in the way of a light: neither an image nor layers
+  // nothing else may be in the way of a light: neither an image, a profile nor layers
+#ifdef FAROL_LIGHT_PROFILES
+  if (comparison.isLit && mask.hasProfile) return 0;
+#endif
   if (comparison.isLit) return mask.cookie == FAROL_COOKIE_NONE && farol_maskLayers(record) == vec2(0.0) ? 1 : 0;
   return mask.filtering.w == 1.0 ? 2 : 0;
 }

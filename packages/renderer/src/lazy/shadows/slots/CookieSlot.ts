@@ -11,7 +11,7 @@ export const COOKIE_BORDER = 1;
 
 type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight?: number };
 
-/** An image that lights throw, in the atlas of colours: one for all lights that share the texture. */
+/** An image that lights throw, or a photometric profile, in the atlas of colours: one for all lights that share the texture. */
 export class CookieSlot implements AtlasTenant {
   readonly isCube: boolean;
   readonly coverage = 1;
@@ -26,7 +26,11 @@ export class CookieSlot implements AtlasTenant {
   /** Version of the texture at the last `follow`. */
   private version = -1;
 
-  constructor(readonly texture: Texture | CubeTexture) {
+  /** @param isProfile the texture is a photometric profile */
+  constructor(
+    readonly texture: Texture | CubeTexture,
+    readonly isProfile = false,
+  ) {
     this.isCube = (texture as CubeTexture).isCubeTexture === true;
   }
 
@@ -39,7 +43,9 @@ export class CookieSlot implements AtlasTenant {
     const width = source?.videoWidth ?? source?.width ?? 1;
     const height = source?.videoHeight ?? source?.height ?? 1;
     this.wantedWidth = Math.min(LARGEST, Math.max(1, width));
-    this.wantedHeight = this.isCube ? this.wantedWidth : Math.min(LARGEST, Math.max(1, height));
+    // after the last row of a profile the first comes again, at 360°
+    const rows = this.isProfile && height > 1 ? height + 1 : height;
+    this.wantedHeight = this.isCube ? this.wantedWidth : Math.min(LARGEST, Math.max(1, rows));
     const isLive = (texture as Texture & { isVideoTexture?: boolean }).isVideoTexture || texture.isRenderTargetTexture;
     if (isLive || this.version !== texture.version) this.map.change();
     this.version = texture.version;

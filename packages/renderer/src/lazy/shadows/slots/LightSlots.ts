@@ -14,7 +14,7 @@ export interface SlotRelease {
   cookie(cookie: CookieSlot): void;
 }
 
-/** The slots of all lights, and of the images that lights throw: those of the frame, and those kept for a while after. */
+/** The slots of all lights, and of the images and profiles that they have: those of the frame, and those kept for a while after. */
 export class LightSlots {
   /** Slots of the frame's lights. */
   readonly lit: ShadowSlot[] = [];
@@ -27,7 +27,11 @@ export class LightSlots {
   /** Maps among what the frame needs. */
   mapCount = 0;
   private readonly slots = new Map<Light, ShadowSlot>();
+  /** Images by their texture, and profiles by theirs. */
   private readonly images = new Map<Texture, CookieSlot>();
+  private readonly profiles = new Map<Texture, CookieSlot>();
+  /** Images and profiles of the frame or kept. */
+  readonly copies: readonly Map<Texture, CookieSlot>[] = [this.images, this.profiles];
   private frame = 0;
 
   constructor(private readonly release: SlotRelease) {}
@@ -41,18 +45,13 @@ export class LightSlots {
     return this.slots.values();
   }
 
-  /** All images, of the frame or kept. */
-  allImages(): Iterable<CookieSlot> {
-    return this.images.values();
-  }
-
   /** The slot of a light of the frame; undefined where it has none. */
   litSlotOf(light: Light): ShadowSlot | undefined {
     const slot = this.slots.get(light);
     return slot !== undefined && slot.lastLit === this.frame ? slot : undefined;
   }
 
-  /** Whether an image is thrown in the frame. */
+  /** Whether an image is thrown in the frame, or a profile scales a light of it. */
   isLit(cookie: CookieSlot): boolean {
     return cookie.lastLit === this.frame;
   }
@@ -63,7 +62,7 @@ export class LightSlots {
   }
 
   /**
-   * Adds a light that casts shadows or throws an image.
+   * Adds a light that casts shadows, throws an image or has a profile.
    * @param cascades maps of a directional light, the whole one included; 1 for others
    */
   add(
@@ -73,13 +72,15 @@ export class LightSlots {
     casts: boolean,
     image: Texture | null,
     cascades: number,
+    profile: Texture | null = null,
   ): void {
     const slot = this.slotFor(light, cascades);
     slot.enter(root);
     slot.lastLit = this.frame;
     slot.coverage = lightCoverage(light, camera);
     slot.casts = casts;
-    slot.cookie = image === null ? null : this.cookieFor(image);
+    slot.cookie = image === null ? null : this.copyOf(image, this.images);
+    slot.profile = profile === null ? null : this.copyOf(profile, this.profiles);
     const { mask } = light.shadow.camera.layers;
     // as in three: a shadow camera that has layer 0 alone draws the layers of the camera
     slot.setLayers((mask & 0xfffffffe) !== 0 ? mask : camera.layers.mask);
@@ -104,19 +105,22 @@ export class LightSlots {
         this.slots.delete(slot.light);
       } else if (!isLit || slot.placement.region !== null) (inColours ? keptColours : keptDepths).push(slot);
     }
-    for (const cookie of this.images.values()) {
-      if (cookie.lastLit === frame) colours.push(cookie);
-      else if (frame - cookie.lastLit > KEPT_FRAMES) {
-        release.cookie(cookie);
-        this.images.delete(cookie.texture);
-      } else keptColours.push(cookie);
+    for (const copies of this.copies) {
+      for (const cookie of copies.values()) {
+        if (cookie.lastLit === frame) colours.push(cookie);
+        else if (frame - cookie.lastLit > KEPT_FRAMES) {
+          release.cookie(cookie);
+          copies.delete(cookie.texture);
+        } else keptColours.push(cookie);
+      }
     }
   }
 
   /** What was drawn is gone, of maps and, unless `mapsAlone`, of images. */
   lose(mapsAlone: boolean): void {
     for (const slot of this.slots.values()) slot.map.lose();
-    if (!mapsAlone) for (const cookie of this.images.values()) cookie.map.lose();
+    if (mapsAlone) return;
+    for (const copies of this.copies) for (const cookie of copies.values()) cookie.map.lose();
   }
 
   /** Releases the maps of a scene, and images that no light of another scene throws. */
@@ -126,16 +130,18 @@ export class LightSlots {
       this.release.map(slot);
       this.slots.delete(slot.light);
     }
-    for (const cookie of this.images.values()) {
-      if (this.isThrown(cookie)) continue;
-      this.release.cookie(cookie);
-      this.images.delete(cookie.texture);
+    for (const copies of this.copies) {
+      for (const cookie of copies.values()) {
+        if (this.isThrown(cookie)) continue;
+        this.release.cookie(cookie);
+        copies.delete(cookie.texture);
+      }
     }
   }
 
   clear(): void {
     this.slots.clear();
-    this.images.clear();
+    for (const copies of this.copies) copies.clear();
   }
 
   /** The slot that a light has; a new one where its shadow is another, or has another number of cascades. */
@@ -152,16 +158,16 @@ export class LightSlots {
     return slot;
   }
 
-  private cookieFor(image: Texture): CookieSlot {
-    let cookie = this.images.get(image);
-    if (cookie === undefined) this.images.set(image, (cookie = new CookieSlot(image)));
+  private copyOf(image: Texture, copies: Map<Texture, CookieSlot>): CookieSlot {
+    let cookie = copies.get(image);
+    if (cookie === undefined) copies.set(image, (cookie = new CookieSlot(image, copies === this.profiles)));
     if (cookie.lastLit !== this.frame) cookie.follow();
     cookie.lastLit = this.frame;
     return cookie;
   }
 
   private isThrown(cookie: CookieSlot): boolean {
-    for (const slot of this.slots.values()) if (slot.cookie === cookie) return true;
+    for (const slot of this.slots.values()) if (slot.cookie === cookie || slot.profile === cookie) return true;
     return false;
   }
 }

@@ -81,6 +81,8 @@ export class ShadowSlot implements AtlasTenant {
   casts = false;
   /** The image that the light throws. */
   cookie: CookieSlot | null = null;
+  /** The photometric profile that scales the light. */
+  profile: CookieSlot | null = null;
   /** Layers of the casters, as bits. */
   layers = 1;
 

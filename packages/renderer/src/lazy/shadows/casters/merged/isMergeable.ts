@@ -1,4 +1,5 @@
 import { type BufferAttribute, type Material, type Mesh, type MeshStandardMaterial, Object3D } from 'three';
+import { surfacesOf } from '../../../../materials/surfacesOf';
 
 /**
  * True for casters that a shadow map shows as plain triangles that stand where their matrix says: nothing discards, bends,
@@ -15,6 +16,7 @@ export function isMergeable(object: Object3D): boolean {
 }
 
 function isPlain(material: Material & Partial<MeshStandardMaterial>): boolean {
-  const discards = material.alphaTest > 0 || material.alphaToCoverage;
-  return material.visible && !material.wireframe && !discards;
+  const surfaces = surfacesOf(material as Material);
+  const discards = material.alphaTest > 0 || material.alphaToCoverage || surfaces?.discards;
+  return material.visible && !material.wireframe && !discards && !surfaces?.displaces;
 }

@@ -1,0 +1,52 @@
+import { t } from '@farol/editing';
+import type { GameObject } from '@farol/engine';
+import type { Action } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
+import { setStatic } from '../model/edits';
+import { hasSelection } from './hasSelection';
+
+/** Makes objects static or moving; asks whether those below them become so too, where they are otherwise. */
+export async function changeStatic(
+  { commands, dialogs }: EditorApi,
+  objects: readonly GameObject[],
+  isStatic: boolean,
+): Promise<void> {
+  const all = new Set<GameObject>();
+  for (const object of objects) object.traverse((each) => all.add(each));
+  const below = [...all].filter((each) => !objects.includes(each) && each.isStatic !== isStatic);
+  let changed: readonly GameObject[] | null = objects;
+  if (below.length > 0) {
+    changed = null;
+    const agreed = await dialogs.show({
+      kind: 'confirm',
+      title: isStatic ? t('Make static') : t('Make moving'),
+      text: t('There are {count} objects below that are otherwise. Shall they change too?', { count: below.length }),
+      action: t('Change all'),
+      other: { label: t('Only the selected'), choose: () => (changed = objects) },
+    });
+    if (agreed) changed = [...objects, ...below];
+  }
+  if (changed) commands.run(setStatic(changed, isStatic));
+}
+
+const areStatic = ({ document }: EditorApi): boolean => document.selectedObjects.every(({ isStatic }) => isStatic);
+
+/** Whether the selected objects stay where they are. */
+export const toggleStatic: Action = {
+  id: 'edit.static',
+  label: 'Static',
+  icon: 'lamp',
+  menu: { menu: 'object', group: 'state' },
+  run: (editor) => void changeStatic(editor, editor.document.selectedObjects, !areStatic(editor)),
+  enabled: hasSelection,
+  checked: (editor) => editor.document.selectedObjects.length > 0 && areStatic(editor),
+};
+
+/** Opens the panel that bakes. */
+export const bakeLight: Action = {
+  id: 'object.bake-light',
+  label: 'Bake light…',
+  icon: 'lamp',
+  menu: { menu: 'object', group: 'light' },
+  run: ({ layout }) => layout.open('bake'),
+};

@@ -1,0 +1,113 @@
+import type { BakedProbes, BakeProgress, TraceOptions } from '@farol/bake';
+import type { Scene } from '@farol/engine';
+import {
+  type BakeData,
+  type BakeMesh,
+  bakeSignature,
+  type BakeSources,
+  bakeSources,
+  dampRinging,
+  fillBuriedProbes,
+  probeBox,
+  type ProbeData,
+} from '@farol/engine/bake';
+import { type ProbeBox, probePoints } from '@farol/renderer/light-probes';
+import type { Light as ThreeLight, Object3D, WebGLRenderer } from 'three';
+
+type Baker = typeof import('@farol/bake');
+
+export interface BakeSceneOptions {
+  readonly signal: AbortSignal;
+  progressed(progress: BakeProgress): void;
+  /** Takes a sentence about something that is baked otherwise than one might think. */
+  warned(sentence: string): void;
+}
+
+/** Gives three's lights the sizes that their shadows are soft by. @returns a function that takes them back */
+function sizeLights({ lights }: BakeSources): () => void {
+  for (const light of lights) {
+    const { userData } = light.three;
+    userData.farol = { ...userData.farol, radius: light.bakedRadius, angle: light.bakedAngle };
+  }
+  return () => {
+    for (const light of lights) if (light.isAttached) light.applyFields();
+  };
+}
+
+function traceOptions(scene: Scene, sources: BakeSources): TraceOptions {
+  const { settings } = scene;
+  const meshes = new Set<Object3D>(sources.meshes.map(({ mesh }) => mesh));
+  const modes = new Map<ThreeLight, string>(sources.lights.map((light) => [light.three, light.mode]));
+  return {
+    bounces: settings.bakeBounces,
+    samples: settings.bakeSamples,
+    sky: settings.bakeSky && scene.three.environment ? 'environment' : 'none',
+    isStatic: (object) => meshes.has(object),
+    isBaked: (light) => (modes.get(light) === 'mixed' ? 'indirect' : modes.has(light)),
+  };
+}
+
+function probesOf(box: ProbeBox, { coefficients, backFaces }: BakedProbes): ProbeData {
+  const filled = new Float32Array(coefficients);
+  fillBuriedProbes(box, filled, backFaces);
+  dampRinging(filled);
+  return { box, coefficients: filled };
+}
+
+/**
+ * Bakes the light of a scene by its settings. The scene must show no baked light meanwhile.
+ * @throws Error (as a rejection) that says why it cannot be, or the reason of the signal
+ */
+export async function bakeScene(
+  baker: Baker,
+  webgl: WebGLRenderer,
+  scene: Scene,
+  { signal, progressed, warned }: BakeSceneOptions,
+): Promise<BakeData> {
+  scene.three.updateMatrixWorld(true);
+  const sources = bakeSources(scene);
+  const { settings } = scene;
+  const signature = bakeSignature(scene, sources);
+  const shared = { ...traceOptions(scene, sources), signal, onWarning: warned };
+  const endSizes = sizeLights(sources);
+  try {
+    const box = settings.bakeProbes ? probeBox(sources.meshes, settings.bakeProbeSpacing) : null;
+    const bake = await baker.bakeLightmaps(webgl, scene.three, {
+      ...shared,
+      size: Number(settings.bakeSize),
+      texelsPerMetre: settings.bakeTexelsPerMetre > 0 ? settings.bakeTexelsPerMetre : undefined,
+      denoise: settings.bakeDenoise,
+      probes: box ? probePoints(box) : undefined,
+      onProgress: progressed,
+    });
+    const baked = new Map<Object3D, BakeMesh>(sources.meshes.map((each) => [each.mesh, each]));
+    // the geometries that the bake began with are those that its meshes have without it
+    bake.remove();
+    const meshes = bake.meshes.flatMap(({ mesh, lightmap, uv1, index, sourceVertex }) => {
+      const source = baked.get(mesh);
+      if (!source) return [];
+      return {
+        component: source.component.id,
+        part: source.part,
+        lightmap,
+        sourceVertices: mesh.geometry.getAttribute('position').count,
+        uv1: new Float32Array(uv1),
+        index: new Uint32Array(index),
+        sourceVertex: new Uint32Array(sourceVertex),
+      };
+    });
+    const lightmaps = bake.lightmaps.map(({ width, height, data }) => ({ width, height, data: new Uint16Array(data) }));
+    bake.dispose();
+    return {
+      signature,
+      lights: sources.lights.filter(({ mode }) => mode === 'baked').map(({ id }) => id),
+      hasSky: shared.sky !== 'none',
+      channel: bake.channel,
+      lightmaps,
+      meshes,
+      probes: box && bake.probes ? probesOf(box, bake.probes) : null,
+    };
+  } finally {
+    endSizes();
+  }
+}

@@ -1,0 +1,115 @@
+import { SetFields, t } from '@farol/editing';
+import type { SurfaceAsset } from '@farol/engine';
+import type { FarolRenderer, MicroShaderCompileEntry } from '@farol/renderer';
+import { Surface } from '@farol/renderer/surfaces';
+import type { ConsoleLog } from '../model/ConsoleLog';
+import type { EditorDocument } from '../model/EditorDocument';
+import { type MicroShaderProblemText, problemOf, TextDrafts } from './TextDrafts';
+
+/** Before the name of a surface, where microshaders are named too. */
+export const SURFACE = 'surface:';
+
+/**
+ * The surfaces of the document as texts that are edited: what compiles is drawn with at once and becomes a step of history;
+ * what does not stays a draft, and the picture keeps the last good text.
+ */
+export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
+  constructor(
+    private readonly document: EditorDocument,
+    private readonly farol: FarolRenderer,
+    log: ConsoleLog,
+  ) {
+    super(() => document.commands, log);
+    document.materials.subscribe(() => this.follow());
+    document.assetsChanged.subscribe(() => this.follow());
+    document.opened.subscribe(() => this.forget());
+  }
+
+  /** Names of all surfaces. */
+  get names(): string[] {
+    return this.document.assets
+      .fieldAssets('surface')
+      .map(({ name }) => name)
+      .toSorted((a, b) => a.localeCompare(b));
+  }
+
+  /** Why the text of a surface is not in use; null when it is. */
+  problem(name: string): MicroShaderProblemText | null {
+    const asset = this.document.assets.surface(name);
+    if (!asset) return null;
+    return this.problems.get(asset) ?? (asset.problem ? problemOf(asset.problem) : null);
+  }
+
+  /** The text of a surface as it is being edited. */
+  textOf(name: string): string {
+    const asset = this.document.assets.surface(name);
+    return asset ? (this.drafts.get(asset) ?? asset.source) : '';
+  }
+
+  /** A key was pressed: compiles the text once no more follow. */
+  edit(name: string, text: string): void {
+    const asset = this.document.assets.surface(name);
+    if (asset) this.type(asset, text);
+  }
+
+  /** Drops a draft that does not compile. */
+  discardDraft(name: string): void {
+    this.flush();
+    const asset = this.document.assets.surface(name);
+    if (asset) this.drop(asset);
+    this.changed.emit();
+  }
+
+  protected override compile(asset: SurfaceAsset, text: string): SetFields | null {
+    if (text !== asset.source || asset.problem) this.attempt(asset, text);
+    const label = t('Edited surface {name}', { name: asset.name });
+    return asset.source === text ? null : new SetFields(label, [{ owner: asset, name: 'source', value: text }]);
+  }
+
+  protected override chunkOf({ name }: SurfaceAsset): string {
+    return SURFACE + name;
+  }
+
+  protected override chunkAt({ name }: SurfaceAsset, { chunk }: MicroShaderCompileEntry): string {
+    return chunk === null || chunk === name ? SURFACE + name : chunk;
+  }
+
+  /** Tries a text on the device, before the document has it. @throws MicroShaderCompileError */
+  private attempt(asset: SurfaceAsset, text: string): void {
+    const { surface } = asset;
+    if (!surface) return new Surface(asset.name, text).compile(this.farol);
+    try {
+      // what is not drawn yet is to be tried too
+      surface.compile(this.farol);
+    } catch {
+      // the text before was broken
+    }
+    surface.source = text;
+  }
+
+  /** Drafts of what is gone are gone. */
+  private follow(): void {
+    for (const asset of [...this.drafts.keys(), ...this.problems.keys()])
+      if (this.document.assets.surface(asset.name) !== asset) this.drop(asset);
+    this.changed.emit();
+  }
+}
+
+/** What an editor has that surfaces are edited with. */
+interface SurfaceHost {
+  readonly document: EditorDocument;
+  readonly viewport: { readonly farol: FarolRenderer };
+  readonly log: ConsoleLog;
+}
+
+const known = new WeakMap<SurfaceHost, SurfaceEditing>();
+
+/** The surfaces of an editor as texts, made when they are first asked for. */
+export function surfaceEditingOf(editor: SurfaceHost): SurfaceEditing {
+  let editing = known.get(editor);
+  if (!editing) {
+    const { document, viewport, log } = editor;
+    known.set(editor, (editing = new SurfaceEditing(document, viewport.farol, log)));
+  }
+  return editing;
+}

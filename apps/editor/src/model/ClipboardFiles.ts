@@ -1,0 +1,56 @@
+/** Files of the clipboard in IndexedDB, where other tabs find them: those of what was copied last. */
+
+const NAME = 'farol-clipboard';
+
+/** What `import` of this file gives. */
+export interface ClipboardFiles {
+  readFile(name: string): Promise<Blob | null>;
+  writeFiles(files: ReadonlyMap<string, Blob>): Promise<void>;
+}
+
+const done = <T>(request: IDBRequest<T>): Promise<T> =>
+  new Promise((resolve, reject) => {
+    request.addEventListener('success', () => resolve(request.result));
+    request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store.')));
+  });
+
+const ended = (transaction: IDBTransaction): Promise<void> =>
+  new Promise((resolve, reject) => {
+    transaction.addEventListener('complete', () => resolve());
+    transaction.addEventListener('abort', () =>
+      reject(transaction.error ?? new Error('The browser refused to store.')),
+    );
+  });
+
+async function open(): Promise<IDBDatabase> {
+  const request = indexedDB.open(NAME, 1);
+  request.addEventListener('upgradeneeded', () => request.result.createObjectStore('files'));
+  return done(request);
+}
+
+/** @returns null when there is none of this name */
+export async function readFile(name: string): Promise<Blob | null> {
+  const database = await open();
+  try {
+    const found: unknown = await done(database.transaction('files').objectStore('files').get(name));
+    return found instanceof Blob ? found : null;
+  } finally {
+    database.close();
+  }
+}
+
+/** Puts files in the place of those that were there; one that is there already, by its name, is not written again. */
+export async function writeFiles(files: ReadonlyMap<string, Blob>): Promise<void> {
+  const database = await open();
+  try {
+    const transaction = database.transaction('files', 'readwrite');
+    const end = ended(transaction);
+    const store = transaction.objectStore('files');
+    const there = new Set((await done(store.getAllKeys())).map(String));
+    for (const name of there) if (!files.has(name)) store.delete(name);
+    for (const [name, blob] of files) if (!there.has(name)) store.put(blob, name);
+    await end;
+  } finally {
+    database.close();
+  }
+}

@@ -1,0 +1,76 @@
+import { type Command, SetFields } from '@farol/editing';
+import type { Scene } from '@farol/engine';
+import { resolveScript } from '@farol/engine/scripts';
+import { splitName } from './assetNames';
+
+/** The specifier of an import, an export or a call of `require` or `import` that leads to another script. */
+const IMPORT = /(\b(?:from|import|require)\s*\(?\s*)(['"])(\.{1,2}\/[^'"\n]+)\2/g;
+
+/** How a script in one folder imports another. @param folder '' for the top */
+function specifierOf(folder: string, target: string): string {
+  const from = folder === '' ? [] : folder.split('/');
+  const to = target.split('/');
+  let shared = 0;
+  while (shared < from.length && shared < to.length - 1 && from[shared] === to[shared]) shared++;
+  const up = from.length - shared;
+  return (up === 0 ? './' : '../'.repeat(up)) + to.slice(shared).join('/');
+}
+
+/**
+ * The text of a script whose imports lead where they did once scripts have other names.
+ * @param name of the script, before
+ * @param renames names of before to names of after, that of the script too where it gets another one
+ * @param isScript whether there is a script of a name, before
+ */
+export function sourceWithImports(
+  source: string,
+  name: string,
+  renames: ReadonlyMap<string, string>,
+  isScript: (name: string) => boolean,
+): string {
+  const { folder } = splitName(renames.get(name) ?? name);
+  const isMoved = folder !== splitName(name).folder;
+  return source.replace(IMPORT, (all, start: string, quote: string, specifier: string) => {
+    const target = resolveScript(specifier, name, isScript);
+    if (target === null || !(isMoved || renames.has(target))) return all;
+    const next = specifierOf(folder, renames.get(target) ?? target);
+    const hasEnding = /\.(ts|js)$/.test(specifier);
+    return start + quote + (hasEnding ? next : next.replace(/\.(ts|js)$/, '')) + quote;
+  });
+}
+
+/** The scripts that a script imports, of those that there are. */
+export function importsOf(source: string, name: string, isScript: (name: string) => boolean): string[] {
+  return [...source.matchAll(IMPORT)].flatMap(([, , , specifier]) => resolveScript(specifier, name, isScript) ?? []);
+}
+
+/**
+ * The texts of scripts whose imports lead elsewhere once assets have other names, by the names of before.
+ * @param renames names of before to names of after; of assets of any kind
+ * @param sources texts that take the place of those in the scene. Default none
+ */
+export function sourcesAfterRename(
+  scene: Scene,
+  renames: ReadonlyMap<string, string>,
+  sources: ReadonlyMap<string, string> = new Map(),
+): Map<string, string> {
+  const after = new Map(sources);
+  const { assets } = scene;
+  const isScript = (name: string): boolean => assets.fieldAsset(name)?.type === 'script';
+  for (const script of assets.fieldAssets('script')) {
+    const { name } = script;
+    const before = sources.get(name) ?? (script.get('source') as string);
+    const text = sourceWithImports(before, name, renames, isScript);
+    if (text !== before) after.set(name, text);
+  }
+  return after;
+}
+
+/** Commands that give scripts the texts of `sourcesAfterRename`; made before anything is renamed. */
+export function setSources(scene: Scene, label: string, sources: ReadonlyMap<string, string>): (() => Command)[] {
+  return [...sources].flatMap(([name, value]) => {
+    const owner = scene.assets.fieldAsset(name);
+    if (owner === null || owner.get('source') === value) return [];
+    return [() => new SetFields(label, [{ owner, name: 'source', value }])];
+  });
+}

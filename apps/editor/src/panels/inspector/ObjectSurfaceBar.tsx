@@ -1,0 +1,49 @@
+import { t } from '@farol/editing';
+import { type Component, ModelRenderer, ObjectRenderer } from '@farol/engine';
+import { type ReactNode, useState } from 'react';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+import { EditSurface } from '../material/EditSurface';
+import { Icon } from '../../ui/Icon';
+import { useOwnersRevision } from '../../ui/useOwnersRevision';
+
+/** What can be done with the surface that objects wear. @param props.components - memoised; nothing is shown for those that wear none */
+export function ObjectSurfaceBar({ components }: { components: readonly Component[] }): ReactNode {
+  const editor = useEditor();
+  const { document, commands } = editor;
+  const [wearers] = useState(() =>
+    components.filter((each) => each instanceof ObjectRenderer || each instanceof ModelRenderer),
+  );
+  useOwnersRevision(components);
+  useSignal(document.assetsChanged);
+  useSignal(document.materials);
+  if (wearers.length === 0) return null;
+  const [{ surface }] = wearers;
+  if (surface !== null)
+    return wearers.every((each) => each.surface === surface) ? (
+      <div className="material-bar">
+        <EditSurface name={surface} />
+      </div>
+    ) : null;
+  const renderers = wearers.filter((each) => each instanceof ObjectRenderer);
+  const name = renderers.length === wearers.length ? renderers[0].material : null;
+  const material = name === null ? null : document.assets.materialAsset(name);
+  const worn = material?.get('surface') as string | null | undefined;
+  if (!material || !worn || !renderers.every((each) => each.material === name && each.shader === null)) return null;
+  const own = async (): Promise<void> => {
+    const { ownSurfaceValues } = await import('../../model/surfaceEdits');
+    commands.run(ownSurfaceValues(renderers, material));
+  };
+  return (
+    <div className="material-bar">
+      <button
+        type="button"
+        className="button framed"
+        title={t('The values of the surface for this object alone; others of the material keep theirs')}
+        onClick={() => editor.attempt(own)}
+      >
+        <Icon name="sliders" />
+        <span>{t('Own values of {surface}', { surface: worn })}</span>
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,71 @@
+import { t, tCount } from '@farol/editing';
+import type { Model } from '@farol/engine';
+import { type ReactNode, useMemo } from 'react';
+import type { Object3D } from 'three';
+import { Icon } from '../../ui/Icon';
+import type { IconName } from '../../style/iconPaths';
+import './material.css';
+
+/** Objects of a model that are listed. */
+const MOST = 200;
+
+/** Levels that are open at first. */
+const OPEN_LEVELS = 2;
+
+function iconOf(object: Object3D): IconName {
+  if ('isMesh' in object) return 'mesh';
+  if ('isLight' in object) return 'point';
+  if ('isBone' in object) return 'joint';
+  return 'isCamera' in object ? 'camera' : 'object';
+}
+
+/** What of an object only a whole model keeps; '' for nothing. */
+function keptWhole(object: Object3D): string {
+  if ('isSkinnedMesh' in object) return t('with a skeleton');
+  if ('isInstancedMesh' in object) return t('with instances');
+  const morphs = (object as { morphTargetInfluences?: readonly number[] }).morphTargetInfluences?.length ?? 0;
+  return morphs === 0 ? '' : tCount(morphs, 'with {count} morph target', 'with {count} morph targets');
+}
+
+const countOf = (root: Object3D): number => root.children.reduce((sum, child) => sum + 1 + countOf(child), 0);
+
+/** The objects of a model as a tree that opens and folds, to be looked at. */
+export function ModelTree({ model }: { model: Model }): ReactNode {
+  const tree = useMemo(() => {
+    let left = MOST;
+    const listOf = (objects: readonly Object3D[], depth: number): ReactNode => {
+      const lines: ReactNode[] = [];
+      for (const object of objects) {
+        if (left-- <= 0) break;
+        const line = (
+          <span className="model-node">
+            <Icon name={iconOf(object)} size={12} />
+            <span>{object.name || object.type}</span>
+            <span className="used-field">{keptWhole(object)}</span>
+          </span>
+        );
+        lines.push(
+          <li key={object.uuid}>
+            {object.children.length === 0 ? (
+              line
+            ) : (
+              <details open={depth < OPEN_LEVELS}>
+                <summary>{line}</summary>
+                {listOf(object.children, depth + 1)}
+              </details>
+            )}
+          </li>,
+        );
+      }
+      return <ul>{lines}</ul>;
+    };
+    return listOf(model.scene.children, 0);
+  }, [model]);
+  const beyond = countOf(model.scene) - MOST;
+  return (
+    <div className="model-tree">
+      {tree}
+      {beyond > 0 && <p className="asset-note">{t('And {count} more.', { count: beyond })}</p>}
+    </div>
+  );
+}

@@ -1,0 +1,33 @@
+import { t } from '@farol/editing';
+import type { ReactNode } from 'react';
+import { surfaceEditingOf } from '../../microshaders/SurfaceEditing';
+import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
+
+/** Name and state of a surface, and what can be done to its text. */
+export function SurfaceBar({ name }: { name: string }): ReactNode {
+  const editor = useEditor();
+  const surfaces = surfaceEditingOf(editor);
+  const problem = surfaces.problem(name);
+  return (
+    <div className="panel-bar">
+      <strong>{name}</strong>
+      <span className="chunk-tag">{t('surface')}</span>
+      <span className={problem ? 'chunk-state broken' : 'chunk-state'} role="status">
+        {problem && <Icon name="warning" size={12} />}
+        {problem ? t('Broken: the last good text is drawn') : t('Of this scene')}
+      </span>
+      <span className="panel-space" />
+      {problem && (
+        <button type="button" className="button small" onClick={() => surfaces.discardDraft(name)}>
+          <Icon name="undo" size={12} />
+          {t('Last good text')}
+        </button>
+      )}
+      <button type="button" className="button small" onClick={() => editor.document.assetSelection.set([name])}>
+        <Icon name="code" size={12} />
+        {t('Show the asset')}
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,56 @@
+import { t } from '@farol/editing';
+import type { ReactNode } from 'react';
+import { usagesOf } from '../../model/assetUsages';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+
+/** The uniforms that a surface declares, what it includes, and which materials and objects wear it. */
+export function SurfaceUses({ name }: { name: string }): ReactNode {
+  const editor = useEditor();
+  const { document } = editor;
+  useSignal(document.materials);
+  useSignal(document.assetsChanged);
+  const surface = document.assets.surface(name)?.surface;
+  const included = [...(surface?.source.matchAll(/^[ \t]*#include[ \t]+"([^"\n]*)"/gm) ?? [])].map((match) => match[1]);
+  const wearers = usagesOf(document.scene, name);
+  return (
+    <aside className="chunk-uses" aria-label={t('Uses of {name}', { name })}>
+      <h3>{t('Uniforms')}</h3>
+      <p>{surface?.uniforms.map((uniform) => `${uniform.name} (${uniform.type})`).join(', ') || t('None.')}</p>
+      {included.length > 0 && (
+        <>
+          <h3>{t('Needs')}</h3>
+          <ul>
+            {included.map((each) => (
+              <li key={each}>
+                <button type="button" onClick={() => editor.openMicroShader(each)}>
+                  {each}
+                </button>
+              </li>
+            ))}
+          </ul>
+        </>
+      )}
+      <h3>{t('Worn by')}</h3>
+      {wearers.length === 0 && <p>{t('Nothing. Drag it from Assets onto an object.')}</p>}
+      <ul>
+        {wearers.map(({ place, object }) => (
+          <li key={object ?? place}>
+            <button
+              type="button"
+              onClick={() =>
+                object === undefined ? document.assetSelection.set([place]) : document.selection.set([object])
+              }
+            >
+              {place}
+            </button>
+          </li>
+        ))}
+      </ul>
+      <p>
+        {t(
+          'It runs on the graphics card alone, and needs no permission. A loop without an end can stall the whole page.',
+        )}
+      </p>
+    </aside>
+  );
+}

@@ -1,0 +1,74 @@
+import type { GameObject, Scene } from '@farol/engine';
+import { type BufferAttribute, type Camera, type OrthographicCamera, type Ray, Sphere, Vector3 } from 'three';
+import { drawnMeshes } from '../drawnMeshes';
+
+/** How far beside the pointer a vertex is found, as a part of the height of the picture: 14 pixels of 700. */
+const REACH = 0.02;
+/** Vertices that are looked at for one ray; of meshes with more those that the ray hits count alone. */
+const MOST_VERTICES = 300_000;
+/** By how much a vertex may lie behind what the ray hits, as a part of the distance. */
+const BEHIND = 1e-3;
+
+const sphere = new Sphere();
+const way = new Vector3();
+const vertex = new Vector3();
+
+/** What a camera shows of the world from top to bottom (m), at a distance of 1 m, or at any for one without perspective. */
+function heightOf(camera: Camera): { at: number; grows: boolean } {
+  if ('isOrthographicCamera' in camera) {
+    const { top, bottom, zoom } = camera as OrthographicCamera;
+    return { at: Math.abs(top - bottom) / zoom, grows: false };
+  }
+  // of any perspective, by its projection: 2 tan(fov / 2) / zoom
+  return { at: 2 / camera.projectionMatrix.elements[5], grows: true };
+}
+
+/**
+ * The vertex that is seen nearest to a ray through the picture, and not farther beside it than the pointer reaches; null
+ * where there is none. So corners are found at silhouettes, which a ray misses.
+ * @param without - objects that do not count, with all below them
+ * @param limit - distance along the ray of what it hits first (m): vertices behind that are hidden; Infinity for nothing
+ */
+export function vertexBesideRay(
+  scene: Scene,
+  ray: Ray,
+  camera: Camera,
+  without: ReadonlySet<GameObject>,
+  limit: number,
+): Vector3 | null {
+  const { at, grows } = heightOf(camera);
+  const reachAt = (distance: number): number => REACH * at * (grows ? distance : 1);
+  const last = limit * (1 + BEHIND);
+  let left = MOST_VERTICES;
+  let least = 1;
+  let nearest: Vector3 | null = null;
+  const visit = (object: GameObject): void => {
+    if (without.has(object) || !object.active) return;
+    drawnMeshes(object, (mesh, geometry, matrix) => {
+      const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
+      if (!positions || positions.count > left) return;
+      if (!geometry.boundingSphere) geometry.computeBoundingSphere();
+      // bones and morphs move vertices out of the sphere of the geometry
+      sphere.copy(geometry.boundingSphere!).applyMatrix4(matrix);
+      const along = way.copy(sphere.center).sub(ray.origin).dot(ray.direction);
+      if (along + sphere.radius < 0 || along - sphere.radius > last) return;
+      const beside = ray.distanceToPoint(sphere.center);
+      if (beside > 1.5 * sphere.radius + reachAt(Math.max(0, along) + sphere.radius)) return;
+      left -= positions.count;
+      for (let i = 0; i < positions.count; i++) {
+        if (mesh) mesh.getVertexPosition(i, vertex);
+        else vertex.fromBufferAttribute(positions, i);
+        vertex.applyMatrix4(matrix);
+        const distance = way.copy(vertex).sub(ray.origin).dot(ray.direction);
+        if (distance <= 0 || distance > last) continue;
+        const off = way.addScaledVector(ray.direction, -distance).length() / reachAt(distance);
+        if (off >= least) continue;
+        least = off;
+        nearest = (nearest ?? new Vector3()).copy(vertex);
+      }
+    });
+    for (const child of object.children) visit(child);
+  };
+  for (const object of scene.roots) visit(object);
+  return nearest;
+}

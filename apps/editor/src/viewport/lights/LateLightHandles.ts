@@ -1,0 +1,50 @@
+import { type GameObject, Light } from '@farol/engine';
+import type { Scene } from 'three';
+import type { Handle, HandleHost, HandlePoints } from '../handles/HandlePoints';
+
+/** Of the lines of a selected light. */
+const COLOUR = '#ff9d3c';
+/** Round the light's place, where its icon and the gizmo's middle are (CSS pixels). */
+const CLEARANCE = 12;
+
+/** The handles that size lights with a shape, fetched once one is selected. */
+export class LateLightHandles {
+  /** Null until they were fetched. */
+  points: HandlePoints | null = null;
+
+  private isAsked = false;
+  private isDisposed = false;
+
+  /** @param helpers - what is drawn over the picture */
+  constructor(
+    private readonly host: HandleHost,
+    private readonly helpers: Scene,
+    private readonly failed: (error: unknown) => void,
+  ) {}
+
+  /** Called before each picture. @param pixelRatio - of the canvas */
+  update(pixelRatio: number): void {
+    this.points?.update(pixelRatio);
+    if (this.isAsked || !this.host.document.selectedObjects.some((object) => object.getComponent(Light)?.isArea))
+      return;
+    this.isAsked = true;
+    Promise.all([import('../handles/HandlePoints'), import('./areaLightHandles')]).then(
+      ([{ HandlePoints: Points }, { areaLightHandles }]) => {
+        if (this.isDisposed) return;
+        const handlesOf = (object: GameObject): Handle[] => {
+          const light = object.getComponent(Light);
+          return light?.isActive ? areaLightHandles(light) : [];
+        };
+        this.points = new Points(this.host, COLOUR, handlesOf, CLEARANCE);
+        this.helpers.add(this.points.three);
+        this.host.invalidate();
+      },
+      this.failed,
+    );
+  }
+
+  dispose(): void {
+    this.isDisposed = true;
+    this.points?.dispose();
+  }
+}

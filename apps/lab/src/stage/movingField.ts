@@ -1,0 +1,45 @@
+import { LightField } from '@farol/renderer/light-field';
+import { type PointLight, Vector3 } from 'three';
+import type { LightPaths } from './LightPaths';
+
+/** Lights that may come while the scene is measured. */
+const SPARE = 10;
+
+/** The lights of a case as one LightField. */
+export interface MovingField {
+  readonly field: LightField;
+  /** Brings all lights where they are at a time (s). */
+  place(paths: LightPaths, seconds: number): void;
+  /** Takes one light more; 10 at most. */
+  add(light: PointLight): void;
+  /** Takes the last lights away. */
+  remove(count: number): void;
+}
+
+const position = new Vector3();
+
+/** @param lights as many point lights, of which colour, intensity, reach and decay are taken */
+export function movingField(lights: readonly PointLight[]): MovingField {
+  const field = new LightField(lights.length + SPARE);
+  field.count = 0;
+  const add = ({ position: { x, y, z }, distance, color, intensity, decay }: PointLight): void => {
+    const [r, g, b] = [color.r * intensity, color.g * intensity, color.b * intensity];
+    field.setPoint(field.count++, x, y, z, distance, r, g, b, decay);
+  };
+  lights.forEach(add);
+  const { array } = field.spheres;
+  return {
+    field,
+    place(paths, seconds) {
+      for (let i = 0; i < field.count; i++) {
+        paths.place(i, seconds, position);
+        array[i * 4] = position.x;
+        array[i * 4 + 1] = position.y;
+        array[i * 4 + 2] = position.z;
+      }
+      field.spheres.update(0, field.count);
+    },
+    add,
+    remove: (count) => void (field.count -= count),
+  };
+}

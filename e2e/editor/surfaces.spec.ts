@@ -1,0 +1,80 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/test';
+import { addObject, history, openEditor, serialized } from './editor';
+
+test.use({ viewport: { width: 1200, height: 800 }, reducedMotion: 'reduce' });
+
+/** The colour in the middle of the picture, drawn now; each channel from 0 to 255. */
+const middle = (page: Page): Promise<number[]> =>
+  page.evaluate(() => {
+    const { viewport } = window.editor;
+    const gl = viewport.webgl.getContext() as WebGL2RenderingContext;
+    viewport.renderNow();
+    const pixel = new Uint8Array(4);
+    gl.readPixels(gl.drawingBufferWidth >> 1, gl.drawingBufferHeight >> 1, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return [...pixel.slice(0, 3)];
+  });
+
+test('a surface from a built-in, on an object: its values are fields; its text is edited, broken and mended', async ({
+  page,
+}) => {
+  await openEditor(page, 'empty');
+  await addObject(page, 'Mesh', 'Sphere');
+  await page.evaluate(() => {
+    Object.assign(window.editor.viewport, { technique: 'deferred', showGrid: false, showIcons: false });
+  });
+  await page.keyboard.press('f');
+  await page.keyboard.press('q');
+  const before = await history(page);
+
+  // one step makes the surface and the material that wears it
+  await page.getByRole('menuitem', { name: 'Object', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New surface' }).press('ArrowRight');
+  await page.getByRole('menuitem', { name: 'Tint', exact: true }).click();
+  await expect.poll(() => history(page)).toEqual([...before, 'Made surface Tint for Sphere']);
+  const inspector = page.getByRole('region', { name: 'Inspector' });
+
+  // its text, compiled while it is typed: what it declares is a field
+  await inspector.getByRole('button', { name: 'Edit its text' }).click();
+  const panel = page.getByRole('region', { name: 'Microshaders' });
+  await expect(panel.locator('.cm-content')).toContainText('void surface(inout SurfaceData s)');
+  const type = async (text: string): Promise<void> => {
+    await panel.locator('.cm-content').click();
+    await page.keyboard.press('Control+a');
+    await page.keyboard.insertText(text);
+  };
+  const text = (body: string): string =>
+    `uniform float green; // = 0 [0, 1, 0.05] Green\nvoid surface(inout SurfaceData s) {\n  ${body}\n}\n`;
+  const isGreen = (): Promise<boolean> => middle(page).then(([r, g]) => g > 2 * r);
+  await type(text('s.color = vec3(0.0); s.emissive = vec3(0.0, green, 0.0);'));
+  const green = inspector.getByRole('textbox', { name: 'Green', exact: true });
+  await expect(green).toHaveValue('0');
+  expect(await isGreen()).toBe(false);
+  const box = (await inspector.locator('[data-field="surface.green"] .slider').boundingBox())!;
+  await page.mouse.click(box.x + box.width - 4, box.y + box.height / 2);
+  await expect(green).not.toHaveValue('0');
+  await expect.poll(isGreen).toBe(true);
+
+  // broken: the error is at its line, the picture as it was
+  await type(text('s.emissive = vec3(0.0, gren, 0.0);'));
+  await expect(panel.getByRole('status')).toContainText('Broken');
+  await expect(panel.getByRole('list', { name: 'Errors' })).toContainText("Tint:3'gren' : undeclared identifier");
+  await expect(panel.locator('.cm-lint-marker-error')).toHaveCount(1);
+  expect(await isGreen()).toBe(true);
+
+  // mended
+  await type(text('s.color = vec3(0.0); s.emissive = vec3(0.0, 0.0, green);'));
+  await expect(panel.getByRole('status')).toContainText('Of this scene');
+  await expect.poll(isGreen).toBe(false);
+  const { assets } = JSON.parse(await serialized(page)) as { assets: { type: string; values: object }[] };
+  expect(assets.find(({ type: each }) => each === 'material')?.values).toMatchObject({
+    surface: 'Tint',
+    surfaceValues: expect.stringMatching(/^\{"green":/),
+  });
+
+  // steps of history, taken back
+  await page.getByRole('tab', { name: 'History' }).click();
+  await expect.poll(() => history(page).then((list) => list.slice(before.length + 1))).toHaveLength(3);
+  await page.keyboard.press('Control+z');
+  await expect.poll(isGreen).toBe(true);
+});

@@ -1,0 +1,167 @@
+import { expect, test } from '../support/test';
+
+test.beforeEach(async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+});
+
+/**
+ * Bakes are compared with what is known: three's own direct light, a closed room that shines (a white furnace), light that
+ * a second plane reflects, integrated in numbers.
+ */
+test('baked light is the light of known scenes, by every technique, and leaves the scene as it was', async ({
+  page,
+}) => {
+  const found = await page.evaluate(async () => {
+    const { Bench, farol, three, compareImages, bake } = window.testPage;
+    const { bakeLightmaps } = await bake();
+    const bench = new Bench(48, 48);
+    const { webgl } = bench;
+    const warnings: string[] = [];
+    const onWarning = (sentence: string) => warnings.push(sentence);
+
+    // a floor, half of it in the shadow of a screen, by a point and a spot light
+    const floorScene = new three.Scene();
+    const floor = new three.Mesh(new three.PlaneGeometry(4, 4), new three.MeshLambertMaterial({ color: 0x808080 }));
+    const screen = new three.Mesh(
+      new three.PlaneGeometry(1, 1),
+      new three.MeshBasicMaterial({ side: three.DoubleSide, transparent: true, opacity: 1 }),
+    );
+    screen.position.set(1, 1, 1);
+    const point = new three.PointLight(0xffeedd, 4, 6);
+    point.position.set(1, 1, 2);
+    const spot = new three.SpotLight(0x88aaff, 9, 0, 0.5, 0.4);
+    spot.position.set(-1, -1, 2);
+    spot.target.position.set(-1, -1, 0);
+    floorScene.add(floor, screen, point, spot, spot.target);
+    const camera = new three.OrthographicCamera(-2, 2, 2, -2, 0.1, 10);
+    camera.position.z = 0.9; // below the screen
+    const stock = bench.stock(floorScene, camera);
+    const before = JSON.stringify([floor.uuid, floor.geometry.uuid, floor.material.uuid, point.layers.mask]);
+    const options = { size: 64, bounces: 0, samples: 8, onWarning };
+    const baked = await bakeLightmaps(webgl, floorScene, options);
+    baked.apply();
+    const byThree = bench.stock(floorScene, camera);
+    const differences: Record<string, number> = {};
+    for (const name of Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]) {
+      differences[name] = compareImages(byThree, bench.byTechnique(name, floorScene, camera)).largest;
+    }
+    baked.remove();
+    const after = JSON.stringify([floor.uuid, floor.geometry.uuid, floor.material.uuid, point.layers.mask]);
+    const pixel = (image: typeof stock, x: number, y: number) =>
+      Array.from(image.data.slice(4 * (48 * y + x), 4 * (48 * y + x) + 3));
+    const lit = [
+      [pixel(stock, 12, 12), pixel(byThree, 12, 12)],
+      [pixel(stock, 20, 30), pixel(byThree, 20, 30)],
+      [pixel(stock, 40, 12), pixel(byThree, 40, 12)],
+    ];
+    const shadowed = [pixel(stock, 36, 36), pixel(byThree, 36, 36)];
+
+    // two planes in a corner: the wall is lit straight on, the floor by what the wall reflects alone
+    const corner = new three.Scene();
+    const ground = new three.Mesh(new three.PlaneGeometry(1, 1), new three.MeshLambertMaterial());
+    ground.position.set(0.5, 0.5, 0);
+    const wall = new three.Mesh(new three.PlaneGeometry(1, 1), new three.MeshLambertMaterial({ color: 0xbcbcbc }));
+    wall.position.set(0, 0.5, 0.5);
+    wall.rotation.y = Math.PI / 2;
+    const sun = new three.DirectionalLight(0xffffff, 2);
+    sun.position.set(1, 0, 0);
+    corner.add(ground, wall, sun);
+    const cornerOptions = { size: 32, bounces: 1, samples: 512, denoise: false, onWarning, showProgress: false };
+    const bounced = await bakeLightmaps(webgl, corner, cornerOptions);
+    const again = await bakeLightmaps(webgl, corner, { ...cornerOptions, sliceMilliseconds: 4 });
+    const isSame = bounced.lightmaps[0].data.every((half, i) => half === again.lightmaps[0].data[i]);
+    const half = three.DataUtils.fromHalfFloat;
+    const { uv1, index, sourceVertex } = bounced.meshes.find(({ mesh }) => mesh === ground)!;
+    /** Where a corner of three's plane lies, in texels: 0 left above, 1 right above, 2 left below. */
+    const texelOf = (vertex: number) => {
+      const at = [...index].find((i) => sourceVertex[i] === vertex)!;
+      return new three.Vector2(uv1[2 * at], uv1[2 * at + 1]).multiplyScalar(32);
+    };
+    const [leftAbove, right, below] = [texelOf(0), texelOf(1).sub(texelOf(0)), texelOf(2).sub(texelOf(0))];
+    /** What the ground's texels hold, by the light there in numbers. */
+    const ratios: number[] = [];
+    const steps = 60;
+    for (let texel = 0; texel < 32 * 32; texel++) {
+      const from = new three.Vector2((texel % 32) + 0.5, Math.floor(texel / 32) + 0.5).sub(leftAbove);
+      const [u, v] = [from.dot(right) / right.lengthSq(), from.dot(below) / below.lengthSq()];
+      if (u < 0.05 || u > 0.95 || v < 0.05 || v > 0.95) continue;
+      let sum = 0;
+      for (let i = 0; i < steps; i++)
+        for (let j = 0; j < steps; j++) {
+          const [y, z] = [(i + 0.5) / steps - v, (j + 0.5) / steps];
+          // cosines to both normals, by the square of the distance
+          sum += (z * u) / (u * u + y * y + z * z) ** 2 / steps ** 2;
+        }
+      ratios.push(half(bounced.lightmaps[0].data[4 * texel]) / ((wall.material.color.r * 2 * sum) / Math.PI));
+    }
+    const reflected = ratios.reduce((a, b) => a + b) / ratios.length;
+    const texels = ratios.length;
+
+    // a bake that is cancelled while it is shown
+    const abort = new AbortController();
+    let shown = '';
+    const cancelled = await bakeLightmaps(webgl, floorScene, {
+      ...{ ...options, samples: 4096, bounces: 4, signal: abort.signal },
+      onProgress: ({ stage }) => {
+        if (stage !== 'tracing') return;
+        shown = floor.geometry.uuid;
+        abort.abort();
+      },
+    }).catch((error: Error) => error.name);
+    const isShown = shown !== '' && shown !== floor.geometry.uuid;
+    const left = JSON.stringify([floor.uuid, floor.geometry.uuid, floor.material.uuid, point.layers.mask]);
+
+    // a closed room of albedo a whose walls emit e: after n bounces each point receives pi e (1 + a + … + a^n)
+    const room = new three.Scene();
+    const walls = new three.MeshStandardMaterial({ side: three.BackSide, emissive: 0xffffff, emissiveIntensity: 0.5 });
+    walls.color.setRGB(0.6, 0.3, 0);
+    room.add(new three.Mesh(new three.BoxGeometry(2, 2, 2), walls));
+    const furnace = await bakeLightmaps(webgl, room, {
+      ...{ size: 32, bounces: 3, samples: 16, denoise: false, onWarning, showProgress: false },
+      probes: Float32Array.of(0, 0, 0, 1.3, 0, 0),
+    });
+    const { data } = furnace.lightmaps[0];
+    const at = (lightmap: Uint16Array, i: number) => [0, 1, 2].map((k) => half(lightmap[4 * i + k]));
+    const inside = [...Array(data.length / 4).keys()].filter((i) => data[4 * i] > 0);
+    const sum = inside.map((i) => at(data, i)).reduce((a, b) => a.map((value, k) => value + b[k]));
+    const mean = sum.map((value) => value / inside.length);
+    const lowest = Math.min(...inside.map((i) => at(data, i)[0]));
+
+    const sh = new three.SphericalHarmonics3().fromArray(Array.from(furnace.probes!.coefficients));
+    const probe = sh.getIrradianceAt(new three.Vector3(0.6, 0, 0.8), new three.Vector3()).toArray();
+    const [within, outside] = furnace.probes!.backFaces;
+    return {
+      ...{ warnings, before, after, left, isShown, differences, lit, shadowed, isSame, cancelled, reflected, texels },
+      ...{ mean, lowest, probe, within, outside, share: inside.length / (data.length / 4) },
+    };
+  });
+  expect(found.warnings).toEqual([]);
+  for (const [stock, baked] of found.lit) {
+    expect(stock[0]).toBeGreaterThan(0.01);
+    stock.forEach((value, k) => expect(Math.abs(baked[k] - value), 'direct light').toBeLessThan(1e-3));
+  }
+  expect(found.shadowed[0][0]).toBeGreaterThan(0.05);
+  expect(found.shadowed[1]).toEqual([0, 0, 0]);
+  expect(Object.keys(found.differences).length).toBeGreaterThanOrEqual(10);
+  for (const [technique, largest] of Object.entries(found.differences)) {
+    expect(largest, technique).toBeLessThan(1e-3);
+  }
+  expect(found.texels).toBeGreaterThan(60);
+  expect(Math.abs(found.reflected - 1), 'light that a plane reflects').toBeLessThan(0.01);
+  const series = (albedo: number) => Math.PI * 0.5 * (1 + albedo + albedo ** 2 + albedo ** 3);
+  [0.6, 0.3, 0].forEach((albedo, k) => {
+    expect(Math.abs(found.mean[k] / series(albedo) - 1), `furnace ${albedo}`).toBeLessThan(0.01);
+    // a probe's light is the lightmaps'
+    expect(Math.abs(found.probe[k] / series(albedo) - 1), `probe ${albedo}`).toBeLessThan(0.02);
+  });
+  expect(found.lowest, 'no texel of the room sees out of it').toBeGreaterThan(0.75 * series(0.6));
+  expect(found.share).toBeGreaterThan(0.4);
+  expect(found.within).toBe(0);
+  expect(found.outside).toBeGreaterThan(0);
+  expect(found.isSame, 'the same seed').toBe(true);
+  expect(found.cancelled).toBe('AbortError');
+  expect(found.isShown, 'the picture so far').toBe(true);
+  expect(found.left).toBe(found.before);
+  expect(found.after).toBe(found.before);
+});

@@ -1,0 +1,370 @@
+import type { TechniqueName } from '@farol/renderer';
+import { checkAgreement } from '../support/agreement';
+import type { Difference } from '../support/images';
+import { expect, test } from '../support/test';
+
+test.beforeEach(async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+});
+
+test('lights of fields look as the same lights one by one, by every technique', async ({ page }) => {
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, farol, lightFields, three } = window.testPage;
+    const width = 64;
+    const height = 48;
+    const bench = new Bench(width, height);
+    bench.farol.inferredScale = 1;
+    let seed = 1;
+    const random = (low: number, high: number) => {
+      seed = (Math.imul(seed, 1103515245) + 12345) >>> 0;
+      return low + ((high - low) * (seed >>> 8)) / 2 ** 24;
+    };
+    const scene = new three.Scene();
+    const floor = new three.Mesh(new three.PlaneGeometry(24, 24), new three.MeshStandardMaterial({ roughness: 0.6 }));
+    floor.rotation.x = -Math.PI / 2;
+    scene.add(floor);
+    for (let i = 0; i < 8; i++) {
+      const ball = new three.Mesh(new three.SphereGeometry(0.8, 12, 8), floor.material);
+      ball.position.set(random(-5, 5), 0.8, random(-8, 3));
+      scene.add(ball);
+    }
+    const glass = new three.Mesh(
+      new three.PlaneGeometry(2, 2),
+      new three.MeshStandardMaterial({ transparent: true, opacity: 0.5 }),
+    );
+    glass.position.set(0, 1.5, 3);
+    scene.add(glass, new three.DirectionalLight(0x334455, 0.5));
+    const lone = new three.PointLight(0x5577ff, 5, 6);
+    lone.position.set(2, 2, 2);
+    const beam = new three.SpotLight(0xffffff, 20, 9, 0.5, 0.3);
+    beam.position.set(-3, 4, 2);
+    const near = new three.PointLight(0x88ff88, 1, 5);
+    near.position.set(-2, 1, 3);
+    near.userData.farol = { attenuation: { kind: 'near-far', near: 1, far: 4 } };
+    scene.add(lone, beam, beam.target, near);
+    const camera = new three.PerspectiveCamera(50, width / height, 0.1, 60);
+    camera.position.set(0, 3, 8);
+    camera.lookAt(0, 0.5, -2);
+
+    // under a parent that is turned and scaled: ranges stay metres
+    const parent = new three.Group();
+    parent.rotation.y = 0.4;
+    parent.scale.setScalar(1.5);
+    parent.position.x = 0.5;
+    scene.add(parent);
+    const makeField = (count: number, spots: boolean) => {
+      const field = new lightFields.LightField(count, { spots });
+      const lights: InstanceType<typeof three.Light>[] = [];
+      for (let i = 0; i < count; i++) {
+        const [x, y, z] = [random(-6, 6), random(0.2, 2), random(-8, 5)];
+        const range = random(0.5, 2.5);
+        const colour = new three.Color(random(0, 0.5), random(0, 0.5), random(0, 0.5));
+        const decay = i % 5 === 0 ? 1 : 2;
+        field.setPoint(i, x, y, z, range, colour.r, colour.g, colour.b, decay);
+        if (spots && i % 2) {
+          const [dx, dz] = [random(-1, 1), random(-1, 1)];
+          field.setCone(i, dx, -1, dz, 0.3 + i / 200, 0.2 + (i % 4) / 5);
+          const light = new three.SpotLight(0xffffff, 1, range, 0.3 + i / 200, 0.2 + (i % 4) / 5, decay);
+          light.target.position.set(x + dx, y - 1, z + dz);
+          lights.push(light);
+        } else lights.push(new three.PointLight(0xffffff, 1, range, decay));
+        const light = lights[i];
+        light.color.copy(colour);
+        light.position.set(x, y, z);
+      }
+      return { field, lights };
+    };
+    const points = makeField(300, false);
+    const mixed = makeField(150, true);
+    // what lights nothing: no range, no number, behind `count`
+    const bad = new lightFields.LightField(5);
+    bad.setPoint(0, 0, 1, 0, 0, 9, 9, 9);
+    bad.setPoint(1, 0, 1, 0, -1, 9, 9, 9);
+    bad.setPoint(2, NaN, 1, 0, 3, 9, 9, 9);
+    bad.setPoint(3, 0, 1, 0, 3, 9, Infinity, 9);
+    bad.setPoint(4, 0, 1, 0, 3, 9, 9, 9);
+    bad.count = 4;
+    const show = (fields: readonly (typeof points)[], asFields: boolean) => {
+      parent.clear();
+      for (const { field, lights } of fields) {
+        if (asFields) parent.add(field);
+        else
+          for (const light of lights) {
+            parent.add(light);
+            if ('target' in light) parent.add(light.target as typeof parent);
+          }
+      }
+      if (asFields) parent.add(bad);
+    };
+    const found: (Difference & { name: string; technique: TechniqueName })[] = [];
+    const seen: Record<string, number> = {};
+    const counts: Record<string, number> = {};
+    const all = Object.keys(farol.techniques) as TechniqueName[];
+    const some: TechniqueName[] = ['forward', 'deferred', 'tiled-deferred', 'clustered-forward'];
+    for (const [name, fields] of Object.entries({ points: [points], 'points and spots': [mixed, points] })) {
+      for (const technique of name === 'points' ? all : some) {
+        show(fields, false);
+        const alone = bench.byTechnique(technique === 'forward' ? 'forward-single-pass' : technique, scene, camera);
+        show(fields, true);
+        const picture = bench.byTechnique(technique, scene, camera);
+        found.push({ name, technique, ...compareImages(alone, picture) });
+        if (name === 'points') {
+          const { programs } = bench;
+          points.field.count = 40;
+          bench.byTechnique(technique, scene, camera);
+          points.field.count = 300;
+          seen[technique] = bench.programs - programs;
+        }
+      }
+      bench.byTechnique('deferred', scene, camera);
+      counts[name] = bench.farol.info.lights.total;
+    }
+    // moved by its matrix and by a range of its array
+    for (const { field, lights } of [points]) {
+      field.position.y = 0.3;
+      field.setPosition(7, 0, 1, 2);
+      field.setRange(8, 0);
+      for (const light of lights) light.position.y += 0.3;
+      lights[7].position.set(0, 1.3, 2);
+      lights[8].intensity = 0;
+    }
+    show([points], false);
+    const alone = bench.byTechnique('tiled-deferred', scene, camera);
+    show([points], true);
+    found.push({
+      name: 'moved',
+      technique: 'tiled-deferred',
+      ...compareImages(alone, bench.byTechnique('tiled-deferred', scene, camera)),
+    });
+    return { found, seen, counts };
+  });
+  for (const { technique, name, ...difference } of results.found) checkAgreement(technique, difference, name);
+  expect(
+    Object.values(results.seen).every((programs) => programs === 0),
+    JSON.stringify(results.seen),
+  ).toBe(true);
+  // with the four lights beside them, and those of the third field
+  expect(results.counts).toEqual({ points: 308, 'points and spots': 458 });
+});
+
+test('a field by textures, in several renderers and by several cameras at once, after a lost context', async ({
+  page,
+  watch,
+}) => {
+  const results = await page.evaluate(async () => {
+    const { Bench, compareImages, countGpuObjects, lightFields, three } = window.testPage;
+    const alive = countGpuObjects();
+    const bench = new Bench(64, 48);
+    const scene = new three.Scene();
+    scene.add(new three.Mesh(new three.PlaneGeometry(12, 12), new three.MeshStandardMaterial()));
+    const camera = new three.PerspectiveCamera(60, 64 / 48, 0.1, 30);
+    camera.position.z = 7;
+    const field = new lightFields.LightField(90);
+    const lights = new three.Group();
+    // rows of 7 lights, as the GPU may write them, in half floats
+    const spheres = new Float32Array(7 * 13 * 4);
+    const emissions = new Uint16Array(7 * 13 * 4);
+    for (let i = 0; i < 90; i++) {
+      const [x, y, z, range] = [(i % 10) - 4.5, Math.floor(i / 10) - 4, 0.5, 1.5];
+      field.setPoint(i, x, y, z, range, 0.25, i / 180, 0.5);
+      spheres.set([x, y, z, range], i * 4);
+      emissions.set([0.25, i / 180, 0.5, 2].map(three.DataUtils.toHalfFloat), i * 4);
+      const light = new three.PointLight(new three.Color(0.25, i / 180, 0.5), 1, range);
+      light.position.set(x, y, z);
+      lights.add(light);
+    }
+    const texture = (data: Float32Array | Uint16Array, type: typeof three.FloatType | typeof three.HalfFloatType) => {
+      const made = new three.DataTexture(data, 7, 13, three.RGBAFormat, type);
+      made.needsUpdate = true;
+      return made;
+    };
+    const textures = { sphere: texture(spheres, three.FloatType), emission: texture(emissions, three.HalfFloatType) };
+    const written = new lightFields.LightField(90, { textures });
+    const draw = (
+      content: InstanceType<typeof three.Object3D>,
+      by = bench,
+      view: InstanceType<typeof three.Camera> = camera,
+    ) => {
+      scene.add(content);
+      const picture = by.byTechnique('tiled-deferred', scene, view);
+      content.removeFromParent();
+      return picture;
+    };
+    const alone = draw(lights);
+    const far: Record<string, number> = {};
+    const check = (name: string, picture: ReturnType<typeof draw>, expected = alone) => {
+      far[name] = compareImages(expected, picture).largest;
+    };
+    check('arrays', draw(field));
+    check('textures', draw(written));
+    const other = new Bench(64, 48);
+    check('another renderer', draw(field, other));
+    field.setEmission(0, 1, 1, 1);
+    (lights.children[0] as InstanceType<typeof three.PointLight>).color.setRGB(1, 1, 1);
+    const changed = draw(lights);
+    check('a change, in the one', draw(field), changed);
+    check('a change, in the other', draw(field, other), changed);
+    const halves = [0, 32].map((x) => {
+      const half = camera.clone();
+      half.rotation.y = x / 100;
+      half.updateMatrixWorld();
+      return Object.assign(half, { viewport: new three.Vector4(x, 0, 32, 48) });
+    });
+    const both = new three.ArrayCamera(halves);
+    check('two cameras', draw(field, bench, both), draw(lights, bench, both));
+    bench.farol.view = 'light-count';
+    check('counts', draw(field), draw(lights));
+    bench.farol.view = 'final';
+    await other.loseContext();
+    check('after a loss', draw(field, other), changed);
+    field.castShadow = true;
+    draw(field);
+    draw(field);
+    draw(written);
+    const before = alive().Texture;
+    field.dispose();
+    const freed = before - alive().Texture;
+    for (const { farol } of [bench, other]) farol.dispose();
+    return { far, freed };
+  });
+  expect(watch.forgive(/a WebGL context was lost|Context Lost|Context Restored/i)).toBeGreaterThan(0);
+  expect(watch.forgive(/has castShadow, but lights of a field cast no shadows/)).toBe(1);
+  // half floats round emissions to 11 bits; all else is the rounding of sums in another order
+  for (const [name, far] of Object.entries(results.far))
+    expect(far, name).toBeLessThan(name === 'textures' ? 2e-3 : 1e-4);
+  // positions and emissions in both renderers, and the emissions from before the change
+  expect(results.freed).toBe(5);
+});
+
+test('a picture without a field, and its programs, are the same before and after the code of fields came', async ({
+  page,
+  pagesURL,
+}) => {
+  await page.goto(`${pagesURL}?lazy`);
+  await page.waitForFunction(() => 'testPage' in window);
+  const seen = await page.evaluate(async () => {
+    const { Bench, farol, lightFields, three } = window.testPage;
+    const scene = new three.Scene();
+    const floor = new three.Mesh(new three.PlaneGeometry(9, 9), new three.MeshStandardMaterial({ roughness: 0.4 }));
+    const glass = new three.Mesh(
+      new three.SphereGeometry(0.7, 12, 8),
+      new three.MeshPhongMaterial({ transparent: true, opacity: 0.5 }),
+    );
+    glass.position.z = 0.8;
+    scene.add(floor, glass, new three.HemisphereLight(0x334455, 0x221100, 0.5));
+    for (let i = 0; i < 60; i++) {
+      const light = i % 3 ? new three.PointLight(0xffddaa, 0.5, 2) : new three.SpotLight(0xaaddff, 2, 3, 0.5, 0.5);
+      light.position.set((i % 10) - 4.5, Math.floor(i / 10) - 2.5, 0.8);
+      if ('target' in light) {
+        light.target.position.set(light.position.x, light.position.y, 0);
+        scene.add(light.target);
+      }
+      scene.add(light);
+    }
+    const camera = new three.PerspectiveCamera(50, 4 / 3, 0.1, 20);
+    camera.position.set(0, -2, 6);
+    camera.lookAt(0, 0, 0);
+    // what needs code of another kind is left out: it would change with that
+    const techniques = ['forward-single-pass', 'deferred', 'tiled-deferred', 'clustered-deferred', 'clustered-forward'];
+    const draw = () => {
+      const bench = new Bench(64, 48);
+      const gl = bench.webgl.getContext() as WebGL2RenderingContext;
+      const pictures = techniques.map((technique) => [
+        ...bench.byTechnique(technique as 'forward', scene, camera).data,
+      ]);
+      const sources = (bench.webgl.info.programs ?? [])
+        .flatMap(({ program }) => gl.getAttachedShaders(program as WebGLProgram) ?? [])
+        .map((shader) => gl.getShaderSource(shader));
+      const again = (change: () => void) => {
+        change();
+        return techniques.map((technique) => [...bench.byTechnique(technique as 'forward', scene, camera).data]);
+      };
+      return { pictures, sources: sources.toSorted(), again };
+    };
+    const before = draw();
+    const { pictures } = before;
+    await farol.FarolRenderer.preload();
+    const after = draw();
+    const field = new lightFields.LightField(200);
+    for (let i = 0; i < 200; i++) field.setPoint(i, (i % 20) / 2 - 5, Math.floor(i / 20) - 5, 0.5, 1, 1, 0, 1);
+    const withField = before.again(() => scene.add(field));
+    const without = before.again(() => scene.remove(field));
+    return {
+      sources: [before.sources.length, JSON.stringify(after.sources) === JSON.stringify(before.sources)],
+      same: [after.pictures, without].map((list) => JSON.stringify(list) === JSON.stringify(pictures)),
+      seen: withField.map((picture, i) => JSON.stringify(picture) !== JSON.stringify(pictures[i])),
+    };
+  });
+  expect(seen.sources[0]).toBeGreaterThan(8);
+  expect(seen.sources[1], 'sources of programs').toBe(true);
+  expect(seen.same, 'another renderer, and one that drew a field').toEqual([true, true]);
+  expect(seen.seen).toEqual([true, true, true, true, true]);
+});
+
+test('a field lights what the camera sees if it shares a layer with the camera, as lights do in three', async ({
+  page,
+}) => {
+  const seen = await page.evaluate(() => {
+    const { Bench, compareImages, effects, lightFields, three } = window.testPage;
+    const bench = new Bench(32, 24);
+    const scene = new three.Scene();
+    const wall = new three.Mesh(new three.PlaneGeometry(6, 6), new three.MeshStandardMaterial());
+    wall.layers.set(2);
+    scene.add(wall);
+    const camera = new three.PerspectiveCamera(60, 4 / 3, 0.1, 20);
+    camera.position.z = 4;
+    const field = new lightFields.LightField(1);
+    field.setPoint(0, 0, 0, 1, 3, 2, 1, 3);
+    const lone = new three.PointLight(new three.Color(2, 1, 3), 1, 3);
+    lone.position.z = 1;
+    const pairs = [
+      ['both on other layers than each other, both seen', 1, [1, 2]],
+      ['on the layer of the camera', 2, [2]],
+      ['on a layer that it does not see', 1, [2]],
+      ['on the layer that objects are on by default', 0, [2]],
+    ] as const;
+    const found = pairs.map(([name, layer, layers]) => {
+      camera.layers.disableAll();
+      for (const each of layers) camera.layers.enable(each);
+      lone.layers.set(layer);
+      field.layers.set(layer);
+      scene.add(lone);
+      const stock = bench.stock(scene, camera);
+      scene.remove(lone);
+      scene.add(field);
+      const { largest } = compareImages(stock, bench.byTechnique('clustered-forward', scene, camera));
+      scene.remove(field);
+      return { name, largest, brightest: Math.max(...stock.data.filter((_, i) => i % 4 !== 3)) };
+    });
+
+    // lights of particles are on the layers of their emitter
+    const emitter = new effects.ParticleEmitter({
+      capacity: 1,
+      rate: 0,
+      bursts: [{ time: 0, count: 1 }],
+      speed: [0, 0],
+      size: [0, 0],
+      shape: { kind: 'point' },
+      lightEvery: 1,
+      lightIntensity: 3,
+      lightRange: 3,
+    });
+    emitter.position.z = 1;
+    emitter.layers.set(2);
+    emitter.step(0.1);
+    scene.add(emitter);
+    bench.farol.effects = [new effects.Particles()];
+    const [of2, of1] = [2, 1].map((layer) => {
+      camera.layers.set(2);
+      emitter.layers.set(layer);
+      const { data } = bench.byTechnique('clustered-forward', scene, camera);
+      return Math.max(...data.filter((_, i) => i % 4 !== 3));
+    });
+    return { found, of2, of1 };
+  });
+  for (const { name, largest } of seen.found) expect(largest, name).toBeLessThan(1e-4);
+  expect(seen.found.map(({ brightest }) => brightest > 0.05)).toEqual([true, true, false, false]);
+  expect(seen.of2).toBeGreaterThan(0.05);
+  expect(seen.of1).toBe(0);
+});

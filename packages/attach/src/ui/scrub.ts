@@ -1,0 +1,50 @@
+import { stepFactor } from '@farol/editing';
+
+/** A press that moves by fewer pixels is a click. */
+const SLOP = 3;
+
+/**
+ * Lets an element be dragged to the left and right; a press without a drag stays a click.
+ * @param move - told the way so far, in steps: pixels, 10 for each with Shift, a tenth with Alt
+ * @param end - told whether what it led to shall stay: not after Escape
+ */
+export function scrub(target: HTMLElement, move: (steps: number) => void, end: (keeps: boolean) => void): void {
+  target.classList.add('scrub');
+  let wasDragged = false;
+  target.addEventListener('click', (event) => {
+    // the label would focus its input
+    if (wasDragged) event.preventDefault();
+    wasDragged = false;
+  });
+  target.addEventListener('pointerdown', (down) => {
+    if (down.button !== 0 || !down.isPrimary) return;
+    target.setPointerCapture(down.pointerId);
+    const over = new AbortController();
+    const options = { signal: over.signal, capture: true };
+    let [lastX, steps] = [down.clientX, 0];
+    wasDragged = false;
+    const finish = (keeps: boolean): void => {
+      over.abort();
+      if (wasDragged) end(keeps);
+    };
+    const follow = (event: PointerEvent): void => {
+      if (event.pointerId !== down.pointerId) return;
+      if (!wasDragged && Math.abs(event.clientX - down.clientX) < SLOP) return;
+      wasDragged = true;
+      steps += (event.clientX - lastX) * stepFactor(event);
+      lastX = event.clientX;
+      move(steps);
+    };
+    const escape = (event: KeyboardEvent): void => {
+      if (event.key !== 'Escape') return;
+      event.preventDefault();
+      event.stopPropagation();
+      finish(false);
+    };
+    target.addEventListener('pointermove', follow, options);
+    target.addEventListener('pointerup', () => finish(true), options);
+    target.addEventListener('lostpointercapture', () => finish(true), options);
+    target.addEventListener('pointercancel', () => finish(false), options);
+    addEventListener('keydown', escape, options);
+  });
+}

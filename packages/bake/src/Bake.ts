@@ -1,0 +1,48 @@
+import type { Mesh } from 'three';
+import type { BakedProbes } from './probes/BakedProbes';
+
+/** One lightmap. */
+export interface BakedLightmap {
+  /** Texels. */
+  readonly width: number;
+  readonly height: number;
+  /**
+   * Half floats, RGBA, width × height × 4, the row of v = 0 first: irradiance, linear, as three's `lightMap` has it at an
+   * intensity of 1 (a light of intensity 1 that falls straight on a surface gives 1). Alpha is 1.
+   */
+  readonly data: Uint16Array;
+}
+
+/** A mesh that is lit by a lightmap. Vertices are split where the charts of its surface meet. */
+export interface BakedMesh {
+  readonly mesh: Mesh;
+  /** Index in {@link Bake.lightmaps}. */
+  readonly lightmap: number;
+  /** Two a vertex, 0 to 1: where it lies in the lightmap. */
+  readonly uv1: Float32Array;
+  /** Three a triangle, in the order that the triangles have in the mesh: vertices of `uv1`. Groups stay as they are. */
+  readonly index: Uint32Array;
+  /** One a vertex of `uv1`: the vertex of the mesh's geometry that it comes from. */
+  readonly sourceVertex: Uint32Array;
+}
+
+/** Light of a scene as lightmaps. */
+export interface Bake {
+  readonly lightmaps: readonly BakedLightmap[];
+  readonly meshes: readonly BakedMesh[];
+  /** Light at `options.probes`; null when there were none. */
+  readonly probes: BakedProbes | null;
+  /** Set of UVs that the lightmaps are read by, as a texture's `channel`: 1, but for geometries that have a second set. */
+  readonly channel: number;
+  /** Whether the scene is drawn with it. */
+  readonly isApplied: boolean;
+  /**
+   * Gives each mesh a geometry with the second UVs and a clone of its material with the lightmap, and hides the lights that
+   * were baked whole. No geometry, material or texture of the host's is changed. Does nothing when it is applied.
+   */
+  apply(): void;
+  /** Gives the meshes and lights back what {@link apply} took. Does nothing when it is not applied. */
+  remove(): void;
+  /** Removes it, and frees its textures, geometries and materials. */
+  dispose(): void;
+}

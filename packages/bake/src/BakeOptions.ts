@@ -1,0 +1,54 @@
+import type { ColorRepresentation, Light, Object3D, Texture } from 'three';
+import type { BakeProgress } from './BakeProgress';
+
+/**
+ * Light from beyond the scene: none, the scene's environment, one colour (linear radiance, W/sr/m²), or an
+ * equirectangular texture. Ambient and hemisphere lights that are baked are added to it, as three reckons them.
+ */
+export type Sky = 'none' | 'environment' | ColorRepresentation | Texture;
+
+/** What lightmaps and probes have in common. */
+export interface TraceOptions {
+  /** Times that light is reflected before it arrives, 0 (direct light only) to 16. Default 3. */
+  bounces?: number;
+  /** Paths that arrive at each texel, 1 to 65,536; probes take 1,024 at least. Default 256. */
+  samples?: number;
+  /** Default 'none'. */
+  sky?: Sky;
+  /** Equal seeds give equal bakes on one machine: a whole number. Default 1. */
+  seed?: number;
+  /** Milliseconds of GPU time between two moments at which the page may draw, 1 to 1,000. Default 12. */
+  sliceMilliseconds?: number;
+  /** Whether a mesh stays where it is: it throws shadows and reflects light, and gets a lightmap. Default: each that is visible. */
+  isStatic?(object: Object3D): boolean;
+  /**
+   * Whether a light is baked: its direct and its reflected light, or 'indirect', its reflected light alone, while the
+   * renderer goes on with the direct one. Default: each that is visible.
+   */
+  isBaked?(light: Light): boolean | 'indirect';
+  /** Whether a static mesh keeps the light of lights from what is behind it, such as the shade of a lamp may not. Default: each. */
+  throwsShadow?(object: Object3D): boolean;
+  /** Cancels: the scene is left as it was, and the promise rejects with the signal's reason. */
+  signal?: AbortSignal;
+  /** Called after each slice. */
+  onProgress?(progress: BakeProgress): void;
+  /** Called once for each thing that was left out or done otherwise, with a sentence that names it. Default: console.warn. */
+  onWarning?(sentence: string): void;
+}
+
+export interface BakeOptions extends TraceOptions {
+  /** Width and height of a lightmap in texels: a multiple of 16, 16 to 8,192. Default 1,024. */
+  size?: number;
+  /** Texels along a metre of surface. Default: as many as one lightmap has room for; given, there are as many lightmaps as it takes. */
+  texelsPerMetre?: number;
+  /** Texels between the charts of a lightmap, 1 to 16: dilated, so that mipmaps and bilinear filtering stay in a chart. Default 4. */
+  padding?: number;
+  /** Takes out the noise that is left, keeping edges of light at edges of surfaces. Default true. */
+  denoise?: boolean;
+  /** Makes light meet where charts cut a smooth surface: else the borders of charts show as lines. Default true. */
+  stitch?: boolean;
+  /** Points at which the light that arrives is baked as well, three floats each, world space (m). Default none. */
+  probes?: Float32Array;
+  /** Whether the picture so far is applied to the scene while the bake runs. Default true. */
+  showProgress?: boolean;
+}

@@ -1,0 +1,11 @@
+/** How far a bake is. */
+export interface BakeProgress {
+  /** What is being done. */
+  readonly stage: 'unwrapping' | 'preparing' | 'tracing' | 'finishing';
+  /** Share of the whole that is done, 0 to 1. Never falls. */
+  readonly share: number;
+  /** Paths at each texel or probe so far. */
+  readonly samples: number;
+  /** Seconds that the rest takes by the pace so far; null as long as there is none. */
+  readonly secondsLeft: number | null;
+}

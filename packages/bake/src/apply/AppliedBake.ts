@@ -1,0 +1,102 @@
+import { type BufferGeometry, type Light, type Material, type Mesh, type Scene, type Texture } from 'three';
+import type { BakedMesh } from '../Bake';
+import { takesLightmap } from '../scene/collectMeshes';
+import { GatheredAttributes, litGeometry } from './litGeometry';
+import { type LitMaterial, litMaterial } from './litMaterial';
+
+interface Dressed {
+  readonly baked: BakedMesh;
+  readonly geometry: BufferGeometry;
+  readonly material: Material | Material[];
+  /** What the mesh had. */
+  before: { geometry: BufferGeometry; material: Material | Material[] } | null;
+}
+
+/** Meshes with lightmaps in place of their own geometries and materials, and without the lights that are in those. */
+export class AppliedBake {
+  private readonly dressed: Dressed[];
+  private readonly hidden = new Map<Light, number>();
+  private readonly lit: { lightmap: number; lit: LitMaterial }[] = [];
+  private applied = false;
+
+  /**
+   * @param lights that leave while it is applied
+   * @param textures one a lightmap; they stay their owner's
+   * @param channel set of UVs that the textures are read by
+   * @param skyOf see {@link litMaterial}
+   */
+  constructor(
+    meshes: readonly BakedMesh[],
+    private readonly lights: readonly Light[],
+    textures: readonly Texture[],
+    channel: number,
+    skyOf: Scene | null,
+  ) {
+    const attributes = new GatheredAttributes();
+    const materials = new Map<string, Material>();
+    this.dressed = meshes.map((baked) => {
+      const { geometry, material } = baked.mesh;
+      const dress = (source: Material): Material => {
+        if (!source || !takesLightmap(source)) return source;
+        const key = `${source.id} ${baked.lightmap}`;
+        const known = materials.get(key);
+        if (known) return known;
+        const lit = litMaterial(source, textures[baked.lightmap], skyOf);
+        this.lit.push({ lightmap: baked.lightmap, lit });
+        materials.set(key, lit.material);
+        return lit.material;
+      };
+      return {
+        baked,
+        geometry: litGeometry(geometry, baked, channel, attributes),
+        material: Array.isArray(material) ? material.map(dress) : dress(material),
+        before: null,
+      };
+    });
+  }
+
+  get isApplied(): boolean {
+    return this.applied;
+  }
+
+  apply(): void {
+    if (this.applied) return;
+    this.applied = true;
+    for (const each of this.dressed) {
+      const { mesh } = each.baked;
+      each.before = { geometry: mesh.geometry, material: mesh.material };
+      mesh.geometry = each.geometry;
+      mesh.material = each.material;
+    }
+    // objects that hang on a light are seen as before: a light in no layer gives nothing
+    for (const light of this.lights) {
+      this.hidden.set(light, light.layers.mask);
+      light.layers.mask = 0;
+    }
+  }
+
+  remove(): void {
+    if (!this.applied) return;
+    this.applied = false;
+    for (const { baked, geometry, material, before } of this.dressed) {
+      const mesh: Mesh = baked.mesh;
+      // what somebody else has given it since stays
+      if (mesh.geometry === geometry) mesh.geometry = before!.geometry;
+      if (mesh.material === material) mesh.material = before!.material;
+    }
+    for (const [light, mask] of this.hidden) if (light.layers.mask === 0) light.layers.mask = mask;
+    this.hidden.clear();
+  }
+
+  /** Shows other lightmaps from now on. */
+  setTextures(textures: readonly Texture[]): void {
+    for (const { lightmap, lit } of this.lit) lit.setLightmap(textures[lightmap]);
+  }
+
+  /** Removes it, and frees geometries and materials; the textures are their owner's. */
+  dispose(): void {
+    this.remove();
+    for (const { geometry } of this.dressed) geometry.dispose();
+    for (const { lit } of this.lit) lit.material.dispose();
+  }
+}

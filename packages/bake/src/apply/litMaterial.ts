@@ -1,0 +1,50 @@
+import { Material, type MeshStandardMaterial, type Scene, type Texture } from 'three';
+import type { Material as AnyMaterial } from 'three';
+
+/** A material that shows its source with a lightmap, and follows each change of the source. */
+export interface LitMaterial {
+  readonly material: AnyMaterial;
+  setLightmap(texture: Texture): void;
+}
+
+/**
+ * A material that inherits every property of its source, live, and has a lightmap. Nothing is written to the source.
+ *
+ * @param skyOf the scene whose environment is in the lightmap, null when it is not: the material then shows of it what
+ *   metals mirror
+ */
+export function litMaterial(source: AnyMaterial, texture: Texture, skyOf: Scene | null): LitMaterial {
+  const lit = Object.create(source) as MeshStandardMaterial;
+  const { id, uuid } = new Material();
+  let ownVersion = 0;
+  const own = (name: string, value: unknown): void => {
+    Object.defineProperty(lit, name, { value, writable: true, configurable: true, enumerable: true });
+  };
+  Object.defineProperty(lit, 'id', { value: id });
+  own('uuid', uuid);
+  Object.defineProperty(lit, 'version', {
+    get: () => source.version + ownVersion,
+    set: (version: number) => {
+      ownVersion = version - source.version;
+    },
+  });
+  own('_listeners', undefined);
+  own('lightMap', texture);
+  own('lightMapIntensity', 1);
+  if (skyOf && 'isMeshStandardMaterial' in source) {
+    const standard = source as MeshStandardMaterial;
+    Object.defineProperty(lit, 'envMap', { get: () => standard.envMap ?? skyOf.environment });
+    Object.defineProperty(lit, 'envMapIntensity', {
+      get: () => standard.metalness * (standard.envMap ? standard.envMapIntensity : skyOf.environmentIntensity),
+    });
+    Object.defineProperty(lit, 'envMapRotation', {
+      get: () => (standard.envMap ? standard.envMapRotation : skyOf.environmentRotation),
+    });
+  }
+  return {
+    material: lit,
+    setLightmap: (next) => {
+      lit.lightMap = next;
+    },
+  };
+}

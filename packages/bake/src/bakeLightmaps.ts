@@ -1,0 +1,134 @@
+import { DataUtils, type Scene, type WebGLRenderer } from 'three';
+import { AppliedBake } from './apply/AppliedBake';
+import { freeChannel } from './apply/litGeometry';
+import type { Bake, BakedLightmap, BakedMesh } from './Bake';
+import type { BakeOptions } from './BakeOptions';
+import { checkDevice } from './checkDevice';
+import { type CheckedBakeOptions, checkBakeOptions } from './checkOptions';
+import { keepState } from './gpu/keepState';
+import { Slices } from './gpu/Slices';
+import { LightmapTracer } from './lightmap/LightmapTracer';
+import { Surfaces } from './lightmap/Surfaces';
+import { measurePhase } from './measurePhase';
+import type { BakedProbes } from './probes/BakedProbes';
+import { Progress } from './Progress';
+import { restoreBake } from './restoreBake';
+import { type CollectedLights, collectLights } from './scene/collectLights';
+import { collectMeshes } from './scene/collectMeshes';
+import { mergeTriangles } from './scene/mergeTriangles';
+import { lightTable } from './trace/lightTable';
+import { skySource } from './trace/SkySource';
+import { stitchSeams } from './seams/stitchSeams';
+import { TracedScene } from './trace/TracedScene';
+import { unwrapStaticMeshes } from './unwrap/unwrapStaticMeshes';
+
+/**
+ * Bakes the light of a scene into lightmaps, while the page runs. The result is not applied when the promise resolves.
+ *
+ * Nothing of the scene changes but while `showProgress` shows the picture so far, and as {@link Bake.apply} says; the
+ * scene must not change in the meantime.
+ *
+ * @param renderer its WebGL context traces the paths
+ * @throws RangeError for an option out of its bounds; Error when the scene has nothing to bake, or the device cannot
+ */
+export async function bakeLightmaps(renderer: WebGLRenderer, scene: Scene, options: BakeOptions = {}): Promise<Bake> {
+  const checked = checkBakeOptions(options);
+  const { signal, onWarning } = checked;
+  signal?.throwIfAborted();
+  checkDevice(renderer);
+  const progress = new Progress(checked.onProgress);
+  scene.updateMatrixWorld(true);
+  const lights = collectLights(scene, checked.isBaked, onWarning);
+  const meshes = collectMeshes(scene, checked);
+  if (!meshes.some(({ isLit }) => isLit)) {
+    throw new Error('There is nothing to bake: no static mesh has a material that light falls on.');
+  }
+  let begin = performance.now();
+  const layout = await unwrapStaticMeshes(meshes, checked, (share) => progress.report('unwrapping', share));
+  const { unwrapped, texelsPerMetre } = layout;
+  measurePhase('unwrap', begin);
+  signal?.throwIfAborted();
+  progress.report('preparing', 0);
+  const baked = meshes.flatMap(({ mesh }, i): BakedMesh[] => (unwrapped[i] ? [{ mesh, ...unwrapped[i] }] : []));
+  const channel = freeChannel(baked.map(({ mesh }) => mesh.geometry));
+  const skyOf = checked.sky === 'environment' ? scene : null;
+  begin = performance.now();
+  const triangles = mergeTriangles(meshes, unwrapped);
+  measurePhase('merge', begin);
+  const gone = [...lights.traced, ...lights.skies].flatMap(({ light, isIndirect }) => (isIndirect ? [] : [light]));
+
+  const traced = keepState(renderer, () => new TracedScene(renderer, triangles));
+  const surfaces = new Surfaces(renderer, triangles, checked.size);
+  const tracer = new LightmapTracer(renderer, surfaces, traced, {
+    ...checked,
+    texelsPerMetre,
+    hasProbes: checked.probes !== undefined,
+    onSlice: (share, samples) => progress.report('tracing', share, samples),
+  });
+  for (const picture of tracer.pictures) picture.channel = channel;
+  const shown = checked.showProgress ? new AppliedBake(baked, gone, tracer.pictures, channel, skyOf) : null;
+  try {
+    shown?.apply();
+    const { lightmaps, probes } = await trace(renderer, scene, tracer, traced, lights, checked, progress);
+    progress.report('finishing', 0.3);
+    begin = performance.now();
+    if (checked.stitch) await stitchSeams(lightmaps, layout, checked);
+    measurePhase('stitch', begin);
+    const size = { width: checked.size, height: checked.size };
+    const halves = lightmaps.map((floats): BakedLightmap => ({ ...size, data: Uint16Array.from(floats, toHalf) }));
+    progress.report('finishing', 1);
+    return restoreBake({ lightmaps: halves, meshes: baked, channel, probes }, { lights: gone, skyOf });
+  } finally {
+    shown?.dispose();
+    tracer.dispose();
+    surfaces.dispose();
+    traced.dispose();
+  }
+}
+
+/** Irradiance never exceeds what halves hold by so much that it would be infinite. */
+const toHalf = (value: number): number => DataUtils.toHalfFloat(Math.min(value, 65504));
+
+async function trace(
+  renderer: WebGLRenderer,
+  scene: Scene,
+  tracer: LightmapTracer,
+  traced: TracedScene,
+  lights: CollectedLights,
+  { sky, sliceMilliseconds, signal, onWarning, probes: points }: CheckedBakeOptions,
+  progress: Progress,
+): Promise<{ lightmaps: Float32Array[]; probes: BakedProbes | null }> {
+  const table = (isIndirect: boolean) =>
+    lightTable(
+      lights.traced.filter((light) => light.isIndirect === isIndirect),
+      traced.bounds,
+    );
+  const skies = (isIndirect: boolean) =>
+    skySource(
+      scene,
+      isIndirect ? 'none' : sky,
+      lights.skies.filter((each) => each.isIndirect === isIndirect),
+      onWarning,
+    );
+  const tables = [table(false), table(true)] as const;
+  try {
+    const slices = new Slices(renderer, sliceMilliseconds, signal);
+    progress.report('tracing', 0);
+    const sources = [skies(false), skies(true)] as const;
+    await tracer.run(tables, sources, slices);
+    let begin = performance.now();
+    const probes = points ? await tracer.readProbes(points, tables[0], sources[0], slices) : null;
+    if (points) measurePhase('probes', begin);
+    progress.report('finishing', 0);
+    begin = performance.now();
+    const lightmaps: Float32Array[] = [];
+    for (let i = 0; i < tracer.pictures.length; i++) {
+      lightmaps.push(await tracer.read(i));
+      signal?.throwIfAborted();
+    }
+    measurePhase('read', begin);
+    return { lightmaps, probes };
+  } finally {
+    for (const each of tables) each.dispose();
+  }
+}

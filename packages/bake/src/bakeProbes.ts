@@ -1,0 +1,27 @@
+import type { Scene, WebGLRenderer } from 'three';
+import { bakeLightmaps } from './bakeLightmaps';
+import type { TraceOptions } from './BakeOptions';
+import type { BakedProbes } from './probes/BakedProbes';
+
+export interface BakeProbesOptions extends TraceOptions {
+  /** Texels along a side of the lightmap that reflected light is kept in meanwhile: a multiple of 16, 16 to 8,192. Default 512. */
+  size?: number;
+}
+
+/**
+ * Bakes the light that arrives at points, direct and reflected, for things that move. With lightmaps as well, give
+ * `probes` to {@link bakeLightmaps}, which traces the scene once for both.
+ *
+ * @param points three a point, world space (m)
+ */
+export async function bakeProbes(
+  renderer: WebGLRenderer,
+  scene: Scene,
+  points: Float32Array,
+  options: BakeProbesOptions = {},
+): Promise<BakedProbes> {
+  const whole = { size: 512, ...options, showProgress: false, probes: points };
+  const bake = await bakeLightmaps(renderer, scene, whole);
+  bake.dispose();
+  return bake.probes!;
+}

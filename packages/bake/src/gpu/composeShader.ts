@@ -1,0 +1,16 @@
+/**
+ * Puts texts in the place of `#include "name"` lines: of each name once, where it comes first.
+ *
+ * @throws Error for a name without a text
+ */
+export function composeShader(source: string, chunks: Readonly<Record<string, string>>): string {
+  const known = new Set<string>();
+  const compose = (text: string): string =>
+    text.replace(/^[ \t]*#include "(\w+)"[ \t]*$/gm, (_, name: string) => {
+      if (!(name in chunks)) throw new Error(`No shader text is called ${name}.`);
+      if (known.has(name)) return '';
+      known.add(name);
+      return compose(chunks[name]);
+    });
+  return compose(source);
+}

@@ -1,0 +1,56 @@
+// Light at each texel of a lightmap, from what rays into the hemisphere meet: sums over samples of irradiance by pi and
+// of the square of its luminance
+// Kajiya 1986, The Rendering Equation
+#include "tables"
+#include "random"
+#include "traverse"
+#include "sky"
+uniform highp sampler2D farol_positions;
+uniform highp sampler2D farol_texelNormals;
+uniform highp sampler2D farol_faces;
+uniform highp sampler2DArray farol_radiance;
+uniform int farol_firstSample;
+uniform float farol_offset;
+#include "emitters"
+layout(location = 0) out highp vec4 farol_sum;
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec4 place = texelFetch(farol_positions, texel, 0);
+  if (place.w <= 0.0) discard;
+  vec3 normal = normalize(texelFetch(farol_texelNormals, texel, 0).xyz);
+  vec3 face = texelFetch(farol_faces, texel, 0).xyz;
+  vec3 origin = place.xyz + farol_offset * face;
+  farol_sum = vec4(0.0);
+  for (int i = 0; i < SAMPLES; i++) {
+    int which = farol_firstSample + i;
+    vec3 along = farol_hemisphere(normal, farol_sample2(texel, which, 1));
+    // smooth normals lean away from the face: rays go up from it all the same
+    float height = dot(along, face);
+    if (height < 0.0) along -= 2.0 * height * face;
+    vec3 light = vec3(0.0);
+    FarolHit hit = farol_trace(origin, along, 1e30, false);
+#ifdef FROM_SOURCES
+    if (hit.triangle < 0) light = farol_sky(along);
+    else if (farol_emitterCount > 0 && farol_hitShines(hit)) {
+      vec3 at = farol_hitPlace(hit);
+      if (at.z >= 0.0) {
+        light = textureLod(farol_emission, at, 0.0).rgb;
+        vec3 edge1 = farol_table(farol_triangles, 3 * hit.triangle + 1).xyz;
+        vec3 edge2 = farol_table(farol_triangles, 3 * hit.triangle + 2).xyz;
+        float byCosine = max(dot(normal, along), 1e-4) * 0.31830989;
+        float byPower = farol_emitterChance(hit.range, hit.distance, abs(dot(normalize(cross(edge1, edge2)), along)));
+        light *= byCosine / (byCosine + byPower);
+      }
+    }
+    if (farol_emitterCount > 0) light += farol_emitterLight(origin, normal, texel, which);
+#else
+    if (hit.triangle >= 0 && farol_hitShines(hit)) {
+      vec3 at = farol_hitPlace(hit);
+      if (at.z >= 0.0) light = textureLod(farol_radiance, at, 0.0).rgb;
+    }
+#endif
+    float luminance = dot(light, vec3(0.2126, 0.7152, 0.0722));
+    farol_sum += vec4(light, luminance * luminance);
+  }
+}

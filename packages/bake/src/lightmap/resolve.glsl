@@ -1,0 +1,19 @@
+// Mean of the samples of a texel, with the variance of the mean's luminance; -1 where there is no light of its own
+// Welford 1962
+uniform highp sampler2D farol_positions;
+uniform highp sampler2D farol_sums;
+uniform float farol_samples;
+uniform float farol_scale; // of the mean
+layout(location = 0) out highp vec4 farol_mean;
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  if (texelFetch(farol_positions, texel, 0).w <= 0.0) {
+    farol_mean = vec4(0.0, 0.0, 0.0, -1.0);
+    return;
+  }
+  vec4 mean = texelFetch(farol_sums, texel, 0) / farol_samples;
+  float luminance = dot(mean.rgb, vec3(0.2126, 0.7152, 0.0722));
+  float variance = max(mean.a - luminance * luminance, 0.0) / max(farol_samples - 1.0, 1.0);
+  farol_mean = vec4(farol_scale * mean.rgb, farol_scale * farol_scale * variance);
+}

@@ -1,0 +1,11 @@
+/** Parts of a bake that are timed. */
+export type Phase = 'unwrap' | 'merge' | 'bvh' | 'tables' | 'trace' | 'filter' | 'probes' | 'read' | 'stitch';
+
+/**
+ * Puts a phase of a bake on the timeline of the browser's performance tools, as `farol-bake unwrap`.
+ *
+ * @param begin `performance.now()` when it began (ms); it ends now
+ */
+export function measurePhase(phase: Phase, begin: number): void {
+  performance.measure(`farol-bake ${phase}`, { start: begin });
+}

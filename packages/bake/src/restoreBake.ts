@@ -1,0 +1,58 @@
+import { DataTexture, HalfFloatType, type Light, LinearFilter, RGBAFormat, type Scene, type Texture } from 'three';
+import { AppliedBake } from './apply/AppliedBake';
+import type { Bake, BakedLightmap } from './Bake';
+
+/** What of a bake is kept in a file, with the meshes found again. */
+export interface SavedBake extends Pick<Bake, 'meshes' | 'channel' | 'probes'> {
+  /** Halves, as they were baked; or textures of irradiance, such as compressed ones: the bake disposes of them. */
+  readonly lightmaps: readonly (BakedLightmap | Texture)[];
+}
+
+export interface RestoreOptions {
+  /** Lights that leave while it is applied. Default none. */
+  lights?: readonly Light[];
+  /** The scene, if its environment is in the lightmaps: surfaces then show of it what metals mirror. Default null. */
+  skyOf?: Scene | null;
+}
+
+/** A bake made of what {@link bakeLightmaps} once gave: applies it without tracing anything. */
+export function restoreBake(
+  { lightmaps, meshes, channel, probes }: SavedBake,
+  { lights = [], skyOf = null }: RestoreOptions = {},
+): Bake {
+  let textures: Texture[] = [];
+  let applied: AppliedBake | null = null;
+  return {
+    lightmaps: lightmaps.filter((each): each is BakedLightmap => !('isTexture' in each)),
+    ...{ meshes, channel, probes },
+    get isApplied() {
+      return applied?.isApplied ?? false;
+    },
+    apply() {
+      if (!applied) {
+        textures = lightmaps.map((each) => lightmapTexture(each, channel));
+        applied = new AppliedBake(meshes, lights, textures, channel, skyOf);
+      }
+      applied.apply();
+    },
+    remove: () => applied?.remove(),
+    dispose() {
+      applied?.dispose();
+      applied = null;
+      for (const texture of textures) texture.dispose();
+      textures = [];
+    },
+  };
+}
+
+function lightmapTexture(lightmap: BakedLightmap | Texture, channel: number): Texture {
+  if ('isTexture' in lightmap) {
+    lightmap.channel = channel;
+    return lightmap;
+  }
+  const texture = new DataTexture(lightmap.data, lightmap.width, lightmap.height, RGBAFormat, HalfFloatType);
+  texture.minFilter = texture.magFilter = LinearFilter;
+  texture.channel = channel;
+  texture.needsUpdate = true;
+  return texture;
+}

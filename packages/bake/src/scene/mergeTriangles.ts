@@ -1,0 +1,189 @@
+import {
+  BackSide,
+  type BufferAttribute,
+  DoubleSide,
+  type InterleavedBufferAttribute,
+  type Material,
+  Matrix3,
+  type Matrix4,
+  type MeshStandardMaterial,
+  type Texture,
+  Vector2,
+  Vector3,
+} from 'three';
+import type { UnwrappedMesh } from '../unwrap/UnwrapRequest';
+import { takesLightmap } from './collectMeshes';
+import type { StaticMesh } from './StaticMesh';
+
+/** Triangles of one lightmap that wear one material: they stand together. */
+export interface TriangleRange {
+  readonly material: Material;
+  /** Lightmap, -1 for none. */
+  readonly lightmap: number;
+  /** Light goes to and comes from both sides. */
+  readonly isDoubleSided: boolean;
+  readonly throwsShadow: boolean;
+  /** First triangle, and how many. */
+  readonly first: number;
+  readonly count: number;
+}
+
+/** Triangles of all static meshes in world space, each with three corners of its own. */
+export interface MergedTriangles {
+  readonly count: number;
+  /** Nine a triangle (m): front side counterclockwise. */
+  readonly positions: Float32Array;
+  /** Nine a triangle, unit length: away from the front. */
+  readonly normals: Float32Array;
+  /** Six a triangle: place in the lightmap. */
+  readonly lightmapUVs: Float32Array;
+  /** Six a triangle: place in the material's colour map, and in its emissive map. */
+  readonly mapUVs: Float32Array;
+  readonly emissiveUVs: Float32Array;
+  /** Nine a triangle, linear; null when no material asks for colours of vertices. */
+  readonly colours: Float32Array | null;
+  /** By lightmap, those without one last. */
+  readonly ranges: readonly TriangleRange[];
+}
+
+interface Piece {
+  readonly mesh: StaticMesh;
+  readonly unwrapped: UnwrappedMesh | null;
+  readonly placement: Matrix4;
+  readonly surface: StaticMesh['surfaces'][number];
+}
+
+/** Area (m²) below which a triangle is left out. */
+const NO_AREA = 1e-16;
+
+/**
+ * Brings static meshes into one list of triangles.
+ *
+ * @param unwrapped where each mesh lies in a lightmap, by the index of the mesh; null for those without one
+ */
+export function mergeTriangles(
+  meshes: readonly StaticMesh[],
+  unwrapped: readonly (UnwrappedMesh | null)[],
+): MergedTriangles {
+  const pieces = meshes.flatMap((mesh, i) =>
+    mesh.placements.flatMap((placement) =>
+      mesh.surfaces.map((surface): Piece => ({ mesh, unwrapped: unwrapped[i], placement, surface })),
+    ),
+  );
+  const lightmapOf = ({ unwrapped, surface }: Piece): number =>
+    unwrapped && takesLightmap(surface.material) ? unwrapped.lightmap : -1;
+  const order = (piece: Piece): number => (lightmapOf(piece) < 0 ? Infinity : lightmapOf(piece));
+  pieces.sort(
+    (a, b) => order(a) - order(b) || (order(a) === Infinity ? 0 : a.surface.material.id - b.surface.material.id),
+  );
+
+  const most = pieces.reduce((sum, { surface }) => sum + surface.count / 3, 0);
+  const hasColours = pieces.some(({ surface }) => surface.material.vertexColors);
+  const merged = {
+    positions: new Float32Array(9 * most),
+    normals: new Float32Array(9 * most),
+    lightmapUVs: new Float32Array(6 * most),
+    mapUVs: new Float32Array(6 * most),
+    emissiveUVs: new Float32Array(6 * most),
+    colours: hasColours ? new Float32Array(9 * most).fill(1) : null,
+  };
+  const ranges: TriangleRange[] = [];
+  let count = 0;
+  for (const piece of pieces) {
+    const first = count;
+    count = addPiece(piece, merged, count);
+    if (count === first) continue;
+    const lightmap = lightmapOf(piece);
+    const { material } = piece.surface;
+    const last = ranges.at(-1);
+    const { throwsShadow } = piece.mesh;
+    const isSame = last?.material === material && last.lightmap === lightmap && last.throwsShadow === throwsShadow;
+    if (last && isSame) {
+      ranges[ranges.length - 1] = { ...last, count: last.count + count - first };
+    } else {
+      const isDoubleSided = material.side === DoubleSide;
+      ranges.push({ material, lightmap, isDoubleSided, throwsShadow, first, count: count - first });
+    }
+  }
+  const cut = (array: Float32Array, each: number): Float32Array => array.subarray(0, each * count);
+  return {
+    count,
+    positions: cut(merged.positions, 9),
+    normals: cut(merged.normals, 9),
+    lightmapUVs: cut(merged.lightmapUVs, 6),
+    mapUVs: cut(merged.mapUVs, 6),
+    emissiveUVs: cut(merged.emissiveUVs, 6),
+    colours: merged.colours && cut(merged.colours, 9),
+    ranges,
+  };
+}
+
+type Lists = Pick<MergedTriangles, 'positions' | 'normals' | 'lightmapUVs' | 'mapUVs' | 'emissiveUVs' | 'colours'>;
+
+const corners = [new Vector3(), new Vector3(), new Vector3()];
+const normal = new Vector3();
+const faceNormal = new Vector3();
+const edge = new Vector3();
+const uv = new Vector2();
+const normalMatrix = new Matrix3();
+
+/** @returns triangles in the lists */
+function addPiece({ mesh, unwrapped, placement, surface }: Piece, lists: Lists, count: number): number {
+  const { attributes } = mesh.mesh.geometry;
+  const position = attributes.position as BufferAttribute;
+  const material = surface.material as MeshStandardMaterial;
+  // the front of a surface is where light falls on it
+  const isFlipped = placement.determinant() < 0 !== (material.side === BackSide);
+  const mapUV = uvReader(attributes, material.map ?? material.alphaMap);
+  const emissiveUV = uvReader(attributes, material.emissiveMap);
+  const colour = material.vertexColors ? attributes.color : undefined;
+  const normals = material.flatShading ? undefined : attributes.normal;
+  normalMatrix.getNormalMatrix(placement);
+  const sign = material.side === BackSide ? -1 : 1;
+  for (let i = surface.start; i < surface.start + surface.count; i += 3) {
+    for (let k = 0; k < 3; k++) {
+      corners[k].fromBufferAttribute(position, mesh.index[i + k]).applyMatrix4(placement);
+    }
+    faceNormal.subVectors(corners[1], corners[0]).cross(edge.subVectors(corners[2], corners[0]));
+    const doubleArea = faceNormal.length();
+    if (!(doubleArea > NO_AREA)) continue;
+    faceNormal.multiplyScalar((isFlipped ? -1 : 1) / doubleArea);
+    for (let corner = 0; corner < 3; corner++) {
+      const k = isFlipped ? 2 - corner : corner;
+      const vertex = mesh.index[i + k];
+      const at = 3 * count + corner;
+      corners[k].toArray(lists.positions, 3 * at);
+      normal.copy(faceNormal);
+      if (normals) {
+        normal.fromBufferAttribute(normals, vertex).applyMatrix3(normalMatrix).multiplyScalar(sign);
+        if (normal.lengthSq() > 0) normal.normalize();
+        else normal.copy(faceNormal);
+      }
+      normal.toArray(lists.normals, 3 * at);
+      if (unwrapped) {
+        const place = unwrapped.index[i + k];
+        lists.lightmapUVs[2 * at] = unwrapped.uv1[2 * place];
+        lists.lightmapUVs[2 * at + 1] = unwrapped.uv1[2 * place + 1];
+      }
+      mapUV(vertex).toArray(lists.mapUVs, 2 * at);
+      emissiveUV(vertex).toArray(lists.emissiveUVs, 2 * at);
+      if (colour && lists.colours) {
+        lists.colours.set([colour.getX(vertex), colour.getY(vertex), colour.getZ(vertex)], 3 * at);
+      }
+    }
+    count++;
+  }
+  return count;
+}
+
+/** Reads the UVs of a texture, with its transform. The vector is the same each time. */
+function uvReader(
+  attributes: Record<string, BufferAttribute | InterleavedBufferAttribute>,
+  texture: Texture | null | undefined,
+): (vertex: number) => Vector2 {
+  const channel = texture?.channel ?? 0;
+  const attribute = attributes[channel === 0 ? 'uv' : `uv${channel}`];
+  if (!texture || !attribute) return () => uv.set(0, 0);
+  if (texture.matrixAutoUpdate) texture.updateMatrix();
+  return (vertex) => uv.fromBufferAttribute(attribute as BufferAttribute, vertex).applyMatrix3(texture.matrix);
+}

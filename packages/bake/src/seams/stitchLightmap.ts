@@ -1,0 +1,33 @@
+import type { SurfaceToUnwrap, UnwrappedMesh } from '../unwrap/UnwrapRequest';
+import { findSeams } from './findSeams';
+import { SeamSystem } from './SeamSystem';
+
+/** A lightmap whose seams are to meet. */
+export interface StitchRequest {
+  readonly size: number;
+  /** Four a texel: irradiance, filled beyond the borders of charts. */
+  readonly data: Float32Array;
+  /** Meshes in it, with the surfaces that they were cut from. */
+  readonly meshes: readonly { readonly surface: SurfaceToUnwrap; readonly unwrapped: UnwrappedMesh }[];
+}
+
+/**
+ * Makes light meet where charts cut a smooth surface: bilinear filtering would else show the borders of charts as lines.
+ *
+ * @returns the data, changed
+ */
+export function stitchLightmap({ size, data, meshes }: StitchRequest): Float32Array {
+  const system = new SeamSystem(size);
+  /** Seams by the index that equal meshes share. */
+  const known = new Map<Uint32Array, Uint32Array>();
+  for (const { surface, unwrapped } of meshes) {
+    let seams = known.get(unwrapped.index);
+    if (!seams) known.set(unwrapped.index, (seams = findSeams(surface, unwrapped)));
+    const at = (vertex: number): readonly number[] => [unwrapped.uv1[2 * vertex], unwrapped.uv1[2 * vertex + 1]];
+    for (let i = 0; i < seams.length; i += 4) {
+      system.add(at(seams[i]), at(seams[i + 1]), at(seams[i + 2]), at(seams[i + 3]));
+    }
+  }
+  system.solve(data);
+  return data;
+}

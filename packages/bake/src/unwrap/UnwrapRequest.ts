@@ -1,0 +1,40 @@
+/** A surface to be cut into charts: one for all meshes that are equal but for where they stand. */
+export interface SurfaceToUnwrap {
+  /** Three a vertex (m): of the mesh, scaled as in the world. */
+  readonly positions: Float32Array;
+  /** Three a vertex, unit length; null: normals of the faces. */
+  readonly normals: Float32Array | null;
+  /** Three a triangle. */
+  readonly index: Uint32Array;
+}
+
+/** How meshes lie in lightmaps. */
+export interface PackOptions {
+  /** Width and height of a lightmap in texels. */
+  readonly size: number;
+  /** Texels between charts. */
+  readonly padding: number;
+  /** Null: as many as one lightmap has room for. */
+  readonly texelsPerMetre: number | null;
+}
+
+/** What is unwrapped. */
+export interface UnwrapRequest extends PackOptions {
+  readonly surfaces: readonly SurfaceToUnwrap[];
+  /** Index of the surface of each mesh. */
+  readonly meshes: readonly number[];
+}
+
+/** Where a mesh lies: see BakedMesh. Equal meshes may share arrays. */
+export interface UnwrappedMesh {
+  readonly lightmap: number;
+  readonly uv1: Float32Array;
+  readonly index: Uint32Array;
+  readonly sourceVertex: Uint32Array;
+}
+
+export interface Unwrapped {
+  readonly meshes: readonly UnwrappedMesh[];
+  /** Texels along a metre, one a lightmap, as they turned out: fewer than asked for where a mesh is larger than a lightmap. */
+  readonly texelsPerMetre: readonly number[];
+}

@@ -1,0 +1,59 @@
+import type { XAtlasModule } from 'xatlas-wasm';
+import { surfaceArea } from './surfaceArea';
+import type { SurfaceToUnwrap } from './UnwrapRequest';
+
+/** A surface laid out flat: charts side by side, in metres. */
+export interface Charts {
+  /** m². */
+  readonly area: number;
+  /** Two a vertex (m). */
+  readonly uvs: Float32Array;
+  /** Three a triangle, in the order of the surface's triangles. */
+  readonly index: Uint32Array;
+  /** The surface's vertex that a vertex comes from. */
+  readonly sourceVertex: Uint32Array;
+  /** Chart of each triangle; NO_CHART for those without area. */
+  readonly charts: Uint32Array;
+}
+
+/** Chart of triangles that are in none. */
+export const NO_CHART = 0xffffffff;
+
+/** Triangles of a chart from which on growing it takes xatlas more than its share of the time. */
+const TRIANGLES_OF_A_CHART = 1500;
+/** Texels along the side of a square of the whole surface's area, while charts are laid out. */
+const RESOLUTION = 1024;
+
+/**
+ * Cuts a surface into charts that are flat without much distortion.
+ *
+ * @see xatlas, after thekla_atlas; least squares conformal maps, Lévy 2002
+ */
+export function cutCharts(xatlas: XAtlasModule, { positions, normals, index }: SurfaceToUnwrap): Charts {
+  const atlas = xatlas.createAtlas();
+  try {
+    const error = atlas.addMesh({ positions, indices: index, ...(normals ? { normals } : {}) });
+    if (error !== 0) throw new Error(`xatlas refuses a mesh: ${xatlas.addMeshErrorString(error)}.`);
+    const area = surfaceArea(positions, index);
+    const triangles = index.length / 3;
+    // growing a chart costs by the square of its triangles
+    const maxBoundaryLength =
+      triangles > TRIANGLES_OF_A_CHART ? 5 * Math.sqrt((area * TRIANGLES_OF_A_CHART) / triangles) : 0;
+    atlas.computeCharts({ maxBoundaryLength, maxIterations: 1 });
+    const texelsPerUnit = RESOLUTION / Math.sqrt(area);
+    atlas.packCharts({ texelsPerUnit, padding: 4, blockAlign: true, rotateCharts: false });
+    const { vertices, indices, charts } = atlas.getMesh(0);
+    const uvs = new Float32Array(2 * vertices.length);
+    const sourceVertex = new Uint32Array(vertices.length);
+    vertices.forEach(({ uv, xref }, i) => {
+      uvs[2 * i] = uv[0] / texelsPerUnit;
+      uvs[2 * i + 1] = uv[1] / texelsPerUnit;
+      sourceVertex[i] = xref;
+    });
+    const chartOf = new Uint32Array(triangles).fill(NO_CHART);
+    charts.forEach(({ faces }, chart) => faces.forEach((face) => (chartOf[face] = chart)));
+    return { area, uvs, index: Uint32Array.from(indices), sourceVertex, charts: chartOf };
+  } finally {
+    atlas.destroy();
+  }
+}

@@ -1,0 +1,126 @@
+import type { Chart } from './chartsOf';
+
+/** Texels in a row: from a first one, so many. Three numbers each: row, first, count. */
+export type Runs = Int32Array;
+
+/** How a chart lies in texels: its uvs begin at the centre of texel 0, 0 and end at a centre. */
+export interface Footprint {
+  /** Texels along its bounds, from the first to the last centre. */
+  readonly width: number;
+  readonly height: number;
+  /** Whether u and v have changed places. */
+  readonly isTurned: boolean;
+  /** Texels by u or v in metres. */
+  readonly scaleU: number;
+  readonly scaleV: number;
+  /** Texels that it touches, the longest run first. */
+  readonly touched: Runs;
+  /** The same and what is within the padding: from negative rows and columns on. */
+  readonly padded: Runs;
+  /** Texels that it needs: what it touches, and half of the padding round that. */
+  readonly need: number;
+}
+
+/**
+ * The texels that a chart touches. Sides are stretched to whole texels, so that borders of charts lie on centres where
+ * they are straight; long sides lie along rows.
+ *
+ * @param uvs of the chart's surface (m)
+ */
+export function footprintOf(
+  uvs: Float32Array,
+  { triangles, left, bottom, width, height }: Chart,
+  texelsPerMetre: number,
+  padding: number,
+): Footprint {
+  const isTurned = height > width;
+  const texels = (metres: number): number => Math.max(1, Math.round(metres * texelsPerMetre));
+  const [texelsU, texelsV] = [texels(width), texels(height)];
+  const [scaleU, scaleV] = [texelsU / Math.max(width, 1e-30), texelsV / Math.max(height, 1e-30)];
+  const [columns, rows] = isTurned ? [texelsV, texelsU] : [texelsU, texelsV];
+  const grid = new Uint8Array((columns + 1) * (rows + 1));
+  const [x, y] = [new Float64Array(3), new Float64Array(3)];
+  for (let i = 0; i < triangles.length; i += 3) {
+    for (let k = 0; k < 3; k++) {
+      const u = (uvs[2 * triangles[i + k]] - left) * scaleU;
+      const v = (uvs[2 * triangles[i + k] + 1] - bottom) * scaleV;
+      x[k] = isTurned ? v : u;
+      y[k] = isTurned ? u : v;
+    }
+    touch(grid, columns + 1, rows + 1, x, y);
+  }
+  const touched = sortedRuns(grid, columns + 1, rows + 1, 0);
+  const padded = sortedRuns(
+    dilate(grid, columns + 1, rows + 1, padding),
+    columns + 1 + 2 * padding,
+    rows + 1 + 2 * padding,
+    padding,
+  );
+  const need = (texelsOf(touched) + texelsOf(padded)) / 2;
+  return { width: columns, height: rows, isTurned, scaleU, scaleV, touched, padded, need };
+}
+
+/** Marks the texels whose square a triangle touches. Texel 0, 0 has its centre at 0, 0. */
+function touch(grid: Uint8Array, columns: number, rows: number, x: Float64Array, y: Float64Array): void {
+  const first = Math.max(0, Math.round(Math.min(y[0], y[1], y[2])));
+  const last = Math.min(rows - 1, Math.round(Math.max(y[0], y[1], y[2])));
+  for (let row = first; row <= last; row++) {
+    // the part of the triangle between the row's lower and upper border
+    const [low, high] = [row - 0.5, row + 0.5];
+    let [least, most] = [Infinity, -Infinity];
+    const add = (at: number): void => {
+      if (at < least) least = at;
+      if (at > most) most = at;
+    };
+    for (let a = 0; a < 3; a++) {
+      const b = a === 2 ? 0 : a + 1;
+      if (y[a] >= low && y[a] <= high) add(x[a]);
+      if (y[a] < low !== y[b] < low) add(x[a] + ((low - y[a]) / (y[b] - y[a])) * (x[b] - x[a]));
+      if (y[a] < high !== y[b] < high) add(x[a] + ((high - y[a]) / (y[b] - y[a])) * (x[b] - x[a]));
+    }
+    if (least > most) continue;
+    const [from, to] = [Math.max(0, Math.round(least)), Math.min(columns - 1, Math.round(most))];
+    grid.fill(1, row * columns + from, row * columns + to + 1);
+  }
+}
+
+/** A grid larger by `by` on all sides, with everything marked that is so near. */
+function dilate(grid: Uint8Array, columns: number, rows: number, by: number): Uint8Array {
+  const [wide, high] = [columns + 2 * by, rows + 2 * by];
+  const along = new Uint8Array(wide * rows);
+  for (let row = 0; row < rows; row++) {
+    let until = -1;
+    for (let column = 0; column < wide; column++) {
+      if (column < columns && grid[row * columns + column] === 1) until = column + 2 * by;
+      if (column <= until) along[row * wide + column] = 1;
+    }
+  }
+  const all = new Uint8Array(wide * high);
+  for (let column = 0; column < wide; column++) {
+    let until = -1;
+    for (let row = 0; row < high; row++) {
+      if (row < rows && along[row * wide + column] === 1) until = row + 2 * by;
+      if (row <= until) all[row * wide + column] = 1;
+    }
+  }
+  return all;
+}
+
+function texelsOf(runs: Runs): number {
+  let texels = 0;
+  for (let i = 2; i < runs.length; i += 3) texels += runs[i];
+  return texels;
+}
+
+function sortedRuns(grid: Uint8Array, columns: number, rows: number, origin: number): Runs {
+  const runs: [number, number, number][] = [];
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) {
+      if (grid[row * columns + column] === 0) continue;
+      const first = column;
+      while (column < columns && grid[row * columns + column] === 1) column++;
+      runs.push([row - origin, first - origin, column - first]);
+    }
+  }
+  return Int32Array.from(runs.sort((a, b) => b[2] - a[2]).flat());
+}

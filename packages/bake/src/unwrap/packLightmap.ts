@@ -1,0 +1,68 @@
+import { ChartPacker } from './ChartPacker';
+import type { Charts } from './cutCharts';
+import type { UnwrappedMesh } from './UnwrapRequest';
+
+/** One lightmap's meshes, and how finely they lie in it. */
+export interface Packed {
+  /** As it turned out: charts are rounded to whole texels. */
+  readonly texelsPerMetre: number;
+  /** In the order of the surfaces that were given. */
+  readonly meshes: readonly Omit<UnwrappedMesh, 'lightmap'>[];
+}
+
+/** Share of a lightmap that charts need when packing goes well, half of the padding round them included. */
+const NEED = 0.93;
+/** The same above which it is in vain: padding of charts overlaps. */
+const MOST_NEED = 1.25;
+/** Steps of the search for how finely meshes can lie in a lightmap. */
+const STEP = 1.04;
+const MOST_STEPS = 60;
+
+/**
+ * Packs the charts of meshes into one lightmap.
+ *
+ * @param surfaces one a mesh; equal ones are the same object
+ * @param texelsPerMetre null: as many as there is room for
+ * @returns null when the lightmap is too small
+ */
+export function packLightmap(
+  surfaces: readonly Charts[],
+  { size, padding, texelsPerMetre }: { size: number; padding: number; texelsPerMetre: number | null },
+): Packed | null {
+  const packer = new ChartPacker(surfaces, size, padding);
+  const fits = texelsPerMetre === null ? packFinest(packer, size, surfaces) : packer.pack(texelsPerMetre);
+  if (!fits) return null;
+  const meshes = surfaces.map(({ index, sourceVertex }, i) => ({ uv1: packer.uv1Of(i), index, sourceVertex }));
+  return { texelsPerMetre: size * Math.sqrt(coveredArea(meshes) / totalArea(surfaces)), meshes };
+}
+
+const totalArea = (surfaces: readonly Charts[]): number => surfaces.reduce((sum, { area }) => sum + area, 0);
+
+/** Share of the lightmap that lies within charts. */
+function coveredArea(meshes: Packed['meshes']): number {
+  let area = 0;
+  for (const { uv1, index } of meshes) {
+    for (let i = 0; i < index.length; i += 3) {
+      const [a, b, c] = [2 * index[i], 2 * index[i + 1], 2 * index[i + 2]];
+      const [ux, uy, vx, vy] = [uv1[b] - uv1[a], uv1[b + 1] - uv1[a + 1], uv1[c] - uv1[a], uv1[c + 1] - uv1[a + 1]];
+      area += 0.5 * Math.abs(ux * vy - uy * vx);
+    }
+  }
+  return area;
+}
+
+/** Packs nearly as finely as there is room for. @returns false when charts do not fit however small they are */
+function packFinest(packer: ChartPacker, size: number, surfaces: readonly Charts[]): boolean {
+  if (packer.need(0) > MOST_NEED) return false;
+  let scale = size / Math.sqrt(totalArea(surfaces));
+  for (let i = 0; i < 4; i++) scale *= Math.sqrt(Math.min(1, NEED / packer.need(scale)));
+  let best = 0;
+  if (packer.pack(scale)) {
+    for (let step = 0; step < MOST_STEPS && ((best = scale), packer.pack((scale *= STEP))); step++);
+  } else {
+    for (let step = 0; step < MOST_STEPS && best === 0; step++) if (packer.pack((scale /= STEP))) best = scale;
+    if (best === 0) return packer.pack(0);
+  }
+  const between = best * Math.sqrt(STEP);
+  return packer.pack(between) || packer.pack(best);
+}

@@ -1,0 +1,90 @@
+import { type BufferGeometry, type MeshStandardMaterial, Vector3 } from 'three';
+import type { CheckedBakeOptions } from '../checkOptions';
+import type { StaticMesh } from '../scene/StaticMesh';
+import { WorkerPool } from '../worker/WorkerPool';
+import { unwrapMeshes } from './unwrapMeshes';
+import type { SurfaceToUnwrap, Unwrapped, UnwrappedMesh, UnwrapRequest } from './UnwrapRequest';
+
+/** Where static meshes lie in lightmaps. */
+export interface UnwrappedMeshes {
+  /** Second UVs of the meshes that get a lightmap, null for others. */
+  readonly unwrapped: (UnwrappedMesh | null)[];
+  /** The surface that each of those was cut from, null for others: the same one for equal meshes. */
+  readonly surfaces: (SurfaceToUnwrap | null)[];
+  /** One a lightmap. */
+  readonly texelsPerMetre: readonly number[];
+}
+
+/** Gives meshes second UVs; those of one geometry and scale are cut into charts once. */
+export async function unwrapStaticMeshes(
+  meshes: readonly StaticMesh[],
+  { size, padding, texelsPerMetre, signal, onWarning }: CheckedBakeOptions,
+  onProgress: (share: number) => void,
+): Promise<UnwrappedMeshes> {
+  const surfaces: SurfaceToUnwrap[] = [];
+  const known = new Map<string, number>();
+  const lit = meshes.filter(({ isLit }) => isLit);
+  const surfaceOf = lit.map(({ mesh, index, surfaces: parts, placements: [placement] }) => {
+    const { geometry } = mesh;
+    const isFlat = parts.some(({ material }) => (material as MeshStandardMaterial).flatShading);
+    const { x, y, z } = new Vector3().setFromMatrixScale(placement);
+    const key = [geometry.uuid, isFlat, ...[x, y, z].map((scale) => scale.toPrecision(4))].join(' ');
+    const found = known.get(key);
+    if (found !== undefined) return found;
+    known.set(key, surfaces.length);
+    return surfaces.push(scaledSurface(geometry, index, isFlat, [x, y, z])) - 1;
+  });
+  const request = { surfaces, meshes: surfaceOf, size, padding, texelsPerMetre: texelsPerMetre ?? null };
+  const result = await unwrapInWorkers(request, signal, onProgress);
+  let next = 0;
+  const unwrapped = meshes.map(({ isLit }) => (isLit ? result.meshes[next++] : null));
+  next = 0;
+  const surfaceOfEach = meshes.map(({ isLit }) => (isLit ? surfaces[surfaceOf[next++]] : null));
+  result.texelsPerMetre.forEach((density, lightmap) => {
+    if (texelsPerMetre === undefined || density > 0.8 * texelsPerMetre) return;
+    const first = meshes[unwrapped.findIndex((each) => each?.lightmap === lightmap)];
+    onWarning(
+      `${first.name} is larger than a lightmap: it gets ${density.toPrecision(2)} texels a metre. Choose a larger size.`,
+    );
+  });
+  return { unwrapped, surfaces: surfaceOfEach, texelsPerMetre: result.texelsPerMetre };
+}
+
+async function unwrapInWorkers(
+  request: UnwrapRequest,
+  signal: AbortSignal | undefined,
+  onProgress: (share: number) => void,
+): Promise<Unwrapped> {
+  const pool = await WorkerPool.make(request.surfaces.length, signal);
+  try {
+    return await unwrapMeshes(
+      request,
+      {
+        cut: (surface) => pool.ask({ kind: 'cut', surface }, { weight: surface.index.length }),
+        pack: (surfaces, meshes, options, told) =>
+          pool.ask({ kind: 'pack', surfaces, meshes, options }, { onProgress: told }),
+      },
+      onProgress,
+    );
+  } finally {
+    pool.dispose();
+  }
+}
+
+function scaledSurface(
+  { attributes }: BufferGeometry,
+  index: Uint32Array,
+  isFlat: boolean,
+  scale: readonly number[],
+): SurfaceToUnwrap {
+  const { position, normal } = attributes;
+  const positions = new Float32Array(3 * position.count);
+  const normals = normal && !isFlat ? new Float32Array(3 * position.count) : null;
+  for (let i = 0; i < position.count; i++) {
+    for (let k = 0; k < 3; k++) {
+      positions[3 * i + k] = position.getComponent(i, k) * scale[k];
+      if (normals) normals[3 * i + k] = normal.getComponent(i, k);
+    }
+  }
+  return { positions, normals, index };
+}

@@ -1,0 +1,92 @@
+import type { BakeAnswer, BakeQuestion, BakeResults } from './bakeWorker';
+
+/** Workers at once. Each has xatlas in its memory. */
+const MOST_WORKERS = 8;
+
+/** Workers that answer questions side by side, so that the page goes on. */
+export class WorkerPool {
+  private readonly idle: Worker[];
+  private readonly waiting: { readonly weight: number; start(worker: Worker): void }[] = [];
+  private readonly cancelled: Promise<never>;
+
+  private constructor(
+    private readonly workers: readonly Worker[],
+    signal: AbortSignal | undefined,
+  ) {
+    this.idle = [...workers];
+    this.cancelled = new Promise<never>((_, reject) => {
+      signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
+    });
+    this.cancelled.catch(() => {});
+  }
+
+  /**
+   * @param wanted workers; there are as many as there are processors for
+   * @param signal when it is aborted, what is asked for is rejected with its reason
+   */
+  static async make(wanted: number, signal: AbortSignal | undefined): Promise<WorkerPool> {
+    const { default: BakeWorker } = await import('./bakeWorker?worker&inline');
+    signal?.throwIfAborted();
+    const cores = Math.max(1, (navigator.hardwareConcurrency ?? 2) - 1);
+    return new WorkerPool(
+      Array.from({ length: Math.max(1, Math.min(cores, wanted, MOST_WORKERS)) }, () => new BakeWorker()),
+      signal,
+    );
+  }
+
+  /**
+   * @param weight of what is asked for at once, the heaviest begins first
+   * @throws Error (as a rejection) with what the worker failed by
+   */
+  ask<Kind extends keyof BakeResults>(
+    question: BakeQuestion & { readonly kind: Kind },
+    { weight = 0, transfer = [], onProgress }: AskOptions = {},
+  ): Promise<BakeResults[Kind]> {
+    const answer = new Promise<BakeResults[Kind]>((resolve, reject) => {
+      const start = (worker: Worker): void => {
+        // the worker is asked for other things later
+        const answered = new AbortController();
+        const { signal } = answered;
+        worker.addEventListener(
+          'error',
+          ({ message }) => reject(new Error(`A worker of the bake failed: ${message}`)),
+          { signal },
+        );
+        worker.addEventListener(
+          'message',
+          ({ data }: MessageEvent<BakeAnswer>) => {
+            if (data.kind === 'progress') return onProgress?.(data.share);
+            answered.abort();
+            if (data.kind === 'failed') reject(new Error(data.message));
+            else resolve(data.result as BakeResults[Kind]);
+            this.idle.push(worker);
+            this.startNext();
+          },
+          { signal },
+        );
+        worker.postMessage(question, transfer);
+      };
+      this.waiting.push({ weight, start });
+      // what is asked for at once is sorted before the first begins
+      queueMicrotask(() => this.startNext());
+    });
+    return Promise.race([answer, this.cancelled]);
+  }
+
+  /** Ends the workers. */
+  dispose(): void {
+    for (const worker of this.workers) worker.terminate();
+  }
+
+  private startNext(): void {
+    this.waiting.sort((a, b) => b.weight - a.weight);
+    while (this.idle.length > 0 && this.waiting.length > 0) this.waiting.shift()!.start(this.idle.pop()!);
+  }
+}
+
+interface AskOptions {
+  readonly weight?: number;
+  /** Buffers that become the worker's. */
+  readonly transfer?: Transferable[];
+  onProgress?(share: number): void;
+}

@@ -1,0 +1,111 @@
+import type { SurfaceUniforms } from '@farol/renderer/surfaces';
+import { Color, type Material, type Vector3 } from 'three';
+import { derivedMaterial } from './derivedMaterial';
+import type { FieldTable, FieldValue } from '../fields/Field';
+import type { SurfaceAsset } from './SurfaceAsset';
+import { surfaceCode } from './surfaceCode';
+import { readStored, storedValue, UNIFORM, uniformValues } from './uniformFields';
+import { type TextureHost, writeSurfaceMaps } from './writeSurfaceMaps';
+
+/** Values of a surface, as files hold them. */
+export interface LayerValues {
+  /** JSON: see `surfaceValueFields`. */
+  readonly text: string;
+  /** Names of its textures, in the order in which it declares them. */
+  readonly maps: readonly (string | null)[];
+}
+
+/** What a field of a uniform writes to: one number of it, 'x', or all. */
+interface Target {
+  readonly uniform: string;
+  readonly axis: 'x' | 'y' | 'z' | 'w' | null;
+}
+
+const targets = new WeakMap<FieldTable, ReadonlyMap<string, Target>>();
+
+/** What the fields of a surface write to, by name; found once for each table. */
+function targetsOf(table: FieldTable): ReadonlyMap<string, Target> {
+  let found = targets.get(table);
+  if (!found) {
+    const list = Object.keys(table).map((name): [string, Target] => {
+      const [uniform, axis = null] = name.slice(UNIFORM.length).split('.');
+      return [name, { uniform, axis: axis as Target['axis'] }];
+    });
+    targets.set(table, (found = new Map(list)));
+  }
+  return found;
+}
+
+/**
+ * A material of the host's with a surface over what it wears, for some of the objects that have it. Everything else it has from
+ * that material, live; nothing of it is changed.
+ */
+export class LayeredMaterial {
+  readonly material: Material;
+  users = 1;
+  private uniforms: SurfaceUniforms = {};
+
+  /**
+   * @param key - what others share it by; null for one of a single user
+   * @param asset - whose surface is there
+   */
+  constructor(
+    readonly source: Material,
+    readonly asset: SurfaceAsset,
+    public key: string | null,
+    private values: LayerValues,
+    private readonly textures: TextureHost,
+  ) {
+    this.material = derivedMaterial(source, { userData: { ...source.userData, surface: asset.name } });
+    source.addEventListener('dispose', this.sourceDisposed);
+    this.refresh();
+  }
+
+  /** Other values, for all users. */
+  change(values: LayerValues): void {
+    this.values = values;
+    this.refresh();
+  }
+
+  /** Follows the surface's text, and what the source wears. */
+  refresh(): void {
+    const code = surfaceCode();
+    const { surface, surfaceFields } = this.asset;
+    if (!code || !surface) return;
+    const { text, maps } = this.values;
+    const stored = readStored(text);
+    const given = uniformValues(surface.uniforms, (name) =>
+      storedValue(surfaceFields[name], stored[name.slice(UNIFORM.length)]),
+    );
+    this.uniforms = code.layerSurface(this.material, this.source, surface, given);
+    const worn = code.getSurfaces(this.material).map((each) => each.surface.name);
+    // for what reads three's materials, such as an export
+    this.material.userData.surface = worn.join(', ');
+    writeSurfaceMaps(code, surface.uniforms, this.uniforms, maps, this.textures, () => {
+      if (this.users > 0) this.refresh();
+    });
+  }
+
+  /** Shows another value of a field of the surface, 'surface.height', which simulation has. */
+  write(name: string, value: FieldValue): void {
+    const target = targetsOf(this.asset.surfaceFields).get(name);
+    const uniform = target && this.uniforms[target.uniform];
+    if (!uniform) return;
+    if (typeof value === 'number' && target.axis !== null)
+      (uniform.value as unknown as Vector3)[target.axis as 'x'] = value;
+    else if (typeof value === 'number' || typeof value === 'boolean') uniform.value = value;
+    else if (Array.isArray(value)) {
+      const [x, y, z] = value as readonly number[];
+      if (uniform.value instanceof Color) uniform.value.setRGB(x, y, z);
+      else (uniform.value as Vector3).set(x, y, z);
+    }
+  }
+
+  dispose(): void {
+    this.source.removeEventListener('dispose', this.sourceDisposed);
+    this.material.dispose();
+  }
+
+  // its programs go with those of the source; drawn again they are made again
+  private readonly sourceDisposed = (): void => this.material.dispose();
+}

@@ -1,0 +1,103 @@
+import type { Material } from 'three';
+import { LayeredMaterial, type LayerValues } from './LayeredMaterial';
+import type { SurfaceAsset } from './SurfaceAsset';
+import type { TextureHost } from './writeSurfaceMaps';
+
+/** Something that wears a surface by itself, over what its material wears. */
+export interface LayerUser {
+  /** Name of the surface; null for none. */
+  readonly surfaceName: string | null;
+  /** The surface, or its text, is another one. */
+  surfaceChanged(): void;
+}
+
+/** The materials of the objects that wear a surface by themselves; those of equal values share one. */
+export class LayeredMaterials {
+  /** Told of the surfaces that they wear. */
+  readonly users = new Set<LayerUser>();
+  private readonly all = new Set<LayeredMaterial>();
+  /** By source, and by surface and values. */
+  private readonly shared = new Map<Material, Map<string, LayeredMaterial>>();
+
+  constructor(private readonly textures: TextureHost) {}
+
+  /** How many materials are alive. */
+  get size(): number {
+    return this.all.size;
+  }
+
+  /**
+   * A material with a surface over what `source` wears; give it back with `release`.
+   * @param asset - whose text has been good
+   * @param isOwn - for one user, who writes its values while it is simulated
+   * @param before - what the user has for the source: changed in place, and given, where nobody else uses it; else it is
+   *   still to be given back
+   */
+  acquire(
+    source: Material,
+    asset: SurfaceAsset,
+    values: LayerValues,
+    isOwn: boolean,
+    before: LayeredMaterial | undefined,
+  ): LayeredMaterial {
+    const key = isOwn ? null : JSON.stringify([asset.surface!.id, values.text, ...values.maps]);
+    const known = key === null ? undefined : this.shared.get(source)?.get(key);
+    if (known) {
+      known.users++;
+      return known;
+    }
+    if (before && before.users === 1 && before.source === source && before.asset === asset) {
+      this.unshare(before);
+      before.key = key;
+      before.change(values);
+      before.users++;
+      this.share(before);
+      return before;
+    }
+    const made = new LayeredMaterial(source, asset, key, values, this.textures);
+    this.all.add(made);
+    this.share(made);
+    return made;
+  }
+
+  /** Gives one back; it is disposed when nobody uses it any more. */
+  release(layered: LayeredMaterial): void {
+    if (--layered.users > 0) return;
+    this.unshare(layered);
+    this.all.delete(layered);
+    layered.dispose();
+  }
+
+  /** The surface, or its text, is another one. */
+  surfaceChanged(asset: SurfaceAsset): void {
+    for (const layered of this.all) if (layered.asset === asset) layered.refresh();
+    for (const user of [...this.users]) if (user.surfaceName === asset.name) user.surfaceChanged();
+  }
+
+  /** A material wears another surface itself. */
+  sourceChanged(source: Material): void {
+    for (const layered of this.all) if (layered.source === source) layered.refresh();
+  }
+
+  dispose(): void {
+    for (const layered of this.all) layered.dispose();
+    this.all.clear();
+    this.shared.clear();
+    this.users.clear();
+  }
+
+  private share(layered: LayeredMaterial): void {
+    const { source, key } = layered;
+    if (key === null) return;
+    const known = this.shared.get(source);
+    if (known) known.set(key, layered);
+    else this.shared.set(source, new Map([[key, layered]]));
+  }
+
+  private unshare({ source, key }: LayeredMaterial): void {
+    const known = key === null ? undefined : this.shared.get(source);
+    if (!known) return;
+    known.delete(key!);
+    if (known.size === 0) this.shared.delete(source);
+  }
+}

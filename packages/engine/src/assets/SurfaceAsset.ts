@@ -1,0 +1,97 @@
+import type { Surface } from '@farol/renderer/surfaces';
+import type { FieldTable, FieldValue } from '../fields/Field';
+import { string } from '../fields/fields';
+import { DataAsset, type FieldAssetHost } from './FieldAsset';
+import { loadSurfaceCode, surfaceCode } from './surfaceCode';
+import { uniformFieldsOf } from './uniformFields';
+
+/** What a surface is made of. */
+export const surfaceFields = {
+  source: string('', { help: 'Its text: GLSL with surface() or displace(), and the uniforms that it declares.' }),
+};
+
+const none: FieldTable = {};
+
+/** What a SurfaceAsset needs of the library that it is in. */
+export interface SurfaceHost extends FieldAssetHost {
+  /** Time (s) of the scene, which all surfaces of the library share. */
+  readonly surfaceTime: { value: number };
+  /** @internal Told when `surface` or its uniforms are others. */
+  surfaceChanged(asset: SurfaceAsset, problem: Error | null): void;
+}
+
+/**
+ * A surface of a library: GLSL that materials wear, which changes position, normal, colour, roughness, metalness and emissive
+ * light. A text that cannot be used leaves the last good one in use.
+ */
+export class SurfaceAsset extends DataAsset {
+  static readonly fields = surfaceFields;
+  override readonly type = 'surface';
+
+  /** Why its text is not in use; null when it is. */
+  problem: Error | null = null;
+  private made: Surface | null = null;
+  private table: FieldTable = {};
+  private readonly surfaceHost: SurfaceHost;
+
+  /** @throws FieldError for a value that is not allowed */
+  constructor(host: SurfaceHost, name: string, values: Readonly<Record<string, FieldValue>> = {}) {
+    super(host, name, values);
+    this.surfaceHost = host;
+  }
+
+  /** The text. */
+  get source(): string {
+    return this.get('source') as string;
+  }
+
+  /** What materials wear; null until the renderer's code is there, and while no text was good. */
+  get surface(): Surface | null {
+    return this.made;
+  }
+
+  /**
+   * Fields of what wears it, by name, one for each number, colour, vector or texture: see `uniformFieldsOf`. None while its text
+   * is not in use: what can be edited follows from the text alone, so that steps of history find what they found.
+   */
+  get uniformFields(): FieldTable {
+    return this.problem ? none : this.table;
+  }
+
+  /** @internal Those of `surface`, which may be of an earlier text. */
+  get surfaceFields(): FieldTable {
+    return this.table;
+  }
+
+  /** @internal Begins to be of use, once the library has it. */
+  begin(): void {
+    if (surfaceCode()) this.refresh();
+    else
+      loadSurfaceCode().then(
+        () => this.refresh(),
+        (error: Error) => this.surfaceHost.surfaceChanged(this, error),
+      );
+  }
+
+  protected override fieldChanged(name: string, before: FieldValue): void {
+    this.refresh();
+    super.fieldChanged(name, before);
+  }
+
+  private refresh(): void {
+    const code = surfaceCode();
+    // while it is made, its library does not know it
+    if (!code || !this.surfaceHost) return;
+    const before = this.problem;
+    this.problem = null;
+    try {
+      if (this.made) this.made.source = this.source;
+      else this.made = new code.Surface(this.name, this.source, { time: this.surfaceHost.surfaceTime });
+      this.made.name = this.name;
+      this.table = uniformFieldsOf(this.made.uniforms);
+    } catch (error) {
+      this.problem = error as Error;
+    }
+    this.surfaceHost.surfaceChanged(this, this.problem?.message === before?.message ? null : this.problem);
+  }
+}

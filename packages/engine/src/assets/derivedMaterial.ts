@@ -1,0 +1,27 @@
+import { Material } from 'three';
+
+/**
+ * A material that has everything from another one, live, which is not changed: a program cache and listeners of its own, and
+ * what it is given.
+ */
+export function derivedMaterial(source: Material, values: Readonly<Record<string, unknown>>): Material {
+  const material = Object.create(source) as Material;
+  const own = (name: string, value: unknown): void => {
+    Object.defineProperty(material, name, { value, writable: true, configurable: true, enumerable: true });
+  };
+  Object.defineProperty(material, 'id', { value: new Material().id });
+  Object.defineProperty(material, 'version', {
+    get: () => source.version,
+    // three's switch of sides on transparent materials must not reach the source
+    set() {},
+  });
+  own('_listeners', undefined);
+  for (const name in values) own(name, values[name]);
+  return material;
+}
+
+/** What a material has everything else from, see `derivedMaterial`; itself where it is no such one. */
+export function sourceOfMaterial(material: Material): Material {
+  const above = Object.getPrototypeOf(material) as Material;
+  return Object.hasOwn(above, 'id') ? sourceOfMaterial(above) : material;
+}

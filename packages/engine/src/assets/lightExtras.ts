@@ -1,0 +1,84 @@
+import type { FarolAttenuation, FarolLightData, LinearRGB } from '@farol/renderer';
+import type { Light, Object3D, PointLight, SpotLight } from 'three';
+
+/** What of a light KHR_lights_punctual has no room for: the `extras.farolLight` of the node that the light is on. */
+export interface LightExtras {
+  /** In place of the intensity in the file, which is chosen for light that fades as in nature. */
+  readonly intensity: number;
+  /** In place of the colour in the file, where that has to be a smaller one: channels there are at most 1. */
+  readonly color?: LinearRGB;
+  /** Where three's physical falloff ends (m), 0 for nowhere; and its power. */
+  readonly distance?: number;
+  readonly decay?: number;
+  readonly penumbra?: number;
+  readonly data?: FarolLightData;
+}
+
+/**
+ * The extras of a light; null for one that glTF has room for.
+ * @param hasOwnColour whether the file has another colour
+ */
+export function lightExtrasOf(light: Light, hasOwnColour = false): LightExtras | null {
+  const { distance, decay, penumbra } = light as SpotLight;
+  const data = light.userData.farol as FarolLightData | undefined;
+  const fadesOwn = decay !== undefined && decay !== 2;
+  if (!data && !fadesOwn) return null;
+  const { color, intensity } = light;
+  return {
+    intensity,
+    ...(hasOwnColour && { color: [color.r, color.g, color.b] as const }),
+    ...(decay !== undefined && { distance, decay }),
+    ...(penumbra !== undefined && { penumbra }),
+    ...(data && { data: { ...data } }),
+  };
+}
+
+/** Gives the lights of a model that was read back what their extras say, as far as that can be used. */
+export function restoreLights(scene: Object3D): void {
+  scene.traverse((object) => {
+    const light = object as Light;
+    const extras: unknown = light.userData.farolLight;
+    if (light.isLight !== true || typeof extras !== 'object' || extras === null) return;
+    delete light.userData.farolLight;
+    restore(light, extras as Record<string, unknown>);
+  });
+}
+
+function restore(light: Light, extras: Record<string, unknown>): void {
+  const { intensity, color, distance, decay, penumbra } = extras;
+  if (isColour(color)) light.color.setRGB(...color);
+  if (isAmount(intensity)) light.intensity = intensity;
+  const local = light as PointLight;
+  if (local.decay !== undefined) {
+    if (isAmount(distance)) local.distance = distance;
+    if (isAmount(decay)) local.decay = decay;
+  }
+  const spot = light as SpotLight;
+  if (spot.penumbra !== undefined && isAmount(penumbra)) spot.penumbra = Math.min(1, penumbra);
+  if (typeof extras.data !== 'object' || extras.data === null) return;
+  const data = readData(extras.data as Record<string, unknown>);
+  if (Object.keys(data).length > 0) light.userData.farol = data;
+}
+
+function readData({ ambient, specular, spotExponent, attenuation }: Record<string, unknown>): FarolLightData {
+  const data: FarolLightData = {};
+  if (isColour(ambient)) data.ambient = ambient;
+  if (isColour(specular)) data.specular = specular;
+  if (isAmount(spotExponent)) data.spotExponent = spotExponent;
+  const read = readAttenuation(attenuation);
+  if (read) data.attenuation = read;
+  return data;
+}
+
+function readAttenuation(value: unknown): FarolAttenuation | null {
+  if (typeof value !== 'object' || value === null) return null;
+  const { kind, near, far, constant, linear, quadratic, range } = value as Record<string, unknown>;
+  if (kind === 'near-far' && isAmount(near) && isAmount(far)) return { kind, near, far };
+  if (kind !== 'polynomial' || !isAmount(constant) || !isAmount(linear)) return null;
+  return isAmount(quadratic) && isAmount(range) ? { kind, constant, linear, quadratic, range } : null;
+}
+
+const isAmount = (value: unknown): value is number => typeof value === 'number' && value >= 0 && value < 1e9;
+
+const isColour = (value: unknown): value is LinearRGB =>
+  Array.isArray(value) && value.length === 3 && value.every(isAmount);

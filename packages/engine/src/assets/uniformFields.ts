@@ -1,0 +1,123 @@
+import type { SurfaceUniform, SurfaceValues } from '@farol/renderer/surfaces';
+import type { Field, FieldTable, FieldValue, Vector3Tuple } from '../fields/Field';
+import { sameValue } from '../fields/FieldOwner';
+import { checkFieldValue } from '../fields/checkFieldValue';
+import { asset, boolean, colour, number, string, vector3 } from '../fields/fields';
+
+/** Before the names of fields that are uniforms of a surface. */
+export const UNIFORM = 'surface.';
+/** Fields of a material that hold the textures of a surface, in the order in which it declares them. */
+export const surfaceMaps = ['surfaceMap1', 'surfaceMap2', 'surfaceMap3', 'surfaceMap4'] as const;
+
+/** Shown by the fields of the surface's uniforms. */
+const hidden = { visibleWhen: { field: 'surface', equals: [] } };
+const map = asset('texture', null, { ...hidden, help: 'A texture of the surface.', label: 'Surface texture' });
+
+/** What holds the values of a surface's uniforms, of an owner that has a field `surface`. */
+export const surfaceValueFields = {
+  /** JSON of the uniforms of the surface that are not as it declares them, by name. */
+  surfaceValues: string('', { ...hidden, help: 'Values of the surface.', readOnly: true }),
+  surfaceMap1: map,
+  surfaceMap2: map,
+  surfaceMap3: map,
+  surfaceMap4: map,
+};
+
+const AXES = ['x', 'y', 'z', 'w'];
+
+/**
+ * The fields of the uniforms that a surface declares. Their values lie in `surfaceValues` of the material, textures in
+ * `surfaceMap1` and on. Vectors of two and four numbers are a field each number; textures after the fourth have none.
+ */
+export function uniformFieldsOf(uniforms: readonly SurfaceUniform[]): FieldTable {
+  const fields: Record<string, Field> = {};
+  let textures = 0;
+  for (const uniform of uniforms) {
+    const { name, type, label, default: value, least, most, step } = uniform;
+    const shared = { label, help: '', viewOf: 'surfaceValues' };
+    const range = {
+      ...(least !== undefined && { min: least }),
+      ...(most !== undefined && { max: most }),
+      ...(step !== undefined ? { step } : least !== undefined && type !== 'int' && { step: stepOf(least, most!) }),
+    };
+    const key = UNIFORM + name;
+    if (type === 'sampler2D') {
+      const map = surfaceMaps[textures++];
+      if (map) fields[key] = asset('texture', null, { ...shared, viewOf: map });
+    } else if (type === 'bool') fields[key] = boolean(value as boolean, shared);
+    else if (type === 'float') fields[key] = number(value as number, { ...shared, ...range });
+    else if (type === 'int') fields[key] = number(value as number, { ...shared, ...range, integer: true, step: 1 });
+    else if (type === 'vec3' && uniform.isColor) fields[key] = colour(triple(value), shared);
+    else if (type === 'vec3') fields[key] = vector3(triple(value), { ...shared, ...range });
+    else {
+      (value as readonly number[]).forEach((part, i) => {
+        fields[`${key}.${AXES[i]}`] = number(part, { ...shared, ...range, label: `${label} ${AXES[i].toUpperCase()}` });
+      });
+    }
+  }
+  return fields;
+}
+
+/** A step of a hundredth or so of a range. */
+const stepOf = (least: number, most: number): number => 10 ** Math.round(Math.log10((most - least) / 100));
+
+const triple = (value: SurfaceUniform['default']): Vector3Tuple => {
+  const [x, y, z] = value as readonly number[];
+  return [x, y, z];
+};
+
+/** Values that were set, by name without `UNIFORM`. */
+export type StoredValues = Readonly<Record<string, FieldValue>>;
+
+/** The value of a uniform's field; its default where none is stored, or one that it does not allow. */
+export function storedValue(field: Field, stored: FieldValue | undefined): FieldValue {
+  return stored === undefined || checkFieldValue(field, stored) !== null ? field.default : stored;
+}
+
+/** The value of a uniform's field in values of a file. @param field - a view, see `Field.viewOf` */
+export function viewedValue(values: StoredValues, name: string, field: Field): FieldValue {
+  if (field.viewOf !== 'surfaceValues') return values[field.viewOf!] ?? field.default;
+  return storedValue(field, readStored(String(values.surfaceValues ?? ''))[name.slice(UNIFORM.length)]);
+}
+
+/** Values of a file with another value of a uniform's field. */
+export function withViewedValue(values: StoredValues, name: string, field: Field, value: FieldValue): StoredValues {
+  const isDefault = sameValue(value, field.default);
+  const place = field.viewOf!;
+  const { [place]: stored, ...others } = values;
+  if (place !== 'surfaceValues') return isDefault ? others : { ...others, [place]: value };
+  const { [name.slice(UNIFORM.length)]: _before, ...rest } = readStored(String(stored ?? ''));
+  const text = writeStored(isDefault ? rest : { ...rest, [name.slice(UNIFORM.length)]: value });
+  return text === '' ? others : { ...others, surfaceValues: text };
+}
+
+/** Reads `surfaceValues`; what is none gives no values. */
+export function readStored(text: string): StoredValues {
+  if (text === '') return {};
+  try {
+    const values = JSON.parse(text) as unknown;
+    return typeof values === 'object' && values !== null && !Array.isArray(values) ? (values as StoredValues) : {};
+  } catch {
+    return {};
+  }
+}
+
+/** The same values always give the same text; none give ''. */
+export function writeStored(values: StoredValues): string {
+  const names = Object.keys(values).toSorted();
+  return names.length === 0 ? '' : JSON.stringify(Object.fromEntries(names.map((name) => [name, values[name]])));
+}
+
+/** Values of a surface's uniforms, but for textures. @param get - reads a field by its name */
+export function uniformValues(uniforms: readonly SurfaceUniform[], get: (name: string) => FieldValue): SurfaceValues {
+  const values: Record<string, SurfaceValues[string]> = {};
+  for (const { name, type } of uniforms) {
+    if (type === 'sampler2D') continue;
+    const size = type === 'vec2' ? 2 : type === 'vec4' ? 4 : 0;
+    values[name] =
+      size > 0
+        ? AXES.slice(0, size).map((axis) => get(`${UNIFORM}${name}.${axis}`) as number)
+        : (get(UNIFORM + name) as number | boolean | Vector3Tuple);
+  }
+  return values;
+}

@@ -1,0 +1,33 @@
+import type { SurfaceUniform, SurfaceUniforms } from '@farol/renderer/surfaces';
+import type { Texture } from 'three';
+import type { loadSurfaceCode } from './surfaceCode';
+
+/** Where textures come from: an AssetLibrary. */
+export interface TextureHost {
+  isReady(type: 'texture', name: string): boolean;
+  whenReady(type: 'texture', name: string, callback: () => void): void;
+  texture(name: string): Texture;
+}
+
+/**
+ * Writes the textures of a surface to its uniforms: those of the library that are loaded, else what the surface has by itself.
+ * @param maps - names in the order in which the surface declares its textures; null for none
+ * @param again - called when one is there that was still to be loaded
+ */
+export function writeSurfaceMaps(
+  code: Awaited<ReturnType<typeof loadSurfaceCode>>,
+  uniforms: readonly SurfaceUniform[],
+  values: SurfaceUniforms,
+  maps: readonly (string | null)[],
+  host: TextureHost,
+  again: () => void,
+): void {
+  let i = 0;
+  for (const uniform of uniforms) {
+    if (uniform.type !== 'sampler2D') continue;
+    const name = maps[i++] ?? null;
+    const isReady = name !== null && host.isReady('texture', name);
+    if (name !== null && !isReady) host.whenReady('texture', name, again);
+    values[uniform.name].value = isReady ? host.texture(name) : code.Surface.defaultOf(uniform);
+  }
+}

@@ -1,0 +1,58 @@
+import type { GameObject, Scene } from '../core/SceneGraph';
+import { skyFields } from '../picture/pictureFields';
+import { type BakeSources, bakeSources } from './bakeSources';
+
+/** Fields that change nothing of baked light. */
+const without: Readonly<Record<string, readonly string[]>> = {
+  ObjectRenderer: ['receiveShadow'],
+  ModelRenderer: ['receiveShadow', 'animation', 'animationSpeed'],
+  Light: ['shadowMapSize', 'shadowRadius', 'shadowBias', 'shadowNormalBias', 'shadowExtent'],
+};
+
+/** A number as text, alike for those that differ by rounding. */
+const rounded = (value: number): string => (Math.abs(value) < 5e-6 ? '0' : value.toFixed(5));
+
+function placeOf({ object3D }: GameObject): string {
+  object3D.updateWorldMatrix(true, false);
+  return object3D.matrixWorld.elements.map(rounded).join(' ');
+}
+
+/**
+ * What light depends on that is baked now, as a short text: static objects, lights that are baked, their materials and
+ * places, and the sky where it is baked. Another text than that of a bake tells that the bake is out of date. How finely
+ * it is baked does not count.
+ */
+export function bakeSignature(scene: Scene, sources: BakeSources = bakeSources(scene)): string {
+  const { settings, assets } = scene;
+  const components = [...new Set(sources.meshes.map(({ component }) => component)), ...sources.lights];
+  const materials = new Set<string>();
+  const texts = components.map((component) => {
+    const values = component.authoredValues();
+    for (const name of without[component.typeName] ?? []) delete values[name];
+    if (typeof values.material === 'string') materials.add(values.material);
+    const shapes = component.gameObject.components.filter((each) => each.enabled && 'shapeGeometry' in each);
+    const shape = shapes.map((each) => JSON.stringify(each.authoredValues())).join('');
+    return `${component.id} ${placeOf(component.gameObject)} ${JSON.stringify(values)}${shape}`;
+  });
+  for (const name of materials)
+    texts.push(`${name} ${JSON.stringify(assets.materialAsset(name)?.changedValues() ?? null)}`);
+  if (settings.bakeSky) {
+    const names = Object.keys(skyFields).filter((name) => name !== 'backgroundBlur' && name !== 'backgroundIntensity');
+    texts.push(JSON.stringify(names.map((name) => settings.getAuthored(name))));
+  }
+  return hashOf(texts.toSorted().join('\n'));
+}
+
+/** 53 bits of a text, as 14 letters. bryc, cyrb53 */
+function hashOf(text: string): string {
+  let a = 0xdeadbeef;
+  let b = 0x41c6ce57;
+  for (let i = 0; i < text.length; i++) {
+    const code = text.charCodeAt(i);
+    a = Math.imul(a ^ code, 2654435761);
+    b = Math.imul(b ^ code, 1597334677);
+  }
+  a = Math.imul(a ^ (a >>> 16), 2246822507) ^ Math.imul(b ^ (b >>> 13), 3266489909);
+  b = Math.imul(b ^ (b >>> 16), 2246822507) ^ Math.imul(a ^ (a >>> 13), 3266489909);
+  return (4294967296 * (2097151 & b) + (a >>> 0)).toString(16).padStart(14, '0');
+}

@@ -1,0 +1,70 @@
+import type { Mesh, Object3D } from 'three';
+import { Light } from '../components/Light';
+import { ModelRenderer } from '../components/ModelRenderer';
+import { ObjectRenderer } from '../components/ObjectRenderer';
+import { gameObjectOf } from '../core/gameObjectOf';
+import type { GameObject, Scene } from '../core/SceneGraph';
+import { takesLightmap } from './lightmappedMaterial';
+
+/** What of a scene takes part when its light is baked. */
+export interface BakeSources {
+  /** Meshes that get a lightmap. */
+  readonly meshes: readonly BakeMesh[];
+  /** GameObjects that draw them. */
+  readonly objects: readonly GameObject[];
+  /** Static objects that are drawn, but not as meshes of their own: probes light them. */
+  readonly instanced: readonly GameObject[];
+  /** Lights that are baked, whole or in part. */
+  readonly lights: readonly Light[];
+}
+
+/** A mesh that gets a lightmap. */
+export interface BakeMesh {
+  readonly mesh: Mesh;
+  /** What draws it, and which of its meshes it is: see `LightmappedMesh`. */
+  readonly component: ObjectRenderer | ModelRenderer;
+  readonly part: number;
+}
+
+type MeshLike = Mesh & { readonly isSkinnedMesh?: boolean; readonly isInstancedMesh?: boolean };
+
+/** Whether a mesh can have a lightmap: bones, morph targets and instances have no one place in it. */
+function canBeLightmapped(mesh: MeshLike): boolean {
+  const { geometry, material } = mesh;
+  const materials = Array.isArray(material) ? material : [material];
+  return (
+    mesh.isSkinnedMesh !== true &&
+    mesh.isInstancedMesh !== true &&
+    Object.keys(geometry.morphAttributes).length === 0 &&
+    materials.every((each) => takesLightmap(each) && !each.transparent)
+  );
+}
+
+function meshesOf(component: ObjectRenderer | ModelRenderer): BakeMesh[] {
+  const found: BakeMesh[] = [];
+  let part = 0;
+  component.three?.traverse((object: Object3D) => {
+    if (!('isMesh' in object)) return;
+    const mesh = object as MeshLike;
+    if (mesh.visible && canBeLightmapped(mesh)) found.push({ mesh, component, part });
+    part++;
+  });
+  return found;
+}
+
+/** What of a scene, as it is now, takes part in a bake. */
+export function bakeSources(scene: Scene): BakeSources {
+  const renderers = [...scene.componentsOf(ObjectRenderer), ...scene.componentsOf(ModelRenderer)].filter(
+    (component) => component.isActive && component.gameObject.isStatic,
+  );
+  const meshes = renderers.flatMap(meshesOf);
+  const instanced = renderers
+    .filter((component) => component instanceof ObjectRenderer && component.instanced)
+    .map(({ gameObject }) => gameObject);
+  const objects = [...new Set(meshes.map(({ component }) => component.gameObject))];
+  const lights = scene.componentsOf(Light).filter((light) => light.isActive && light.mode !== 'realtime');
+  return { meshes, objects, instanced, lights };
+}
+
+/** Whether a three object throws shadows and reflects light in a bake: it belongs to a static object. */
+export const isStaticObject = (object: Object3D): boolean => gameObjectOf(object)?.isStatic === true;

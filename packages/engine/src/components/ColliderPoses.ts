@@ -1,0 +1,58 @@
+import { type Matrix4, type Object3D, Vector3 } from 'three';
+
+/** Where an object is that particles bounce off; world space. */
+export interface ColliderPose {
+  /** Metres. */
+  readonly position: readonly [number, number, number];
+  /** Its +Y, of length 1. */
+  readonly up: readonly [number, number, number];
+  /** The greatest scale of its axes, above 0. */
+  readonly scale: number;
+}
+
+const LEAST_SCALE = 1e-6;
+const axis = new Vector3();
+
+/** The poses of some objects, made anew only when one has moved. */
+export class ColliderPoses {
+  poses: readonly ColliderPose[] = [];
+  private readonly matrices: Matrix4[] = [];
+  private count = 0;
+
+  /**
+   * Takes over where objects are; their world matrices are brought up to date.
+   * @returns whether one has moved, come or gone
+   */
+  follow(objects: readonly (Object3D | null)[]): boolean {
+    let changed = false;
+    let count = 0;
+    for (let i = 0; i < objects.length; i++) {
+      const object = objects[i];
+      if (object === null) continue;
+      object.updateWorldMatrix(true, false);
+      if (count >= this.matrices.length) this.matrices.push(object.matrixWorld.clone());
+      else if (count < this.count && this.matrices[count].equals(object.matrixWorld)) {
+        count++;
+        continue;
+      } else this.matrices[count].copy(object.matrixWorld);
+      changed = true;
+      count++;
+    }
+    changed ||= count !== this.count;
+    this.count = count;
+    if (changed) this.poses = this.matrices.slice(0, count).map(poseOf);
+    return changed;
+  }
+}
+
+function poseOf(matrix: Matrix4): ColliderPose {
+  const e = matrix.elements;
+  axis.setFromMatrixColumn(matrix, 1);
+  if (axis.lengthSq() === 0) axis.set(0, 1, 0);
+  axis.normalize();
+  return {
+    position: [e[12], e[13], e[14]],
+    up: [axis.x, axis.y, axis.z],
+    scale: Math.max(LEAST_SCALE, matrix.getMaxScaleOnAxis()),
+  };
+}

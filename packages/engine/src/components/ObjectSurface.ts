@@ -1,0 +1,148 @@
+import { surfaceCode } from '../assets/surfaceCode';
+import type { LayeredMaterial } from '../assets/LayeredMaterial';
+import type { LayerUser } from '../assets/LayeredMaterials';
+import type { SurfaceAsset } from '../assets/SurfaceAsset';
+import { surfaceMaps, surfaceValueFields, UNIFORM } from '../assets/uniformFields';
+import { UniformViews } from '../assets/UniformViews';
+import type { Component, Scene } from '../core/SceneGraph';
+import type { FieldTable, FieldValue } from '../fields/Field';
+import { asset } from '../fields/fields';
+import { type Material, type Mesh, Sphere } from 'three';
+
+/** Fields of a component whose object wears a surface by itself. */
+export const objectSurfaceFields = {
+  surface: asset('surface', null, {
+    help: 'A surface for this object alone, over what its material wears. It has values of its own.',
+    label: 'Wears',
+  }),
+  ...surfaceValueFields,
+};
+
+type Bounded = Mesh & { boundingSphere?: Sphere | null };
+
+/**
+ * The surface that a component has its meshes wear over their materials. Objects of one material, surface and values share a
+ * material; while simulation changes a value, an object has one of its own, whose uniforms are written and nothing else.
+ */
+export class ObjectSurface implements LayerUser {
+  readonly views: UniformViews;
+  private worn: LayeredMaterial[] = [];
+  /** Whether simulation has the values. */
+  private isOwn = false;
+
+  /**
+   * @param owner - has `objectSurfaceFields`
+   * @param declared - all of its fields
+   * @param refresh - has it dress its meshes again
+   * @param reachChanged - told when vertices may lie farther from their geometry, or less far
+   */
+  constructor(
+    private readonly owner: Component,
+    declared: FieldTable,
+    private readonly refresh: () => void,
+    private readonly reachChanged: () => void,
+  ) {
+    this.views = new UniformViews(owner, declared, () => this.asset);
+  }
+
+  get surfaceName(): string | null {
+    return this.owner.getAuthored('surface') as string | null;
+  }
+
+  surfaceChanged(): void {
+    this.refresh();
+  }
+
+  /**
+   * Gives meshes their materials.
+   * @param dress - is handed what gives the material to draw with in place of one, which is that one where no surface is worn
+   */
+  dress(scene: Scene, dress: (wear: (source: Material) => Material) => void): void {
+    const { layered } = scene.assets;
+    const before = this.worn;
+    this.worn = [];
+    const code = surfaceCode();
+    const worn = this.surfaceName === null ? null : this.asset;
+    if (this.surfaceName === null) layered.users.delete(this);
+    else layered.users.add(this);
+    dress((source) => {
+      if (!code || !worn?.surface || !code.canWearSurface(source)) return source;
+      const known = this.worn.find((each) => each.source === source);
+      if (known) return known.material;
+      const old = before.find((each) => each.source === source);
+      const made = layered.acquire(source, worn, this.values(), this.isOwn, old);
+      this.worn.push(made);
+      if (this.isOwn) for (const name of Object.keys(worn.uniformFields)) made.write(name, this.owner.get(name));
+      return made.material;
+    });
+    for (const each of before) layered.release(each);
+  }
+
+  /** Gives back what is worn. */
+  end(scene: Scene): void {
+    const { layered } = scene.assets;
+    layered.users.delete(this);
+    for (const each of this.worn) layered.release(each);
+    this.worn = [];
+    this.isOwn = false;
+  }
+
+  /** A field of the component shows another value. @returns whether it is one of a uniform, and dealt with */
+  fieldChanged(name: string): boolean {
+    if (!name.startsWith(UNIFORM)) return false;
+    const { owner, worn } = this;
+    if (this.simulationChanged() || !this.views.has(name)) return true;
+    const value = owner.get(name);
+    for (let i = 0; i < worn.length; i++) worn[i].write(name, value);
+    if (worn.length > 0 && worn[0].asset.surface!.displaces) this.reachChanged();
+    return true;
+  }
+
+  /** Goes back to values that it shares. */
+  simulationEnded(): void {
+    if (this.isOwn) this.simulationChanged();
+  }
+
+  /** Goes over to values of its own, or back. @returns whether it did */
+  private simulationChanged(): boolean {
+    if (this.isOwn === this.owner.isSimulated) return false;
+    this.isOwn = this.owner.isSimulated;
+    this.refresh();
+    return true;
+  }
+
+  private get asset(): SurfaceAsset | null {
+    const name = this.surfaceName;
+    return name === null ? null : (this.owner.scene?.assets.surface(name) ?? null);
+  }
+
+  private values(): { text: string; maps: readonly (string | null)[] } {
+    const get = (name: string): FieldValue => this.owner.getAuthored(name);
+    return { text: get('surfaceValues') as string, maps: surfaceMaps.map((name) => get(name) as string | null) };
+  }
+}
+
+/**
+ * Has a mesh be left out of pictures and shadow maps by where its surfaces may displace it to.
+ * @param isCulled - whether it is where nothing displaces it
+ */
+export function fitBounds(mesh: Mesh, isCulled = true): void {
+  const { material, geometry } = mesh;
+  const bounded = mesh as Bounded;
+  const code = surfaceCode();
+  let reach = 0;
+  if (!Array.isArray(material)) reach = code?.surfaceReach(material) ?? 0;
+  else for (const each of material) reach = Math.max(reach, code?.surfaceReach(each) ?? 0);
+  // the spheres of these are three's
+  const hasOwn = 'isSkinnedMesh' in mesh || 'isInstancedMesh' in mesh || 'isBatchedMesh' in mesh;
+  mesh.frustumCulled = isCulled && (hasOwn ? reach === 0 : reach !== Infinity);
+  if (hasOwn) return;
+  if (reach === 0 || reach === Infinity) {
+    if (bounded.boundingSphere) bounded.boundingSphere = undefined;
+    return;
+  }
+  if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
+  bounded.boundingSphere ??= new Sphere();
+  bounded.boundingSphere.copy(geometry.boundingSphere!);
+  bounded.boundingSphere.radius += reach;
+}

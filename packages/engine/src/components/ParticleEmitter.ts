@@ -1,0 +1,212 @@
+import type { ParticleEmitter as ThreeEmitter } from '@farol/renderer/particles';
+import { type BufferGeometry, Mesh, type Object3D, type Texture } from 'three';
+import type { AssetType } from '../fields/Field';
+import { component } from '../fields/component';
+import type { RequiredEffect } from '../core/RequiredEffect';
+import type { Scene } from '../core/SceneGraph';
+import { ObjectRenderer } from './ObjectRenderer';
+import { loadParticleCode, particleCode, particlesEffect } from './particleCode';
+import { type ColliderPose, ColliderPoses } from './ColliderPoses';
+import { particleFields } from './particleFields';
+import { colliderObjects, type ParticleParts } from './particleSettings';
+
+/** Times of the scene and of the emitter that differ by less are the same (s). */
+const SAME_TIME = 1e-4;
+
+/**
+ * Emits particles that the GPU simulates, and that may be lights: `ParticleEmitter` of @farol/renderer/particles, fetched when
+ * a scene first has one; an `App` switches the effect on that draws it. While the scene plays they go on with its time, and
+ * begin from the seed with it: the same times give the same particles.
+ */
+export class ParticleEmitter extends component(particleFields) {
+  static override readonly typeName: string = 'ParticleEmitter';
+  static override readonly help: string = 'Particles such as fire, smoke and sparks, which may light the scene.';
+  static override readonly effect: RequiredEffect = particlesEffect;
+  static override readonly callable: readonly string[] = ['restart', 'emit', 'stop'];
+
+  private emitter: ThreeEmitter | null = null;
+  /** The scene's time at which it began (s). */
+  private beganAt = 0;
+  private readonly colliders = new ColliderPoses();
+  private readonly colliderObjects: (Object3D | null)[] = colliderObjects.map(() => null);
+  private readonly parts: { -readonly [K in keyof ParticleParts]: ParticleParts[K] } = {
+    colliders: [],
+    surface: null,
+    mesh: null,
+    texture: null,
+  };
+
+  /** The emitter below the GameObject's object3D; null outside a scene, and until its code is fetched. */
+  get three(): ThreeEmitter | null {
+    return this.emitter;
+  }
+
+  /** Where the objects are that particles bounce off. */
+  get colliderPoses(): readonly ColliderPose[] {
+    return this.parts.colliders;
+  }
+
+  /** Has all particles begin anew, from the seed. */
+  restart(): void {
+    this.beganAt = this.scene?.time ?? 0;
+    this.emitter?.restart();
+  }
+
+  /** Has particles begin, from now on. */
+  emit(): void {
+    this.simulate('emitting', true);
+  }
+
+  /** Has no more particles begin; those that live go on. */
+  stop(): void {
+    this.simulate('emitting', false);
+  }
+
+  /** Goes on by a time without the scene's, as editors do to show it while nothing plays (s). */
+  advance(seconds: number): void {
+    this.followSurface();
+    this.followColliders();
+    this.emitter?.step(seconds);
+  }
+
+  override onEnterScene(scene: Scene): void {
+    this.beganAt = scene.time;
+    this.make(scene);
+  }
+
+  override onLeaveScene(scene: Scene): void {
+    this.emitter?.removeFromParent();
+    this.emitter?.dispose();
+    this.emitter = null;
+    for (const name of ['mesh', 'texture'] as const) this.take(scene, name, null);
+    this.parts.surface = null;
+  }
+
+  override onFieldChanged(name: string): void {
+    const { scene, emitter } = this;
+    if (!scene || !emitter) return;
+    if (name === 'mesh' || name === 'texture') return this.fetchPart(scene, name);
+    if (name === 'surface' || name === 'shape') this.parts.surface = this.findSurface();
+    emitter.emitting = this.emitting;
+    this.followColliders();
+    this.apply(name);
+  }
+
+  override onActiveChanged(): void {
+    if (this.isActive) this.restart();
+    this.show();
+  }
+
+  override update(deltaSeconds: number, time: number): void {
+    const { emitter } = this;
+    if (!emitter) return;
+    this.followSurface();
+    this.followColliders();
+    // a scene that was put back to an earlier time
+    if (time < this.beganAt) this.beganAt = time;
+    const due = time - this.beganAt;
+    if (Math.abs(emitter.time + deltaSeconds - due) < SAME_TIME) {
+      // what is not drawn is not prewarmed either
+      if (deltaSeconds > 0) emitter.step(deltaSeconds);
+      return;
+    }
+    // another time than the one it went on from: it was shown while nothing played, or the scene was put at that time
+    emitter.restart();
+    if (due > 0) emitter.step(due);
+  }
+
+  private make(scene: Scene): void {
+    const code = particleCode();
+    if (code === null) {
+      loadParticleCode().then(
+        () => this.scene === scene && this.emitter === null && this.make(scene),
+        (error: Error) => this.scene === scene && console.error(`Farol: ${error.message}`),
+      );
+      return;
+    }
+    const emitter = (this.emitter = new code.ParticleEmitter());
+    emitter.name = this.gameObject.name;
+    this.gameObject.object3D.add(emitter);
+    this.parts.surface = this.findSurface();
+    this.followColliders();
+    emitter.set(code.particleSettings(this, this.parts));
+    emitter.emitting = this.emitting;
+    for (const name of ['mesh', 'texture'] as const) this.fetchPart(scene, name);
+    this.show();
+    const due = scene.time - this.beganAt;
+    if (due > 0) emitter.step(due);
+  }
+
+  private show(): void {
+    if (this.emitter) this.emitter.visible = this.enabled;
+  }
+
+  /** Gives the emitter the setting that a field is part of. */
+  private apply(field: string): void {
+    const { emitter, scene } = this;
+    if (!emitter || !scene) return;
+    const { time } = emitter;
+    emitter.set(particleCode()!.changedSetting(field, this, this.parts));
+    // some settings have it begin anew; what stands still shows others at once if it does
+    if (time > 0 && emitter.time === 0) this.beganAt = scene.time;
+    else if (time === 0 && emitter.prewarm > 0) emitter.restart();
+  }
+
+  private fetchPart(scene: Scene, name: 'mesh' | 'texture'): void {
+    const asset = this[name];
+    const type: AssetType = name;
+    this.take(scene, name, null);
+    if (asset === null) return this.apply(name);
+    scene.assets.whenReady(type, asset, () => {
+      if (this.scene !== scene || this[name] !== asset || !this.emitter) return;
+      this.take(scene, name, name === 'mesh' ? scene.assets.mesh(asset) : scene.assets.texture(asset));
+      this.apply(name);
+    });
+    if (this.parts[name] === null) this.apply(name);
+  }
+
+  /** Counts itself among the users of an asset, and no longer among those of the one before. */
+  private take(scene: Scene, name: 'mesh' | 'texture', asset: BufferGeometry | Texture | null): void {
+    const { uses } = scene.assets;
+    const before = this.parts[name];
+    if (asset) uses.acquire(asset);
+    if (before) uses.release(before);
+    this.parts[name] = asset as never;
+  }
+
+  /** Takes the surface that particles begin on anew where it came late, or went. */
+  private followSurface(): void {
+    if (this.shape !== 'mesh') return;
+    const { surface } = this.parts;
+    if (surface?.parent) return;
+    const found = this.findSurface();
+    if (found === surface) return;
+    this.parts.surface = found;
+    this.apply('surface');
+  }
+
+  /** Takes over where the objects are that particles bounce off. */
+  private followColliders(): void {
+    const { colliderObjects: objects, scene } = this;
+    for (let i = 0; i < objects.length; i++) {
+      const id = this.collides ? this[colliderObjects[i]] : null;
+      objects[i] = id === null ? null : (scene?.findById(id)?.object3D ?? null);
+    }
+    if (!this.colliders.follow(objects)) return;
+    this.parts.colliders = this.colliders.poses;
+    this.apply('collides');
+  }
+
+  private findSurface(): Mesh | null {
+    if (this.shape !== 'mesh') return null;
+    const { surface, scene } = this;
+    const object = surface === null ? this.gameObject : (scene?.findById(surface) ?? null);
+    const own = object?.getComponent(ObjectRenderer)?.three;
+    if (own || !object) return own ?? null;
+    let found: Mesh | null = null;
+    object.object3D.traverse((each) => {
+      if (!found && each instanceof Mesh && !('isParticleEmitter' in each)) found = each;
+    });
+    return found;
+  }
+}

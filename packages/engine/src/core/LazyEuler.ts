@@ -1,0 +1,79 @@
+import { Euler, type EulerOrder, type Object3D, type Quaternion } from 'three';
+
+/**
+ * The angles of a quaternion, computed when they are read. three's own are computed with each change of the quaternion, which
+ * is most of what moving a body costs.
+ */
+class LazyEuler extends Euler {
+  /** The quaternion changed since the angles were computed. */
+  isStale = false;
+
+  // set by the constructor of Euler, before fields of this class would be
+  declare private ownX: number;
+  declare private ownY: number;
+  declare private ownZ: number;
+  declare private ownOrder: EulerOrder;
+
+  constructor(
+    private readonly source: Quaternion,
+    order: EulerOrder,
+  ) {
+    super(0, 0, 0, order);
+  }
+
+  // three's methods, and those of other objects that are given this one, read and write these
+  get _x(): number {
+    this.refresh();
+    return this.ownX;
+  }
+
+  set _x(value: number) {
+    this.refresh();
+    this.ownX = value;
+  }
+
+  get _y(): number {
+    this.refresh();
+    return this.ownY;
+  }
+
+  set _y(value: number) {
+    this.refresh();
+    this.ownY = value;
+  }
+
+  get _z(): number {
+    this.refresh();
+    return this.ownZ;
+  }
+
+  set _z(value: number) {
+    this.refresh();
+    this.ownZ = value;
+  }
+
+  get _order(): EulerOrder {
+    return this.ownOrder;
+  }
+
+  set _order(value: EulerOrder) {
+    // the angles stay, as in three, and the quaternion changes
+    this.refresh();
+    this.ownOrder = value;
+  }
+
+  private refresh(): void {
+    if (!this.isStale) return;
+    this.isStale = false;
+    this.setFromQuaternion(this.source, this.ownOrder, false);
+  }
+}
+
+/** Has an object compute the angles of its `rotation` only when they are read. */
+export function makeRotationLazy(object: Object3D): void {
+  const { quaternion } = object;
+  const rotation = new LazyEuler(quaternion, object.rotation.order);
+  rotation._onChange(() => void quaternion.setFromEuler(rotation, false));
+  quaternion._onChange(() => (rotation.isStale = true));
+  Object.defineProperty(object, 'rotation', { configurable: true, enumerable: true, value: rotation });
+}

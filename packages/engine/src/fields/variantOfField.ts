@@ -1,0 +1,22 @@
+import type { Field } from './Field';
+
+/** By field, and the value of the one that its variants go by. */
+const made = new WeakMap<Field, Map<unknown, Field>>();
+
+/**
+ * A field as it is shown at present: with the label and the unit that it has while another field has its value; the same
+ * object for the same value.
+ * @param get - reads the value of a field by its name
+ */
+export function variantOfField(field: Field, get: (field: string) => unknown): Field {
+  const { variants } = field;
+  if (!variants) return field;
+  const key = get(variants.field);
+  const variant = typeof key === 'string' && Object.hasOwn(variants.of, key) ? variants.of[key] : undefined;
+  if (!variant) return field;
+  let known = made.get(field);
+  if (!known) made.set(field, (known = new Map<unknown, Field>()));
+  let shown = known.get(key);
+  if (!shown) known.set(key, (shown = { ...field, ...variant } as Field));
+  return shown;
+}

@@ -1,0 +1,28 @@
+/** Bytes as text, a character each: what is not ASCII stays as it is. */
+function textOf(bytes: Uint8Array): string {
+  let text = '';
+  for (let at = 0; at < bytes.length; at += 0x2000) text += String.fromCharCode(...bytes.subarray(at, at + 0x2000));
+  return text;
+}
+
+/**
+ * Puts the tilt of lamps that a photometric file has in another file into it, unchanged otherwise.
+ * @param bytes - the .ies
+ * @param find - the bytes of the file that it names; null when there is none
+ * @returns the same bytes where it names none, or that one is missing: reading it then says so
+ * @see ANSI/IES LM-63-19: TILT=INCLUDE
+ */
+export async function packIES(
+  bytes: ArrayBuffer,
+  find: (name: string) => Promise<ArrayBuffer | null>,
+): Promise<ArrayBuffer> {
+  const { tiltFileOf } = await import('@farol/renderer/light-profiles');
+  const text = textOf(new Uint8Array(bytes));
+  const name = tiltFileOf(text);
+  const tilt = name === null ? null : await find(name);
+  if (tilt === null) return bytes;
+  // DOS ends files by a mark
+  const numbers = textOf(new Uint8Array(tilt)).replace(/[\0-\x20]+$/, '');
+  const packed = text.replace(/^[ \t]*TILT[ \t]*=.*$/im, () => `TILT=INCLUDE\r\n${numbers}`);
+  return Uint8Array.from(packed, (character) => character.charCodeAt(0)).buffer;
+}

@@ -1,0 +1,35 @@
+/** A hole in a wall, in metres: along the wall from its middle, and up from the floor. */
+export interface Opening {
+  readonly from: number;
+  readonly to: number;
+  readonly bottom: number;
+  readonly top: number;
+}
+
+/** What of a wall stays beside a hole and above it (m). */
+const RIM = 0.05;
+
+/** What is asked for of a hole (m). */
+export interface OpeningSize {
+  readonly width: number;
+  readonly height: number;
+  /** From the floor to its bottom; 0 of a door. */
+  readonly sill: number;
+  /** From the middle of the wall to that of the hole. */
+  readonly offset: number;
+}
+
+/** A hole as it fits into a wall of a length and a height (m): moved along, made lower and narrower; null where none fits. */
+export function fitOpening(asked: OpeningSize, length: number, height: number): Opening | null {
+  const width = Math.min(asked.width, length - 2 * RIM);
+  const top = Math.min(asked.sill + asked.height, height - RIM);
+  const bottom = Math.min(asked.sill, top);
+  if (width <= 0 || top - bottom <= 0) return null;
+  const furthest = (length - width) / 2 - RIM;
+  const middle = Math.min(furthest, Math.max(-furthest, asked.offset));
+  return { from: middle - width / 2, to: middle + width / 2, bottom, top };
+}
+
+/** Whether a point of a wall, along it and up (m), is in a hole. */
+export const isInOpening = ({ from, to, bottom, top }: Opening, along: number, up: number): boolean =>
+  along > from && along < to && up > bottom && up < top;

@@ -1,0 +1,30 @@
+import type { Scene } from '../core/SceneGraph';
+import { type ComponentBase, component } from '../fields/component';
+import type { FieldTable } from '../fields/Field';
+import { PhysicsSystem } from './PhysicsSystem';
+
+/**
+ * The base class of a component that takes part in the physics of its scene, with these fields: it tells the PhysicsSystem
+ * when it comes, goes, is switched or changes. What overrides one of its methods calls that of `super` too.
+ * @throws Error as `component` does
+ */
+export function physicsComponent<const F extends FieldTable>(fields: F): ComponentBase<F> {
+  abstract class PhysicsComponent extends (component(fields) as unknown as ComponentBase<Record<never, never>>) {
+    override onEnterScene(scene: Scene): void {
+      scene.system(PhysicsSystem).componentChanged(this);
+    }
+
+    override onLeaveScene(scene: Scene): void {
+      scene.system(PhysicsSystem).componentChanged(this);
+    }
+
+    override onFieldChanged(_name: string): void {
+      this.scene?.system(PhysicsSystem).componentChanged(this);
+    }
+
+    override onActiveChanged(): void {
+      this.scene?.system(PhysicsSystem).componentChanged(this);
+    }
+  }
+  return PhysicsComponent as never;
+}

@@ -1,0 +1,99 @@
+import { openingOf, type ScriptToken, within } from './scriptTokens';
+
+/** The parts of a `for (;;)` whose passes its own counter counts. Places are those of tokens. */
+export interface CountedLoop {
+  readonly counter: string;
+  /** Whether the counter goes up. */
+  readonly isUp: boolean;
+  /** The brace that ends the body. */
+  readonly end: number;
+}
+
+/** A least step; with a smaller one too many passes would go by between two looks at the clock. */
+const LEAST_STEP = 0.01;
+
+/** What may stand in the value that the counter begins with; a number must be among it, so that it is no BigInt. */
+const PLAIN = new Set(['name', 'num', '.', '+', '-', '*', '/', '%', '+/-']);
+
+/** What may catch the counter of a pass, or begin a function that does. */
+const FUNCTIONS = new Set(['=>', 'function', 'class']);
+const BEFORE_BLOCK = new Set(['if', 'for', 'while', 'switch', 'catch', 'with']);
+
+/**
+ * Reads `for (let i = 0; …; i++) { … }`, where nothing but the head gives `i` another value and no function is made in it; null
+ * for any other loop.
+ * @param at - the token `for`
+ * @param close - the bracket that ends the head
+ */
+export function countedLoop(
+  code: string,
+  tokens: readonly ScriptToken[],
+  at: number,
+  close: number,
+  [first, second]: readonly number[],
+): CountedLoop | null {
+  const label = (i: number): string => tokens[i]?.label ?? '';
+  const text = (i: number): string => code.slice(tokens[i].start, tokens[i].end);
+  // `continue` with a label must not come to the loop that is put around it
+  if (label(at - 1) === ':' || label(close + 1) !== '{') return null;
+  if (label(at + 1) !== '(' || label(at + 2) !== 'let' || label(at + 3) !== 'name' || label(at + 4) !== '=')
+    return null;
+  const counter = text(at + 3);
+  let isNumber = false;
+  for (let i = at + 5; i < first && label(i) !== ','; i++) {
+    if (!PLAIN.has(label(i))) return null;
+    isNumber ||= label(i) === 'num';
+  }
+  const step = isNumber ? stepOf(second + 1, counter, label, text) : null;
+  const end = within(tokens, close + 1).close;
+  if (!step || end < 0) return null;
+  const { length } = step;
+  for (let i = at + 5; i < end; i++) {
+    const isStep = i > second && i <= second + length;
+    if (!isStep && mayChange(tokens, i, counter, label, text)) return null;
+  }
+  return { counter, isUp: step.isUp, end };
+}
+
+/** `i++`, `++i`, `i += 2` and those downwards, as the whole of the head's last part or before a comma. */
+function stepOf(
+  at: number,
+  counter: string,
+  label: (i: number) => string,
+  text: (i: number) => string,
+): { isUp: boolean; length: number } | null {
+  const isEnd = (i: number): boolean => label(i) === ')' || label(i) === ',';
+  const isCounter = (i: number): boolean => label(i) === 'name' && text(i) === counter;
+  if (isCounter(at) && label(at + 1) === '++/--' && isEnd(at + 2)) return { isUp: text(at + 1) === '++', length: 2 };
+  if (label(at) === '++/--' && isCounter(at + 1) && isEnd(at + 2)) return { isUp: text(at) === '++', length: 2 };
+  if (!isCounter(at) || label(at + 1) !== '_=' || label(at + 2) !== 'num' || !isEnd(at + 3)) return null;
+  const sign = text(at + 1);
+  if ((sign !== '+=' && sign !== '-=') || !(Number(text(at + 2)) >= LEAST_STEP)) return null;
+  return { isUp: sign === '+=', length: 3 };
+}
+
+/** Whether a token may belong to what gives the counter another value, or to a function, which keeps the counter of its pass. */
+function mayChange(
+  tokens: readonly ScriptToken[],
+  i: number,
+  counter: string,
+  label: (i: number) => string,
+  text: (i: number) => string,
+): boolean {
+  const kind = label(i);
+  if (FUNCTIONS.has(kind)) return true;
+  if (kind === '{' && label(i - 1) === ')') {
+    const open = openingOf(tokens, i - 1);
+    // of a method
+    if (!BEFORE_BLOCK.has(label(open - 1)) && !(label(open - 1) === 'name' && text(open - 1) === 'await')) return true;
+  }
+  if (kind === '=' && (label(i - 1) === ']' || label(i - 1) === '}')) {
+    const before = label(openingOf(tokens, i - 1) - 1);
+    // values that are taken apart
+    if (label(i - 1) === '}' || !(before === 'name' || before === ')' || before === ']')) return true;
+  }
+  if (kind !== 'name' || text(i) !== counter || label(i - 1) === '.') return false;
+  const [before, after] = [label(i - 1), label(i + 1)];
+  const isHead = before === '(' && label(i - 2) === 'for';
+  return after === '=' || after === '_=' || after === '++/--' || before === '++/--' || isHead;
+}

@@ -1,0 +1,47 @@
+import { getFormattedTokens } from 'sucrase';
+
+/** A token of JavaScript as sucrase labels it: 'for', '(', 'name', '_=' for `+=`, '++/--'. */
+export interface ScriptToken {
+  readonly label: string;
+  readonly start: number;
+  readonly end: number;
+}
+
+/** The tokens of a text that can be read. */
+export function scriptTokens(code: string): ScriptToken[] {
+  const starts = [0];
+  for (let at = code.indexOf('\n'); at >= 0; at = code.indexOf('\n', at + 1)) starts.push(at + 1);
+  const place = (line: string, column: string): number => starts[Number(line) - 1] + Number(column) - 1;
+  return getFormattedTokens(code, { transforms: [] })
+    .split('\n')
+    .flatMap((row) => {
+      const [, line, column, lastLine, lastColumn, label] = /^(\d+):(\d+)-(\d+):(\d+)\s+(\S+)/.exec(row) ?? [];
+      return label ? { label, start: place(line, column), end: place(lastLine, lastColumn) } : [];
+    });
+}
+
+const OPENING = new Set(['(', '[', '{', '${']);
+const CLOSING = new Set([')', ']', '}']);
+
+/** The place of the bracket that closes the one at `open`, and those of the semicolons directly within; -1 when there is none. */
+export function within(tokens: readonly ScriptToken[], open: number): { close: number; semicolons: number[] } {
+  const semicolons: number[] = [];
+  let depth = 0;
+  for (let i = open; i < tokens.length; i++) {
+    const { label } = tokens[i];
+    if (OPENING.has(label)) depth++;
+    else if (CLOSING.has(label) && --depth === 0) return { close: i, semicolons };
+    else if (label === ';' && depth === 1) semicolons.push(i);
+  }
+  return { close: -1, semicolons };
+}
+
+/** The place of the bracket that the one at `close` closes; -1 when there is none. */
+export function openingOf(tokens: readonly ScriptToken[], close: number): number {
+  let depth = 0;
+  for (let i = close; i >= 0; i--) {
+    if (CLOSING.has(tokens[i].label)) depth++;
+    else if (OPENING.has(tokens[i].label) && --depth === 0) return i;
+  }
+  return -1;
+}

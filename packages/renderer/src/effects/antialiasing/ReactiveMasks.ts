@@ -1,0 +1,92 @@
+import {
+  type DepthTexture,
+  type Material,
+  NearestFilter,
+  RedFormat,
+  type Texture,
+  UnsignedByteType,
+  WebGLRenderTarget,
+} from 'three';
+import type { Frame } from '../../frame/Frame';
+import type { ReactiveMask } from '../../frame/ReactiveMask';
+import type { RenderItem } from '../../frame/RenderItem';
+import { targetBytes } from '../../gpu/targetBytes';
+
+/** The reactive masks of this frame and of the last, of one camera and scene: of frames without any there is none. */
+export class ReactiveMasks implements ReactiveMask<Frame> {
+  private targets: [WebGLRenderTarget | null, WebGLRenderTarget | null] = [null, null];
+  private picture: WebGLRenderTarget | null = null;
+  private isDrawn = false;
+  private wasDrawn = false;
+
+  get bytes(): number {
+    let bytes = 0;
+    for (const target of this.targets) if (target !== null) bytes += targetBytes(target, false);
+    return bytes;
+  }
+
+  /** Of this frame; null where nothing is reactive. */
+  get now(): Texture | null {
+    return this.isDrawn ? this.targets[0]!.texture : null;
+  }
+
+  /** Of the last frame. */
+  get before(): Texture | null {
+    return this.wasDrawn ? (this.targets[1]?.texture ?? null) : null;
+  }
+
+  /** @param picture whose depth hides what lies behind it */
+  begin(picture: WebGLRenderTarget): void {
+    this.picture = picture;
+    this.isDrawn = false;
+  }
+
+  draw(frame: Frame, item: RenderItem, material: Material): void {
+    if (!this.isDrawn) this.bind(frame);
+    this.isDrawn = true;
+    frame.drawItem(item, material);
+  }
+
+  /** Ends the frame: its mask is that of the last. */
+  advance(): void {
+    this.wasDrawn = this.isDrawn;
+    this.isDrawn = false;
+    this.targets.reverse();
+  }
+
+  reset(): void {
+    this.isDrawn = this.wasDrawn = false;
+  }
+
+  dispose(): void {
+    for (const target of this.targets) free(target);
+    this.targets = [null, null];
+    this.reset();
+  }
+
+  private bind(frame: Frame): void {
+    const { width, height, depthTexture, stencilBuffer } = this.picture!;
+    let [target] = this.targets;
+    if (target !== null && target.depthTexture !== depthTexture) target = free(target);
+    target ??= new WebGLRenderTarget(width, height, {
+      format: RedFormat,
+      type: UnsignedByteType,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      stencilBuffer,
+      depthTexture: depthTexture as DepthTexture,
+    });
+    this.targets[0] = target;
+    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    frame.bind(target);
+    frame.clear(1, false);
+  }
+}
+
+/** The picture's depth stays. */
+function free(target: WebGLRenderTarget | null): null {
+  if (target === null) return null;
+  target.depthTexture = null;
+  target.dispose();
+  return null;
+}

@@ -1,0 +1,86 @@
+import { Data3DTexture, HalfFloatType, type IUniform, type Scene, Vector3 } from 'three';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import type { Frame } from '../../frame/Frame';
+import type { RenderItem } from '../../frame/RenderItem';
+import type { TwinKind } from '../../materials/TwinKind';
+import { ProbeGrid } from './ProbeGrid';
+import { probedTwin } from './probedTwin';
+
+/** Light of a scene that was baked, besides its lightmaps. */
+export interface BakedSurroundings {
+  /** What lights materials without a lightmap; null for nothing. */
+  readonly grid: ProbeGrid | null;
+  /**
+   * Whether the light of the scene's environment is in lightmaps and probes: diffuse reflection of the environment is then
+   * left out, mirrors show it as before.
+   */
+  readonly hasSky: boolean;
+}
+
+const surroundings = new WeakMap<object, BakedSurroundings>();
+
+/** Gives a scene light that was baked, or takes it away: see {@link LightProbes}. Textures stay the host's. */
+export function setBakedSurroundings(scene: Scene, baked: BakedSurroundings | null): void {
+  if (baked === null) surroundings.delete(scene);
+  else surroundings.set(scene, baked);
+}
+
+/** Of scenes without probes: darkness. */
+function noProbes(): Data3DTexture {
+  const texture = new Data3DTexture(new Uint16Array(4), 1, 1, 1);
+  texture.type = HalfFloatType;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/**
+ * Lights what moves by a grid of light probes that was baked: each lit material without a `lightMap`, in every technique.
+ * Light is interpolated pixel by pixel; beyond the box it is that of its faces. It counts as ambient light.
+ *
+ * @example
+ * setBakedSurroundings(scene, { grid: new ProbeGrid(box, coefficients), hasSky: false });
+ * farol.effects = [new LightProbes()];
+ */
+export class LightProbes implements FarolEffect {
+  readonly name = 'light probes';
+  private readonly dark = noProbes();
+  private readonly uniforms: Record<string, IUniform> & {
+    readonly farol_probes: IUniform<Data3DTexture>;
+  } = {
+    farol_probes: { value: this.dark },
+    farol_probesMin: { value: new Vector3() },
+    farol_probesMax: { value: new Vector3(1, 1, 1) },
+    farol_probeCounts: { value: new Vector3(1, 1, 1) },
+    farol_environmentShare: { value: 1 },
+  };
+  private readonly twins = new Map<TwinKind, TwinKind>();
+  private isNeeded = false;
+
+  get bytes(): number {
+    return 0;
+  }
+
+  begin(frame: Frame): void {
+    const { uniforms } = this;
+    const baked = surroundings.get(frame.scene);
+    this.isNeeded = baked !== undefined;
+    const grid = baked?.grid ?? null;
+    uniforms.farol_environmentShare.value = baked?.hasSky === true ? 0 : 1;
+    uniforms.farol_probes.value = grid?.texture ?? this.dark;
+    if (grid === null) return;
+    (uniforms.farol_probesMin.value as Vector3).copy(grid.min);
+    (uniforms.farol_probesMax.value as Vector3).copy(grid.max);
+    (uniforms.farol_probeCounts.value as Vector3).copy(grid.counts);
+  }
+
+  adapt(kind: TwinKind, item: RenderItem): TwinKind {
+    if (!this.isNeeded || kind.role === undefined || !item.lit) return kind;
+    let twin = this.twins.get(kind);
+    if (twin === undefined) this.twins.set(kind, (twin = probedTwin(kind, this.uniforms)));
+    return twin;
+  }
+
+  dispose(): void {
+    this.dark.dispose();
+  }
+}

@@ -1,0 +1,28 @@
+/** Where the probes of a grid are: the box is cut into equal cells, with a probe in the middle of each. World space. */
+export interface ProbeBox {
+  /** Corners of the box (m). */
+  readonly min: readonly [number, number, number];
+  readonly max: readonly [number, number, number];
+  /** Cells along x, y and z, each 1 at least. */
+  readonly counts: readonly [number, number, number];
+}
+
+/** How many probes a grid has. */
+export const probeCount = ({ counts }: ProbeBox): number => counts[0] * counts[1] * counts[2];
+
+/** Places of the probes of a grid, three numbers each (m), x fastest and z slowest. */
+export function probePoints(box: ProbeBox): Float32Array<ArrayBuffer> {
+  const { min, max, counts } = box;
+  const points = new Float32Array(3 * probeCount(box));
+  let at = 0;
+  for (let z = 0; z < counts[2]; z++) {
+    for (let y = 0; y < counts[1]; y++) {
+      for (let x = 0; x < counts[0]; x++) {
+        points[at++] = min[0] + ((x + 0.5) * (max[0] - min[0])) / counts[0];
+        points[at++] = min[1] + ((y + 0.5) * (max[1] - min[1])) / counts[1];
+        points[at++] = min[2] + ((z + 0.5) * (max[2] - min[2])) / counts[2];
+      }
+    }
+  }
+  return points;
+}

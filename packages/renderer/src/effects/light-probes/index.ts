@@ -1,0 +1,3 @@
+export { type BakedSurroundings, LightProbes, setBakedSurroundings } from './LightProbes';
+export { probePoints, type ProbeBox } from './ProbeBox';
+export { ProbeGrid } from './ProbeGrid';

@@ -1,0 +1,36 @@
+import type { IUniform } from 'three';
+import { beforeMain } from './beforeMain';
+import { findChunk } from '../../three/replaceChunk';
+import type { TwinKind } from '../../materials/TwinKind';
+import probeIrradiance from './probeIrradiance.glsl?raw';
+
+/** `irradiance` and `iblIrradiance` are those of three's lights_fragment_begin. */
+const ADD = `#if defined( RE_IndirectDiffuse )
+#ifndef USE_LIGHTMAP
+irradiance += farol_probeIrradiance(geometryPosition, geometryNormal);
+#endif
+iblIrradiance *= farol_environmentShare;
+#endif`;
+
+/**
+ * The kind of a draw of lit materials, with the light of probes for those without a lightmap.
+ * @param uniforms of probeIrradiance.glsl
+ */
+export function probedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {
+  return {
+    ...kind,
+    key: `${kind.key}-probes`,
+    patch(shader, source, header) {
+      kind.patch(shader, source, header);
+      const { fragmentShader } = shader;
+      // a shader of the host's without three's maps takes no ambient light of them either
+      const maps = findChunk(fragmentShader, 'lights_fragment_maps');
+      if (maps === null) return;
+      Object.assign(shader.uniforms, uniforms);
+      shader.fragmentShader = beforeMain(
+        fragmentShader.replace(maps, () => `${maps}\n${ADD}`),
+        probeIrradiance,
+      );
+    },
+  };
+}

@@ -1,0 +1,165 @@
+import type { ParticleSettings } from './ParticleSettings';
+
+/** Longest step of the simulation (s); longer ones are split. */
+export const LONGEST_STEP = 1 / 30;
+/** Times closer than this are one (s). */
+const CLOSE = 1e-9;
+
+/** One step of the simulation, at most `LONGEST_STEP` long, with the particles that begin in it. */
+export interface SimulationStep {
+  /** Length (s). */
+  seconds: number;
+  /** Number of the first particle that begins, counted from the last restart. */
+  first: number;
+  /** Particles that begin at the start of the step; then `rated` ones at equal intervals. */
+  bursting: number;
+  rated: number;
+  /** The first of these begins so long after the start of the step, and the others as long after one another (s). */
+  offset: number;
+  interval: number;
+  /** Time of the emitter at the end of the step (s). */
+  time: number;
+}
+
+type Emission = Pick<ParticleSettings, 'capacity' | 'rate' | 'bursts' | 'duration' | 'loop' | 'life'>;
+
+/** When particles begin: the emitter's clock, without a GPU. Particles are numbered; one lies in slot number % capacity. */
+export class EmissionSchedule {
+  /** Time since the last restart (s). */
+  time = 0;
+  /** Particles that have begun. */
+  begun = 0;
+  /** The first of them that may live still: all before it have ended. */
+  oldest = 0;
+  /** Whether particles begin, now and later. */
+  isOver = false;
+  private cycle = 0;
+  private nextBurst = 0;
+  private sorted: ParticleSettings['bursts'] = [];
+  private bursts: ParticleSettings['bursts'] | null = null;
+  /** Share of a particle that `rate` has made since the last one. */
+  private share = 0;
+  /** Ring of what began together: the number after the last of them, and when all of them have ended. */
+  private ends = new Float64Array(4);
+  private expiries = new Float64Array(4);
+  private firstBatch = 0;
+  private batches = 0;
+  private readonly current: SimulationStep = {
+    seconds: 0,
+    first: 0,
+    bursting: 0,
+    rated: 0,
+    offset: 0,
+    interval: 0,
+    time: 0,
+  };
+
+  restart(): void {
+    this.time = this.begun = this.oldest = this.cycle = this.nextBurst = this.share = this.batches = 0;
+    this.isOver = false;
+    this.bursts = null;
+  }
+
+  /**
+   * Goes on by a time, in one or several steps: none is longer than LONGEST_STEP, and bursts lie between steps.
+   * @param emits whether particles begin
+   * @param take gets each step; the object is used again
+   */
+  advance(seconds: number, settings: Emission, emits: boolean, take: (step: SimulationStep) => void): void {
+    this.follow(settings);
+    const steps = Math.max(1, Math.ceil(seconds / LONGEST_STEP - CLOSE));
+    const whole = seconds / steps;
+    for (let i = 0; i < steps; i++) {
+      for (let left = whole; left > CLOSE;) {
+        const part = Math.min(left, this.untilEvent(settings));
+        take(this.go(left - part > CLOSE ? part : left, settings, emits));
+        left -= part;
+      }
+    }
+  }
+
+  /** Takes new bursts over: those whose time is past are not made up for. */
+  private follow({ bursts }: Emission): void {
+    if (bursts === this.bursts) return;
+    const isFirst = this.bursts === null;
+    this.bursts = bursts;
+    this.sorted = bursts.toSorted((a, b) => a.time - b.time);
+    const next = isFirst ? 0 : this.sorted.findIndex(({ time }) => time > this.cycle);
+    this.nextBurst = next < 0 ? this.sorted.length : next;
+  }
+
+  /** Time until the next burst, or the end of the cycle (s), above 0. */
+  private untilEvent({ duration, loop }: Emission): number {
+    const { sorted } = this;
+    if (duration > 0 && this.cycle >= duration - CLOSE) {
+      this.isOver = !loop;
+      if (loop) {
+        this.cycle = 0;
+        this.nextBurst = 0;
+      }
+    } else this.isOver = false;
+    if (this.isOver) return Infinity;
+    const end = duration > 0 ? duration : Infinity;
+    let event = end;
+    for (let i = this.nextBurst; i < sorted.length; i++) {
+      if (sorted[i].time <= this.cycle + CLOSE) continue; // at the start of the step
+      event = Math.min(end, sorted[i].time);
+      break;
+    }
+    return event - this.cycle;
+  }
+
+  private go(seconds: number, settings: Emission, emits: boolean): SimulationStep {
+    const { capacity, rate, life } = settings;
+    const { sorted, current } = this;
+    this.time += seconds;
+    let bursting = 0;
+    current.rated = 0;
+    this.forget();
+    if (!this.isOver) {
+      for (; this.nextBurst < sorted.length && sorted[this.nextBurst].time <= this.cycle + CLOSE; this.nextBurst++)
+        bursting += sorted[this.nextBurst].count;
+      const made = this.share + (emits ? rate * seconds : 0);
+      current.rated = Math.floor(made + CLOSE);
+      current.interval = rate > 0 ? 1 / rate : 0;
+      current.offset = (1 - this.share) * current.interval;
+      this.share = Math.max(0, made - current.rated);
+    }
+    this.cycle += seconds;
+    const room = capacity - (this.begun - this.oldest);
+    current.bursting = Math.min(emits ? bursting : 0, room);
+    current.rated = Math.min(current.rated, room - current.bursting);
+    current.first = this.begun;
+    current.seconds = seconds;
+    current.time = this.time;
+    this.begun += current.bursting + current.rated;
+    if (this.begun > current.first) this.remember(this.time + life[1]);
+    return current;
+  }
+
+  private remember(expiry: number): void {
+    const { length } = this.ends;
+    if (this.batches === length) {
+      const order = (list: Float64Array) => {
+        const grown = new Float64Array(2 * length);
+        for (let i = 0; i < length; i++) grown[i] = list[(this.firstBatch + i) % length];
+        return grown;
+      };
+      this.expiries = order(this.expiries);
+      this.ends = order(this.ends);
+      this.firstBatch = 0;
+    }
+    const at = (this.firstBatch + this.batches++) % this.ends.length;
+    this.ends[at] = this.begun;
+    this.expiries[at] = expiry;
+  }
+
+  /** Finds out which particles have ended. */
+  private forget(): void {
+    while (this.batches > 0 && this.expiries[this.firstBatch] <= this.time) {
+      this.oldest = this.ends[this.firstBatch];
+      this.firstBatch = (this.firstBatch + 1) % this.ends.length;
+      this.batches--;
+    }
+  }
+}

@@ -1,0 +1,277 @@
+import {
+  BufferGeometry,
+  DataTexture,
+  FloatType,
+  InstancedBufferGeometry,
+  Mesh,
+  RawShaderMaterial,
+  Sphere,
+  type Camera,
+  type Material,
+  type Object3D,
+  type Scene,
+  type WebGLRenderer,
+} from 'three';
+import { LightField } from '../../light-field/LightField';
+import type { LightTextures } from '../../light-field/LightTextures';
+import { checkParticleSetting, settingNames } from './checkParticleSetting';
+import { particleDefaults } from './particleDefaults';
+import type { ParticleSettings } from './ParticleSettings';
+import { PendingSteps } from './PendingSteps';
+
+/** What three draws of an emitter: nothing. */
+const nothing = new RawShaderMaterial({
+  name: 'Farol particles',
+  transparent: true,
+  depthTest: false,
+  depthWrite: false,
+  vertexShader: 'void main() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }',
+  fragmentShader: 'precision mediump float; void main() { gl_FragColor = vec4(0.0); }',
+});
+nothing.allowOverride = false;
+
+/** Most lights of an emitter: those of a LightField. */
+const MOST_LIGHTS = 2 ** 18;
+/** One light without a range: none is on. */
+const DARK = new DataTexture(new Float32Array(4), 1, 1, undefined, FloatType);
+DARK.needsUpdate = true;
+const NO_LIGHTS: LightTextures = { sphere: DARK, emission: DARK };
+
+/** What is done when a setting gets another value; nothing for the others, which are read when they are needed. */
+const CONSEQUENCES: { readonly [Name in keyof ParticleSettings]?: (emitter: ParticleEmitter) => void } = {
+  capacity(emitter) {
+    emitter.restart();
+    emitter.takeLights();
+  },
+  lightEvery: (emitter) => emitter.takeLights(),
+  seed: (emitter) => emitter.restart(),
+  shape: (emitter) => emitter.restart(),
+  sizeOverLife: (emitter) => emitter.curvesVersion++,
+  colorOverLife: (emitter) => emitter.curvesVersion++,
+  spinOverLife: (emitter) => emitter.curvesVersion++,
+  render: (emitter) => emitter.takeGeometry(),
+  particleGeometry: (emitter) => emitter.takeGeometry(),
+};
+
+/** A Mesh with the settings as properties: `ParticleEmitter.prototype` has the accessors. */
+const MeshWithSettings = Mesh as unknown as new (
+  geometry: BufferGeometry,
+  material: Material,
+) => Mesh & ParticleSettings;
+
+/**
+ * Emits particles that the GPU simulates. It is drawn where the effect `Particles` is in `farol.effects`, with every
+ * technique; stock three draws nothing of it. Each setting is a property that may be set at any time. The emitter's
+ * transform is where particles begin; from then on they are in the world. Nothing moves but by `step`.
+ *
+ * The same seed, settings, transforms and steps give the same particles. After a lost context they begin anew.
+ *
+ * @example
+ * const fire = new ParticleEmitter({ ...particlePresets.fire, rate: 200 });
+ * scene.add(fire);
+ * farol.effects = [new Particles()];
+ * // in each frame
+ * fire.step(seconds);
+ * farol.render(scene, camera);
+ */
+export class ParticleEmitter extends MeshWithSettings {
+  readonly isParticleEmitter = true;
+  /** Whether particles begin; those that live go on either way. Default true. */
+  emitting = true;
+  /** Grows when a curve or gradient gets another value. @internal */
+  curvesVersion = 0;
+  /** Grows with each restart. @internal */
+  restarts = 0;
+  /** @internal */
+  readonly pending = new PendingSteps();
+  /** Called before it is drawn, by the effect that draws it. @internal */
+  prepareDraw: ((emitter: ParticleEmitter) => void) | null = null;
+  /** @internal */
+  readonly values: ParticleSettings;
+  private field: LightField | null = null;
+  private hasBegun = false;
+  private prewarmed = 0;
+
+  /**
+   * @param settings those that are not the defaults
+   * @throws RangeError that names the setting which cannot be
+   */
+  constructor(settings: Partial<ParticleSettings> = {}) {
+    super(new BufferGeometry(), nothing);
+    this.name = 'ParticleEmitter';
+    this.frustumCulled = false;
+    this.values = { ...particleDefaults };
+    this.takeGeometry();
+    this.set(settings);
+  }
+
+  /** Time since the last restart (s). */
+  get time(): number {
+    return this.pending.schedule.time - this.prewarmed;
+  }
+
+  /** Whether no particle begins any more: `duration` is over, without `loop`. */
+  get isOver(): boolean {
+    return this.pending.schedule.isOver;
+  }
+
+  /** The particles' lights, a child whose `color` and `intensity` are theirs too; null where `lightEvery` is 0. */
+  get lights(): LightField | null {
+    return this.field;
+  }
+
+  /** All settings, in an object of their own. */
+  get settings(): ParticleSettings {
+    return { ...this.values, receiveShadow: this.receiveShadow };
+  }
+
+  /**
+   * Gives several settings other values.
+   * @throws RangeError that names the first which cannot be; those before it have theirs
+   */
+  set(settings: Partial<ParticleSettings>): this {
+    for (const name of settingNames)
+      if (settings[name] !== undefined) (this as Record<string, unknown>)[name] = settings[name];
+    return this;
+  }
+
+  /**
+   * Lets time go by: long steps are made in parts of at most 1/30 s, between which the emitter's transform is interpolated.
+   * The GPU follows in the next frame that draws the emitter.
+   * @param seconds 0 or more
+   * @throws RangeError when it is no such number
+   */
+  step(seconds: number): void {
+    if (!(seconds >= 0 && seconds < Infinity))
+      throw new RangeError(`${this.owner}: step(${seconds}); give a finite number of seconds of at least 0.`);
+    this.updateWorldMatrix(true, false);
+    this.begin();
+    if (seconds > 0) this.pending.advance(seconds, this.values, this.matrixWorld, this.emitting);
+  }
+
+  /** Begins anew, from the seed, at the time 0. */
+  restart(): void {
+    this.hasBegun = false;
+    this.restarts++;
+    this.pending.restart(this.matrixWorld);
+    this.prewarmed = 0;
+  }
+
+  /** Makes what a restart makes, if that is yet to be done: the world matrix is up to date. @internal */
+  begin(): void {
+    if (this.hasBegun) return;
+    this.hasBegun = true;
+    const { pending, values } = this;
+    pending.restart(this.matrixWorld);
+    this.prewarmed = values.prewarm;
+    if (values.prewarm > 0) pending.advance(values.prewarm, values, this.matrixWorld, this.emitting);
+  }
+
+  /** Frees what the emitter holds on the GPU; a frame that draws it makes it anew, and begins anew. */
+  override dispose(): void {
+    super.dispose();
+    this.geometry.dispose();
+    this.restart();
+  }
+
+  override copy(source: this, recursive?: boolean): this {
+    const { geometry } = this;
+    super.copy(source, false);
+    this.geometry = geometry;
+    if (recursive !== false) for (const child of source.children) if (child !== source.field) this.add(child.clone());
+    this.emitting = source.emitting;
+    return this.set(source.settings);
+  }
+
+  /** The cameras that see the particles see by their light. */
+  override updateMatrixWorld(force?: boolean): void {
+    if (this.field !== null) this.field.layers.mask = this.layers.mask;
+    super.updateMatrixWorld(force);
+  }
+
+  /** Particles are not hit by rays. */
+  override raycast(): void {}
+
+  override onBeforeRender(
+    _webgl: WebGLRenderer,
+    _scene: Scene,
+    _camera: Camera,
+    _geometry: BufferGeometry,
+    _material: Material,
+    _group: unknown,
+  ): void {
+    this.prepareDraw?.(this);
+  }
+
+  /** Makes the field of the particles' lights. @internal */
+  takeLights(): void {
+    const { capacity, lightEvery } = this.values;
+    const count = lightEvery > 0 ? Math.min(MOST_LIGHTS, Math.ceil(capacity / lightEvery)) : 0;
+    if (count === (this.field?.capacity ?? 0)) return;
+    this.field?.removeFromParent();
+    this.field = count > 0 ? new LightField(count, { textures: NO_LIGHTS }) : null;
+    if (this.field === null) return;
+    this.field.name = 'Lights of particles';
+    // particles are in the world, wherever the emitter is
+    this.field.matrixAutoUpdate = this.field.matrixWorldAutoUpdate = false;
+    this.add(this.field);
+  }
+
+  /** Where the lights lie; null: none is on. @internal */
+  setLightTextures(textures: LightTextures | null): void {
+    if (this.field !== null) this.field.textures = textures ?? NO_LIGHTS;
+  }
+
+  /** Makes what is drawn: vertices without attributes, or instances of a mesh. @internal */
+  takeGeometry(): void {
+    const { render, particleGeometry } = this.values;
+    this.geometry.dispose();
+    if (render === 'mesh') {
+      const instanced = new InstancedBufferGeometry();
+      if (particleGeometry !== null) {
+        instanced.index = particleGeometry.index;
+        Object.assign(instanced.attributes, particleGeometry.attributes);
+      }
+      instanced.instanceCount = 0;
+      this.geometry = instanced;
+    } else {
+      this.geometry = new BufferGeometry();
+      this.geometry.setDrawRange(0, 0);
+    }
+    this.geometry.boundingSphere = new Sphere();
+  }
+
+  /** Draws nothing, until an effect says how many particles there are. @internal */
+  hide(): void {
+    const { geometry } = this;
+    this.setLightTextures(null);
+    if ((geometry as InstancedBufferGeometry).isInstancedBufferGeometry === true)
+      (geometry as InstancedBufferGeometry).instanceCount = 0;
+    else geometry.setDrawRange(0, 0);
+  }
+
+  /** The emitter, for errors. @internal */
+  get owner(): string {
+    return this.name === '' || this.name === 'ParticleEmitter' ? 'ParticleEmitter' : `ParticleEmitter "${this.name}"`;
+  }
+}
+
+for (const name of settingNames) {
+  // a property of every Object3D
+  if (name === 'receiveShadow') continue;
+  Object.defineProperty(ParticleEmitter.prototype, name, {
+    get(this: ParticleEmitter) {
+      return this.values[name];
+    },
+    set(this: ParticleEmitter, value: never) {
+      checkParticleSetting(this.owner, name, value);
+      if (this.values[name] === value) return;
+      (this.values[name] as unknown) = value;
+      CONSEQUENCES[name]?.(this);
+    },
+    enumerable: true,
+    configurable: true,
+  });
+}
+
+export type EmitterObject = Object3D & Partial<Pick<ParticleEmitter, 'isParticleEmitter'>>;

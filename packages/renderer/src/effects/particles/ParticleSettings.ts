@@ -1,0 +1,149 @@
+import type { BufferGeometry, Mesh, Texture } from 'three';
+import type { LinearRGB } from '../../lights/FarolLightData';
+
+/** A key of a curve: time (0 to 1, ascending) and value; straight between keys, constant before the first and after the last. */
+export type CurveKey = readonly [time: number, value: number];
+
+/** A key of a gradient: time (0 to 1, ascending), linear colour, and opacity (0 to 1). */
+export type GradientKey = readonly [time: number, color: LinearRGB, opacity: number];
+
+/** Where particles begin; lengths in metres, in the emitter's space. They leave a point and a sphere outwards, else along +Y. */
+export type EmitterShape =
+  | { readonly kind: 'point' }
+  /** `thickness` 0: from the surface; 1: from all of it. */
+  | { readonly kind: 'sphere'; readonly radius: number; readonly thickness: number }
+  /** Opens along +Y from a disc; `angle`: of the side to the axis (rad, 0 to π/2). */
+  | { readonly kind: 'cone'; readonly radius: number; readonly angle: number }
+  | { readonly kind: 'box'; readonly size: readonly [number, number, number] }
+  /**
+   * All over the surface of a mesh, where that stands in the world, each part as likely as it is large, along its normal; of
+   * skinned and morphed meshes the surface without these. `mesh` null: none begin.
+   */
+  | { readonly kind: 'mesh'; readonly mesh: Mesh | null };
+
+/** A number of particles at once. */
+export interface ParticleBurst {
+  /** After the emitter's beginning, or that of each of its loops (s). */
+  readonly time: number;
+  readonly count: number;
+}
+
+/** What the centres of particles bounce off: a plane, on the side to which its normal points, or a sphere, from outside. */
+export type ParticleCollider = {
+  /** Share of the speed towards the surface that is kept, 0 to 1. */
+  readonly bounce: number;
+  /** Share of the speed along the surface that is lost, 0 to 1. */
+  readonly friction: number;
+} & (
+  | {
+      readonly kind: 'plane';
+      /** Of any length but 0. */
+      readonly normal: readonly [number, number, number];
+      /** Height along the normal (m). */
+      readonly height: number;
+    }
+  | {
+      readonly kind: 'sphere';
+      /** Metres. */
+      readonly center: readonly [number, number, number];
+      /** Above 0 (m). */
+      readonly radius: number;
+    }
+);
+
+/** How one picture of a grid of them follows another over a particle's life, row by row from the top left. */
+export interface FlipBook {
+  readonly columns: number;
+  readonly rows: number;
+  /** Times that all pictures are shown in a life. Default 1. */
+  readonly cycles?: number;
+}
+
+/**
+ * What a ParticleEmitter makes, and how it looks. SI units, radians, linear colours; world space where nothing else is said.
+ * Ranges `[least, most]` are drawn evenly for each particle, by the seed.
+ */
+export interface ParticleSettings {
+  /**
+   * Most particles at once, 1 to 1,048,576; more than that do not begin. Room is kept for the longest life of each, so that
+   * `rate` × the longest life is enough. Default 1000. Another one begins anew.
+   */
+  capacity: number;
+  /** Of all random numbers: the same seed and steps give the same particles. Default 1. */
+  seed: number;
+  /** Particles a second. Default 100. */
+  rate: number;
+  /** Default none. */
+  bursts: readonly ParticleBurst[];
+  /** Time in which the emitter emits (s); 0: without an end. Default 0. */
+  duration: number;
+  /** Begins again after `duration`. Default true. */
+  loop: boolean;
+  /** Time that is simulated at the beginning and at each restart, 0 to 60 s: the picture begins in full swing. Default 0. */
+  prewarm: number;
+  /** Default a cone of 0.1 m and 0.35 rad. Another one begins anew. */
+  shape: EmitterShape;
+  /** Life (s). Default [1, 2]. */
+  life: readonly [number, number];
+  /** Speed at the beginning (m/s). Default [1, 2]. */
+  speed: readonly [number, number];
+  /** Share of the emitter's own velocity that particles begin with. Default 0. */
+  inheritVelocity: number;
+  /** Acceleration (m/s²). Default [0, 0, 0]. */
+  gravity: readonly [number, number, number];
+  /** Share of the velocity that is lost a second, as in dv/dt = -drag · v. At least 0. Default 0. */
+  drag: number;
+  /** Acceleration by curl noise (m/s²). Default 0. */
+  noiseStrength: number;
+  /** Waves of the noise a metre. Default 1. */
+  noiseFrequency: number;
+  /** Speed at which the noise sinks through the particles (m/s), so that it changes where they stay. Default 0. */
+  noiseScroll: number;
+  /** At most 4, met in their order in each step. Default none. */
+  colliders: readonly ParticleCollider[];
+  /** Diameter (m), times `sizeOverLife`. Default [0.1, 0.2]. */
+  size: readonly [number, number];
+  /** Default [[0, 1], [1, 1]]. */
+  sizeOverLife: readonly CurveKey[];
+  /** Default white, fading out. */
+  colorOverLife: readonly GradientKey[];
+  /** Factor of the colour, for particles brighter than white. Default 1. */
+  brightness: number;
+  /** Turn at the beginning (rad): of meshes about an axis of each, else in the picture. Default [0, 2π]. */
+  initialRotation: readonly [number, number];
+  /** Turning (rad/s), times `spinOverLife`. Default [0, 0]. */
+  spin: readonly [number, number];
+  /** Default [[0, 1], [1, 1]]. */
+  spinOverLife: readonly CurveKey[];
+  /** Null: a soft round dot. It stays the caller's. Default null. */
+  texture: Texture | null;
+  /** Null: all of the texture. Default null. */
+  flipBook: FlipBook | null;
+  /** Faces the camera; is drawn out along its velocity; or a mesh of its own. Default 'billboard'. */
+  render: 'billboard' | 'stretched' | 'mesh';
+  /** Length of a stretched particle a metre a second of its speed (s). Default 0.05. */
+  stretch: number;
+  /** What is drawn by render 'mesh', 1 m for a diameter of 1 m; it stays the caller's. Default null: nothing is drawn. */
+  particleGeometry: BufferGeometry | null;
+  /**
+   * 'blended': over one another, sorted back to front. 'additive': summed up, in any order. 'weighted': by WeightedBlendedOIT where
+   * that effect is on, else as 'blended'. Default 'additive'.
+   */
+  blending: 'blended' | 'additive' | 'weighted';
+  /** Distance before a surface, and before the camera, within which a particle fades out (m); 0: hard edges. Default 0.2. */
+  softness: number;
+  /**
+   * Lit by all lights, as a rough white ball that lets light through (mesh: by its normals), times its colour: what faces a
+   * light is lit as a white surface, what is turned by 90° half as much, what faces away not. Light is found once a particle,
+   * at its centre. Else it shines by itself. Default false.
+   */
+  lit: boolean;
+  /** Lit particles receive shadows. Default false. */
+  receiveShadow: boolean;
+  /** Every so many particles is a point light; 0: none. Default 0. */
+  lightEvery: number;
+  /** Luminous intensity of each (cd), in the particle's colour, times its opacity. Default 1. */
+  lightIntensity: number;
+  /** Range of each (m), times `sizeOverLife`. Default 1. */
+  lightRange: number;
+}

@@ -1,0 +1,67 @@
+import { DepthTexture, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
+import { depthTwin, hasDepthTwin } from '../../forward/depthTwin';
+import type { Frame } from '../../frame/Frame';
+import { PassTarget } from '../../gpu/PassTarget';
+import { targetBytes } from '../../gpu/targetBytes';
+
+/**
+ * Depth of the opaque surfaces of a frame as a texture, while the frame's target is drawn to: what the technique has handed
+ * over, else a copy of the target's depth texture, else drawn once more.
+ */
+export class SurfaceDepth {
+  /** Null until it is known in this frame. */
+  texture: Texture | null = null;
+  private copied: WebGLRenderTarget | null = null;
+  private readonly drawn = new PassTarget({ depthTexture: true });
+
+  get bytes(): number {
+    return this.drawn.bytes + (this.copied === null ? 0 : targetBytes(this.copied));
+  }
+
+  /** The depth texture; the frame's target is bound afterwards. Call when all opaque surfaces are drawn. */
+  of(frame: Frame): Texture {
+    if (this.texture !== null) return this.texture;
+    const { target } = frame;
+    const own = target?.depthTexture ?? null;
+    this.texture = own !== null && frame.samples === 0 ? this.copy(frame, own) : this.draw(frame);
+    frame.bindTarget();
+    return this.texture;
+  }
+
+  dispose(): void {
+    this.drawn.dispose();
+    this.copied?.depthTexture?.dispose();
+    this.copied?.dispose();
+    this.copied = this.texture = null;
+  }
+
+  private copy(frame: Frame, { type, format }: DepthTexture): Texture {
+    const { width, height, viewport } = frame;
+    const known = this.copied?.depthTexture;
+    if (known?.type !== type || known.format !== format) {
+      known?.dispose();
+      this.copied?.dispose();
+      const depthTexture = new DepthTexture(width, height, type);
+      depthTexture.format = format;
+      this.copied = new WebGLRenderTarget(width, height, {
+        minFilter: NearestFilter,
+        magFilter: NearestFilter,
+        depthTexture,
+      });
+    }
+    const copied = this.copied!;
+    if (copied.width !== width || copied.height !== height) copied.setSize(width, height);
+    frame.bind(copied); // gives it storage
+    frame.copyDepth(frame.target!, copied, viewport.x, viewport.y);
+    return copied.depthTexture!;
+  }
+
+  private draw(frame: Frame): Texture {
+    const target = this.drawn.of(frame.width, frame.height);
+    frame.bind(target);
+    frame.clear(0, true);
+    for (const item of frame.queue.opaque)
+      if (item.plain && !item.ownShader && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
+    return target.depthTexture!;
+  }
+}

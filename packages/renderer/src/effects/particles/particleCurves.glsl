@@ -1,0 +1,10 @@
+// The curves and gradients of an emitter over a particle's life.
+// Farol; baked by bakeCurves.ts
+uniform highp sampler2D farol_particleCurves; // 256 times; rows: colour and opacity; size, share of a life's spin
+
+vec4 farol_particleCurve(const in int row, const in float share) {
+  float at = clamp(share, 0.0, 1.0) * 255.0;
+  int texel = int(at);
+  vec4 before = texelFetch(farol_particleCurves, ivec2(texel, row), 0);
+  return mix(before, texelFetch(farol_particleCurves, ivec2(min(texel + 1, 255), row), 0), at - float(texel));
+}

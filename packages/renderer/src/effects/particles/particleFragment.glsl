@@ -1,0 +1,74 @@
+// Colours one particle: picture or soft dot, light that has reached it, fading out before surfaces and the camera.
+// Lorach 2007, Soft Particles (NVIDIA white paper); three.js r187's chunks for tone mapping, colour space and clipping
+//# stage fragment
+#include "unproject"
+#include "viewport"
+#include <fog_pars_fragment>
+#include <clipping_planes_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#ifdef FAROL_MAP
+uniform sampler2D farol_particleMap;
+#endif
+#ifdef FAROL_SOFT
+uniform highp sampler2D farol_particleDepth; // of opaque surfaces
+uniform highp vec4 farol_softness; // 1 / distance of fading (1/m), distance of the near plane (m), size of the picture
+#endif
+in highp vec4 farol_particleColor;
+in highp vec4 farol_particleUV; // of two pictures
+in highp vec3 farol_particleBall; // place on a ball of the particle's size; share of the second picture
+in highp float farol_particleDistance; // along the view (m)
+#ifdef FAROL_LIT
+#include "particleSurroundings"
+flat in highp mat3x4 farol_particleLit;
+#endif
+//# main
+#include <clipping_planes_fragment>
+#include <logdepthbuf_fragment>
+vec4 farol_color = farol_particleColor;
+float farol_radiusSquared = dot(farol_particleBall.xy, farol_particleBall.xy);
+#ifdef FAROL_MAP
+vec4 farol_picture = texture(farol_particleMap, farol_particleUV.xy);
+if (farol_particleBall.z > 0.0) {
+  farol_picture = mix(farol_picture, texture(farol_particleMap, farol_particleUV.zw), farol_particleBall.z);
+}
+farol_color *= farol_picture;
+#elif ! defined( FAROL_MESH )
+float farol_dot = max(0.0, 1.0 - farol_radiusSquared);
+farol_color.a *= farol_dot * farol_dot;
+#endif
+#if defined( FAROL_LIT ) && ! defined( FAROL_MESH )
+float farol_front = sqrt(max(0.0, 1.0 - farol_radiusSquared));
+vec4 farol_facing = vec4(normalize(vec3(farol_particleBall.xy, farol_front)), 1.0);
+// 1 / 2π
+farol_color.rgb *= 0.15915494 * max(vec3(0.0), farol_facing * farol_particleLit)
+  + farol_surroundingLight(farol_facing.xyz * mat3(viewMatrix));
+#endif
+#ifdef FAROL_SOFT
+ivec2 farol_pixel = ivec2((gl_FragCoord.xy - farol_offset) / farol_softness.zw
+  * vec2(textureSize(farol_particleDepth, 0)));
+float farol_surface = texelFetch(farol_particleDepth, farol_pixel, 0).r;
+float farol_room = farol_particleDistance - farol_softness.y;
+if (!farol_isEmpty(farol_surface)) farol_room = min(farol_room, -farol_viewZ(farol_surface) - farol_particleDistance);
+farol_color.a *= clamp(farol_room * farol_softness.x, 0.0, 1.0);
+#endif
+#ifdef FAROL_REACTIVE
+// what covers a quarter of a pixel, or adds as much, has no past that counts
+float farol_brightest = max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
+gl_FragColor = vec4(min(1.0, 4.0 * farol_color.a * farol_brightest));
+return;
+#endif
+gl_FragColor = farol_color;
+#include <tonemapping_fragment>
+#include <colorspace_fragment>
+#ifdef USE_FOG
+  #ifdef FOG_EXP2
+    float farol_fog = 1.0 - exp(-fogDensity * fogDensity * vFogDepth * vFogDepth);
+  #else
+    float farol_fog = smoothstep(fogNear, fogFar, vFogDepth);
+  #endif
+  #ifdef FAROL_ADDITIVE
+    gl_FragColor.rgb *= 1.0 - farol_fog;
+  #else
+    gl_FragColor.rgb = mix(gl_FragColor.rgb, fogColor, farol_fog);
+  #endif
+#endif

@@ -1,0 +1,112 @@
+import { Matrix4, NoBlending, type Texture, Vector2, Vector3, Vector4 } from 'three';
+import type { Frame } from '../../frame/Frame';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import type { LightLoop } from '../../lighting/loops/LightLoop';
+import { MOST_COLLIDERS } from './checkParticleSetting';
+import particleCurves from './particleCurves.glsl?raw';
+import particleLighting from './particleLighting.glsl?raw';
+import particleLights from './particleLights.glsl?raw';
+import particleMotion from './particleMotion.glsl?raw';
+import particleNoise from './particleNoise.glsl?raw';
+import particleRandom from './particleRandom.glsl?raw';
+import particleShape from './particleShape.glsl?raw';
+import particleStep from './particleStep.glsl?raw';
+
+const noTexture = () => ({ value: null as Texture | null });
+/** Where particles are, and how they move. */
+const particles = () => ({ farol_particlePositions: noTexture(), farol_particleVelocities: noTexture() });
+
+/** One step of all particles of an emitter. */
+export function particleStepPass() {
+  return new FullscreenPass({
+    program: 'particle step',
+    fragment: 'particleStep',
+    microShaders: { particleRandom, particleNoise, particleShape, particleMotion, particleStep },
+    uniforms: {
+      ...particles(),
+      farol_particleSeed: { value: 0 },
+      farol_emitterShape: { value: new Int32Array(2) },
+      farol_emitterSize: { value: new Vector3() },
+      farol_emitterSurface: noTexture(),
+      farol_acceleration: { value: new Vector4() },
+      farol_noise: { value: new Vector4() },
+      farol_colliderCount: { value: 0 },
+      farol_colliders: { value: Array.from({ length: MOST_COLLIDERS }, () => new Vector4()) },
+      farol_bounces: { value: Array.from({ length: MOST_COLLIDERS }, () => new Vector3()) },
+      farol_beginning: { value: new Int32Array(4) },
+      farol_firstNumber: { value: 0 },
+      farol_stepTimes: { value: new Vector3() },
+      farol_emitterStart: { value: new Matrix4() },
+      farol_emitterEnd: { value: new Matrix4() },
+      farol_lifeAndSpeed: { value: new Vector4() },
+      farol_inherited: { value: new Vector3() },
+    },
+    blending: NoBlending,
+    repeats: true,
+  });
+}
+
+/** The lights of an emitter's particles, as a LightField has them. */
+export function particleLightsPass() {
+  return new FullscreenPass({
+    program: 'lights of particles',
+    fragment: 'particleLights',
+    microShaders: { particleCurves, particleLights },
+    uniforms: {
+      ...particles(),
+      farol_particleCurves: noTexture(),
+      farol_lightOf: { value: new Int32Array(3) },
+      farol_lightValues: { value: new Vector2() },
+    },
+    blending: NoBlending,
+    repeats: true,
+  });
+}
+
+/** The pixel of a particle's centre, by which light loops find their lists, in place of the one that is written. */
+const COORDINATE = 'farol_listCoordinate';
+
+/** @param parameters of a program, as `Material.onBeforeCompile` has them */
+function nameCoordinates(parameters: { fragmentShader: string }): void {
+  parameters.fragmentShader = parameters.fragmentShader
+    .replaceAll('gl_FragCoord', COORDINATE)
+    .replaceAll('FAROL_TEXEL', 'gl_FragCoord')
+    .replace('precision highp float;\n', `precision highp float;\nvec4 ${COORDINATE};\n`);
+}
+
+/** The light that reaches each particle of an emitter, by a light loop. */
+export class ParticleLightingPass extends FullscreenPass<ReturnType<typeof lightingUniforms>> {
+  private prepared: unknown = null;
+
+  constructor(loop: LightLoop) {
+    super({
+      program: 'light on particles',
+      fragment: [loop, 'particleLighting'],
+      microShaders: { particleLighting },
+      uniforms: lightingUniforms(),
+      shared: 'all',
+      blending: NoBlending,
+      repeats: true,
+    });
+  }
+
+  override draw(frame: Frame): void {
+    const material = this.material(frame);
+    if (material !== this.prepared) {
+      this.prepared = material;
+      material.onBeforeCompile = nameCoordinates;
+      material.customProgramCacheKey = () => 'farol-light-on-particles';
+    }
+    super.draw(frame);
+  }
+}
+
+function lightingUniforms() {
+  return {
+    ...particles(),
+    farol_particleView: { value: new Matrix4() },
+    farol_particleProjection: { value: new Matrix4() },
+    farol_listPicture: { value: new Vector4() },
+    farol_particlesShadowed: { value: false },
+  };
+}

@@ -1,0 +1,21 @@
+// Light from all around, as a white surface reflects it, by its normal in the world: spherical harmonics of second
+// order as a polynomial through nine normals.
+// Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps
+uniform highp sampler2D farol_surroundings; // +X, -X, +Y, -Y, +Z, -Z, between +Y and +Z, +Z and +X, +X and +Y
+
+vec3 farol_surroundingLight(const in vec3 normal) {
+  vec3 sum = vec3(0.0);
+  vec3 between[3]; // what the terms of one axis give halfway to another
+  for (int i = 0; i < 3; i++) {
+    vec3 more = texelFetch(farol_surroundings, ivec2(2 * i, 0), 0).rgb;
+    vec3 less = texelFetch(farol_surroundings, ivec2(2 * i + 1, 0), 0).rgb;
+    sum += 0.5 * normal[i] * ((normal[i] + 1.0) * more + (normal[i] - 1.0) * less);
+    between[i] = 0.60355339 * more - 0.10355339 * less;
+  }
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3, k = (i + 2) % 3;
+    vec3 found = texelFetch(farol_surroundings, ivec2(6 + i, 0), 0).rgb;
+    sum += 2.0 * normal[j] * normal[k] * (found - between[j] - between[k]);
+  }
+  return max(sum, vec3(0.0));
+}

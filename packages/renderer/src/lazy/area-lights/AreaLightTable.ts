@@ -1,0 +1,82 @@
+import type { IUniform, Matrix4, RectAreaLight, Texture, WebGLRenderer } from 'three';
+import { Vector3 } from 'three';
+import type { DataTable } from '../../gpu/DataTable';
+import type { AreaLights } from '../../lights/AreaLights';
+import type { FarolLightData } from '../../lights/FarolLightData';
+import type { MicroShaderRegistry } from '../../microshaders';
+import { needShape } from './areaFeatures';
+import { AREA, areaShapes } from './areaRecord';
+import { makeTransforms } from './makeTransforms';
+
+/** In place of a reach without an end (m). */
+const ENDLESS = 1e30;
+const NO_DATA: FarolLightData = {};
+const axis = new Vector3();
+
+/** Area lights as the light table needs them. */
+export class AreaLightTable implements AreaLights {
+  threshold = 0;
+  private readonly transforms;
+
+  /**
+   * @param uniform gets the linearly transformed cosines
+   * @param microshaders get code for the shapes that are met
+   */
+  constructor(
+    webgl: WebGLRenderer,
+    private readonly uniform: IUniform<Texture | null>,
+    private readonly microshaders: MicroShaderRegistry,
+  ) {
+    this.transforms = makeTransforms(webgl);
+    uniform.value = this.transforms;
+  }
+
+  radiusOf(light: RectAreaLight): number {
+    const { width, height } = light;
+    if (!(width > 0 && height > 0)) return NaN;
+    needShape(this.microshaders, shapeOf(light));
+    const reach = this.reachOf(light);
+    return reach === 0 ? 0 : reach + 0.5 * Math.hypot(width, height);
+  }
+
+  write(table: DataTable, at: number, light: RectAreaLight, view: Matrix4): void {
+    const shape = shapeOf(light);
+    const world = light.matrixWorld;
+    axis
+      .setFromMatrixColumn(world, 0)
+      .normalize()
+      .transformDirection(view)
+      .multiplyScalar(0.5 * light.width);
+    table.set4(at + AREA.across, axis.x, axis.y, axis.z, shape);
+    axis
+      .setFromMatrixColumn(world, 1)
+      .normalize()
+      .transformDirection(view)
+      .multiplyScalar(0.5 * light.height);
+    table.set4(at + AREA.up, axis.x, axis.y, axis.z, this.reachOf(light) || ENDLESS);
+  }
+
+  dispose(): void {
+    this.transforms.dispose();
+    this.uniform.value = null;
+  }
+
+  /** Distance from the light's surface from which on it gives nothing (m), 0 for no end. */
+  private reachOf(light: RectAreaLight): number {
+    const { range, shape } = dataOf(light);
+    if (range !== undefined && range >= 0) return range;
+    if (!(this.threshold > 0)) return 0;
+    // far off its irradiance is radiance times area by squared distance, nearer less than that
+    const { r, g, b } = light.color;
+    const area = light.width * light.height * (shape === 'disc' ? Math.PI / 4 : 1);
+    return Math.sqrt((Math.max(r, g, b) * Math.abs(light.intensity) * area) / this.threshold) || NaN;
+  }
+}
+
+function shapeOf(light: RectAreaLight): number {
+  return areaShapes[dataOf(light).shape ?? 'rectangle'] ?? areaShapes.rectangle;
+}
+
+function dataOf(light: RectAreaLight): FarolLightData {
+  return (light.userData.farol as FarolLightData | undefined) ?? NO_DATA;
+}

@@ -1,0 +1,132 @@
+// Which share of a lobe an area light fills. The diffuse lobe is a cosine about z of tangent space, the specular one is
+// a cosine after a linear transform of that space.
+// Heitz et al. 2016, Real-Time Polygonal-Light Shading with Linearly Transformed Cosines, as three.js r187 has it
+#include "areaFeatures"
+#include "areaRecord"
+#include "discForm"
+#include "rectangleForm"
+#include "tubeForm"
+// 64 × 128 texels, by roughness and sqrt(1 - N·V): four numbers of the inverse transform; above
+// Fresnel's two weights, and (w) what of a sphere is above the horizon
+uniform highp sampler2D farol_ltc;
+
+// An area light as a surface sees it, from the surface (m).
+struct FarolArea {
+  int shape;
+  vec3 centre;
+  vec3 halfWidth;
+  vec3 halfHeight;
+  float window; // 1 up to half the light's reach, 0 from there on or behind the light
+};
+
+// The lobes of a surface.
+struct FarolAreaLobe {
+  mat3 tangents; // view space to tangent space
+  vec4 ltc; // the specular lobe's inverse transform: of farol_ltcAt, table 0
+};
+
+// table: 0 for the transform, 1 for Fresnel's weights; not in a loop that differs from pixel to pixel: it is filtered
+// by its derivatives, as three's is
+vec4 farol_ltcAt(const in float roughness, const in float dotNV, const in float table) {
+  vec2 place = vec2(roughness, sqrt(1.0 - clamp(dotNV, 0.0, 1.0))) * (63.0 / 64.0) + 0.5 / 64.0;
+  return texture(farol_ltc, vec2(place.x, 0.5 * (place.y + table)));
+}
+
+// tangent space: x along the view, y as three has it: left-handed
+FarolAreaLobe farol_areaLobe(const in vec3 normalVS, const in vec3 viewDirVS, const in vec4 ltc) {
+  vec3 across = viewDirVS - normalVS * dot(viewDirVS, normalVS);
+  // seen from straight above, any tangent will do
+  if (dot(across, across) < 1e-12)
+    across = abs(normalVS.x) < 0.5
+      ? vec3(1.0, 0.0, 0.0) - normalVS * normalVS.x
+      : vec3(0.0, 1.0, 0.0) - normalVS * normalVS.y;
+  vec3 tangent = normalize(across);
+  return FarolAreaLobe(transpose(mat3(tangent, -cross(normalVS, tangent), normalVS)), ltc);
+}
+
+// view space; toLight: from the surface to the light's centre (m)
+FarolArea farol_areaAt(const in int extension, const in vec3 toLight, const in vec3 normalVS) {
+  vec4 across = farol_areaAcross(extension);
+  vec4 up = farol_areaUp(extension);
+  vec3 u = farol_areaHalfWidth(across);
+  vec3 v = farol_areaHalfHeight(up);
+  FarolArea area = FarolArea(farol_areaShape(across), toLight, u, v, 0.0);
+#ifdef FAROL_AREA_TUBES
+  bool isTube = area.shape == FAROL_AREA_TUBE;
+#else
+  const bool isTube = false;
+#endif
+  // rectangles and discs shine to one side; a surface without a normal (NaN) is lit by none
+  if (!(dot(normalVS, normalVS) > 0.5) || (!isTube && dot(cross(u, v), toLight) < 0.0)) return area;
+  // to the nearest place of the light: its edges are at right angles
+  vec2 squared = vec2(dot(u, u), dot(v, v));
+  vec2 along = vec2(dot(toLight, u), dot(toLight, v));
+  vec2 nearest = clamp(-along / squared, -1.0, 1.0);
+  if (isTube) nearest.y = 0.0;
+  float away = sqrt(max(dot(toLight, toLight) + dot(nearest, 2.0 * along + nearest * squared), 0.0));
+  float x = clamp(2.0 * away / farol_areaReach(up) - 1.0, 0.0, 1.0);
+  area.window = 1.0 - x * x * (3.0 - 2.0 * x);
+  return area;
+}
+
+FarolArea farol_toTangentSpace(const in FarolArea area, const in mat3 tangents) {
+  return FarolArea(area.shape, tangents * area.centre, tangents * area.halfWidth, tangents * area.halfHeight,
+    area.window);
+}
+
+// from tangent space to where the specular lobe is a cosine
+vec3 farol_toLobe(const in vec4 ltc, const in vec3 v) {
+  return vec3(ltc.x * v.x + ltc.z * v.z, v.y, ltc.y * v.x + ltc.w * v.z);
+}
+
+#ifdef FAROL_AREA_DISCS
+// a sphere of the same form factor, cut by the horizon: by three's table
+float farol_discShare(const in vec3 centre, const in vec3 u, const in vec3 v) {
+  vec2 form = farol_discForm(centre, u, v);
+  vec2 place = vec2(form.y * 0.5 + 0.5, form.x) * (63.0 / 64.0) + 0.5 / 64.0;
+  return form.x * textureLod(farol_ltc, vec2(place.x, 0.5 * (place.y + 1.0)), 0.0).w;
+}
+#endif
+
+// share of the cosine lobe; area: in tangent space
+float farol_areaDiffuse(const in FarolArea area) {
+#ifdef FAROL_AREA_DISCS
+  if (area.shape == FAROL_AREA_DISC) return farol_discShare(area.centre, area.halfWidth, area.halfHeight);
+#endif
+#ifdef FAROL_AREA_TUBES
+  if (area.shape == FAROL_AREA_TUBE)
+    return farol_tubeForm(area.centre - area.halfWidth, area.centre + area.halfWidth, length(area.halfHeight));
+#endif
+#ifdef FAROL_AREA_RECTANGLES
+  if (!farol_isBelowHorizon(area.centre, area.halfWidth, area.halfHeight))
+    return farol_aboveHorizon(farol_rectangleForm(area.centre, area.halfWidth, area.halfHeight));
+#endif
+  return 0.0;
+}
+
+// share of the specular lobe; area: in tangent space
+float farol_areaSpecular(const in FarolArea area, const in vec4 ltc) {
+  vec3 centre = farol_toLobe(ltc, area.centre);
+  vec3 u = farol_toLobe(ltc, area.halfWidth);
+  vec3 v = farol_toLobe(ltc, area.halfHeight);
+#ifdef FAROL_AREA_DISCS
+  if (area.shape == FAROL_AREA_DISC) return farol_discShare(centre, u, v);
+#endif
+#ifdef FAROL_AREA_TUBES
+  if (area.shape == FAROL_AREA_TUBE) {
+    mat3 m = mat3(ltc.x, 0.0, ltc.y, 0.0, 1.0, 0.0, ltc.z, 0.0, ltc.w);
+    float radius = length(area.halfHeight) * farol_tubeWidth(m, area.centre, area.halfWidth);
+    return farol_tubeForm(centre - u, centre + u, radius);
+  }
+#endif
+#ifdef FAROL_AREA_RECTANGLES
+  if (!farol_isBelowHorizon(centre, u, v)) return farol_aboveHorizon(farol_rectangleForm(centre, u, v));
+#endif
+  return 0.0;
+}
+
+// Hill 2016, LTC Fresnel Approximation
+vec3 farol_areaFresnel(const in vec3 f0, const in float f90, const in float roughness, const in float dotNV) {
+  vec2 weights = farol_ltcAt(roughness, dotNV, 1.0).xy;
+  return f0 * weights.x + (f90 - f0) * weights.y;
+}

@@ -1,0 +1,15 @@
+import { type IUniform, type Texture, Vector3 } from 'three';
+
+/** Slices of depth. */
+export const SLICES = 256;
+
+/** Uniforms of lightSlice.glsl and lightLoopSlices.glsl. */
+export interface FieldSlices extends Record<string, IUniform> {
+  /** Least depth; slices a depth; 1: depths are logarithms (m). */
+  readonly farol_fieldSlices: IUniform<Vector3>;
+  readonly farol_sliceQuads: IUniform<Texture | null>;
+}
+
+export function fieldSlices(): FieldSlices {
+  return { farol_fieldSlices: { value: new Vector3() }, farol_sliceQuads: { value: null } };
+}

@@ -1,0 +1,16 @@
+// The microshaders of this folder, by name.
+export { default as fieldBefore } from './fieldBefore.glsl?raw';
+export { default as fieldBlocks } from './fieldBlocks.glsl?raw';
+export { default as fieldBoxes } from './fieldBoxes.glsl?raw';
+export { default as fieldCount } from './fieldCount.glsl?raw';
+export { default as fieldFirst } from './fieldFirst.glsl?raw';
+export { default as fieldLight } from './fieldLight.glsl?raw';
+export { default as fieldNumber } from './fieldNumber.glsl?raw';
+export { default as fieldOne } from './fieldOne.glsl?raw';
+export { default as fieldPlace } from './fieldPlace.glsl?raw';
+export { default as fieldRecords } from './fieldRecords.glsl?raw';
+export { default as fieldSlices } from './fieldSlices.glsl?raw';
+export { default as lightLoopField } from './lightLoopField.glsl?raw';
+export { default as lightLoopSlices } from './lightLoopSlices.glsl?raw';
+export { default as lightSlice } from './lightSlice.glsl?raw';
+export { default as lightVolumeField } from './lightVolumeField.glsl?raw';

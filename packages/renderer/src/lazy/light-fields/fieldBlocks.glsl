@@ -1,0 +1,76 @@
+// Which of 128 lights touch a block of 4 × 4 tiles: boxes of 32 lights first, then the lights of boxes that do. With
+// FAROL_BLOCK_DEPTH within the depths of the block.
+// Farol; Olsson and Assarsson 2011, Tiled Shading
+#include "tileMask"
+uniform highp sampler2D farol_boxLows;
+uniform highp sampler2D farol_boxHighs;
+uniform highp usampler2D farol_fieldTileDepth;
+
+// nearest and farthest distance (m) of surfaces in a block
+vec2 farol_blockRange(const in ivec2 block) {
+  vec2 range = vec2(1e30, -1e30);
+  ivec2 last = min(block * 4 + 4, farol_tiles.yz);
+  for (int y = block.y * 4; y < last.y; y++) {
+    for (int x = block.x * 4; x < last.x; x++) {
+      uvec4 depths = texelFetch(farol_fieldTileDepth, ivec2(x, y), 0);
+      vec2 tile = uintBitsToFloat(depths.xy) * vec2(0.9999, 1.0001);
+      if (tile.x <= tile.y) range = vec2(min(range.x, tile.x), max(range.y, tile.y));
+      if (depths.w != 0u || farol_beyond < -1e29) range.y = max(range.y, 1e30), range.x = min(range.x, farol_beyond);
+    }
+  }
+  return range;
+}
+
+// how far a box reaches inside the four sides of a block, as numbers of one sign with it; below 0: not at all
+float farol_insideSides(const in FarolTile tile, const in vec4 low, const in vec3 high) {
+  vec2 k = mix(vec2(1.0), vec2(-low.w, -low.z), farol_perspective);
+  vec4 nearK = tile.slopes * k.x;
+  vec4 farK = tile.slopes * k.y;
+  vec4 sides = vec4(high.xy - min(nearK.xy, farK.xy), max(nearK.zw, farK.zw) - low.xy);
+  return min(min(sides.x, sides.y), min(sides.z, sides.w));
+}
+
+uint farol_inBlock(const in FarolTile tile, const in vec2 range, const in int start) {
+  uint touching = 0u;
+  int end = min(32, farol_tileRun.y - start);
+  for (int i = 0; i < end; i++) {
+    vec4 sphere = farol_lightSphere(farol_tileRun.x + start + i);
+    float radius = sphere.w * 1.0001;
+    if (radius - sphere.z >= range.x && -radius - sphere.z <= range.y && farol_touches(tile, sphere, 0))
+      touching |= 1u << uint(i);
+  }
+  return touching;
+}
+//# main
+int quads = farol_tiles.w;
+ivec2 grid = (farol_tiles.yz + 3) >> 2;
+int index = int(gl_FragCoord.x) + (int(gl_FragCoord.y) << 11);
+int list = index / quads;
+int quad = index - list * quads;
+ivec2 block = ivec2(list - list / grid.x * grid.x, list / grid.x);
+farol_mask = uvec4(0u);
+if (block.y < grid.y) {
+  FarolTile tile = farol_tileAt(block, farol_tiles.x + 2);
+  vec4 lows[4];
+  bool inside[4];
+  bool any = false;
+  for (int i = 0; i < 4; i++) {
+    lows[i] = texelFetch(farol_boxLows, ivec2(i, quad), 0);
+    inside[i] = lows[i].x < 1e29
+      && farol_insideSides(tile, lows[i], texelFetch(farol_boxHighs, ivec2(i, quad), 0).xyz) >= 0.0;
+    any = any || inside[i];
+  }
+  if (any) {
+#ifdef FAROL_BLOCK_DEPTH
+    vec2 range = farol_blockRange(block);
+#else
+    vec2 range = vec2(-1e30, 1e30);
+#endif
+    uvec4 touching = uvec4(0u);
+    for (int i = 0; i < 4; i++) {
+      if (inside[i] && -lows[i].z >= range.x && -lows[i].w <= range.y)
+        touching[i] = farol_inBlock(tile, range, quad * 128 + i * 32);
+    }
+    farol_mask = touching;
+  }
+}

@@ -1,0 +1,22 @@
+// The box round the ranges of each 32 lights of the lists, view space: a texel for 32, four for a quad of 128.
+// Farol
+#include "lightTable"
+#include "lightTiles"
+layout(location = 0) out highp vec4 farol_boxLow; // low corner; high z
+layout(location = 1) out highp vec4 farol_boxHigh; // high corner
+//# main
+int start = int(gl_FragCoord.y) * 128 + int(gl_FragCoord.x) * 32;
+int end = min(start + 32, farol_tileRun.y);
+vec3 low = vec3(1e30);
+vec3 high = vec3(-1e30);
+for (int light = start; light < end; light++) {
+  vec4 sphere = farol_lightSphere(farol_tileRun.x + light);
+  // those that are put out lie beyond
+  if (sphere.x < 1e14) {
+    // a little wider: tests of single lights are
+    low = min(low, sphere.xyz - sphere.w * 1.001);
+    high = max(high, sphere.xyz + sphere.w * 1.001);
+  }
+}
+farol_boxLow = vec4(low, high.z);
+farol_boxHigh = vec4(high, 0.0);

@@ -1,0 +1,9 @@
+// Counts the lights of each row (128) of a cell: a point a light, added up.
+// Knuth 1998, The Art of Computer Programming 3, 5.2: sorting by counting
+uniform highp sampler2D farol_fieldCells;
+uniform highp vec2 farol_fieldCountSize;
+//# main
+ivec2 light = ivec2(gl_VertexID & 127, gl_VertexID >> 7);
+float cell = texelFetch(farol_fieldCells, light, 0).r;
+gl_Position = vec4(vec2(cell + 0.5, float(light.y) + 0.5) / farol_fieldCountSize * 2.0 - 1.0, 0.0, 1.0);
+gl_PointSize = 1.0;

@@ -1,0 +1,65 @@
+// Brings the lights of a field into view space, a texel a light: what lights nothing, or nothing in view, is put out.
+// Farol
+uniform highp sampler2D farol_fieldSpheres;
+uniform highp sampler2D farol_fieldEmissions;
+uniform highp sampler2D farol_fieldCones;
+uniform highp ivec4 farol_fieldRun; // lights; first row of the target; texels a row of the textures; 1: there are cones
+uniform highp mat4 farol_fieldMatrix; // of the field to view space
+uniform highp vec3 farol_fieldColor;
+uniform highp vec4 farol_fieldPlanes[6]; // of the view, normals inward
+uniform highp mat4 farol_fieldProjection;
+uniform highp vec3 farol_fieldDepths; // least depth that cells tell; cells a depth; 1: depths are logarithms (m)
+layout(location = 0) out highp vec4 farol_fieldSphere;
+layout(location = 1) out highp vec4 farol_fieldEmission; // decay as a light record has it
+// axis to the light, times 2 + the cosine where the penumbra begins; cosine of the cutoff; zeros for a point light
+layout(location = 2) out highp vec4 farol_fieldCone;
+layout(location = 3) out highp vec4 farol_fieldCell;
+
+// false for what is no number, too
+bool farol_isWithin(const in vec3 v, const in float limit) {
+  return abs(v.x) <= limit && abs(v.y) <= limit && abs(v.z) <= limit;
+}
+
+// of 8 × 4 parts of the picture by 4 of depth, 128 in all
+float farol_cellOf(const in vec3 positionVS) {
+  vec4 clip = farol_fieldProjection * vec4(positionVS, 1.0);
+  vec2 at = (clip.xy / max(clip.w, 1e-6) * 0.5 + 0.5) * vec2(8.0, 4.0);
+  float depth = farol_fieldDepths.z > 0.0 ? log2(max(-positionVS.z, 1e-6)) : -positionVS.z;
+  float slice = floor(clamp((depth - farol_fieldDepths.x) * farol_fieldDepths.y, 0.0, 3.0));
+  return (slice * 4.0 + floor(clamp(at.y, 0.0, 3.0))) * 8.0 + floor(clamp(at.x, 0.0, 7.0));
+}
+//# main
+ivec2 texel = ivec2(gl_FragCoord.xy);
+int light = ((texel.y - farol_fieldRun.y) << 7) + texel.x;
+// far from everything
+farol_fieldSphere = vec4(1e15, 0.0, 0.0, 1.0);
+farol_fieldEmission = vec4(0.0, 0.0, 0.0, 2.0);
+farol_fieldCone = vec4(0.0);
+farol_fieldCell = vec4(128.0);
+if (light < farol_fieldRun.x) {
+  ivec2 at = ivec2(light % farol_fieldRun.z, light / farol_fieldRun.z);
+  vec4 sphere = texelFetch(farol_fieldSpheres, at, 0);
+  vec4 emission = texelFetch(farol_fieldEmissions, at, 0);
+  vec3 color = emission.rgb * farol_fieldColor;
+  bool lit = farol_isWithin(sphere.xyz, 1e14) && sphere.w > 0.0 && sphere.w <= 1e14 && farol_isWithin(color, 1e30)
+    && color != vec3(0.0) && emission.a >= 0.0 && emission.a <= 1e3;
+  vec4 cone = vec4(0.0);
+  if (farol_fieldRun.w > 0) {
+    cone = texelFetch(farol_fieldCones, at, 0);
+    if (!(farol_isWithin(cone.xyz, 4.0) && abs(cone.w) <= 1.0)) lit = false;
+    else if (cone.xyz != vec3(0.0))
+      cone.xyz = -normalize(mat3(farol_fieldMatrix) * cone.xyz) * clamp(length(cone.xyz), 1.0, 3.0);
+  }
+  if (lit) {
+    sphere.xyz = (farol_fieldMatrix * vec4(sphere.xyz, 1.0)).xyz;
+    for (int i = 0; i < 6; i++) {
+      if (dot(farol_fieldPlanes[i], vec4(sphere.xyz, 1.0)) < -sphere.w) lit = false;
+    }
+  }
+  if (lit && farol_isWithin(sphere.xyz, 1e14)) {
+    farol_fieldSphere = sphere;
+    farol_fieldEmission = vec4(color, cone.xyz != vec3(0.0) ? -1.0 - emission.a : emission.a);
+    farol_fieldCone = cone;
+    farol_fieldCell = vec4(farol_cellOf(sphere.xyz));
+  }
+}

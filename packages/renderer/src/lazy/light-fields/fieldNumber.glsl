@@ -1,0 +1,6 @@
+// Writes the number of a light.
+// Farol
+flat in highp float farol_fieldLight;
+layout(location = 0) out highp vec4 farol_fieldNumber;
+//# main
+farol_fieldNumber = vec4(farol_fieldLight);

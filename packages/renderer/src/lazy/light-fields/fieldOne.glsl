@@ -1,0 +1,5 @@
+// Writes one.
+// Farol
+layout(location = 0) out highp vec4 farol_one;
+//# main
+farol_one = vec4(1.0);

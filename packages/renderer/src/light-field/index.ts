@@ -1,0 +1,3 @@
+export type { LightArray } from './LightArray';
+export { LightField, type LightFieldOptions } from './LightField';
+export type { LightTextures } from './LightTextures';

@@ -1,0 +1,69 @@
+import { FileLoader, Loader } from 'three';
+import { parseIES, tiltFileOf } from './parseIES';
+import { PhotometricProfile } from './PhotometricProfile';
+
+/**
+ * Loads photometric files (.ies) of the LM-63 standard, of any edition from 1986 to 2019, of types A, B and C. A file that
+ * `TILT=` names is loaded from beside it.
+ */
+export class IESLoader extends Loader<PhotometricProfile> {
+  /** Of the luminaire from the position in which it was measured (degrees), for files that say how lamps tilt. */
+  tilt = 0;
+
+  override load(
+    url: string,
+    onLoad: (profile: PhotometricProfile) => void,
+    onProgress?: (event: ProgressEvent) => void,
+    onError?: (error: unknown) => void,
+  ): void {
+    const { manager } = this;
+    const loader = new FileLoader(manager);
+    loader.setPath(this.path);
+    loader.setRequestHeader(this.requestHeader);
+    loader.setWithCredentials(this.withCredentials);
+    loader.load(
+      url,
+      (text) => {
+        const tell = (tilt: string | null): void => {
+          let profile: PhotometricProfile;
+          try {
+            profile = this.parse(text as string, tilt);
+          } catch (error) {
+            if (onError === undefined) console.error(`IESLoader: ${url}: ${String(error)}`);
+            else onError(error);
+            manager.itemError(url);
+            return;
+          }
+          onLoad(profile);
+        };
+        const beside = tiltFileOf(text as string);
+        if (beside === null) tell(null);
+        else {
+          // from the same folder alone, whatever path is written in the file
+          const name = encodeURIComponent(
+            beside.slice(Math.max(beside.lastIndexOf('/'), beside.lastIndexOf('\\')) + 1),
+          );
+          const folder = url.slice(0, url.split(/[?#]/)[0].lastIndexOf('/') + 1);
+          loader.load(
+            `${folder}${name}`,
+            (tilt) => tell(tilt as string),
+            undefined,
+            // what is missing is named
+            () => tell(null),
+          );
+        }
+      },
+      onProgress,
+      onError,
+    );
+  }
+
+  /**
+   * @param text of the file
+   * @param tilt text of the file that `TILT=` names, if it names one
+   * @throws IESError with the line where it is wrong, and what to write there
+   */
+  parse(text: string, tilt: string | null = null): PhotometricProfile {
+    return new PhotometricProfile(parseIES(text, { tilt }), this.tilt);
+  }
+}

@@ -1,0 +1,39 @@
+/** Editions of the LM-63 standard. */
+export type IESVersion = 'LM-63-1986' | 'LM-63-1991' | 'LM-63-1995' | 'LM-63-2002' | 'LM-63-2019';
+
+/** How the lamps of a luminaire give less light as it is tilted. */
+export interface LampTilt {
+  /** Lamps along the axis of tilt: 1 vertical as photometered, 2 horizontal and parallel to it, 3 horizontal, across it. */
+  readonly geometry: number;
+  /** Degrees from the photometered position, ascending. */
+  readonly angles: Float64Array;
+  /** Of the candelas, at each angle. */
+  readonly factors: Float64Array;
+}
+
+/** What a photometric file of the LM-63 standard says, in SI units but for angles, which are in degrees as in the file. */
+export interface PhotometricData {
+  readonly version: IESVersion;
+  /** Texts by keyword, such as MANUFAC and LUMINAIRE, upper case; of LM-63-1986, whose labels have no keywords, LABEL. */
+  readonly keywords: ReadonlyMap<string, string>;
+  /**
+   * The goniometer's axes. C: planes round the vertical axis. B: planes round a horizontal axis. A: planes round the vertical
+   * axis, of luminaires that aim level.
+   */
+  readonly type: 'A' | 'B' | 'C';
+  readonly lamps: number;
+  /** Of each lamp; -1 where the luminaire was measured as a whole. */
+  readonly lumensPerLamp: number;
+  /** Of the luminous opening (m), 0 for a point; negative for round shapes, as the standard has them. */
+  readonly width: number;
+  readonly length: number;
+  readonly height: number;
+  readonly inputWatts: number;
+  readonly tilt: LampTilt | null;
+  /** Ascending. */
+  readonly verticalAngles: Float64Array;
+  /** Ascending. */
+  readonly horizontalAngles: Float64Array;
+  /** Candelas, factors included: for each horizontal angle, all vertical angles. */
+  readonly candelas: Float64Array;
+}

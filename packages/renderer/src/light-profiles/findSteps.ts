@@ -1,0 +1,38 @@
+import type { PhotometricData } from './PhotometricData';
+
+/** Degrees between texels, the widest first. */
+const STEPS = [90, 45, 30, 22.5, 20, 18, 15, 12, 10, 9, 7.5, 6, 5, 4, 3, 2.5, 2, 1, 0.5];
+const FINEST = 0.25;
+/** For light that ends at an angle, and for angles that are not those of the texture. */
+const FINE = 0.5;
+
+/**
+ * How many texels the texture of a profile has: the fewest whose angles are those of the file, so that what lies between is
+ * interpolated as the file's own values are.
+ */
+export function findSteps(data: PhotometricData): { columns: number; rows: number } {
+  const { type, verticalAngles: v, horizontalAngles: h } = data;
+  if (type !== 'C') return { columns: 180 / FINE + 1, rows: 360 / FINE };
+  let vertical = widestStep(v);
+  if (endsLit(data)) vertical = Math.min(vertical, FINE);
+  const rows = h.length === 1 ? 1 : Math.round(360 / widestStep(h));
+  return { columns: Math.round(180 / vertical) + 1, rows };
+}
+
+function widestStep(angles: Float64Array): number {
+  return STEPS.find((step) => angles.every((angle) => isMultiple(angle, step))) ?? FINEST;
+}
+
+function isMultiple(angle: number, step: number): boolean {
+  return Math.abs(angle / step - Math.round(angle / step)) < 1e-6;
+}
+
+/** Whether there is light at the first or last vertical angle, and none beyond. */
+function endsLit({ verticalAngles: v, horizontalAngles: h, candelas }: PhotometricData): boolean {
+  const last = v.length - 1;
+  for (let plane = 0; plane < h.length; plane++) {
+    const at = plane * v.length;
+    if ((v[0] > 0 && candelas[at] > 0) || (v[last] < 180 && candelas[at + last] > 0)) return true;
+  }
+  return false;
+}

@@ -1,0 +1,17 @@
+import type { Matrix4, RectAreaLight } from 'three';
+
+/** Where the texels of the light table are written. */
+interface TexelTable {
+  set4(at: number, x: number, y: number, z: number, w: number): void;
+}
+
+/** What the light table asks of area lights; their code is fetched when a scene has one. */
+export interface AreaLights {
+  /** Irradiance at which a light without `userData.farol.range` ends; 0: none ends. */
+  threshold: number;
+  /** Radius (m) of a sphere round a light's centre that holds all it lights; 0 without an end, NaN if it gives nothing. */
+  radiusOf(light: RectAreaLight): number;
+  /** Writes the extension record of a light. @param at float of the table at which it begins */
+  write(table: TexelTable, at: number, light: RectAreaLight, view: Matrix4): void;
+  dispose(): void;
+}

@@ -1,0 +1,48 @@
+import type { Material, WebGLRenderer } from 'three';
+import type { MicroShaderRegistry } from '../microshaders';
+import type { TwinShader } from './TwinKind';
+
+/** The surfaces of one material. Made by `setSurface` of the entry `surfaces` alone. */
+export interface WornSurfaces {
+  /** Whether vertices are displaced; whether pixels may be discarded. */
+  readonly displaces: boolean;
+  readonly discards: boolean;
+  /** Changes with the list and with the texts. */
+  version(registry: MicroShaderRegistry): number;
+  /** Part of a program's cache key; '' for no surfaces. */
+  key(registry: MicroShaderRegistry): string;
+  /** Puts the surfaces into a shader of three's, before anything else is put into it. */
+  rewrite(shader: TwinShader, registry: MicroShaderRegistry, webgl: WebGLRenderer): void;
+  /** Numbers that stay as long as the look of the pixels, and the shape, do: by texts, values and times. */
+  look(): number;
+  shape(): number;
+  /** Writes the times (s) of the surfaces to a list. */
+  copyTimes(times: number[]): void;
+  /** How far vertices may be displaced (m, in the object's own space); Infinity where a surface does not declare it. */
+  reach(): number;
+  /** Sets the times (s) that vertices are displaced by for where they were. */
+  setTimesBefore(times: readonly number[]): void;
+}
+
+const worn = new WeakMap<Material, WornSurfaces>();
+let some = false;
+
+/** What a material of the host's wears; one that was made with another as its prototype wears what that does. */
+export function surfacesOf(material: Material): WornSurfaces | undefined {
+  return some ? (worn.get(material) ?? inherited(material)) : undefined;
+}
+
+function inherited(material: Material): WornSurfaces | undefined {
+  const above = Object.getPrototypeOf(material) as Material;
+  // of three's classes there is no id
+  return Object.hasOwn(above, 'id') ? surfacesOf(above) : undefined;
+}
+
+/** As `surfacesOf`, without what a prototype wears. */
+export const ownSurfacesOf = (material: Material): WornSurfaces | undefined => worn.get(material);
+
+/** For the entry `surfaces` alone. */
+export function wearSurfaces(material: Material, surfaces: WornSurfaces): void {
+  some = true;
+  worn.set(material, surfaces);
+}

@@ -1,0 +1,251 @@
+import { Color, DataTexture, type IUniform, type Texture, Vector2, Vector3, Vector4, type WebGLRenderer } from 'three';
+import { MicroShaderCompileError } from '../microshaders/MicroShaderCompileError';
+import type { MicroShader } from '../microshaders/MicroShader';
+import type { MicroShaderRegistry } from '../microshaders';
+import { addMicroShaders } from '../microshaders/addMicroShaders';
+import { hashText } from '../microshaders/hashText';
+import * as sources from './chunks';
+import { parseSurface, type ParsedSurface } from './parseSurface';
+import { probeSurface } from './probeSurface';
+import type { SurfaceUniform } from './SurfaceUniform';
+
+export type SurfaceValue = number | boolean | Color | Vector2 | Vector3 | Vector4 | Texture | null;
+/** Values of the declared uniforms, by name. */
+export type SurfaceValues = Readonly<Record<string, SurfaceValue | readonly number[]>>;
+
+/** A renderer as surfaces need it: a FarolRenderer. */
+export interface SurfaceRenderer {
+  readonly webgl: WebGLRenderer;
+  readonly microshaders: MicroShaderRegistry;
+}
+
+export interface SurfaceOptions {
+  /** Time (s) of the hooks, as an object that others may share. Default one of its own. */
+  readonly time?: IUniform<number>;
+}
+
+let count = 0;
+let white: DataTexture | null = null;
+
+/** In place of textures that are not given. */
+function whiteTexture(): DataTexture {
+  if (white === null) {
+    white = new DataTexture(new Uint8Array([255, 255, 255, 255]));
+    white.needsUpdate = true;
+  }
+  return white;
+}
+
+/**
+ * A surface made of microshaders: GLSL that changes how the materials that wear it look, in every technique, see `setSurface`.
+ * `void surface(inout SurfaceData s)` changes a pixel's colour, normal, roughness, metalness, emissive light and opacity,
+ * `void displace(inout VertexData v)` a vertex's position and normal. `#include "name"` puts a microshader of the renderer
+ * before it. All materials that wear it share its programs; values of its uniforms are each material's own.
+ * @see thesis 3.1.2
+ */
+export class Surface {
+  /** Of its names and chunks; another one for each surface of the page. */
+  readonly id = ++count;
+  /** Time (s) as its hooks see it: to be set each frame, where they move. */
+  readonly time: IUniform<number>;
+  /** Grows with each change of the text. */
+  version = 0;
+  private text: string;
+  private read: ParsedSurface;
+  private hash: string;
+  private shown: string;
+  /** Those that hold its chunks: whether the text compiles there. */
+  private readonly registries = new Map<
+    MicroShaderRegistry,
+    { readonly gl: WebGL2RenderingContext; isUsable: boolean }
+  >();
+
+  /**
+   * @param name for errors and lists
+   * @param source its text
+   * @throws MicroShaderCompileError with line, for a text without a hook or with a uniform that cannot be; what a driver
+   *   refuses is told when it is first drawn, or by `compile`
+   */
+  constructor(name: string, source: string, options: SurfaceOptions = {}) {
+    this.shown = name;
+    this.time = options.time ?? { value: 0 };
+    this.text = source;
+    this.read = parseSurface(name, source, this.prefix);
+    this.hash = hashText(source);
+  }
+
+  get name(): string {
+    return this.shown;
+  }
+
+  set name(name: string) {
+    this.shown = name;
+  }
+
+  /** Before its names in shaders. */
+  get prefix(): string {
+    return `farol_s${this.id}_`;
+  }
+
+  /** Its chunks in registries, of pixels and of vertices. */
+  get chunk(): string {
+    return `surface/${this.id}`;
+  }
+
+  get vertexChunk(): string {
+    return `surface/${this.id}/vertex`;
+  }
+
+  /** Uniforms that it declares. */
+  get uniforms(): readonly SurfaceUniform[] {
+    return this.read.uniforms;
+  }
+
+  /** Whether it moves vertices: objects may then leave the bounds of their geometry. */
+  get displaces(): boolean {
+    return this.read.displaces;
+  }
+
+  /** @internal */
+  get parsed(): ParsedSurface {
+    return this.read;
+  }
+
+  /** Differs where texts do. */
+  get key(): string {
+    return `${this.id}-${this.hash}`;
+  }
+
+  get source(): string {
+    return this.text;
+  }
+
+  /**
+   * Puts another text in its place, everywhere at once; what is drawn with it compiles anew when next drawn. Nothing changes
+   * where it throws: pictures keep the last good text.
+   * @throws MicroShaderCompileError with `entries` by line
+   */
+  set source(source: string) {
+    if (source === this.text) return;
+    const read = parseSurface(this.name, source, this.prefix);
+    const before = this.chunksOf(this.read);
+    const next = this.chunksOf(read);
+    const done: (readonly [MicroShaderRegistry, MicroShader])[] = [];
+    try {
+      for (const [registry, { gl, isUsable }] of this.registries) {
+        if (!gl.isContextLost()) probeSurface(gl, registry, next, this.prefix);
+        next.forEach((chunk, i) => {
+          if (isUsable) {
+            registry.replace(chunk.name, chunk);
+            done.push([registry, before[i]]);
+          } else registry.swap(chunk.name, chunk);
+        });
+      }
+    } catch (error) {
+      for (const [registry, chunk] of done.toReversed()) registry.replace(chunk.name, chunk);
+      throw this.named(error);
+    }
+    for (const held of this.registries.values()) held.isUsable = true;
+    this.text = source;
+    this.read = read;
+    this.hash = hashText(source);
+    this.version++;
+  }
+
+  /** The default of a uniform, as an object of its own; of textures a white one that all share. */
+  static defaultOf(uniform: SurfaceUniform): SurfaceValue {
+    const { default: value, type, isColor } = uniform;
+    if (value === null) return whiteTexture();
+    if (typeof value !== 'object') return value;
+    const [x, y, z = 0, w = 0] = value;
+    if (type === 'vec2') return new Vector2(x, y);
+    if (type === 'vec4') return new Vector4(x, y, z, w);
+    return isColor ? new Color().setRGB(x, y, z) : new Vector3(x, y, z);
+  }
+
+  /**
+   * Compiles it for a renderer, without waiting to be drawn.
+   * @throws MicroShaderCompileError with `entries` by line; Error for an unknown include. It is drawn without then.
+   */
+  compile({ webgl, microshaders }: SurfaceRenderer): void {
+    const problem = this.addTo(microshaders, webgl);
+    if (problem) throw problem;
+  }
+
+  /**
+   * @internal Brings its chunks into a registry.
+   * @returns what is wrong with it there, told once; null when it can be drawn or was told
+   */
+  addTo(registry: MicroShaderRegistry, webgl: WebGLRenderer): Error | null {
+    if (this.registries.has(registry)) return null;
+    const gl = webgl.getContext() as WebGL2RenderingContext;
+    if (gl.isContextLost()) return null;
+    addMicroShaders(registry, 'surfaces', sources);
+    const chunks = this.chunksOf(this.read);
+    const held = { gl, isUsable: false };
+    this.registries.set(registry, held);
+    registry.add(chunks);
+    try {
+      probeSurface(gl, registry, chunks, this.prefix);
+      held.isUsable = true;
+      return null;
+    } catch (error) {
+      return this.named(error);
+    }
+  }
+
+  /** @internal Whether a registry holds it, and its text compiles there. */
+  isUsable(registry: MicroShaderRegistry): boolean {
+    return this.registries.get(registry)?.isUsable === true;
+  }
+
+  private chunksOf({ fragment, vertex }: ParsedSurface): MicroShader[] {
+    const chunk = (name: string, stage: 'vertex' | 'fragment', header: string): MicroShader => ({
+      name,
+      stage,
+      header: `${header}\n`,
+      main: '',
+      dependencies: ['surfaceData'],
+    });
+    return [chunk(this.chunk, 'fragment', fragment), chunk(this.vertexChunk, 'vertex', vertex)];
+  }
+
+  /** An error in the words of its text: its name for its chunks, its names without the prefix. */
+  private named(error: unknown): Error {
+    if (!(error instanceof MicroShaderCompileError)) return error instanceof Error ? error : new Error(String(error));
+    const entries = error.entries.map((entry) => {
+      const own = entry.chunk === this.chunk || entry.chunk === this.vertexChunk;
+      return {
+        ...entry,
+        chunk: own ? this.name : entry.chunk,
+        message: entry.message.replaceAll(this.prefix, ''),
+        text: own ? entry.text.replaceAll(this.prefix, '') : entry.text,
+      };
+    });
+    const seen = new Set<string>();
+    return SurfaceCompileError.of(
+      this.name,
+      error.stage,
+      entries.filter((entry) => {
+        const key = `${entry.chunk}:${entry.line}:${entry.message}`;
+        return !seen.has(key) && seen.add(key);
+      }),
+    );
+  }
+}
+
+/** An error of a driver in the words of a surface. */
+class SurfaceCompileError extends MicroShaderCompileError {
+  static of(
+    name: string,
+    stage: MicroShaderCompileError['stage'],
+    entries: MicroShaderCompileError['entries'],
+  ): MicroShaderCompileError {
+    const error = new SurfaceCompileError(name, stage, '', '');
+    const what = entries.map(
+      ({ line, message, text }) => `line ${line}: ${message}${text === '' ? '' : `\n    ${text}`}`,
+    );
+    error.message = `Surface "${name}" does not compile:\n  ${what.join('\n  ')}`;
+    return Object.assign(error, { entries });
+  }
+}

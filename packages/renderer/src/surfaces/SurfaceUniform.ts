@@ -1,0 +1,17 @@
+export type SurfaceUniformType = 'float' | 'int' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'sampler2D';
+
+/** A uniform that a surface declares, as an editor shows it. */
+export interface SurfaceUniform {
+  readonly name: string;
+  readonly type: SurfaceUniformType;
+  /** Of vec3: a colour. Linear in the API, written as #rrggbb in sRGB. */
+  readonly isColor: boolean;
+  /** A number, a boolean, the numbers of a vector, or null for a texture. */
+  readonly default: number | boolean | readonly number[] | null;
+  readonly least?: number;
+  readonly most?: number;
+  readonly step?: number;
+  readonly label: string;
+  /** Line of the text, from 1. */
+  readonly line: number;
+}

@@ -1,0 +1,2 @@
+export { default as surfaceData } from './surfaceData.glsl?raw';
+export { default as surfaceNoise } from './surfaceNoise.glsl?raw';

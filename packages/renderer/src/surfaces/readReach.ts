@@ -1,0 +1,43 @@
+import { surfaceError } from './surfaceError';
+import type { SurfaceUniform } from './SurfaceUniform';
+
+/** A product of a number and of values of uniforms. */
+export interface ReachTerm {
+  readonly factor: number;
+  readonly names: readonly string[];
+}
+
+const LINE = /^[ \t]*\/\/[ \t]*reach[ \t]*:(.*)$/;
+
+/**
+ * How far a surface displaces vertices at most: a line `// reach: 0.1 + 2 * height`, a sum of products of numbers and of
+ * uniforms of type float or int (m, in the object's own space). Objects are left out of pictures and shadow maps by it.
+ * @param name of the surface, for errors
+ * @returns null where there is no such line
+ * @throws MicroShaderCompileError with the line, for what is no such sum
+ */
+export function readReach(name: string, text: string, uniforms: readonly SurfaceUniform[]): ReachTerm[] | null {
+  const lines = text.split('\n');
+  const at = lines.findIndex((line) => LINE.test(line));
+  if (at < 0) return null;
+  return LINE.exec(lines[at])![1]
+    .split('+')
+    .map((term) => {
+      let factor = 1;
+      const names: string[] = [];
+      for (const part of term.split('*').map((each) => each.trim())) {
+        const value = part === '' ? NaN : Number(part);
+        const uniform = uniforms.find((each) => each.name === part);
+        if (Number.isFinite(value)) factor *= value;
+        else if (uniform?.type === 'float' || uniform?.type === 'int') names.push(part);
+        else
+          throw surfaceError(
+            name,
+            text,
+            at + 1,
+            `"${part}" is no number and no float or int uniform: write the reach as // reach: 0.1 + 2 * height`,
+          );
+      }
+      return { factor, names };
+    });
+}
