@@ -33,7 +33,10 @@ void farol_addAreaToParticle(const in FarolLight light) {
     vec3 sum = farol_rectangleForm(area.centre, area.halfWidth, area.halfHeight);
     form = length(sum);
     direction = -sum / max(form, 1e-12);
-  } else form = farol_areaDiffuse(area, direction);
+  } else {
+    // any tangents will do: the cosine lobe is the same all around
+    form = farol_areaDiffuse(farol_toTangentSpace(area, farol_areaLobe(direction, direction, vec4(0.0)).tangents));
+  }
   vec3 arriving = farol_masked(light.color, light.mask, toLight, farol_positionVS, direction,
     farol_particlesShadowed);
   farol_addParticleLight(3.1415926536 * form * area.window * arriving, direction);
