@@ -38,7 +38,7 @@ export interface FieldDescription {
 export interface FieldTarget {
   /** Its name in the labels of the history, such as 'Light'. */
   readonly ownerName: string;
-  readonly fields: Readonly<Record<string, { readonly label?: string }>>;
+  readonly fields: Readonly<Record<string, { readonly label?: string; readonly viewOf?: string }>>;
   /** The value that was last set, untouched by simulation. */
   getAuthored(name: string): FieldValue;
   /** @throws Error when the value is refused; nothing has changed then */

@@ -4,6 +4,7 @@ import { SetFields } from './SetFields';
 
 /** Has the field `size` as long as `kind` is 'box'. */
 class Shape {
+  readonly fields = { kind: {}, size: {} };
   readonly values = new Map<string, FieldValue>([
     ['kind', 'box'],
     ['size', 1],
@@ -28,4 +29,30 @@ test('is undone from its last field to its first, since one may decide which oth
   expect([owner.getAuthored('kind'), owner.getAuthored('size')]).toEqual(['box', 1]);
   edit.do();
   expect(owner.getAuthored('kind')).toBe('ball');
+});
+
+/** A surface's text holds all values, of which the field `height` views one: 0 where the text has none that it allows. */
+class Surface {
+  readonly ownerName = 'Surface';
+  readonly fields = { values: {}, height: { viewOf: 'values' } };
+  values = 'height=-6';
+  getAuthored(name: string): FieldValue {
+    return name === 'values' ? this.values : Math.max(0, Number(this.values.slice(7)));
+  }
+  set(name: string, value: FieldValue): void {
+    this.values = name === 'values' ? String(value) : `height=${String(value)}`;
+  }
+}
+
+test('undoes a part of a value as the whole that it was, also one that the part does not allow', () => {
+  const owner = new Surface();
+  const edit = new SetFields('Set', [{ owner, name: 'height', value: 3 }]);
+  expect(edit.isEmpty).toBe(false);
+  edit.do();
+  expect(owner.values).toBe('height=3');
+  const next = new SetFields('Set', [{ owner, name: 'height', value: 4 }]);
+  const joined = edit.replaceWith(next)!;
+  expect(owner.values).toBe('height=4');
+  joined.undo();
+  expect(owner.values).toBe('height=-6');
 });

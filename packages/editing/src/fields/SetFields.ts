@@ -14,6 +14,13 @@ const authored = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>):
   value: owner.getAuthored(name),
 });
 
+/**
+ * What undoes an edit: what holds the value as a whole where the field views a part of it. The holder may have a value that
+ * the field does not allow, and shows as its default.
+ */
+const undoing = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): FieldEdit<Owner> =>
+  authored({ owner, name: owner.fields[name]?.viewOf ?? name, value: null });
+
 /** Sets all, or none when one is refused. @param before values before the call, in the same order */
 function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void {
   let count = 0;
@@ -29,6 +36,8 @@ function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void
 export class SetFields<Owner extends FieldTarget = FieldTarget> implements Command<never> {
   /** Values before the first `do`; null until then. */
   private before: readonly FieldEdit<Owner>[] | null = null;
+  /** What `undo` sets, in the same order. */
+  private undoes: readonly FieldEdit<Owner>[] = [];
 
   /** @param edits each field of each owner at most once */
   constructor(
@@ -44,13 +53,14 @@ export class SetFields<Owner extends FieldTarget = FieldTarget> implements Comma
   /** @throws Error of the owner that refuses its value; nothing has changed then */
   do(): void {
     const before = this.before ?? this.edits.map(authored);
-    setAll(this.edits, before);
+    if (!this.before) this.undoes = this.edits.map(undoing);
+    setAll(this.edits, this.undoes);
     this.before = before;
   }
 
   undo(): void {
     // backwards: one field may decide which others there are
-    setAll(this.before!.toReversed(), this.edits.toReversed());
+    setAll(this.undoes.toReversed(), this.edits.toReversed());
   }
 
   replaceWith(next: Command<unknown>): SetFields<Owner> | null {
@@ -61,6 +71,7 @@ export class SetFields<Owner extends FieldTarget = FieldTarget> implements Comma
     if (!sameFields) return null;
     setAll(next.edits, this.edits);
     next.before = this.before;
+    next.undoes = this.undoes;
     return next;
   }
 }

@@ -6,6 +6,7 @@ import type {
   ComponentData,
   ComponentRegistry as ComponentRegistryType,
 } from './SceneGraph';
+import { fits } from './changeClass';
 import { makeUnknownComponent } from './UnknownComponent';
 
 export interface ComponentRegistryOptions {
@@ -59,7 +60,11 @@ class BaseComponentRegistry implements ComponentRegistryType {
 
   createFrom(data: ComponentData): Component {
     if (this.keepsUnknown && !this.classes.has(data.type)) return makeUnknownComponent(data);
-    return this.create(data.type, data.values);
+    if (!this.keepsUnknown) return this.create(data.type, data.values);
+    // the class of a script may have other fields than when the data were written
+    const type = this.get(data.type);
+    const fitting = Object.entries(data.values).filter(([name, value]) => fits(type, name, value, null));
+    return this.create(data.type, Object.fromEntries(fitting));
   }
 
   create(typeName: string, values: Readonly<Record<string, FieldValue>> = {}): Component {

@@ -226,7 +226,10 @@ export interface ComponentRegistry {
   fieldsOf(typeName: string): FieldTable;
   /** @throws Error naming the types that there are */
   get(typeName: string): ComponentClass;
-  /** A component on no object from the data of a checked file, of a type that is not known too where those are kept. */
+  /**
+   * A component on no object from the data of a checked file. Where types that are not known are kept, one of them too, and
+   * values that the class, whose script has changed, does not have or allow are left out.
+   */
   createFrom(data: ComponentData): Component;
   /** A new component on no object. @throws Error for an unknown type, FieldError for a wrong value */
   create(typeName: string, values?: Readonly<Record<string, FieldValue>>): Component;

@@ -163,7 +163,9 @@ export class InstanceUpdate {
       const field = own.fields[name];
       const value = own.getAuthored(name);
       const nextValue = valueIn(next, name, field, this.ids);
-      const isBase = sameValue(value, valueIn(base, name, field, this.ids));
+      if (nextValue === undefined) continue;
+      const baseValue = valueIn(base, name, field, this.ids);
+      const isBase = baseValue !== undefined && sameValue(value, baseValue);
       if (takes(`${key}.${name}`, isBase, sameValue(value, nextValue))) {
         this.edits.push({ kind: 'field', component: own, field: name, value: nextValue });
       }

@@ -57,6 +57,7 @@ export function fieldOverride(component: Component, field: string): FieldOverrid
   const declared = component.fields[field];
   const ids = declared.kind === 'object' ? idsIn(root) : new Map<string, string>();
   const base = valueIn(inPrefab, field, declared, ids);
+  if (base === undefined) return null;
   const isOverride = !sameValue(component.getAuthored(field), base) || object.prefabLink!.pinned?.includes(path);
   return isOverride ? { component, field, path: `${object.name}/${path}`, base } : null;
 }

@@ -1,3 +1,4 @@
+import { checkFieldValue } from '../fields/checkFieldValue';
 import type { Field, FieldValue } from '../fields/Field';
 import type { FileComponent, FileObject } from '../files/FarolFile';
 import { viewedValue } from '../assets/uniformFields';
@@ -23,15 +24,20 @@ export function componentsOf(object: FileObject): Map<string, FileComponent> {
   return found;
 }
 
-/** The value of a field in data that leave defaults out, references as ids of an instance. */
+/**
+ * The value of a field in data that leave defaults out, references as ids of an instance. The default where the field, of a
+ * script whose text has changed, does not allow what the data have; undefined where a component of an unknown class has a
+ * value and the data have none.
+ */
 export function valueIn(
   component: FileComponent,
   name: string,
   field: Field,
   ids: ReadonlyMap<string, string>,
-): FieldValue {
+): FieldValue | undefined {
   if (field.viewOf !== undefined) return viewedValue(component.values, name, field);
-  const value = Object.hasOwn(component.values, name) ? component.values[name] : field.default;
+  const has = Object.hasOwn(component.values, name) && checkFieldValue(field, component.values[name]) === null;
+  const value = has ? component.values[name] : (field.default as FieldValue | undefined);
   return field.kind === 'object' && typeof value === 'string' ? (ids.get(value) ?? null) : value;
 }
 

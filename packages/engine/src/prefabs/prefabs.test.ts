@@ -6,7 +6,7 @@ import { RandomMovement } from '../components/RandomMovement';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { component } from '../fields/component';
-import { object } from '../fields/fields';
+import { boolean, number, object, string } from '../fields/fields';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { builtinComponents } from '../components/index';
 import { deserialize } from '../files/deserialize';
@@ -371,5 +371,43 @@ describe('the values of a surface that an object wears by itself', () => {
     expect(overridesOf(other).fields.map(({ path }) => path)).toEqual(['Crate/ObjectRenderer.surface']);
     run(planRevertAll(other));
     expect(values(other)).toEqual([5, 3]);
+  });
+});
+
+describe('components of scripts, whose fields have changed since the prefab was made', () => {
+  const keeping = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
+  const scriptOf = (fields: Parameters<typeof component>[0]) =>
+    class extends component(fields) {
+      static override readonly typeName: string = 'Spin';
+    };
+  const Fast = scriptOf({ rate: number(1, { help: '' }), far: boolean(false, { help: '' }) });
+  const Named = scriptOf({ rate: string('slow', { help: '' }) });
+
+  /** A prefab of the values that Fast has. */
+  function spinning(): { spinner: GameObject; prefab: Prefab } {
+    scene = new Scene({ registry: keeping });
+    const spinner = new GameObject('Spinner');
+    spinner.addComponent(Fast, { rate: 3, far: true });
+    scene.add(spinner);
+    return { spinner, prefab: take(spinner) };
+  }
+
+  test('an instance has what the new fields allow of the values', () => {
+    keeping.register(Named);
+    const { prefab } = spinning();
+    const instance = instantiatePrefab(prefab, keeping);
+    keeping.unregister(Named);
+    expect(instance.components[1].authoredValues()).toEqual({ rate: 'slow' });
+  });
+
+  test('an instance of a script that is gone keeps values that the prefab has not', () => {
+    const { spinner, prefab } = spinning();
+    const unknown = keeping.createFrom({ type: 'Spin', version: 1, values: { rate: 4, more: 1 } });
+    spinner.removeComponent(spinner.components[1]);
+    spinner.addComponent(unknown, {}, { id: `${spinner.id}:Spin` });
+    expect(overridesOf(spinner).fields.map(({ field }) => field)).toEqual(['rate']);
+    run(planRevertAll(spinner));
+    expect(unknown.authoredValues()).toEqual({ rate: 3, more: 1 });
+    expect(prefab.objects).toHaveLength(1);
   });
 });

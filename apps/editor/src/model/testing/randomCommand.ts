@@ -1,5 +1,5 @@
 import type { Command } from '@farol/editing';
-import { Camera, GameObject } from '@farol/engine';
+import { builtinComponents, Camera, GameObject } from '@farol/engine';
 import { addPhysics, type PhysicsKind } from '../addPhysics';
 import { copyObjects, pasteObjects } from '../clip';
 import type { Container } from '../commands/Placement';
@@ -25,7 +25,6 @@ import {
 import type { EditorDocument } from '../EditorDocument';
 import { groupObjects, ungroupObjects } from '../groupObjects';
 import { below, objectsOf, pick, type Random } from './random';
-import { randomTypes } from './randomTypes';
 import { randomArrangement } from './randomArrangement';
 import { randomAssetCommand } from './randomAssetCommand';
 import { randomBakeCommand } from './randomBakeCommand';
@@ -64,7 +63,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
     case 0: {
       const object = new GameObject(`Object ${below(random, 1000)}`);
       if (random() < 0.7) {
-        const type = pick(random, randomTypes.slice(1));
+        const type = pick(random, [...builtinComponents.types.values()].slice(1));
         object.addComponent(type);
       }
       return addObject(scene, object, parent(), selection.ids);
@@ -89,7 +88,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
     case 7:
       return setEnabled(pick(random, all).components, random() < 0.5);
     case 8:
-      return addComponent(scene, some(random, all), pick(random, randomTypes));
+      return addComponent(scene, some(random, all), pick(random, [...builtinComponents.types.values()]));
     case 9:
       return removeComponents(
         scene,

@@ -1,12 +1,11 @@
-import { GameObject, Scene } from '@farol/engine';
+import { builtinComponents, GameObject, Scene } from '@farol/engine';
 import type { EditorDocument } from '../EditorDocument';
 import { objectsOf, pick, type Random } from './random';
-import { randomTypes } from './randomTypes';
 
 /** A scene with one object of each type of component, some below others. */
 export function randomScene(random: Random, { assets }: EditorDocument): Scene {
   const scene = new Scene({ name: 'Start', assets });
-  for (const type of randomTypes.slice(1)) {
+  for (const type of [...builtinComponents.types.values()].slice(1)) {
     const object = new GameObject(type.typeName);
     object.addComponent(type);
     object.transform.position = [random() * 4, random(), random() * 4];
