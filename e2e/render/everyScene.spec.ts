@@ -2,7 +2,7 @@ import type { Page } from '@playwright/test';
 import type { Light } from '@farol/engine';
 import { checkAgreement } from '../support/agreement';
 import { compareImages, isFlat } from '../support/images';
-import { parts } from '../support/parts';
+import { inTurn, parts } from '../support/parts';
 import { expect, test, type Watch } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
 
@@ -38,8 +38,8 @@ const load = (page: Page, scene: string): Promise<number[]> =>
     [scene, few] as const,
   );
 
-/** Every technique draws something in every view without a word from the console; views of the surface by turns. */
-async function checkViews(page: Page, watch: Watch, scene: string): Promise<void> {
+/** Every technique draws something in every view, views by turns, without a word from the console. */
+async function checkViews(page: Page, watch: Watch, scene: string, index: number): Promise<void> {
   const { techniques, views } = await page.evaluate(() => {
     const { techniques, views } = window.viewer.known;
     return { techniques: [...techniques], views: [...views] };
@@ -47,10 +47,15 @@ async function checkViews(page: Page, watch: Watch, scene: string): Promise<void
   expect(techniques.length * views.length).toBeGreaterThan(0);
   const surfaces = views.filter((view) => !ofTechnique.has(view));
   for (const [turn, technique] of techniques.entries()) {
+    const own = inTurn(
+      views.filter((view) => ofTechnique.has(view) && view !== 'final'),
+      turn + index,
+      2,
+    );
     // To the canvas once, then each view to a float target; past the viewer, which would draw to the canvas too.
     await page.evaluate((name) => window.viewer.setTechnique(name), technique);
     const flat: string[] = [];
-    for (const view of [...views.filter((view) => ofTechnique.has(view)), surfaces[turn % surfaces.length]]) {
+    for (const view of ['final', ...own, surfaces[turn % surfaces.length]]) {
       await page.evaluate((name) => void (window.viewer.farol.view = name as 'final'), view);
       const image = await readImage(page);
       expect(image.width * image.height, 'pixels').toBe(WIDTH * HEIGHT);
@@ -62,11 +67,11 @@ async function checkViews(page: Page, watch: Watch, scene: string): Promise<void
   }
 }
 
-/** Every technique under each kind of light draws as stock three does, in linear float. */
-async function checkKinds(page: Page, scene: string, intensities: readonly number[]): Promise<void> {
-  const techniques = await page.evaluate(() => [...window.viewer.known.techniques]);
-  expect(intensities.length * techniques.length, `lights of ${scene}, techniques`).toBeGreaterThan(0);
-  for (const [kind, scale] of Object.entries(kinds)) {
+/** Techniques, by turns, draw each kind of light as stock three does, in linear float. */
+async function checkKinds(page: Page, scene: string, index: number, intensities: readonly number[]): Promise<void> {
+  const known = await page.evaluate(() => [...window.viewer.known.techniques]);
+  expect(intensities.length * known.length, `lights of ${scene}, techniques`).toBeGreaterThan(0);
+  for (const [turn, [kind, scale]] of Object.entries(kinds).entries()) {
     await page.evaluate(
       ([kind, scale, intensities, count]) => {
         const lights = window.viewer.engineScene.componentsOf<Light>('Light');
@@ -87,7 +92,7 @@ async function checkKinds(page: Page, scene: string, intensities: readonly numbe
     );
     const stock = await readImage(page, 'three');
     expect(isFlat(stock), `${scene} under ${kind} lights, by stock three, shows one colour`).toBe(false);
-    for (const technique of techniques) {
+    for (const technique of inTurn(known, turn + index, 3)) {
       // past the viewer, which would draw to the canvas too
       await page.evaluate((name) => void (window.viewer.farol.technique = name as 'auto'), technique);
       const family = technique === 'inferred' ? 'light-prepass' : technique;
@@ -98,7 +103,7 @@ async function checkKinds(page: Page, scene: string, intensities: readonly numbe
 }
 
 /**
- * Every scene by every technique: each view, then each kind of light. The names are read from the page's registries, so
+ * Every scene by every technique: each view, then each kind of light, by turns in `npm test`. The names are read from the page's registries, so
  * that a new scene, technique or view is in. Two tests share the scenes, for two workers; more where there are more.
  */
 const SHARES = [0, 1, 2, 3, 4, 5];
@@ -114,12 +119,13 @@ for (const [part, shares] of parts(SHARES, 2).entries()) {
       inferredScale: window.viewer.farol.inferredScale,
     }));
     expect(scenes.length).toBeGreaterThan(1);
-    for (const scene of scenes.filter((_, index) => shares.includes(index % SHARES.length))) {
+    for (const [index, scene] of scenes.entries()) {
+      if (!shares.includes(index % SHARES.length)) continue;
       const intensities = await load(page, scene);
-      await checkViews(page, watch, scene);
+      await checkViews(page, watch, scene, index);
       // at half of so few pixels lighting has nothing to go by; what half costs, agreement.spec.ts says
       await page.evaluate(() => void (window.viewer.farol.inferredScale = 1));
-      await checkKinds(page, scene, intensities);
+      await checkKinds(page, scene, index, intensities);
       await page.evaluate((scale) => void (window.viewer.farol.inferredScale = scale), inferredScale);
     }
   });

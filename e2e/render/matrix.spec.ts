@@ -1,12 +1,12 @@
 import type { CaseResult } from '../pages/matrix/runSheet';
 import { isException } from './matrixExceptions';
 import { recordComparison } from '../support/comparison';
-import { parts } from '../support/parts';
+import { inTurn, parts } from '../support/parts';
 import { expect, test } from '../support/test';
 
 /**
- * The matrix: each material, map, geometry and order of drawing, in a cell of 32 × 32 pixels, by each technique, in linear
- * float against stock three. A cell that is off is named. The forward family runs three's own shaders; what a G-buffer or
+ * The matrix: each material, map, geometry and order of drawing, in a cell of 32 × 32 pixels, by techniques in turn, by all
+ * of them in `npm run agree`, in linear float against stock three. A cell that is off is named. The forward family runs three's own shaders; what a G-buffer or
  * light buffer holds is rounded there. One pixel of a cell is 0.098%.
  */
 const FORWARD = new Set(['forward', 'forward-single-pass', 'tiled-forward', 'forward-plus', 'clustered-forward']);
@@ -44,9 +44,13 @@ const sheets = ['materials', 'maps', 'geometry', 'order', 'glTF', 'shaders', 'sh
 
 // one page for all sheets, unless many browsers share them: most of their time goes to shaders, many of which they share
 for (const [part, listed] of parts(sheets, 1).entries()) {
-  test(`each case of each sheet, by each technique, part ${part + 1}`, async ({ page }) => {
+  test(`each case of each sheet, by techniques in turn, part ${part + 1}`, async ({ page }) => {
     for (const sheet of listed) {
-      const { results, unseen } = await page.evaluate((name) => window.testPage.runSheet(name), sheet);
+      const techniques = await page.evaluate(() => [...window.testPage.drawn]);
+      const { results, unseen } = await page.evaluate(([name, names]) => window.testPage.runSheet(name, names), [
+        sheet,
+        inTurn(techniques, sheets.indexOf(sheet), 2),
+      ] as const);
       expect
         .soft(
           unseen.filter((name) => !HIDDEN.has(name)),
@@ -58,7 +62,7 @@ for (const [part, listed] of parts(sheets, 1).entries()) {
   });
 }
 
-/** Of the settings: each is drawn by three techniques in turn, by all of them where many browsers share the work. */
+/** Of the settings: each is drawn by two techniques in turn, by all of them where many browsers share the work. */
 const EIGHTHS = [0, 1, 2, 3, 4, 5, 6, 7];
 for (const [part, shares] of parts(EIGHTHS, 1).entries()) {
   test(`each setting of renderer, scene and camera, by techniques in turn, part ${part + 1}`, async ({ page }) => {

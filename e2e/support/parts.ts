@@ -1,3 +1,15 @@
+/** Whether everything is compared, as by `npm run agree`; `npm test` has what costs most take turns. */
+const isWhole = Boolean(process.env.FAROL_AGREE);
+
+/**
+ * What of a list has its turn: item i at turns i, i + every, i + 2 every, …; all of them with FAROL_AGREE.
+ *
+ * @param turn a whole number
+ * @param every turns until each item had one
+ */
+export const inTurn = <T>(items: readonly T[], turn: number, every: number): T[] =>
+  items.filter((_item, index) => isWhole || index % every === turn % every);
+
 /**
  * Splits what one test would go through, so that many browsers can share it: `npm run agree` sets FAROL_AGREE to how many
  * tests there are to be at most. Item i goes to part i modulo their number.
