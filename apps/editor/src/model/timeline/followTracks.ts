@@ -72,6 +72,16 @@ function edits(label: string, before: TrackObjects): Command[] {
   return commands;
 }
 
+/** The edits after which tracks of all clips that were of components of a type are of those of another. */
+export function retypeTracks(label: string, { assets }: Scene, from: string, to: string): Command[] {
+  return (assets.fieldAssets('clip') as ClipAsset[]).flatMap((clip) => {
+    const data = clipDataOf(clip);
+    if (!data.tracks.some(({ component }) => component === from)) return [];
+    const tracks = data.tracks.map((track) => (track.component === from ? { ...track, component: to } : track));
+    return [setTracks(label, clip, { ...data, tracks })];
+  });
+}
+
 /** A command, and what tracks of clips need after it, as one step. */
 class FollowTracks implements Command {
   private follow: Command | null = null;
