@@ -115,7 +115,7 @@ test('a tab that hung in a script, and was ended, comes back with scripts off, u
   // never answered: the page does not come to it
   void page.keyboard.press('Control+p').catch(() => {});
   await hung;
-  await tab.crashAndReload();
+  await tab.killAndReload();
 
   const button = (name: string): string =>
     `[...document.querySelectorAll('[role=dialog] button, [role=alert] button')].find((each) => each.textContent === '${name}')`;

@@ -2,8 +2,11 @@ import type { Page } from '@playwright/test';
 
 /** A tab that is reached past Playwright, which gives a page up once it has crashed. */
 export interface DeadTab {
-  /** Ends the tab's process, as the browser's "Exit page" does with one that hangs; then loads its address anew. */
-  crashAndReload(): Promise<void>;
+  /**
+   * Ends the processes of the browser's pages, as "Exit page" does with one that hangs; then loads this tab's address anew.
+   * A page that hangs does not hear of `Page.crash` in time.
+   */
+  killAndReload(): Promise<void>;
   /** The value of an expression in the page, as JSON; undefined while it throws, and while a page is loading. */
   evaluate(expression: string): Promise<unknown>;
 }
@@ -34,10 +37,10 @@ export async function deadTabOf(page: Page): Promise<DeadTab> {
       void browser.send('Target.sendMessageToTarget', { sessionId, message });
     });
   return {
-    async crashAndReload() {
+    async killAndReload() {
       const crashed = page.waitForEvent('crash');
-      // never answered: there is nobody left to
-      void send('Page.crash');
+      const { processInfo } = await browser.send('SystemInfo.getProcessInfo');
+      for (const { id, type } of processInfo) if (type === 'renderer') process.kill(id, 'SIGKILL');
       await crashed;
       await send('Page.reload');
     },
