@@ -22,6 +22,7 @@ test('what is copied in a tab is pasted in another with its files, materials and
 }) => {
   await openEditor(page, 'empty');
   await dropFiles(page, picture, [redBox()]);
+  await page.waitForFunction(() => window.editor.document.scene.find('box') !== null);
   await page.evaluate(async (source) => {
     const { assets, scripts, scene } = window.editor.document;
     assets.addFieldAsset('script', 'Spin', { source });

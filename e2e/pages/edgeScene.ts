@@ -7,7 +7,8 @@ export interface EdgeScene extends TestScene {
   setTime(seconds: number): void;
 }
 
-function bentPole(material: THREE.Material): THREE.SkinnedMesh {
+/** A pole of two bones: its tip turns with the second one. */
+export function bentPole(material: THREE.Material): THREE.SkinnedMesh {
   const geometry = new THREE.BoxGeometry(0.25, 3, 0.25, 1, 12, 1);
   const { position } = geometry.attributes;
   const indices = new Uint16Array(position.count * 4);

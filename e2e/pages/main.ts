@@ -61,6 +61,8 @@ export interface TestPage {
   nodeScene(): Promise<typeof import('./nodeScene')>;
   /** Fetched by the tests that need it. */
   bake(): Promise<typeof import('@farol/bake')>;
+  /** Fetched by the tests that need it: it brings the engine. */
+  animatedScene(): Promise<typeof import('./animatedScene')>;
   hostSnapshot: typeof hostSnapshot;
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
@@ -109,6 +111,7 @@ window.testPage = {
   messageOf,
   nodeScene: () => import('./nodeScene'),
   bake: () => import('@farol/bake'),
+  animatedScene: () => import('./animatedScene'),
   hostSnapshot,
   runSheet,
   runSettings,

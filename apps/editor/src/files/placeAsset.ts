@@ -84,6 +84,16 @@ function animate(editor: EditorApi, clip: string, target: GameObject): void {
   document.selection.set([target.id]);
 }
 
+/** Has the object under the pointer be heard: by an AudioSource without a sound, if it has one, else by one more. */
+function sound(editor: EditorApi, name: string, target: GameObject): void {
+  const { document, commands } = editor;
+  const owner = target.getComponents(AudioSource).find((each) => each.getAuthored('sound') === null);
+  const label = t('Gave {asset} to {object}', { object: target.name, asset: name });
+  if (owner) commands.run(new SetFields(label, [{ owner, name: 'sound', value: name }]));
+  else commands.run(addComponent(document.scene, [target], AudioSource, { sound: name }));
+  document.selection.set([target.id]);
+}
+
 /** Gives the object under the pointer a material, shader or texture. @returns whether it could */
 function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObject | null): boolean {
   const renderer = target?.getComponent(ObjectRenderer);
@@ -146,7 +156,8 @@ async function useSurface(editor: EditorApi, surface: string, place: DropPlace):
 /**
  * Brings an asset into the scene: models, meshes and prefabs are placed; environments light the scene; materials, shaders
  * and textures go onto the object under the pointer, or else onto something new; a script becomes a component of the object
- * under the pointer, or else is shown; a photometric profile goes to the light under the pointer, or else to a new one.
+ * under the pointer, or else is shown; a photometric profile goes to the light under the pointer, or else to a new one; a
+ * clip or a sound goes to the object under the pointer, or else to a new one.
  * @param then - part of the same step: what becomes of the object that was made
  * @throws Error when a prefab would be placed within itself
  */
@@ -186,6 +197,7 @@ export async function placeAsset(
   if (scene !== document.scene) return;
   if (asset.kind === 'texture' && isEnvironment(asset.name)) return useAsEnvironment(editor, asset.name);
   if (asset.kind === 'clip' && place.target) return animate(editor, asset.name, place.target);
+  if (asset.kind === 'sound' && place.target) return sound(editor, asset.name, place.target);
   if (asset.kind === 'profile' && shape(editor, asset.name, place.target ?? null)) return;
   const paints = asset.kind === 'material' || asset.kind === 'shader' || asset.kind === 'texture';
   if (paints && paint(editor, asset, place.target ?? null)) return;

@@ -19,6 +19,7 @@ import { AddAssets } from './commands/AddAssets';
 import { childrenOf, type Container, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';
 import { Sequence } from './commands/Sequence';
+import { SetPrefab } from './commands/SetPrefab';
 import { cloneTogether } from './cloneTogether';
 import { copiedAssets, type NamingFields } from './copiedAssets';
 import { nameUniquely } from './UniqueNames';
@@ -32,6 +33,8 @@ export interface Clip {
   readonly assets: readonly FileAsset[];
   /** Of types of components that scripts make: which of their fields name assets and objects. */
   readonly naming: Readonly<Record<string, NamingFields>>;
+  /** Those that objects are copies of, and those within them; none when absent. */
+  readonly prefabs?: readonly Prefab[];
   /** Where each of those without a parent was in the world: 16 numbers, column by column. */
   readonly worlds: readonly (readonly number[])[];
 }
@@ -47,7 +50,16 @@ export interface CopiedObjects {
   readonly files: ReadonlyMap<string, Blob>;
 }
 
-/** Copies objects with all below them, as they are authored, and the assets that they use. */
+/** The prefabs of a scene that objects are copies of, and those within them. */
+function prefabsOf({ prefabs }: Scene, objects: readonly FileObject[]): Prefab[] {
+  const linked = (list: readonly FileObject[]): string[] => list.flatMap(({ prefab }) => prefab?.prefab ?? []);
+  const ids = new Set(linked(objects));
+  // a Set that grows is walked to its end
+  for (const id of ids) for (const inner of linked(prefabs.get(id)?.objects ?? [])) ids.add(inner);
+  return prefabs.list.filter(({ id }) => ids.has(id));
+}
+
+/** Copies objects with all below them, as they are authored, their prefabs, and the assets that all of these use. */
 export function copyObjects(scene: Scene, objects: readonly GameObject[]): CopiedObjects {
   const tops = topmost(objects, scene);
   const list: FileObject[] = [];
@@ -56,9 +68,12 @@ export function copyObjects(scene: Scene, objects: readonly GameObject[]): Copie
       list.push(object === top ? { ...serializeObject(object), parent: null } : serializeObject(object)),
     );
   }
-  const { assets, files, naming } = copiedAssets(scene, tops, list);
+  const prefabs = prefabsOf(scene, list);
+  const data = [...list, ...prefabs.flatMap(({ objects: inner }) => inner)];
+  const { assets, files, naming } = copiedAssets(scene, tops, data);
   const worlds = tops.map(({ transform }) => transform.modelMatrix.toArray());
-  const text = JSON.stringify({ format: 'farol-objects', objects: list, assets, naming, worlds } satisfies Clip);
+  const clip: Clip = { format: 'farol-objects', objects: list, assets, naming, prefabs, worlds };
+  const text = JSON.stringify(clip);
   return { text, files };
 }
 
@@ -86,6 +101,17 @@ function takeOuterReferences(
     });
   }
   return taken;
+}
+
+/** The prefabs of copied objects that a scene does not have; what links to others is no copy of them any more. */
+function newPrefabs({ prefabs }: Scene, { prefabs: copied, objects }: ReturnType<typeof readClip>): Prefab[] {
+  const known = new Set(prefabs.list.map(({ id }) => id));
+  const list = Array.isArray(copied) ? (copied as Prefab[]).filter((each) => !known.has(each?.id)) : [];
+  for (const each of list) known.add(each?.id);
+  const inner = list.flatMap((each): FileObject[] => (Array.isArray(each?.objects) ? [...each.objects] : []));
+  for (const object of [...objects, ...inner])
+    if (object?.prefab && !known.has(object.prefab.prefab)) delete object.prefab;
+  return list;
 }
 
 /** Gives an object the place in the world that it had, as seen from a parent. */
@@ -137,7 +163,7 @@ const NOTHING_READ: ReadonlyMap<string, ReadAsset> = new Map();
 
 /**
  * Puts copied objects below a parent, where they were in the world, with ids and names of their own, and selects them. Assets
- * that they use, and the scene does not have, come along in the same step. All of the text is checked first.
+ * and prefabs that they use, and the scene does not have, come along in the same step. All of the text is checked first.
  * @param parent - for objects whose parent is still the same, their authored values stay to the last digit
  * @throws FileError listing what is wrong with the text; nothing has changed then
  */
@@ -151,11 +177,13 @@ export function pasteObjects(
   const clip = readClip(text);
   const { objects, naming = {} } = clip;
   const outer = takeOuterReferences(objects, scene, naming);
-  // of a prefab that this scene does not have, there is the copy alone
-  const prefabs = new Set(scene.prefabs.list.map(({ id }) => id));
-  for (const object of objects) if (object.prefab && !prefabs.has(object.prefab.prefab)) delete object.prefab;
-  const file = checked(clip, { registry: scene.registry, assets: scene.assets }, scene.prefabs.list);
+  const prefabs = newPrefabs(scene, clip);
+  const options = { registry: scene.registry, assets: scene.assets };
+  const file = checked(clip, options, [...scene.prefabs.list, ...prefabs]);
   const brought = bringAssets(scene, file.assets, read);
+  const added = (file.prefabs ?? [])
+    .filter(({ id }) => scene.prefabs.get(id) === null)
+    .map((prefab) => ({ ...prefab, objects: renamedObjects(scene, prefab.objects, brought, naming) }));
   const made = makeObjects(renamedObjects(scene, file.objects, brought, naming), scene.registry);
   for (const [id, component, name, value] of outer) {
     for (const root of made) root.find(id)?.components[component]?.set(name, value);
@@ -175,6 +203,8 @@ export function pasteObjects(
   const placements = copies.map((object, i) => ({ object, parent, index: end + i }));
   const selection = { done: copies.map(({ id }) => id), undone: selected };
   const add = new PlaceObjects(label, scene, 'add', placements, selection);
-  if (brought.taken.length === 0) return add;
-  return new Sequence(label, [() => new AddAssets(scene.assets, brought.taken), () => add], selection);
+  const steps: (() => Command)[] = [() => add];
+  for (const prefab of added.toReversed()) steps.unshift(() => new SetPrefab(scene, prefab.id, prefab));
+  if (brought.taken.length > 0) steps.unshift(() => new AddAssets(scene.assets, brought.taken));
+  return steps.length === 1 ? add : new Sequence(label, steps, selection);
 }

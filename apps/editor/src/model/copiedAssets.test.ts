@@ -1,5 +1,6 @@
 import { builtinComponents, ComponentRegistry, GameObject, ObjectRenderer } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
+import { instantiatePrefab, makePrefab } from '@farol/engine/prefabs';
 import { expect, it } from 'vitest';
 import type { ReadAsset } from './bringAssets';
 import { assetsOfClip, copyObjects, pasteObjects } from './clip';
@@ -155,4 +156,41 @@ it('leaves out what could not be read', async () => {
   await other.scripts.settled();
   expect(other.assets.materialAsset('Wood')!.changedValues()).toEqual({ roughness: 0.7 });
   expect(other.scene.find('Door')!.getComponent('Door')!.get('knob')).toBeNull();
+});
+
+it('carries prefabs, those within them and what they use; a scene that has them keeps its own', async () => {
+  const from = newDocument();
+  from.assets.addMaterial('Wood', { roughness: 0.7 });
+  const lamp = new GameObject('Lamp');
+  lamp.addComponent(ObjectRenderer, { material: 'Wood' });
+  from.scene.add(lamp);
+  const inner = makePrefab(lamp);
+  from.scene.prefabs.set(inner.prefab);
+  const post = new GameObject('Post');
+  post.add(instantiatePrefab(inner.prefab, from.scene.registry));
+  from.scene.add(post);
+  const outer = makePrefab(post);
+  from.scene.prefabs.set(outer.prefab);
+  const instance = instantiatePrefab(outer.prefab, from.scene.registry);
+  instance.name = 'Corner';
+  from.scene.add(instance);
+  const copied = copyObjects(from.scene, [instance]);
+
+  const other = newDocument();
+  other.assets.addMaterial('Wood', { roughness: 0.2 });
+  await paste(other, copied);
+  expect(other.scene.prefabs.list.map(({ name }) => name)).toEqual(['Lamp', 'Post']);
+  const copy = other.scene.find('Corner')!;
+  expect(copy.prefabLink?.prefab).toBe(outer.prefab.id);
+  const [made] = instantiatePrefab(other.scene.prefabs.get(outer.prefab.id)!, other.scene.registry).children;
+  // another material of that name is there: prefab and copy name the one that came
+  expect(made.getComponent(ObjectRenderer)!.material).toBe('Wood 2');
+  expect(copy.children[0].getComponent(ObjectRenderer)!.material).toBe('Wood 2');
+
+  const own = other.scene.prefabs.list;
+  await paste(other, copied);
+  expect(other.scene.prefabs.list).toEqual(own);
+  const bad = JSON.parse(copied.text) as { prefabs: { id: string; objects: unknown[] }[] };
+  bad.prefabs.push({ id: 'x', objects: [] });
+  expect(() => pasteObjects(other.scene, JSON.stringify(bad), other.scene, [])).toThrow(/prefabs/);
 });

@@ -9,6 +9,7 @@ import { childrenOf, type Container, containerOf, placementOf, topmost } from '.
 import { PlaceComponents } from './commands/PlaceComponents';
 import { PlaceObjects } from './commands/PlaceObjects';
 import { SetProperty } from './commands/SetProperty';
+import { followTracks } from './timeline/followTracks';
 import { nameUniquely } from './UniqueNames';
 
 /** Commands for what a user does. Each captures what the scene is like when it is made, and is to be done then. */
@@ -72,7 +73,7 @@ export function canMoveTo(objects: readonly GameObject[], parent: Container): bo
 }
 
 /**
- * Moves objects below a parent, to where they are in the world now.
+ * Moves objects below a parent, to where they are in the world now. Tracks of clips follow them.
  * @param index - place among the children that stay there; at the end when absent
  */
 export function moveObjects(scene: Scene, objects: readonly GameObject[], parent: Container, index?: number): Command {
@@ -84,11 +85,14 @@ export function moveObjects(scene: Scene, objects: readonly GameObject[], parent
   let label = t('Moved {name} to the top', { name });
   if (tops.every((object) => containerOf(object, scene) === parent)) label = t('Reordered {name}', { name });
   else if (parent instanceof GameObject) label = t('Moved {name} into {parent}', { name, parent: parent.name });
-  return new MoveObjects(label, scene, tops, parent, before);
+  return followTracks(scene, new MoveObjects(label, scene, tops, parent, before));
 }
 
+/** Renames an object; tracks of clips follow it. */
 export function renameObject(object: GameObject, name: string): Command {
-  return new SetProperty(t('Renamed {name} to {next}', { name: object.name, next: name }), [object], 'name', name);
+  const label = t('Renamed {name} to {next}', { name: object.name, next: name });
+  const command = new SetProperty(label, [object], 'name', name);
+  return object.scene ? followTracks(object.scene, command) : command;
 }
 
 /** Shows or hides objects, with all below them. */

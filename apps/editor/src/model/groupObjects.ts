@@ -5,6 +5,7 @@ import { MoveObjects } from './commands/MoveObjects';
 import { type Placement, placementOf, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';
 import { Sequence } from './commands/Sequence';
+import { followTracks } from './timeline/followTracks';
 import { UniqueNames } from './UniqueNames';
 
 const none = { done: [], undone: [] };
@@ -29,7 +30,7 @@ export function groupObjects(scene: Scene, objects: readonly GameObject[]): Comm
   const place = placementOf(tops[0], scene);
   const group = new GameObject(new UniqueNames(scene).take(t('Group')));
   group.transform.position = middleOf(tops, place).toArray();
-  return new Sequence(
+  const grouped = new Sequence(
     countLabel(t('Grouped'), tops),
     [
       () => new PlaceObjects('Add group', scene, 'add', [{ ...place, object: group }], none),
@@ -37,6 +38,7 @@ export function groupObjects(scene: Scene, objects: readonly GameObject[]): Comm
     ],
     { done: [group.id], undone: objects.map(({ id }) => id) },
   );
+  return followTracks(scene, grouped);
 }
 
 /** Puts what is below objects in their place, and deletes them. It stays where it is in the world. */
@@ -51,7 +53,7 @@ export function ungroupObjects(scene: Scene, objects: readonly GameObject[]): Co
     },
     () => new PlaceObjects('Delete group', scene, 'remove', [placementOf(group, scene)], none),
   ]);
-  return new Sequence(
+  const ungrouped = new Sequence(
     groups.length === 1
       ? t('Ungrouped {name}', { name: groups[0].name })
       : t('Ungrouped {count} groups', { count: groups.length }),
@@ -61,4 +63,5 @@ export function ungroupObjects(scene: Scene, objects: readonly GameObject[]): Co
       undone: objects.map(({ id }) => id),
     },
   );
+  return followTracks(scene, ungrouped);
 }

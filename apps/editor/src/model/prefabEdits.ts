@@ -23,6 +23,7 @@ import { Sequence } from './commands/Sequence';
 import { SetPrefab } from './commands/SetPrefab';
 import { SetProperty } from './commands/SetProperty';
 import { addObject, deleteObjects } from './edits';
+import { followTracks } from './timeline/followTracks';
 
 /** Commands for what a user does with prefabs. Each captures what the scene is like when it is made. */
 
@@ -69,7 +70,7 @@ function commandOf(scene: Scene, edit: PrefabEdit): Command {
 
 /** All of a plan as one step. @param selected - stays selected */
 function planned(label: string, scene: Scene, plan: PrefabPlan, selected: readonly string[]): Command {
-  return new Sequence(
+  const edits = new Sequence(
     label,
     [
       ...plan.prefabs.map((prefab) => () => new SetPrefab(scene, prefab.id, prefab)),
@@ -77,6 +78,7 @@ function planned(label: string, scene: Scene, plan: PrefabPlan, selected: readon
     ],
     { done: selected, undone: selected },
   );
+  return followTracks(scene, edits);
 }
 
 const fieldWords = (component: Component, field: string): { field: string; name: string } => ({

@@ -1,5 +1,5 @@
 import type { Command } from '@farol/editing';
-import { builtinComponents, ComponentRegistry, GameObject } from '@farol/engine';
+import { builtinComponents, type ClipAsset, ComponentRegistry, GameObject } from '@farol/engine';
 import { serialize, UnknownComponent } from '@farol/engine/files';
 import { makePrefab } from '@farol/engine/prefabs';
 import { expect, it } from 'vitest';
@@ -125,6 +125,28 @@ it('renames a script with its class, its components and those of prefabs', () =>
   run(document, renameAnyAsset(scene, 'Doors/Turn', 'Turn'));
   expect(typesOf(objects[0])).toEqual(['Transform', 'Turn']);
   expect(() => renameAnyAsset(scene, 'Turn', 'box')).toThrow('is there already');
+});
+
+it('keeps what triggers call and what clips animate when a script is renamed, in prefabs too', () => {
+  const { document, objects } = quietDocument();
+  const { scene } = document;
+  document.commands.run(addScript(scene, 'Spin', objects).command);
+  const own = objects[0].addComponent('EventTrigger', { method: 'Spin.turn' });
+  const other = objects[0].addComponent('EventTrigger', { method: 'Spinner.turn' });
+  objects[1].addComponent('EventTrigger', { method: 'Spin.toggle' });
+  const clip = scene.assets.addFieldAsset('clip', 'Walk') as ClipAsset;
+  const keys = [{ time: 0, value: 1 }];
+  clip.setData({
+    tracks: ['Spin', 'Light'].map((component) => ({ path: '', component, field: 'rate', keys })),
+    events: [],
+  });
+  const { prefab } = makePrefab(objects[1]);
+  scene.prefabs.set(prefab);
+  run(document, renameScript(scene, 'Spin', 'Turn'));
+  expect([own, other].map((each) => each.getAuthored('method'))).toEqual(['Turn.turn', 'Spinner.turn']);
+  expect(clip.clip.tracks.map(({ component }) => component)).toEqual(['Turn', 'Light']);
+  const values = scene.prefabs.get(prefab.id)!.objects[0].components.map(({ values: { method } }) => method);
+  expect(values).toContain('Turn.toggle');
 });
 
 it('adds components of a script, and keeps them when the script is deleted', () => {

@@ -1,4 +1,4 @@
-import { type Command, namesOf, t } from '@farol/editing';
+import { type Command, namesOf, SetFields, t } from '@farol/editing';
 import { AssetError, type Component, type FieldAsset, type GameObject, type Scene } from '@farol/engine';
 import { makeUnknownComponent, UnknownComponent } from '@farol/engine/files';
 import type { Prefab } from '@farol/engine/prefabs';
@@ -13,6 +13,7 @@ import { addComponent } from './edits';
 import { setSources, sourcesAfterRename } from './scriptImports';
 import { componentTypeOf, scriptOfType, sourceForName } from './scriptNames';
 import { scriptTemplate } from './scriptTemplate';
+import { retypeTracks } from './timeline/followTracks';
 
 /** A command that makes a script, and the script's name, which is free. */
 export interface MadeScript {
@@ -71,7 +72,7 @@ export function duplicateScript(scene: Scene, from: string): MadeScript {
 /**
  * Gives a script another name, its folder in it. Its class gets the name where it is called after the script, imports of it
  * and its own lead where they did, and its components follow in prefabs and where they are kept as data; those that run
- * follow by themselves.
+ * follow by themselves. Triggers that call them and tracks of clips follow, too.
  * @throws AssetError when the name is taken
  */
 export function renameScript(scene: Scene, from: string, to: string): Command {
@@ -95,14 +96,33 @@ export function renameScript(scene: Scene, from: string, to: string): Command {
 export const renameAnyAsset = (scene: Scene, from: string, to: string): Command =>
   (scene.assets.fieldAsset(from)?.type === 'script' ? renameScript : renameAsset)(scene, from, to);
 
-/** Makes data of components, in prefabs and in the scene, those of another type. */
+/** What a trigger calls once a type has another name. @param method - 'Door.open' */
+const retypedCall = (method: unknown, from: string, to: string): unknown =>
+  typeof method === 'string' && method.startsWith(`${from}.`) ? to + method.slice(from.length) : method;
+
+/** Triggers of the scene that call components of a type, and tracks of clips, go over to another type. */
+function retypeUses(scene: Scene, label: string, from: string, to: string): (() => Command)[] {
+  const calls = scene.componentsOf('EventTrigger').flatMap((owner) => {
+    const before = owner.getAuthored('method');
+    const value = retypedCall(before, from, to) as string;
+    return value === before ? [] : [{ owner, name: 'method', value }];
+  });
+  const commands = retypeTracks(label, scene, from, to);
+  if (calls.length > 0) commands.push(new SetFields(label, calls));
+  return commands.map((command) => () => command);
+}
+
+/** Makes data of components, in prefabs and in the scene, those of another type; and what names the type. */
 function retype(scene: Scene, label: string, from: string, to: string): (() => Command)[] {
   const prefabs = scene.prefabs.list.flatMap((prefab) => renamedType(prefab, from, to) ?? []);
   const kept: Component[] = [];
   scene.traverse(({ components }) => {
     for (const each of components) if (each instanceof UnknownComponent && each.typeName === from) kept.push(each);
   });
-  const changes = prefabs.map((prefab) => (): Command => new SetPrefab(scene, prefab.id, prefab));
+  const changes = [
+    ...prefabs.map((prefab) => (): Command => new SetPrefab(scene, prefab.id, prefab)),
+    ...retypeUses(scene, label, from, to),
+  ];
   if (kept.length === 0) return changes;
   const places = kept.map((component) => {
     const { gameObject: object, id } = component;
@@ -120,17 +140,20 @@ function retype(scene: Scene, label: string, from: string, to: string): (() => C
   ];
 }
 
-/** A prefab with another name of a type of components; null where it has none of that type. */
+/** A prefab with another name of a type of components; null where nothing in it names that type. */
 function renamedType(prefab: Prefab, from: string, to: string): Prefab | null {
-  const hasType = prefab.objects.some(({ components }) => components.some(({ type }) => type === from));
-  if (!hasType) return null;
+  let isSame = true;
   const objects = prefab.objects.map((object) => ({
     ...object,
-    components: object.components.map((component) =>
-      component.type === from ? { ...component, type: to } : component,
-    ),
+    components: object.components.map((component) => {
+      const { type, values } = component;
+      const method = (type === 'EventTrigger' ? retypedCall(values.method, from, to) : values.method) as string;
+      if (type !== from && method === values.method) return component;
+      isSame = false;
+      return type === from ? { ...component, type: to } : { ...component, values: { ...values, method } };
+    }),
   }));
-  return { ...prefab, objects };
+  return isSame ? null : { ...prefab, objects };
 }
 
 /**

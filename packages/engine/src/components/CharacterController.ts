@@ -33,6 +33,17 @@ const cameraBelow = (object: GameObject): Object3D | null => {
 
 const alive = (value: number): number => (Math.abs(value) < DEAD_ZONE ? 0 : value);
 
+/** The first gamepad whose buttons have the usual places; null where there is none. */
+function standardPad(): Gamepad | null {
+  try {
+    const pads = globalThis.navigator?.getGamepads?.();
+    return pads?.find((each) => each?.connected && each.mapping === 'standard') ?? null;
+  } catch {
+    // a frame that its page gives no gamepads
+    return null;
+  }
+}
+
 /**
  * Walks a GameObject through the scene's colliders: up steps and slopes, jumping, pushing what is in its way. Its origin
  * is at its feet. Keys, gamepad and fingers lead it, and turn it with the camera below it; scripts lead it by `walk` and
@@ -182,8 +193,7 @@ export class CharacterController extends physicsComponent(characterFields) {
   }
 
   private readPad(deltaSeconds: number): void {
-    const pads = globalThis.navigator?.getGamepads?.();
-    const pad = pads?.find((each) => each?.connected && each.mapping === 'standard');
+    const pad = standardPad();
     if (!pad) return;
     const { axes, buttons } = pad;
     const { control } = this;

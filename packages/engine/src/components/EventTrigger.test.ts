@@ -6,6 +6,7 @@ import { ComponentRegistry } from '../core/ComponentRegistry';
 import type { EngineKeyEvent } from '../core/events';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
+import { makeUnknownComponent } from '../core/UnknownComponent';
 import { component } from '../fields/component';
 import type { FieldValue } from '../fields/Field';
 import { number } from '../fields/fields';
@@ -226,16 +227,27 @@ test('what cannot be called is told once, with object, trigger and mend; what th
     object.removeComponent(on);
     return errors.splice(0);
   };
-  const said = (fault: string): string[] => [`EventTrigger: It ${fault}: choose another in its field Call.`];
+  const said = (fault: string, mend = 'choose another in its field Call'): string[] => [
+    `EventTrigger: It ${fault}: ${mend}.`,
+  ];
   expect(tellOf({ method: 'Light.enable' })).toEqual(said("calls Light.enable of 'Lamp', which has no Light"));
   expect(tellOf({ method: 'Door.close' })).toEqual(said("calls Door.close of 'Lamp', which has no such method"));
-  expect(tellOf({ target: 'gone' })).toEqual(said('calls an object that is not in the scene'));
-  expect(tellOf({ method: '' })).toEqual(said('has no method to call'));
+  expect(tellOf({ target: 'gone' })).toEqual(
+    said('calls an object that is gone', 'choose another in its field Target'),
+  );
+  expect(tellOf({ method: '' })).toEqual(said('has no method to call', 'choose one in its field Call'));
+  // a script that is off: its data are kept, and nothing is to be chosen anew
+  object.addComponent(makeUnknownComponent({ type: 'Gate', version: 1, values: {} }));
+  expect(tellOf({ method: 'Gate.lift' })).toEqual(
+    said("calls Gate.lift of 'Lamp', which does not run", 'switch the scripts of the scene on, or mend this one'),
+  );
   expect(tellOf({ method: 'GameObject.explode' })).toEqual(
     said('calls GameObject.explode, which GameObjects do not have'),
   );
   expect(tellOf({ method: 'Door.fail' })).toEqual(['Door: The hinge broke.', 'Door: The hinge broke.']);
-  expect(tellOf({ method: 'Door.speed', valueType: 'text' })[0]).toMatch(/Door\.speed must be/);
+  expect(tellOf({ method: 'Door.speed', valueType: 'text' })[0]).toMatch(
+    /Door\.speed must be.*: choose another in its field With\.$/,
+  );
 });
 
 test('built-in components offer what they name, and each name is a method of theirs', () => {

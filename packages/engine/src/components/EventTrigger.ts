@@ -3,6 +3,7 @@ import { callEvent } from '../core/callEvent';
 import type { EngineKeyEvent } from '../core/events';
 import type { Component, CostlyEvents, GameObject, ObjectPointerEvent } from '../core/SceneGraph';
 import { tellFault } from '../core/tellFault';
+import { UnknownComponent } from '../core/UnknownComponent';
 import { component } from '../fields/component';
 import type { FieldValue } from '../fields/Field';
 import { boolean, choice, colour, number, object, string, vector3 } from '../fields/fields';
@@ -238,8 +239,8 @@ export class EventTrigger extends component({
     if (!scene) return;
     const [type, method] = this.method.split('.');
     const target = this.target === null ? this.gameObject : scene.findById(this.target);
-    if (!this.method) this.tell('has no method to call');
-    else if (!target) this.tell('calls an object that is not in the scene');
+    if (!this.method) this.tell('has no method to call', 'choose one in its field Call');
+    else if (!target) this.tell('calls an object that is gone', 'choose another in its field Target');
     else if (type === 'GameObject') this.switchObject(target, method);
     else {
       const components = target.getComponents(type);
@@ -261,11 +262,14 @@ export class EventTrigger extends component({
     const fields = called.fields;
     if (method === 'enable' || method === 'disable' || method === 'toggle') {
       scene.system(TriggerCalls).setEnabled(called, method === 'toggle' ? !called.enabled : method === 'enable');
+    } else if (called instanceof UnknownComponent) {
+      const where = `${this.method} of '${shortText(called.gameObject.name)}'`;
+      this.tell(`calls ${where}, which does not run`, 'switch the scripts of the scene on, or mend this one');
     } else if (Object.hasOwn(fields, method)) {
       try {
         called.simulate(method, this.fieldValue());
       } catch (error) {
-        this.tell(`calls a field with a wrong value (${(error as Error).message})`);
+        this.tell(`calls a field with a wrong value (${(error as Error).message})`, 'choose another in its field With');
       }
     } else {
       const handed = valueType === 'event' ? event : valueType === 'object' ? this.objectOf() : this.fieldValue();
@@ -297,9 +301,9 @@ export class EventTrigger extends component({
   }
 
   /** Tells of a fault once; the scene goes on. */
-  private tell(fault: string): void {
+  private tell(fault: string, mend = 'choose another in its field Call'): void {
     if (fault === this.toldOf) return;
     this.toldOf = fault;
-    tellFault(this, `It ${fault}: choose another in its field Call.`);
+    tellFault(this, `It ${fault}: ${mend}.`);
   }
 }

@@ -19,6 +19,8 @@ export interface JointRecord {
   /** Null for the world. */
   readonly partner: Body | null;
   readonly rapier: ImpulseJoint;
+  /** What holds a ball within its cone; null for none. */
+  readonly cone: ImpulseJoint | null;
 }
 
 const X = new Vector3(1, 0, 0);
@@ -28,8 +30,14 @@ const turn = new Quaternion();
 const one = new Vector3(1, 1, 1);
 const matrix = new Matrix4();
 
+/** Where a joint is in the space of a body, and the rotation whose X is its axis. */
+interface LocalFrame {
+  readonly anchor: Vector3;
+  readonly frame: Quaternion;
+}
+
 /** A point and a rotation of the world in the space of a body; of the world's own for null. */
-function localFrame(body: Body | null, point: Vector3, rotation: Quaternion): { anchor: Vector3; frame: Quaternion } {
+function localFrame(body: Body | null, point: Vector3, rotation: Quaternion): LocalFrame {
   const [anchor, frame] = [point.clone(), rotation.clone()];
   if (!body) return { anchor, frame };
   placeOf(body.object.object3D, place, turn);
@@ -48,7 +56,8 @@ function frameOf(component: JointPart): Quaternion {
   const rotation = new Quaternion();
   placeOf(component.gameObject.object3D, place, rotation);
   axis.set(...component.axis);
-  if (component.type !== 'hinge' && component.type !== 'slider') return rotation;
+  const hasCone = component.type === 'ball' && component.limits;
+  if (component.type !== 'hinge' && component.type !== 'slider' && !hasCone) return rotation;
   if (axis.lengthSq() === 0) {
     throw new Error(
       `The Joint of '${shortText(component.gameObject.name)}' has no axis: give it one that is longer than 0.`,
@@ -114,7 +123,33 @@ export function makeJoint(
       unit.configureMotorVelocity(isHinge ? component.motorTurn : component.motorSpeed, component.motorStrength);
     }
   }
-  return { component, body, partner, rapier: joint };
+  let cone: ImpulseJoint | null = null;
+  if (component.type === 'ball' && component.limits) {
+    cone = world.createImpulseJoint(
+      coneOf(rapier, component.coneAngle, other, own, body),
+      partner?.rapier ?? ground(),
+      body.rapier,
+      true,
+    );
+    cone.setContactsEnabled(component.collide);
+  }
+  return { component, body, partner, rapier: joint, cone };
+}
+
+/** The shortest lever of a cone limit (m). */
+const LEVER = 0.05;
+
+/**
+ * A cone limit, which Rapier's ball joints do not have in JavaScript: a rope between two points at a distance along the axis
+ * from the anchors, which the axis takes from each other as it leans. Level with the body's centre of mass, it is stiffest.
+ */
+function coneOf({ JointData: Data }: Rapier, angle: number, from: LocalFrame, to: LocalFrame, body: Body): JointData {
+  const { x, y, z } = body.rapier.localCom();
+  const way = axis.set(x, y, z).sub(to.anchor).dot(place.copy(X).applyQuaternion(to.frame));
+  const lever = Math.abs(way) < LEVER ? LEVER : way;
+  const along = ({ anchor, frame }: LocalFrame): Vector3 =>
+    X.clone().multiplyScalar(lever).applyQuaternion(frame).add(anchor);
+  return Data.rope(2 * Math.abs(lever) * Math.sin(Math.min(angle, Math.PI) / 2), along(from), along(to));
 }
 
 function partnerPoint(component: JointPart, point: Vector3): Vector3 {

@@ -230,6 +230,7 @@ export class PhysicsWorld {
       if (parts.joints.get(component) === body.object && !isLost && !changed.has(component)) continue;
       this.joints.delete(component);
       this.world.removeImpulseJoint(joint.rapier, true);
+      if (joint.cone) this.world.removeImpulseJoint(joint.cone, true);
     }
     for (const [component, record] of this.colliders) {
       const owner = parts.colliders.get(component);

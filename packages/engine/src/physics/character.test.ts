@@ -1,4 +1,4 @@
-import { expect, test } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
 import { Camera } from '../components/Camera';
 import { CharacterController } from '../components/CharacterController';
 import { RigidBody } from '../components/RigidBody';
@@ -39,6 +39,14 @@ const pointer = (values: Partial<EnginePointerEvent>): EnginePointerEvent => ({
   ...{ type: 'move', x: 0, y: 0, dx: 0, dy: 0, ndcX: 0, ndcY: 0, button: 0, buttons: 1, pointerId: 1, wheel: 0 },
   ...{ shiftKey: false, ctrlKey: false, altKey: false, metaKey: false },
   ...values,
+});
+
+afterEach(() => void vi.unstubAllGlobals());
+
+/** A gamepad as browsers give it, that is held so. @param pressed - places of buttons */
+const pad = (axes: readonly number[], pressed: readonly number[] = [], mapping = 'standard'): object => ({
+  ...{ connected: true, mapping, axes },
+  buttons: Array.from({ length: 17 }, (_, i) => ({ pressed: pressed.includes(i) })),
 });
 
 test('it stands, walks by keys where it looks, runs, and takes keys from the editor', async () => {
@@ -145,6 +153,57 @@ test('fingers: the left half is a stick, the right half looks, a tap there jumps
   scene.dispatchPointer(pointer({ ...touch, type: 'up', ndcX: 0.5, pointerId: 3 }));
   run(scene, 15);
   expect(worldOf(person).y).toBeGreaterThan(0.4);
+});
+
+test('a gamepad: the left stick walks, the right one looks, buttons run and jump; others and frames without any do nothing', async () => {
+  let pads: (object | null)[] = [];
+  vi.stubGlobal('navigator', { getGamepads: () => pads });
+  const { scene, person, controller } = walker();
+  await prepare(scene);
+  run(scene, 60);
+  /** Seconds' way of the feet (m), from standing, with the pads held so. */
+  const walked = (held: (object | null)[]): number[] => {
+    pads = [];
+    run(scene, 30);
+    const before = worldOf(person);
+    pads = held;
+    run(scene, 60);
+    const { x, z } = worldOf(person).sub(before);
+    return [Math.round(x * 10) / 10, Math.round(z * 10) / 10];
+  };
+  const [side, ahead] = walked([null, pad([0, -1, 0, 0])]);
+  expect(side).toBeCloseTo(0);
+  expect(ahead).toBeLessThan(-2.6);
+  const [, running] = walked([pad([0, -1, 0, 0], [10])]);
+  expect(running).toBeLessThan(ahead * 1.3);
+  expect(walked([pad([0.1, 0.1, 0, 0])])).toEqual([0, 0].map(() => expect.closeTo(0)));
+  expect(walked([pad([0, -1, 0, 0], [], '')])).toEqual([0, 0].map(() => expect.closeTo(0)));
+  // a second to the right at 2.5 rad/s
+  const turned = person.object3D.quaternion.clone();
+  walked([pad([0, 0, 1, 0])]);
+  expect(person.object3D.quaternion.angleTo(turned)).toBeCloseTo(2.5, 1);
+  // the button is held: it jumps once
+  pads = [pad([0, 0, 0, 0], [0])];
+  let jumps = 0;
+  let wasGrounded = true;
+  for (let i = 0; i < 120; i++) {
+    run(scene, 1);
+    if (wasGrounded && !controller.isGrounded) jumps++;
+    wasGrounded = controller.isGrounded;
+  }
+  expect(jumps).toBe(1);
+  vi.stubGlobal('navigator', {
+    getGamepads: () => {
+      throw new Error('Access to the feature "gamepad" is disallowed by permissions policy.');
+    },
+  });
+  const told: unknown[] = [];
+  scene.onComponentError = (_component, error) => told.push(error);
+  key(scene, 'down', 'KeyW');
+  const before = worldOf(person);
+  run(scene, 60);
+  expect(told).toEqual([]);
+  expect(worldOf(person).distanceTo(before)).toBeGreaterThan(2);
 });
 
 test('it is carried by what moves under it, pushes bodies, is heard by sensors and colliders, and is put back exactly', async () => {

@@ -1,6 +1,8 @@
 import { angle, boolean, choice, number, object, vector3 } from '../fields/fields';
 
 const withAxis = { visibleWhen: { field: 'type', equals: ['hinge', 'slider'] } };
+const withLimits = { visibleWhen: { field: 'type', equals: ['hinge', 'slider', 'ball'] } };
+const ball = { field: 'type', equals: ['ball'] };
 const hinge = { field: 'type', equals: ['hinge'] };
 const slider = { field: 'type', equals: ['slider'] };
 const limit = { group: 'Limits' };
@@ -28,11 +30,11 @@ export const jointFields = {
   }),
   axis: vector3([0, 1, 0], {
     step: 0.1,
-    help: 'Axis of this object that it turns about or slides along.',
-    ...withAxis,
+    help: 'Axis of this object that it turns about or slides along; of a ball, the one that leans within its limit.',
+    ...withLimits,
   }),
   collide: boolean(false, { help: 'The two bodies collide with each other.', label: 'Collide with partner' }),
-  limits: boolean(false, { help: 'Holds the motion between two ends.', ...withAxis, ...limit }),
+  limits: boolean(false, { help: 'Holds the motion between two ends, or within a cone.', ...withLimits, ...limit }),
   lowerAngle: angle(-Math.PI / 2, {
     min: -Math.PI,
     max: Math.PI,
@@ -47,6 +49,14 @@ export const jointFields = {
     help: 'From where it is when the scene begins to play.',
     label: 'Upper angle',
     visibleWhen: { field: 'limits', equals: [true], and: hinge },
+    ...limit,
+  }),
+  coneAngle: angle(Math.PI / 4, {
+    min: 0,
+    max: Math.PI,
+    help: 'How far the axis leans from where it is when the scene begins to play; about it, it turns freely.',
+    label: 'Cone angle',
+    visibleWhen: { field: 'limits', equals: [true], and: ball },
     ...limit,
   }),
   lowerDistance: number(0, {

@@ -42,6 +42,33 @@ test('a lantern on a ball joint swings below what carries it', async () => {
   expect(Math.max(...sides)).toBeGreaterThan(0.7);
 });
 
+test.each([
+  ['a hook', 'Hook'],
+  ['the world', null],
+])('a ball joint to %s leans no further than its cone, and turns freely about its axis', async (_name, partner) => {
+  const scene = makeScene();
+  const hook = box('Hook', [0, 5, 0], { type: 'fixed' });
+  const lamp = box('Lamp', [0, 4, 0], { initialVelocity: [4, 0, 1], initialAngularVelocity: [0, 3, 0] });
+  lamp.transform.scale = [0.2, 0.5, 0.2];
+  lamp.addComponent(Joint, { type: 'ball', partner, anchor: [0, 2, 0], limits: true, coneAngle: 0.4 });
+  scene.add(hook).add(lamp);
+  await prepare(scene);
+  const up = new Vector3();
+  let widest = 0;
+  let turned = 0;
+  for (let i = 0; i < 240; i++) {
+    run(scene, 1);
+    up.set(0, 1, 0).applyQuaternion(lamp.object3D.quaternion);
+    widest = Math.max(widest, up.angleTo(new Vector3(0, 1, 0)));
+    const { y, w } = lamp.object3D.quaternion;
+    turned = Math.max(turned, 2 * Math.abs(Math.atan2(y, w)));
+    expect(lamp.object3D.localToWorld(new Vector3(0, 2, 0)).distanceTo(worldOf(hook))).toBeLessThan(0.03);
+  }
+  expect(widest).toBeGreaterThan(0.35);
+  expect(widest).toBeLessThan(0.45);
+  expect(turned).toBeGreaterThan(1.5);
+});
+
 test('fixed, slider with motor and spring', async () => {
   const scene = makeScene();
   const carrier = box('Carrier', [0, 3, 0], { type: 'fixed' });

@@ -129,12 +129,16 @@ export const physics: Texts = {
   'Where the joint is in the space of the partner, or in the world.':
     'Dónde está la articulación en el espacio de la pareja, o en el mundo.',
   'Partner anchor': 'Anclaje de la pareja',
-  'Axis of this object that it turns about or slides along.':
-    'Eje de este objeto sobre el que gira o por el que se desliza.',
+  'Axis of this object that it turns about or slides along; of a ball, the one that leans within its limit.':
+    'Eje de este objeto sobre el que gira o por el que se desliza; en una rótula, el que se inclina dentro de su límite.',
   'The two bodies collide with each other.': 'Los dos cuerpos chocan entre sí.',
   'Collide with partner': 'Chocar con la pareja',
   Limits: 'Límites',
-  'Holds the motion between two ends.': 'Mantiene el movimiento entre dos extremos.',
+  'Holds the motion between two ends, or within a cone.':
+    'Mantiene el movimiento entre dos extremos, o dentro de un cono.',
+  'Cone angle': 'Ángulo del cono',
+  'How far the axis leans from where it is when the scene begins to play; about it, it turns freely.':
+    'Cuánto se inclina el eje desde donde está cuando la escena empieza a reproducirse; sobre él gira libremente.',
   'From where it is when the scene begins to play.': 'Desde donde está cuando la escena empieza a reproducirse.',
   'Lower angle': 'Ángulo inferior',
   'Upper angle': 'Ángulo superior',

@@ -1,0 +1,133 @@
+import { type Command, SetFields } from '@farol/editing';
+import {
+  type ClipAsset,
+  type ClipData,
+  type ClipTrack,
+  type GameObject,
+  objectAtPath,
+  pathBelow,
+  type Scene,
+} from '@farol/engine';
+import { CommandList } from '../commands/CommandList';
+import { clipDataOf, noteClipData, writeClip } from './clipDataOf';
+import { playedClip } from './clipPlayer';
+import { trackId } from './clipTracks';
+
+/** What a path of a clip finds below one of the objects that play it. */
+interface Found {
+  readonly root: GameObject;
+  readonly object: GameObject;
+}
+
+/** By clip, then by path; without the root itself, which has no name in paths. */
+type TrackObjects = ReadonlyMap<ClipAsset, ReadonlyMap<string, readonly Found[]>>;
+
+/** What tracks of the clips that objects play find by their paths. */
+function trackObjects(scene: Scene): TrackObjects {
+  const clips = new Map<ClipAsset, Map<string, Found[]>>();
+  for (const { gameObject: root } of scene.componentsOf('Animation')) {
+    const name = playedClip(root);
+    const clip = name === null ? null : scene.assets.fieldAsset(name);
+    if (clip?.type !== 'clip') continue;
+    const byPath = clips.get(clip as ClipAsset) ?? new Map<string, Found[]>();
+    clips.set(clip as ClipAsset, byPath);
+    for (const path of new Set(clipDataOf(clip as ClipAsset).tracks.map((track) => track.path))) {
+      const object = path === '' ? null : objectAtPath(root, path);
+      if (object) byPath.set(path, [...(byPath.get(path) ?? []), { root, object }]);
+    }
+  }
+  return clips;
+}
+
+/** The path that finds all of several objects now; null where there is none. */
+function commonPath(found: readonly Found[]): string | null {
+  const paths = new Set(found.map(({ root, object }) => pathBelow(root, object)));
+  return paths.size === 1 ? [...paths][0] : null;
+}
+
+function setTracks(label: string, clip: ClipAsset, data: ClipData): Command {
+  const value = writeClip(data);
+  noteClipData(clip, value, data);
+  return new SetFields(label, [{ owner: clip, name: 'data', value }]);
+}
+
+/** The edits that let tracks find by their paths what they found before. */
+function edits(label: string, before: TrackObjects): Command[] {
+  const commands: Command[] = [];
+  for (const [clip, byPath] of before) {
+    const moved = new Map<string, string>();
+    for (const [path, found] of byPath) {
+      const next = commonPath(found);
+      if (next !== null && next !== path) moved.set(path, next);
+    }
+    if (moved.size === 0) continue;
+    const data = clipDataOf(clip);
+    const staying = new Set(data.tracks.filter(({ path }) => !moved.has(path)).map(trackId));
+    const tracks = data.tracks.map((track): ClipTrack => {
+      const next = { ...track, path: moved.get(track.path) ?? track.path };
+      return next.path === track.path || staying.has(trackId(next)) ? track : next;
+    });
+    if (tracks.some((track, i) => track !== data.tracks[i])) commands.push(setTracks(label, clip, { ...data, tracks }));
+  }
+  return commands;
+}
+
+/** The edits after which tracks of all clips that were of components of a type are of those of another. */
+export function retypeTracks(label: string, { assets }: Scene, from: string, to: string): Command[] {
+  return (assets.fieldAssets('clip') as ClipAsset[]).flatMap((clip) => {
+    const data = clipDataOf(clip);
+    if (!data.tracks.some(({ component }) => component === from)) return [];
+    const tracks = data.tracks.map((track) => (track.component === from ? { ...track, component: to } : track));
+    return [setTracks(label, clip, { ...data, tracks })];
+  });
+}
+
+/** A command, and what tracks of clips need after it, as one step. */
+class FollowTracks implements Command {
+  private follow: Command | null = null;
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly command: Command,
+  ) {}
+
+  get label(): string {
+    return this.command.label;
+  }
+
+  get isEmpty(): boolean {
+    return this.command.isEmpty ?? false;
+  }
+
+  get selection(): Command['selection'] {
+    return this.command.selection;
+  }
+
+  do(): void {
+    if (this.follow) {
+      this.command.do();
+      return this.follow.do();
+    }
+    const before = trackObjects(this.scene);
+    this.command.do();
+    this.follow = new CommandList(this.label, edits(this.label, before));
+    this.follow.do();
+  }
+
+  undo(): void {
+    this.follow?.undo();
+    this.command.undo();
+  }
+
+  forget(isDone: boolean): void {
+    this.command.forget?.(isDone);
+  }
+}
+
+/**
+ * A command that renames objects or moves them in the tree, after which tracks of own clips find the same objects as before,
+ * in the same step. Tracks stay as they are where no path does so: the object is no longer below the one that plays the
+ * clip, or others that play it would lose theirs.
+ */
+export const followTracks = (scene: Scene, command: Command): Command =>
+  scene.componentsOf('Animation').length === 0 ? command : new FollowTracks(scene, command);
