@@ -2,7 +2,7 @@ import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { type EffectName, effects } from '@farol/renderer/effects';
 import * as THREE from 'three';
 import { compareImages, type Difference } from '../support/images';
-import { devices, type DeviceName, subtract } from './devices';
+import { devices, type DeviceName, subtract, type Subtraction } from './devices';
 import { type PageImage } from './Bench';
 import { shadowScene } from './shadowScene';
 import type { TestScene } from './materialScene';
@@ -84,20 +84,13 @@ function deviceScene(): TestScene {
  * a target of the finest colour that the device draws to. Each effect is drawn by `deferred` and by `forward-plus`.
  */
 export function drawDevice(device: DeviceName, { names, effectNames, whole }: DeviceRun): DeviceResults {
-  const reference = wholeStock(whole);
+  const reference = wholeStock(whole, devices[device]);
   const beyond = subtract(devices[device]);
   const webgl = new THREE.WebGLRenderer({ antialias: false });
   webgl.setSize(WIDTH, HEIGHT, false);
   webgl.shadowMap.enabled = true;
   const gl = webgl.getContext() as WebGL2RenderingContext;
-  const { extensions } = webgl;
-  const type = extensions.has('EXT_color_buffer_float')
-    ? THREE.FloatType
-    : extensions.has('EXT_color_buffer_half_float')
-      ? THREE.HalfFloatType
-      : THREE.UnsignedByteType;
-  const blends = type !== THREE.FloatType || extensions.has('EXT_float_blend');
-  const target = new THREE.WebGLRenderTarget(WIDTH, HEIGHT, { type: blends ? type : THREE.HalfFloatType });
+  const target = makeTarget(webgl);
   const { scene, camera } = makeScene(whole);
   let errors = 0;
   const draw = (render: () => void): PageImage => {
@@ -150,12 +143,21 @@ function makeScene(whole: boolean): TestScene {
   return made;
 }
 
-/** The scene by stock three, before anything is taken from the device. */
-function wholeStock(whole: boolean): PageImage {
+/** A target of the finest colour that a device draws to. @param hidden - extensions that it is to lack besides */
+function makeTarget({ extensions }: THREE.WebGLRenderer, hidden: readonly string[] = []): THREE.WebGLRenderTarget {
+  const has = (name: string): boolean => extensions.has(name) && !hidden.includes(name);
+  const floats = has('EXT_color_buffer_float');
+  const halves = floats || has('EXT_color_buffer_half_float');
+  const blended = floats && has('EXT_float_blend') ? THREE.FloatType : THREE.HalfFloatType;
+  return new THREE.WebGLRenderTarget(WIDTH, HEIGHT, { type: halves ? blended : THREE.UnsignedByteType });
+}
+
+/** The scene by stock three, before anything is taken from the device, in a target as the device has. */
+function wholeStock(whole: boolean, { extensions = [] }: Subtraction): PageImage {
   const webgl = new THREE.WebGLRenderer({ antialias: false });
   webgl.setSize(WIDTH, HEIGHT, false);
   webgl.shadowMap.enabled = true;
-  const target = new THREE.WebGLRenderTarget(WIDTH, HEIGHT, { type: THREE.FloatType });
+  const target = makeTarget(webgl, extensions);
   const { scene, camera } = makeScene(whole);
   webgl.setRenderTarget(target);
   webgl.render(scene, camera);

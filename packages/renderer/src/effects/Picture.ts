@@ -8,7 +8,7 @@ import {
   FloatType,
   HalfFloatType,
   LessEqualDepth,
-  LinearFilter,
+  NearestFilter,
   NoBlending,
   NoColorSpace,
   OneFactor,
@@ -151,8 +151,9 @@ export class Picture {
       target = new WebGLRenderTarget(1, 1, {
         type,
         colorSpace,
-        minFilter: LinearFilter,
-        magFilter: LinearFilter,
+        // effects fetch texels; devices without OES_texture_float_linear read black from a filtered texture of whole floats
+        minFilter: NearestFilter,
+        magFilter: NearestFilter,
         stencilBuffer: stencil,
         depthTexture: new DepthTexture(
           1,

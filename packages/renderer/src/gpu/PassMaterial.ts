@@ -1,5 +1,6 @@
 import { GLSL3, RawShaderMaterial, ShaderMaterial, type IUniform, type ShaderMaterialParameters } from 'three';
 import type { MicroShaderRegistry } from '../microshaders';
+import { FULL_PRECISION } from '../three/inFullPrecision';
 
 export interface PassMaterialOptions extends Pick<
   ShaderMaterialParameters,
@@ -26,8 +27,7 @@ export interface PassMaterialOptions extends Pick<
   readonly uniforms: Record<string, IUniform>;
 }
 
-const PRECISION =
-  'precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp usampler2D;\n';
+const PRECISION = `${FULL_PRECISION}precision highp sampler2D;\nprecision highp usampler2D;\n`;
 // three's chunks are written for GLSL 1
 const GLSL1_NAMES = '#define texture2D texture\n#define varying in\n';
 
@@ -36,7 +36,7 @@ function compose(material: ShaderMaterial, registry: MicroShaderRegistry, option
   const raw = (material as RawShaderMaterial).isRawShaderMaterial === true;
   const { vertexShader, fragmentShader } = registry.compose(options.vertex, options.fragment);
   material.vertexShader = (raw ? PRECISION : '') + vertexShader;
-  material.fragmentShader = (raw ? PRECISION + GLSL1_NAMES : '') + fragmentShader;
+  material.fragmentShader = (raw ? PRECISION + GLSL1_NAMES : FULL_PRECISION) + fragmentShader;
   material.needsUpdate = true;
 }
 

@@ -8,6 +8,7 @@ import {
 } from 'three';
 import type { MicroShaderRegistry } from '../microshaders';
 import { shadingOf } from './shadingOf';
+import { inFullPrecision } from '../three/inFullPrecision';
 import { surfacesOf } from './surfacesOf';
 import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
@@ -76,7 +77,7 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
     surfacesOf(source)?.rewrite(shader, registry, webgl);
     const { vertexShader, fragmentShader } = shader;
     try {
-      kind.patch(shader, source, registry.header(chunks));
+      kind.patch(shader, source, inFullPrecision(registry.header(chunks)));
     } catch (error) {
       if (!(error instanceof TwinRefusal)) throw error;
       Object.assign(shader, { vertexShader, fragmentShader });
