@@ -15,7 +15,7 @@ export { createRandom } from './core/createRandom';
 export type { EngineKeyEvent, EnginePointerEvent } from './core/events';
 export { GameObject } from './core/GameObject';
 export { gameObjectOf } from './core/gameObjectOf';
-export { hitPoint, rayHits } from './picking/rayHits';
+export { hitPoint, type MeshCaster, rayHits } from './picking/rayHits';
 export type { RequiredEffect } from './core/RequiredEffect';
 export { Scene, type SceneOptions } from './core/Scene';
 export type {
