@@ -2,11 +2,11 @@ import { growTree, type TreeSource } from './growTree';
 
 /** What of a worker's global scope is used; its types and those of the page exclude each other. */
 const scope = globalThis as unknown as {
-  onmessage: ((event: MessageEvent<{ id: number; source: TreeSource }>) => void) | null;
+  addEventListener(type: 'message', listener: (event: MessageEvent<{ id: number; source: TreeSource }>) => void): void;
   postMessage(message: unknown, transfer: Transferable[]): void;
 };
 
-scope.onmessage = ({ data: { id, source } }) => {
+scope.addEventListener('message', ({ data: { id, source } }) => {
   try {
     const tree = growTree(source);
     const { roots, indirectBuffer } = tree as unknown as { roots: ArrayBuffer[]; indirectBuffer: Uint32Array };
@@ -14,4 +14,4 @@ scope.onmessage = ({ data: { id, source } }) => {
   } catch (error) {
     scope.postMessage({ id, error: String(error) }, []);
   }
-};
+});
