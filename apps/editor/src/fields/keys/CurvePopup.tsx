@@ -112,9 +112,11 @@ function Presets({ curve, field, onChoose }: PresetsProps): ReactNode {
   const range = { low, high: low < high ? high : low + 1 };
   return (
     <KeyPresets
-      presets={curvePresets(low, high)}
-      picture={(preset) => <CurvePicture curve={preset.curve} range={range} />}
-      onChoose={(preset) => onChoose(preset.curve)}
+      presets={curvePresets(low, high).map(({ id, label, curve: preset }) => ({
+        ...{ id, label },
+        picture: <CurvePicture curve={preset} range={range} />,
+        choose: () => onChoose(preset),
+      }))}
     />
   );
 }

@@ -135,13 +135,15 @@ export function GradientPopup(props: FieldEditorProps<GradientField>): ReactNode
         </>
       )}
       <KeyPresets
-        presets={gradientPresets()}
-        picture={(preset) => (
-          <span className="gradient-picture checkered">
-            <span style={{ background: gradientCss(preset.gradient) }} />
-          </span>
-        )}
-        onChoose={(preset) => onCommit(preset.gradient)}
+        presets={gradientPresets().map(({ id, label: name, gradient: preset }) => ({
+          ...{ id, label: name },
+          picture: (
+            <span className="gradient-picture checkered">
+              <span style={{ background: gradientCss(preset) }} />
+            </span>
+          ),
+          choose: () => onCommit(preset),
+        }))}
       />
     </div>
   );

@@ -1,28 +1,21 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 
-interface KeyPresetsProps<P> {
-  readonly presets: readonly P[];
-  readonly picture: (preset: P) => ReactNode;
-  readonly onChoose: (preset: P) => void;
+/** Something to begin from. */
+export interface KeyPreset {
+  readonly id: string;
+  readonly label: string;
+  readonly picture: ReactNode;
+  choose(): void;
 }
 
 /** Curves or gradients to begin from, as pictures. */
-export function KeyPresets<P extends { readonly id: string; readonly label: string }>(
-  props: KeyPresetsProps<P>,
-): ReactNode {
+export function KeyPresets({ presets }: { presets: readonly KeyPreset[] }): ReactNode {
   return (
     <div className="key-presets" role="group" aria-label={t('Presets')}>
-      {props.presets.map((preset) => (
-        <button
-          key={preset.id}
-          type="button"
-          className="key-preset"
-          aria-label={preset.label}
-          title={preset.label}
-          onClick={() => props.onChoose(preset)}
-        >
-          {props.picture(preset)}
+      {presets.map(({ id, label, picture, choose }) => (
+        <button key={id} type="button" className="key-preset" aria-label={label} title={label} onClick={choose}>
+          {picture}
         </button>
       ))}
     </div>
